@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/array_layout.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace teleta::contact {
+
+/// One contact region of a frame, in the sensor frame {s}.
+struct Contact {
+    int id = 0;             ///< stable from frame to frame, from 1; 0 before tracking
+    int region = 0;         ///< value of its taxels in the label image, from 1
+    double x_m = 0.0;       ///< load-weighted centroid, TeleTA eq. (1)
+    double y_m = 0.0;
+    double force_N = 0.0;
+    double peak_N = 0.0;
+    double area_m2 = 0.0;
+    int taxels = 0;
+    int minRow = 0, maxRow = 0, minColumn = 0, maxColumn = 0; ///< bounding box, inclusive
+};
+
+struct SegmentationSettings {
+    double threshold_N = 0.2;     ///< taxels below carry no contact; > 0
+    double noiseHeight = 0.1;     ///< h of the h-maxima: a summit that rises less than this above its saddle to a higher
+                                  ///< one is merged into it; as a share of the frame's peak load, 0..1
+    double noiseHeight_N = 0.0;   ///< the same, absolute; the larger of the two acts
+    int minimumTaxels = 1;        ///< smaller regions are dropped
+};
+
+/// Segments a frame into contacts by watershed: flooding from the maxima of the load in order of falling load
+/// (8-neighbourhood, union-find over taxels sorted by load; exact, one pass), with h-maxima suppression so that noise
+/// does not split a contact. A plateau is one region. Scale-free: loads of 1e-12 and 1e12 segment alike.
+/// Contacts come out in order of falling force. Dead and non-finite taxels belong to no region.
+/// Thread: one; after the first frames nothing is allocated.
+/// Source: TeleTA section 1, eq. (1); spec teleta.md section 1.
+class ContactSegmenter {
+public:
+    explicit ContactSegmenter(const core::ArrayLayout& layout, const SegmentationSettings& settings = {});
+
+    [[nodiscard]] std::span<Contact> segment(std::span<const float> load_N,
+                                                   std::span<const std::uint8_t> dead = {});
+    /// Region of each taxel of the last frame: 0 none, else Contact::region.
+    [[nodiscard]] std::span<const std::int32_t> labels() const { return m_labels; }
+
+    void setSettings(const SegmentationSettings& settings) { m_settings = settings; }
+    [[nodiscard]] const SegmentationSettings& settings() const { return m_settings; }
+
+private:
+    core::ArrayLayout m_layout;
+    SegmentationSettings m_settings;
+    std::vector<std::int32_t> m_labels;
+    std::vector<Contact> m_contacts;
+};
+
+} // namespace teleta::contact

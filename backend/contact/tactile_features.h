@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/array_layout.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace teleta::contact {
+
+enum class ContactType { none, point, edge };
+
+/// Which taxels the principal axis is computed from.
+enum class OrientationMode {
+    binarised, ///< covariance of the active taxels' coordinates, n - 1 in the denominator
+    weighted,  ///< the same, each taxel weighted with its load
+};
+
+/// Which taxels force and centre of pressure run over.
+enum class MomentRange {
+    image,  ///< the whole image, as in (B.1)
+    active, ///< active taxels only; for arrays whose noise over many unloaded taxels adds up
+};
+
+struct FeatureSettings {
+    double threshold_N = 0.2;  ///< a taxel is active when its load is at least this; > 0
+    bool automaticThreshold = false; ///< find the lowest useful threshold in each frame; threshold_N is the lower bound
+    OrientationMode orientation = OrientationMode::binarised;
+    MomentRange range = MomentRange::image;
+    double edgeRatio = 4.0;    ///< becomes an edge when lambda1/lambda2 rises above this
+    double pointRatio = 2.5;   ///< becomes a point when lambda1/lambda2 falls below this; < edgeRatio
+};
+
+/// Tactile features of one frame, in the sensor frame {s}. A feature that is not defined is empty, never 0.
+struct TactileFeatures {
+    ContactType type = ContactType::none;
+    double force_N = 0.0;              ///< M_00
+    std::optional<double> copX_m;      ///< centre of pressure, M_10/M_00
+    std::optional<double> copY_m;
+    std::optional<double> cocX_m;      ///< centre of contact: centroid of the binary image
+    std::optional<double> cocY_m;
+    std::optional<double> dzmpX_m;     ///< CoP_y - CoC_y: moment about x
+    std::optional<double> dzmpY_m;     ///< CoP_x - CoC_x: moment about y
+    std::optional<double> alphaZ_rad;  ///< first principal axis, (-pi/2, pi/2]; empty for one taxel or an isotropic blob
+    std::optional<double> lambda1_m2;  ///< eigenvalues of the covariance, lambda1 >= lambda2; need two active taxels
+    std::optional<double> lambda2_m2;
+    int active = 0;                    ///< taxels at or over the threshold
+    int dead = 0;                      ///< taxels left out because they are dead or not finite
+    double peak_N = 0.0;               ///< largest load
+    double threshold_N = 0.0;          ///< the threshold that was used
+};
+
+/// Computes the features of frames of one stream.
+///   M_ij = sum x^i y^j I(x,y)                                         (B.1)
+///   CoP = (M_10, M_01)/M_00;  CoC the same of the binary image        (B.2)-(B.3)
+///   DZMP_x = CoP_y - CoC_y,  DZMP_y = CoP_x - CoC_x
+///   lambda_1,2 from the 2 x 2 covariance in closed form, without cancellation
+/// The edge decision has hysteresis, so the object remembers the previous frame's type; reset() forgets it.
+/// Thread: one; compute() allocates nothing.
+/// Source: tactile servoing paper, section 3 and appendix B; (B.4) with n = taxels in contact (erratum 1).
+class FeatureExtractor {
+public:
+    explicit FeatureExtractor(const core::ArrayLayout& layout, const FeatureSettings& settings = {});
+
+    /// load_N: taxels >= 0 (what FrameConditioner gives); dead: 1 for taxels to leave out, may be empty. Values that
+    /// are not finite or negative are left out and counted as dead.
+    [[nodiscard]] TactileFeatures compute(std::span<const float> load_N, std::span<const std::uint8_t> dead = {});
+
+    void setSettings(const FeatureSettings& settings) { m_settings = settings; }
+    [[nodiscard]] const FeatureSettings& settings() const { return m_settings; }
+    void reset() { m_previous = ContactType::none; }
+
+private:
+    core::ArrayLayout m_layout;
+    FeatureSettings m_settings;
+    std::vector<double> m_x_m; ///< x of each column
+    std::vector<double> m_y_m; ///< y of each row
+    ContactType m_previous = ContactType::none;
+};
+
+/// One line of text values shared by command line and console: "none", "point", "edge".
+[[nodiscard]] const char* toString(ContactType type);
+
+} // namespace teleta::contact

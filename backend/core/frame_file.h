@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/array_layout.h"
+#include "backend/core/csv_reader.h"
+#include "backend/core/error.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace teleta::core {
+
+/// Reads recorded tactile frames: CSV with columns time_s,t0,t1,...,t(N-1), row-major, one row a frame.
+/// Time must not decrease. Taxel values may be nan or inf (a dead taxel); time may not.
+/// Thread: one.
+class FrameFile {
+public:
+    /// Opens the file; layout.taxels() must be the number of taxel columns, else an error that says both numbers.
+    [[nodiscard]] static Expected<FrameFile> open(const std::string& path, const ArrayLayout& layout);
+
+    /// Number of taxel columns of a file, to guess a layout before it is opened.
+    [[nodiscard]] static Expected<std::size_t> countTaxels(const std::string& path);
+
+    /// Reads the next frame. False at the end of the file.
+    [[nodiscard]] Expected<bool> next(double& time_s, std::span<float> values);
+
+    /// Byte offset and line at which the next frame starts; give them to seek() to come back.
+    [[nodiscard]] std::uint64_t offset() const { return m_csv.bytesRead(); }
+    [[nodiscard]] long long line() const { return m_csv.line(); }
+    [[nodiscard]] Expected<void> seek(std::uint64_t offset, long long line);
+
+    [[nodiscard]] std::uint64_t bytesTotal() const { return m_csv.bytesTotal(); }
+    [[nodiscard]] const ArrayLayout& layout() const { return m_layout; }
+    [[nodiscard]] const std::string& path() const { return m_csv.path(); }
+
+private:
+    FrameFile(CsvReader csv, const ArrayLayout& layout);
+
+    CsvReader m_csv;
+    ArrayLayout m_layout;
+    std::vector<double> m_row;
+    std::optional<double> m_lastTime_s;
+};
+
+/// Mean of all finite frames of an unloaded recording, taxel by taxel: what is subtracted as tare.
+/// A taxel that is never finite gets NaN and is dead from then on.
+[[nodiscard]] Expected<std::vector<float>> readTare(const std::string& path, const ArrayLayout& layout);
+
+} // namespace teleta::core
