@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/pipeline/touch_channel.h"
+
+#include "backend/core/steady_time.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace teleta::pipeline {
+
+namespace {
+
+double seconds(std::int64_t from_ns, std::int64_t to_ns) {
+    return static_cast<double>(to_ns - from_ns) * 1e-9;
+}
+
+} // namespace
+
+TouchChannel::TouchChannel(std::unique_ptr<core::TactileSource> source, ChannelSettings settings)
+    : m_source(std::move(source))
+    , m_settings(std::move(settings))
+    , m_conditioner(m_source->description().layout.taxels(), m_settings.conditioning)
+    , m_features(m_source->description().layout, m_settings.features)
+    , m_segmenter(m_source->description().layout, m_settings.segmentation)
+    , m_samples(kHistorySamples) {
+    const core::ArrayLayout& layout = m_source->description().layout;
+    m_current.layout = layout;
+    m_current.loadUnit = m_settings.loadUnit;
+    m_current.load_N.resize(layout.taxels());
+    m_current.dead.resize(layout.taxels());
+    m_current.labels.resize(layout.taxels());
+    m_settingsInUse.set(m_settings);
+}
+
+TouchChannel::~TouchChannel() {
+    m_source->stop();
+}
+
+void TouchChannel::post(ChannelSettings settings, bool keepTare) {
+    m_changes.post({std::move(settings), keepTare});
+}
+
+void TouchChannel::requestTare(double duration_s) {
+    // The smallest positive value stands for one frame, because 0 means clear.
+    m_tareRequests.post(std::max(duration_s, std::numeric_limits<double>::min()));
+}
+
+void TouchChannel::clearTare() {
+    m_tareRequests.post(0.0);
+}
+
+std::size_t TouchChannel::process() {
+    const bool changed = takeCommands();
+    std::size_t frames = 0;
+    while (m_source->blocks().pop(m_block)) {
+        if (m_block.channels != m_current.layout.taxels()) {
+            m_block = {};
+            continue;
+        }
+        if (m_block.discontinuity) {
+            m_tracker.reset();
+            m_features.reset();
+        }
+        for (std::size_t index = 0; index < m_block.frames(); ++index)
+            processFrame(m_block, index);
+        frames += m_block.frames();
+    }
+    if (frames > 0) {
+        publish();
+    } else if (changed && m_block.frames() > 0) {
+        // A paused source delivers nothing: its last frame shows what the new settings do.
+        analyse(m_block, m_block.frames() - 1);
+        publish();
+    }
+    return frames;
+}
+
+bool TouchChannel::takeCommands() {
+    const std::uint64_t before = m_revision.load(std::memory_order_relaxed);
+    if (auto change = m_changes.take()) {
+        if (change->keepTare)
+            change->settings.conditioning.tare = m_settings.conditioning.tare;
+        applySettings(std::move(change->settings));
+    }
+    if (const auto tare_s = m_tareRequests.take()) {
+        m_tareRun.reset();
+        if (*tare_s > 0.0) {
+            m_tareRun = std::make_unique<TareRun>();
+            m_tareRun->duration_s = *tare_s;
+            m_tareRun->sum.resize(m_current.layout.taxels());
+            m_tareRun->count.resize(m_current.layout.taxels());
+        } else {
+            ChannelSettings cleared = m_settings;
+            cleared.conditioning.tare.clear();
+            applySettings(std::move(cleared));
+        }
+    }
+    return m_revision.load(std::memory_order_relaxed) != before;
+}
+
+void TouchChannel::applySettings(ChannelSettings settings) {
+    m_settings = std::move(settings);
+    m_conditioner = contact::FrameConditioner(m_current.layout.taxels(), m_settings.conditioning);
+    m_features.setSettings(m_settings.features);
+    m_segmenter.setSettings(m_settings.segmentation);
+    m_current.loadUnit = m_settings.loadUnit;
+    m_settingsInUse.set(m_settings);
+    m_revision.fetch_add(1, std::memory_order_acq_rel);
+}
+
+void TouchChannel::processFrame(const core::SampleBlock& block, std::size_t index) {
+    if (m_tareRun)
+        accumulateTare(block, index);
+    analyse(block, index);
+    m_current.framesProcessed = m_framesProcessed.fetch_add(1, std::memory_order_relaxed) + 1;
+    m_samples.push({.time_ns = m_current.time_ns,
+                    .sourceTime_s = m_current.sourceTime_s,
+                    .discontinuity = block.discontinuity && index == 0,
+                    .features = m_current.features});
+}
+
+void TouchChannel::analyse(const core::SampleBlock& block, std::size_t index) {
+    const std::int64_t start_ns = core::steadyNow_ns();
+    m_current.frame = block.firstFrame + index;
+    m_current.time_ns = block.time_ns[index];
+    m_current.sourceTime_s = block.sourceTime_s[index];
+    const std::size_t dead = m_conditioner.apply(block.frame(index), m_current.load_N, m_current.dead);
+    const std::int64_t conditioned_ns = core::steadyNow_ns();
+
+    const auto contacts = m_segmenter.segment(m_current.load_N, m_current.dead);
+    m_tracker.assign(contacts, m_current.sourceTime_s);
+    m_current.contacts.assign(contacts.begin(), contacts.end());
+    const std::int64_t segmented_ns = core::steadyNow_ns();
+
+    m_current.features = m_features.compute(m_current.load_N, m_current.dead);
+    m_current.features.dead = static_cast<int>(dead);
+    m_current.threshold_N = m_current.features.threshold_N;
+    const std::int64_t done_ns = core::steadyNow_ns();
+
+    m_current.stages = {.conditioning_s = seconds(start_ns, conditioned_ns),
+                        .contacts_s = seconds(conditioned_ns, segmented_ns),
+                        .features_s = seconds(segmented_ns, done_ns),
+                        .queue_s = seconds(block.time_ns[index], start_ns)};
+}
+
+void TouchChannel::accumulateTare(const core::SampleBlock& block, std::size_t index) {
+    TareRun& run = *m_tareRun;
+    if (run.frames == 0 || block.sourceTime_s[index] < run.start_s)
+        run.start_s = block.sourceTime_s[index];
+    const auto frame = block.frame(index);
+    for (std::size_t taxel = 0; taxel < frame.size(); ++taxel) {
+        if (!std::isfinite(frame[taxel]))
+            continue;
+        run.sum[taxel] += static_cast<double>(frame[taxel]);
+        ++run.count[taxel];
+    }
+    ++run.frames;
+    if (block.sourceTime_s[index] - run.start_s < run.duration_s)
+        return;
+
+    ChannelSettings tared = m_settings;
+    tared.conditioning.tare.resize(frame.size());
+    for (std::size_t taxel = 0; taxel < frame.size(); ++taxel)
+        tared.conditioning.tare[taxel] = run.count[taxel] > 0
+                                             ? static_cast<float>(run.sum[taxel] / run.count[taxel])
+                                             : std::numeric_limits<float>::quiet_NaN();
+    m_tareRun.reset();
+    applySettings(std::move(tared));
+}
+
+void TouchChannel::publish() {
+    const auto labels = m_segmenter.labels();
+    m_current.labels.assign(labels.begin(), labels.end());
+    m_snapshots.back() = m_current;
+    m_snapshots.publish();
+}
+
+} // namespace teleta::pipeline

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/contact/contact_tracker.h"
+#include "backend/core/bounded_queue.h"
+#include "backend/core/device.h"
+#include "backend/core/latest_copy.h"
+#include "backend/core/latest_exchange.h"
+#include "backend/core/mailbox.h"
+#include "backend/pipeline/touch_snapshot.h"
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace teleta::pipeline {
+
+/// One tactile array in the running system: its source, how its frames are processed, and what views may see
+/// of it.
+///
+/// Three sides, one thread each:
+/// - pipeline thread: process() drains the source's blocks and publishes a snapshot and feature samples;
+/// - viewer (one thread, the GUI's): update(), snapshot(), popSample(), post(), requestTare();
+/// - any thread: description(), status(), settings(), counters.
+class TouchChannel {
+public:
+    /// Feature samples kept for a viewer that is late: 20 s at 200 Hz. What does not fit is counted.
+    static constexpr std::size_t kHistorySamples = 4096;
+
+    TouchChannel(std::unique_ptr<core::TactileSource> source, ChannelSettings settings);
+    ~TouchChannel();
+
+    [[nodiscard]] const core::SourceDescription& description() const { return m_source->description(); }
+    [[nodiscard]] core::DeviceStatus status() const { return m_source->status(); }
+    [[nodiscard]] core::PlaybackControl* playback() { return m_source->playback(); }
+    [[nodiscard]] core::TactileSource& source() { return *m_source; }
+
+    /// Fetches the newest snapshot; true when it changed. Viewer thread.
+    bool update() { return m_snapshots.update(); }
+    [[nodiscard]] const TouchSnapshot& snapshot() const { return m_snapshots.front(); }
+    /// 0 until the first frame has been processed.
+    [[nodiscard]] std::uint64_t generation() const { return m_snapshots.generation(); }
+
+    /// Takes the oldest feature sample that the viewer has not seen; every frame makes one. Viewer thread.
+    bool popSample(FeatureSample& sample) { return m_samples.pop(sample); }
+    [[nodiscard]] std::uint64_t samplesNotShown() const { return m_samples.overflow(); }
+
+    /// New settings, used from the next frame on; the latest wins. tare is kept when the new one is empty and
+    /// keepTare is set, so that a panel needs not carry it along.
+    void post(ChannelSettings settings, bool keepTare = true);
+    /// Averages the next frames of this length (at least one frame) and uses the mean as tare.
+    void requestTare(double duration_s = 0.5);
+    void clearTare();
+    /// The settings in use, with a revision that grows by one when the pipeline takes new ones.
+    [[nodiscard]] ChannelSettings settings() const { return m_settingsInUse.get(); }
+    [[nodiscard]] std::uint64_t settingsRevision() const {
+        return m_revision.load(std::memory_order_acquire);
+    }
+
+    [[nodiscard]] std::uint64_t framesProcessed() const {
+        return m_framesProcessed.load(std::memory_order_relaxed);
+    }
+
+    /// Processes all blocks that wait. Pipeline thread. Returns the number of frames.
+    std::size_t process();
+
+private:
+    struct Change {
+        ChannelSettings settings;
+        bool keepTare = true;
+    };
+    struct TareRun {
+        double duration_s = 0.0;
+        std::size_t frames = 0;
+        std::vector<double> sum;
+        std::vector<std::uint32_t> count;
+        double start_s = 0.0;
+    };
+
+    void applySettings(ChannelSettings settings);
+    bool takeCommands(); ///< true when the settings changed
+    void processFrame(const core::SampleBlock& block, std::size_t index);
+    void analyse(const core::SampleBlock& block, std::size_t index);
+    void accumulateTare(const core::SampleBlock& block, std::size_t index);
+    void publish();
+
+    std::unique_ptr<core::TactileSource> m_source;
+    ChannelSettings m_settings;
+    core::LatestCopy<ChannelSettings> m_settingsInUse;
+    std::atomic<std::uint64_t> m_revision{0};
+    core::Mailbox<Change> m_changes;
+    core::Mailbox<double> m_tareRequests; ///< duration in s; 0 clears
+
+    contact::FrameConditioner m_conditioner;
+    contact::FeatureExtractor m_features;
+    contact::ContactSegmenter m_segmenter;
+    contact::ContactTracker m_tracker;
+    std::unique_ptr<TareRun> m_tareRun;
+
+    TouchSnapshot m_current;
+    core::SampleBlock m_block;
+    core::LatestExchange<TouchSnapshot> m_snapshots;
+    core::BoundedQueue<FeatureSample> m_samples;
+    std::atomic<std::uint64_t> m_framesProcessed{0};
+};
+
+} // namespace teleta::pipeline

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/pipeline/touch_pipeline.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace teleta::pipeline {
+
+using namespace std::chrono_literals;
+
+TouchPipeline::TouchPipeline()
+    : m_computeThread([this](const std::stop_token& stop) { compute(stop); })
+    , m_controlThread([this](const std::stop_token& stop) { control(stop); }) {
+}
+
+TouchPipeline::~TouchPipeline() {
+    m_controlThread.request_stop();
+    m_controlThread.join();
+    m_computeThread.request_stop();
+    m_data.notify();
+    m_computeThread.join();
+    for (const Entry& entry : m_channels)
+        entry.channel->source().stop();
+}
+
+ChannelKey TouchPipeline::open(SourceFactory factory) {
+    const ChannelKey key = ++m_lastKey;
+    {
+        const std::scoped_lock lock(m_requestMutex);
+        m_requests.push_back({key, std::move(factory)});
+    }
+    m_requestCondition.notify_one();
+    return key;
+}
+
+void TouchPipeline::close(ChannelKey key) {
+    {
+        const std::scoped_lock lock(m_requestMutex);
+        m_requests.push_back({key, {}});
+    }
+    m_requestCondition.notify_one();
+}
+
+std::vector<ChannelEvent> TouchPipeline::takeEvents() {
+    const std::scoped_lock lock(m_eventMutex);
+    return std::exchange(m_events, {});
+}
+
+void TouchPipeline::waitUntilIdle() {
+    std::unique_lock lock(m_requestMutex);
+    m_idleCondition.wait(lock, [this] { return m_requests.empty() && !m_busy; });
+}
+
+void TouchPipeline::control(const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+        Request request;
+        {
+            std::unique_lock lock(m_requestMutex);
+            m_busy = false;
+            m_idleCondition.notify_all();
+            if (!m_requestCondition.wait(lock, stop, [this] { return !m_requests.empty(); }))
+                return;
+            request = std::move(m_requests.front());
+            m_requests.erase(m_requests.begin());
+            m_busy = true;
+        }
+        carryOut(request);
+    }
+}
+
+void TouchPipeline::carryOut(Request& request) {
+    ChannelEvent event;
+    event.key = request.key;
+    if (request.factory) {
+        auto opened = request.factory();
+        if (opened) {
+            event.channel =
+                std::make_shared<TouchChannel>(std::move(opened->source), std::move(opened->settings));
+            {
+                const std::scoped_lock lock(m_channelMutex);
+                m_channels.push_back({request.key, event.channel});
+                ++m_channelRevision;
+            }
+            event.channel->source().start(m_data);
+        } else {
+            event.kind = ChannelEvent::Kind::failed;
+            event.error = std::move(opened.error());
+        }
+    } else {
+        event.kind = ChannelEvent::Kind::closed;
+        std::shared_ptr<TouchChannel> channel;
+        {
+            const std::scoped_lock lock(m_channelMutex);
+            const auto found = std::find_if(m_channels.begin(), m_channels.end(),
+                                            [&](const Entry& entry) { return entry.key == request.key; });
+            if (found == m_channels.end())
+                return;
+            channel = std::move(found->channel);
+            m_channels.erase(found);
+            ++m_channelRevision;
+        }
+        channel->source().stop();
+        m_data.notify();
+    }
+    const std::scoped_lock lock(m_eventMutex);
+    m_events.push_back(std::move(event));
+}
+
+void TouchPipeline::compute(const std::stop_token& stop) {
+    // The time-out lets new settings take effect while a paused source delivers nothing.
+    constexpr auto kIdlePeriod = 50ms;
+    std::vector<Entry> channels;
+    std::uint64_t revision = 0;
+    while (!stop.stop_requested()) {
+        m_data.waitFor(kIdlePeriod);
+        {
+            const std::scoped_lock lock(m_channelMutex);
+            if (revision != m_channelRevision) {
+                channels = m_channels;
+                revision = m_channelRevision;
+            }
+        }
+        for (const Entry& entry : channels)
+            entry.channel->process();
+    }
+}
+
+} // namespace teleta::pipeline
