@@ -13,22 +13,24 @@
 namespace teleta::core {
 
 /// Reads recorded tactile frames: CSV with columns time_s,t0,t1,...,t(N-1), row-major, one row a frame.
-/// Time must not decrease. Taxel values may be nan or inf (a dead taxel); time may not.
+/// Time must not decrease. Taxel values may be nan, inf or NA (a dead taxel); time may not.
 /// Thread: one.
 class FrameFile {
 public:
-    /// Opens the file; layout.taxels() must be the number of taxel columns, else an error that says both numbers.
+    /// Opens the file; layout.taxels() must be the number of taxel columns, else an error that says both
+    /// numbers.
     [[nodiscard]] static Expected<FrameFile> open(const std::string& path, const ArrayLayout& layout);
 
     /// Number of taxel columns of a file, to guess a layout before it is opened.
     [[nodiscard]] static Expected<std::size_t> countTaxels(const std::string& path);
 
-    /// Reads the next frame. False at the end of the file.
+    /// Reads the next frame into values (layout.taxels() entries). False at the end of the file; a file
+    /// without any frame is an error.
     [[nodiscard]] Expected<bool> next(double& time_s, std::span<float> values);
 
     /// Byte offset and line at which the next frame starts; give them to seek() to come back.
     [[nodiscard]] std::uint64_t offset() const { return m_csv.bytesRead(); }
-    [[nodiscard]] long long line() const { return m_csv.line(); }
+    [[nodiscard]] long long line() const { return m_csv.nextLine(); }
     [[nodiscard]] Expected<void> seek(std::uint64_t offset, long long line);
 
     [[nodiscard]] std::uint64_t bytesTotal() const { return m_csv.bytesTotal(); }
@@ -42,6 +44,7 @@ private:
     ArrayLayout m_layout;
     std::vector<double> m_row;
     std::optional<double> m_lastTime_s;
+    bool m_anyFrame = false; ///< also true after seek(): an offset was known, so there was a frame
 };
 
 /// Mean of all finite frames of an unloaded recording, taxel by taxel: what is subtracted as tare.
