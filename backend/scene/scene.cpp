@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/scene/scene.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+#include <algorithm>
+#include <cmath>
+
+namespace teleta::scene {
+
+namespace {
+
+struct SceneCheck {
+    Q_DECLARE_TR_FUNCTIONS(Scene)
+};
+
+bool isPositive(double value) {
+    return std::isfinite(value) && value > 0.0;
+}
+
+bool isNotNegative(double value) {
+    return std::isfinite(value) && value >= 0.0;
+}
+
+bool isValid(const core::ArrayLayout& layout) {
+    const auto side = [](int taxels) { return taxels >= 1 && taxels <= core::ArrayLayout::kMaximumSide; };
+    return side(layout.rows) && side(layout.columns) && isPositive(layout.pitch_m);
+}
+
+struct ShapeIsValid {
+    bool operator()(const Sphere& shape) const { return isPositive(shape.radius_m); }
+    bool operator()(const Cylinder& shape) const {
+        return isPositive(shape.radius_m) && isPositive(shape.length_m);
+    }
+    bool operator()(const BoxEdge& shape) const { return isPositive(shape.length_m); }
+    bool operator()(const FlatPunch& shape) const {
+        return isPositive(shape.length_m) && isPositive(shape.width_m);
+    }
+};
+
+bool isValid(const std::vector<Keyframe>& keyframes) {
+    const auto isFinite = [](const Keyframe& frame) {
+        return std::isfinite(frame.time_s) && std::isfinite(frame.x_m) && std::isfinite(frame.y_m) &&
+               std::isfinite(frame.depth_m) && std::isfinite(frame.angle_rad);
+    };
+    return !keyframes.empty() && std::ranges::all_of(keyframes, isFinite) &&
+           std::ranges::adjacent_find(keyframes, std::ranges::greater_equal{}, &Keyframe::time_s) ==
+               keyframes.end();
+}
+
+struct EffectIsValid {
+    const core::ArrayLayout& layout;
+
+    bool operator()(const NoiseSpec& spec) const { return isNotNegative(spec.sd_N); }
+    bool operator()(const QuantizationSpec& spec) const { return isPositive(spec.step_N); }
+    bool operator()(const SaturationSpec&) const { return true; }
+    bool operator()(const DeadTaxelsSpec& spec) const {
+        return spec.count <= layout.taxels() &&
+               std::ranges::all_of(spec.taxels, [this](const TaxelIndex& taxel) {
+                   return taxel.row >= 0 && taxel.row < layout.rows && taxel.column >= 0 &&
+                          taxel.column < layout.columns;
+               });
+    }
+    bool operator()(const CrosstalkSpec& spec) const {
+        return isNotNegative(spec.share) && spec.share <= 1.0;
+    }
+    bool operator()(const HysteresisSpec& spec) const { return isNotNegative(spec.share); }
+    bool operator()(const DriftSpec& spec) const {
+        return isNotNegative(spec.sd_N) && isPositive(spec.timeConstant_s);
+    }
+};
+
+struct EffectName {
+    std::string_view operator()(const NoiseSpec&) const { return "noise"; }
+    std::string_view operator()(const QuantizationSpec&) const { return "quantization"; }
+    std::string_view operator()(const SaturationSpec&) const { return "saturation"; }
+    std::string_view operator()(const DeadTaxelsSpec&) const { return "dead_taxels"; }
+    std::string_view operator()(const CrosstalkSpec&) const { return "crosstalk"; }
+    std::string_view operator()(const HysteresisSpec&) const { return "hysteresis"; }
+    std::string_view operator()(const DriftSpec&) const { return "drift"; }
+};
+
+core::Expected<void> refused(const QString& message) {
+    return core::Unexpected(core::Error{core::ErrorKind::badInput, message.toStdString(), {}, {}});
+}
+
+} // namespace
+
+std::string_view nameOf(const Effect& effect) {
+    return std::visit(EffectName(), effect.parameters);
+}
+
+core::Expected<void> checkScene(const Scene& scene) {
+    const ArraySensor& sensor = scene.sensor;
+    if (!isPositive(scene.rate_Hz))
+        return refused(SceneCheck::tr("the frame rate of the scene is not a positive number"));
+    if (!isValid(sensor.layout))
+        return refused(SceneCheck::tr("the size of the tactile array is out of range"));
+    if (!isPositive(sensor.stiffness_NPerM) || !isPositive(sensor.fullScale_N) ||
+        !isNotNegative(sensor.firingThreshold_N))
+        return refused(SceneCheck::tr("a property of the tactile array is out of range"));
+    for (const Indenter& indenter : scene.indenters) {
+        const QString name = QString::fromStdString(indenter.name);
+        if (!std::visit(ShapeIsValid(), indenter.shape))
+            return refused(SceneCheck::tr("the size of indenter \"%1\" is out of range").arg(name));
+        if (!isValid(indenter.keyframes))
+            return refused(
+                SceneCheck::tr("the motion of indenter \"%1\" is not a series of rising times").arg(name));
+    }
+    for (auto effect = scene.effects.begin(); effect != scene.effects.end(); ++effect) {
+        const QString name = QString::fromUtf8(nameOf(*effect).data());
+        if (!std::visit(EffectIsValid{sensor.layout}, effect->parameters))
+            return refused(SceneCheck::tr("a parameter of effect \"%1\" is out of range").arg(name));
+        const bool again = std::any_of(scene.effects.begin(), effect, [&](const Effect& earlier) {
+            return earlier.parameters.index() == effect->parameters.index();
+        });
+        if (again)
+            return refused(SceneCheck::tr("effect \"%1\" is listed twice").arg(name));
+    }
+    return {};
+}
+
+} // namespace teleta::scene

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/scene/scene_reader.h"
+
+#include "backend/scene/toml_table.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace teleta::scene {
+
+namespace {
+
+struct SceneReader {
+    Q_DECLARE_TR_FUNCTIONS(SceneReader)
+};
+
+constexpr double kHighestRate_Hz = 100'000.0;
+
+int side(TomlTable& table, std::string_view key) {
+    return static_cast<int>(table.integer(key, 1, core::ArrayLayout::kMaximumSide));
+}
+
+ArraySensor readSensor(TomlTable table) {
+    ArraySensor sensor;
+    (void)table.choice("kind", {"array"});
+    sensor.layout.rows = side(table, "rows");
+    sensor.layout.columns = side(table, "columns");
+    sensor.layout.pitch_m = table.number("pitch_m", NumberRange::positive());
+    sensor.stiffness_NPerM = table.number("stiffness_N_per_m", NumberRange::positive());
+    sensor.fullScale_N = table.number("full_scale_N", NumberRange::positive());
+    sensor.firingThreshold_N = table.number("firing_threshold_N", NumberRange::notNegative(), 0.0);
+    table.finish();
+    return sensor;
+}
+
+IndenterShape readShape(TomlTable& table) {
+    const auto size = [&table](std::string_view key) { return table.number(key, NumberRange::positive()); };
+    switch (table.choice("shape", {"sphere", "cylinder", "box_edge", "flat_punch"})) {
+    case 1:
+        return Cylinder{.radius_m = size("radius_m"), .length_m = size("length_m")};
+    case 2:
+        return BoxEdge{.length_m = size("length_m")};
+    case 3:
+        return FlatPunch{.length_m = size("length_m"), .width_m = size("width_m")};
+    default:
+        return Sphere{.radius_m = size("radius_m")};
+    }
+}
+
+std::vector<Keyframe> readKeyframes(TomlTable& indenter, bool loop) {
+    std::vector<Keyframe> keyframes;
+    for (TomlTable& table : indenter.tables("keyframes", 1)) {
+        Keyframe frame;
+        frame.time_s = table.number("time_s", NumberRange::notNegative());
+        frame.x_m = table.number("x_m", NumberRange::any(), 0.0);
+        frame.y_m = table.number("y_m", NumberRange::any(), 0.0);
+        frame.depth_m = table.number("depth_m", NumberRange::any());
+        frame.angle_rad = table.number("angle_rad", NumberRange::any(), 0.0);
+        table.finish();
+        if (!keyframes.empty() && frame.time_s <= keyframes.back().time_s)
+            table.fail("time_s", SceneReader::tr("the keyframes are not in the order of time").toStdString(),
+                       SceneReader::tr("a time after %1 s").arg(keyframes.back().time_s).toStdString());
+        keyframes.push_back(frame);
+    }
+    if (loop && !keyframes.empty()) {
+        const Keyframe& first = keyframes.front();
+        const Keyframe& last = keyframes.back();
+        // All shapes look the same after half a turn.
+        const double turn_rad = std::remainder(last.angle_rad - first.angle_rad, std::numbers::pi);
+        if (first.x_m != last.x_m || first.y_m != last.y_m || first.depth_m != last.depth_m ||
+            std::abs(turn_rad) > 1e-3)
+            indenter.fail("loop", SceneReader::tr("the motion does not end where it starts").toStdString(),
+                          SceneReader::tr("a last keyframe like the first one").toStdString());
+    }
+    return keyframes;
+}
+
+Indenter readIndenter(TomlTable table) {
+    Indenter indenter;
+    indenter.name = table.text("name");
+    indenter.shape = readShape(table);
+    indenter.loop = table.boolean("loop", false);
+    indenter.keyframes = readKeyframes(table, indenter.loop);
+    table.finish();
+    return indenter;
+}
+
+DeadTaxelsSpec readDeadTaxels(TomlTable& table, const core::ArrayLayout& layout) {
+    DeadTaxelsSpec spec;
+    spec.reading_N = table.number("reading_N", NumberRange::anyOrNan(), 0.0);
+    if (table.has("taxels") == table.has("count"))
+        table.fail("count", SceneReader::tr("which taxels are dead is not clear").toStdString(),
+                   SceneReader::tr("either \"count\" or \"taxels\"").toStdString());
+    if (table.has("count"))
+        spec.count =
+            static_cast<std::size_t>(table.integer("count", 1, static_cast<long long>(layout.taxels())));
+    for (TomlTable& taxel : table.tables("taxels", 0)) {
+        spec.taxels.push_back({.row = static_cast<int>(taxel.integer("row", 0, layout.rows - 1)),
+                               .column = static_cast<int>(taxel.integer("column", 0, layout.columns - 1))});
+        taxel.finish();
+    }
+    return spec;
+}
+
+Effect readEffect(TomlTable table, const core::ArrayLayout& layout, std::set<std::size_t>& listed) {
+    Effect effect;
+    const std::size_t kind = table.choice(
+        "name", {"noise", "quantization", "saturation", "dead_taxels", "crosstalk", "hysteresis", "drift"});
+    if (!listed.insert(kind).second)
+        table.fail("name", SceneReader::tr("the effect is listed twice").toStdString(),
+                   SceneReader::tr("each effect at most once").toStdString());
+    effect.why = table.text("why");
+    switch (kind) {
+    case 1:
+        effect.parameters = QuantizationSpec{.step_N = table.number("step_N", NumberRange::positive())};
+        break;
+    case 2:
+        effect.parameters = SaturationSpec{};
+        break;
+    case 3:
+        effect.parameters = readDeadTaxels(table, layout);
+        break;
+    case 4:
+        effect.parameters = CrosstalkSpec{.share = table.number("share", NumberRange::between(0.0, 1.0))};
+        break;
+    case 5:
+        effect.parameters = HysteresisSpec{.share = table.number("share", NumberRange::between(0.0, 10.0))};
+        break;
+    case 6:
+        effect.parameters =
+            DriftSpec{.sd_N = table.number("sd_N", NumberRange::notNegative()),
+                      .timeConstant_s = table.number("time_constant_s", NumberRange::positive())};
+        break;
+    default:
+        effect.parameters = NoiseSpec{.sd_N = table.number("sd_N", NumberRange::notNegative())};
+    }
+    table.finish();
+    return effect;
+}
+
+core::Expected<Scene> readDocument(const TomlDocument& document) {
+    TomlTable root = document.root();
+    Scene scene;
+    scene.name = root.text("name");
+    scene.description = root.text("description");
+    scene.duration_s = root.number("duration_s", NumberRange::positive());
+    scene.rate_Hz = root.number("rate_Hz", {.low = 0.0, .high = kHighestRate_Hz, .lowOpen = true});
+    const TomlTable sensor = root.table("sensor");
+    const std::vector<TomlTable> indenters = root.tables("indenter", 1);
+    const std::vector<TomlTable> effects = root.tables("effects", 0);
+    // Before the tables are read: the effects depend on the sensor, and its misspelt name is the error to
+    // show.
+    root.finish();
+    scene.sensor = readSensor(sensor);
+    for (const TomlTable& table : indenters)
+        scene.indenters.push_back(readIndenter(table));
+    std::set<std::size_t> listed;
+    for (const TomlTable& table : effects)
+        scene.effects.push_back(readEffect(table, scene.sensor.layout, listed));
+    if (document.firstError())
+        return core::Unexpected(*document.firstError());
+    return scene;
+}
+
+} // namespace
+
+core::Expected<Scene> readScene(const std::string& path) {
+    return TomlDocument::open(path).and_then(readDocument);
+}
+
+core::Expected<Scene> parseScene(std::string_view text, const std::string& file) {
+    return TomlDocument::parse(text, file).and_then(readDocument);
+}
+
+} // namespace teleta::scene
