@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include <span>
+
+namespace teleta::contour {
+
+/// A contact point in the plane of exploration, (x, y) in m.
+using Point = Eigen::Vector2d;
+
+/// Coordinates beyond this are refused like NaN, so that no square of a distance overflows.
+inline constexpr double kMaximumCoordinate_m = 1e150;
+
+/// Whether every coordinate is finite and within the valid range.
+[[nodiscard]] bool areUsable(std::span<const Point> points_m);
+
+} // namespace teleta::contour
