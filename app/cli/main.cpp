@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/interruption.h"
+#include "app/cli/program.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QTranslator>
+
+#include <clocale>
+#include <cstdlib>
+#include <string_view>
+
+namespace {
+
+/// Qt warns on every start in the C locale, where cron jobs and containers live; C.UTF-8 is the same but for
+/// file names, which are UTF-8 then.
+void preferUtf8() {
+    const char* name = std::setlocale(LC_CTYPE, "");
+    if (name == nullptr || std::string_view(name) == "C" || std::string_view(name) == "POSIX") {
+        const char* all = std::getenv("LC_ALL");
+        setenv(all != nullptr && *all != '\0' ? "LC_ALL" : "LC_CTYPE", "C.UTF-8", 1);
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    preferUtf8();
+    const QCoreApplication application(argc, argv);
+    QCoreApplication::setApplicationName(QStringLiteral("teleta"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(TELETA_VERSION));
+    // Qt has set the locale of the environment; numbers in options and files do not depend on it.
+    std::setlocale(LC_NUMERIC, "C");
+    QTranslator translator;
+    if (translator.load(QLocale(), QStringLiteral("teleta"), QStringLiteral("_"), QStringLiteral(":/i18n")))
+        QCoreApplication::installTranslator(&translator);
+    teleta::cli::catchInterruptions();
+    return teleta::cli::runProgram(argc, argv);
+}

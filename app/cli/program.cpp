@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/program.h"
+
+#include "app/cli/command.h"
+#include "app/cli/command_io.h"
+
+#include <QCoreApplication>
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace teleta::cli {
+
+namespace {
+
+/// All commands in the order of the help. A new one is its file under commands/, that file's line in CMakeLists.txt
+/// and a line here: commands.push_back(std::make_unique<FeaturesCommand>());
+std::vector<std::unique_ptr<Command>> makeCommands() {
+    std::vector<std::unique_ptr<Command>> commands;
+    return commands;
+}
+
+QString translate(const char* text) {
+    return QCoreApplication::translate("CommandLine", text);
+}
+
+void translateHelp(CLI::App& app) {
+    const auto label = [&app](const char* key, const char* text) {
+        app.get_formatter()->label(key, translate(text).toStdString());
+    };
+    label("Usage", QT_TRANSLATE_NOOP("CommandLine", "Usage"));
+    label("OPTIONS", QT_TRANSLATE_NOOP("CommandLine", "OPTIONS"));
+    label("Options", QT_TRANSLATE_NOOP("CommandLine", "Options"));
+    label("Positionals", QT_TRANSLATE_NOOP("CommandLine", "Arguments"));
+    label("SUBCOMMAND", QT_TRANSLATE_NOOP("CommandLine", "COMMAND"));
+    label("Subcommands", QT_TRANSLATE_NOOP("CommandLine", "Commands"));
+    label("REQUIRED", QT_TRANSLATE_NOOP("CommandLine", "(required)"));
+    app.set_help_flag("-h,--help", translate("Print this help").toStdString());
+}
+
+std::string usageError(const CLI::App* app, const CLI::Error& error) {
+    QString command = QStringLiteral("teleta");
+    for (const CLI::App* parsed : app->get_subcommands())
+        command += QLatin1Char(' ') + QString::fromStdString(parsed->get_name());
+    return translate("teleta: %1\n%2 --help says more.\n")
+        .arg(QString::fromStdString(error.what()), command)
+        .toStdString();
+}
+
+} // namespace
+
+int runProgram(int argc, const char* const* argv) {
+    CLI::App app(translate("Computes contacts, stiffness and shape from what a tactile robot arm has felt.")
+                     .toStdString(),
+                 "teleta");
+    translateHelp(app);
+    app.set_version_flag("--version", "teleta " + QCoreApplication::applicationVersion().toStdString(),
+                         translate("Print the version").toStdString());
+    app.failure_message(usageError);
+    app.require_subcommand(1);
+
+    const std::vector<std::unique_ptr<Command>> commands = makeCommands();
+    for (const std::unique_ptr<Command>& command : commands) {
+        CLI::App* subcommand = app.add_subcommand(command->name(), command->summary().toStdString());
+        command->declare(*subcommand);
+        subcommand->footer("\n" + translate("Example:").toStdString() + "\n  " + command->example());
+    }
+
+    try {
+        app.parse(argc, argv);
+        for (const std::unique_ptr<Command>& command : commands) {
+            if (!app.got_subcommand(command->name()))
+                continue;
+            const core::Expected<void> done = command->run();
+            if (done)
+                return kDone;
+            printError(done.error());
+            return exitCode(done.error());
+        }
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? kDone : kWrongUsage;
+    }
+    return kWrongUsage;
+}
+
+} // namespace teleta::cli

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/validators.h"
+
+#include "app/cli/command_io.h"
+
+#include <QCoreApplication>
+
+#include <cmath>
+#include <functional>
+#include <string>
+
+namespace teleta::cli {
+
+namespace {
+
+QString translate(const char* text) {
+    return QCoreApplication::translate("CommandLine", text);
+}
+
+CLI::Validator numberThat(const std::function<bool(double)>& accepted, const QString& wanted) {
+    CLI::Validator validator(std::string{});
+    validator.operation([accepted, wanted](std::string& text) -> std::string {
+        double value = 0.0;
+        if (CLI::detail::lexical_cast(text, value) && std::isfinite(value) && accepted(value))
+            return {};
+        return translate("%1 is given, %2 is expected")
+            .arg(QString::fromStdString(text), wanted)
+            .toStdString();
+    });
+    return validator;
+}
+
+} // namespace
+
+CLI::Validator finite() {
+    return numberThat([](double) { return true; }, translate("a number"));
+}
+
+CLI::Validator nonZero() {
+    return numberThat([](double value) { return value != 0.0; }, translate("a number other than 0"));
+}
+
+CLI::Validator positive() {
+    return numberThat([](double value) { return value > 0.0; }, translate("a number above 0"));
+}
+
+CLI::Validator between(double lower, double upper) {
+    return numberThat([lower, upper](double value) { return value >= lower && value <= upper; },
+                      translate("a number from %1 to %2").arg(forPeople(lower, 6), forPeople(upper, 6)));
+}
+
+} // namespace teleta::cli
