@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vtkGenericOpenGLRenderWindow.h>
+
+class QOpenGLContext;
+class QSurface;
+
+namespace teleta::view3d {
+
+/// A VTK render window that draws into its own framebuffer within an OpenGL context that Qt owns. The context
+/// may go and come back (a floating dock gets a new one); renderers and actors stay.
+class GuestRenderWindow : public vtkGenericOpenGLRenderWindow {
+public:
+    static GuestRenderWindow* New();
+
+    /// context must be current. Returns whether VTK can draw in it.
+    bool attach(QOpenGLContext* context, QSurface* surface);
+    /// Frees everything that VTK holds in the context, which must still exist.
+    void detach();
+    [[nodiscard]] bool attached() const { return m_context != nullptr; }
+
+    /// Makes the context current without touching framebuffer bindings: QOpenGLWidget::makeCurrent() would
+    /// bind Qt's framebuffer in the middle of a VTK frame and leave the view blank.
+    void MakeCurrent() override;
+    bool IsCurrent() override;
+    int SupportsOpenGL() override { return attached() ? 1 : 0; }
+
+    /// Draws the scene of the renderers with OpenGL's state saved before and restored after. Layer 0 is
+    /// drawn on an opaque background.
+    void renderGuarded();
+    /// Copies the last frame to the framebuffer `target` of the same size. Leaves `target` bound.
+    void blitTo(unsigned int target, int width, int height);
+
+protected:
+    GuestRenderWindow();
+    ~GuestRenderWindow() override;
+
+private:
+    GuestRenderWindow(const GuestRenderWindow&) = delete;
+    void operator=(const GuestRenderWindow&) = delete;
+
+    QOpenGLContext* m_context = nullptr;
+    QSurface* m_surface = nullptr;
+};
+
+} // namespace teleta::view3d

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/view3d/guest_render_window.h"
+#include "widgets/view3d/vtk_input.h"
+
+#include <QOpenGLWidget>
+
+#include <vtkNew.h>
+#include <vtkRenderWindowInteractor.h>
+
+#include <cstdint>
+#include <functional>
+
+namespace teleta::view3d {
+
+/// The OpenGL surface inside VtkWidget: owns nothing of the scene, which lives in the render window.
+class VtkCanvas : public QOpenGLWidget {
+    Q_OBJECT
+public:
+    /// painter: in logical pixels; size: of the widget.
+    using Overlay = std::function<void(QPainter& painter, const QSizeF& size)>;
+
+    VtkCanvas(GuestRenderWindow* window, vtkRenderWindowInteractor* interactor, QWidget* parent);
+    ~VtkCanvas() override;
+
+    void requestRender();
+    void setOverlay(Overlay overlay) { m_overlay = std::move(overlay); }
+    /// Draws the scene anew at `scale` times the widget's device pixels.
+    [[nodiscard]] QImage picture(double scale);
+    [[nodiscard]] std::uint64_t framesRendered() const { return m_framesRendered; }
+
+signals:
+    void contextRefused();
+    void pixelScaleChanged(double devicePerLogical);
+    void menuRequested(const QPoint& globalPosition);
+
+protected:
+    void initializeGL() override;
+    void paintGL() override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+
+private:
+    void releaseContext();
+    void setDeviceSize(const QSize& size, double pixelScale);
+    [[nodiscard]] QSize deviceSize() const;
+
+    vtkSmartPointer<GuestRenderWindow> m_window;
+    vtkRenderWindowInteractor* m_interactor;
+    VtkInput m_input;
+    Overlay m_overlay;
+    QMetaObject::Connection m_contextGone;
+    QPointF m_rightPress;
+    bool m_rightDragged = false;
+    bool m_stale = true;
+    QSize m_size;
+    double m_pixelScale = 0.0;
+    std::uint64_t m_framesRendered = 0;
+};
+
+} // namespace teleta::view3d
