@@ -1,0 +1,68 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Installs the Debian 12 packages that the project needs and that are not there yet.
+#   install_dependencies.sh          what building and running needs
+#   install_dependencies.sh --test   also what packaging/test.sh checks with
+set -euo pipefail
+
+# Build and run. GoogleTest and Google Benchmark are here because every preset configures the tests.
+packages=(
+    # tools
+    build-essential cmake ninja-build ccache pkg-config
+    # Qt 6
+    qt6-base-dev qt6-base-dev-tools qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-svg-dev libqt6svg6
+    libqt6opengl6-dev libqt6sql6-sqlite qt6-translations-l10n
+    # charts and the 3D view
+    libqcustomplot-dev libqcustomplot2.1-qt6 libvtk9-dev
+    # numerics and pictures
+    libeigen3-dev libceres-dev libboost-math-dev libopencv-dev
+    # files, queues, command line
+    libtomlplusplus-dev nlohmann-json3-dev libreaderwriterqueue-dev libcli11-dev libexpected-dev
+    # tests and benchmarks
+    libgtest-dev libgmock-dev libbenchmark-dev
+    # a screen, OpenGL in software and a font where there are none
+    xvfb xauth libgl1-mesa-dri fonts-dejavu-core
+)
+# What only the checks use.
+test_packages=(clang-format clang-tidy desktop-file-utils appstream)
+
+fail() {
+    printf 'install_dependencies: %s\n' "$*" >&2
+    exit 1
+}
+
+case "${1:-}" in
+    "") ;;
+    --test) packages+=("${test_packages[@]}") ;;
+    *) fail "unknown argument '$1' (expected nothing, or --test)" ;;
+esac
+
+if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+    fail "this is not a Debian-like system (no dpkg-query or apt-get). Install what these Debian 12 packages hold, then
+build with CMake: ${packages[*]}"
+fi
+
+installed=$(dpkg-query -W -f '${binary:Package} ${db:Status-Status}\n' "${packages[@]}" 2>/dev/null |
+    sed -n 's/^\([^: ]*\)[^ ]* installed$/\1/p' || true)
+missing=()
+for package in "${packages[@]}"; do
+    grep -qxF -- "$package" <<<"$installed" || missing+=("$package")
+done
+if ((${#missing[@]} == 0)); then
+    exit 0
+fi
+
+as_root=(env DEBIAN_FRONTEND=noninteractive)
+if ((EUID != 0)); then
+    command -v sudo >/dev/null || fail "installing needs root rights and there is no sudo. As root, run:
+apt-get update && apt-get install --no-install-recommends ${missing[*]}"
+    as_root=(sudo "${as_root[@]}")
+fi
+
+printf 'Installing %d missing packages: %s\n' "${#missing[@]}" "${missing[*]}"
+apt=("${as_root[@]}" apt-get -q -o DPkg::Lock::Timeout=120)
+# A repository that this project does not use may be out of reach, so the install decides.
+"${apt[@]}" update || printf 'install_dependencies: apt-get update reported a problem, going on\n' >&2
+"${apt[@]}" install -y --no-install-recommends "${missing[@]}" ||
+    fail "apt-get could not install the packages (see above). It needs root rights, the network and the package sources
+of Debian 12 (bookworm, main)."
