@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace teleta::stiffness {
+
+/// Why there is no answer. Whoever talks to a person says it in words.
+enum class Refusal {
+    notFinite,           ///< a sample or a setting is NaN or infinite
+    notPositive,         ///< contact distance, link stiffness or a divisor is zero or negative
+    negativeUncertainty, ///< a noise or a standard error is below zero
+    outOfRange,          ///< numbers so large or small that the result cannot be represented
+    badWindow,           ///< not 0 <= low < high
+    noSamples,           ///< nothing to evaluate
+    windowNotReached,    ///< the torque never comes into the window, or (two-point) misses one of its halves
+    tooFewSamples,       ///< fewer than two samples in the window
+    torqueUnchanged,     ///< all samples in the window have the same torque
+    angleOpposesTorque,  ///< the joint turns against the rising torque by more than the noise explains
+};
+
+/// Name of the code, for logs and tests.
+[[nodiscard]] const char* toString(Refusal refusal);
+
+} // namespace teleta::stiffness

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/stiffness/stiffness_estimator.h"
+
+#include "backend/stiffness/compliance_line.h"
+#include "backend/stiffness/loading_ramp.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <iterator>
+#include <vector>
+
+namespace teleta::stiffness {
+
+namespace {
+
+constexpr int kSelectionRounds = 20;
+/// Numbers beyond this are refused, so that no product below overflows or vanishes.
+constexpr double kLargest = 1e100;
+/// Samples on the border stay in whatever the rounding of the fit, as a share of the window's width.
+constexpr double kBorderRounding = 1e-9;
+
+/// What either method finds before the contact distance comes in.
+struct Slope {
+    double value_radPerNm = 0.0;
+    std::optional<double> se_radPerNm;
+    double quantile95 = kNormalQuantile95;
+    double deltaTorque_Nm = 0.0;
+    double deltaTheta_rad = 0.0;
+    std::size_t samples = 0;
+};
+
+struct Noise {
+    ReadingNoise reading;
+    bool known = false;     ///< both were given
+    bool available = false; ///< both are known or estimated
+    double quantile95 = kNormalQuantile95;
+
+    /// Spread of a sample about the line, seen along the angle.
+    [[nodiscard]] double along_rad(double slope_radPerNm) const {
+        return std::hypot(reading.angle_rad, slope_radPerNm * reading.torque_Nm);
+    }
+};
+
+std::optional<Refusal> refuse(std::span<const JointSample> samples, const TouchSettings& settings) {
+    const double torqueNoise_Nm = settings.torqueNoise_Nm.value_or(0.0);
+    const double angleNoise_rad = settings.angleNoise_rad.value_or(0.0);
+    bool inRange = true;
+    const auto isFinite = [&](std::initializer_list<double> values) {
+        for (const double value : values) {
+            if (!std::isfinite(value))
+                return false;
+            inRange = inRange && std::abs(value) <= kLargest;
+        }
+        return true;
+    };
+    if (!isFinite({settings.contactDistance_m, settings.linkStiffness_NPerM, settings.linkStiffnessSe_NPerM,
+                   settings.window.low_Nm, settings.window.high_Nm, settings.torqueReference_Nm,
+                   torqueNoise_Nm, angleNoise_rad}))
+        return Refusal::notFinite;
+    for (const JointSample& sample : samples)
+        if (!isFinite({sample.time_s, sample.angle_rad, sample.torque_Nm}))
+            return Refusal::notFinite;
+    if (settings.contactDistance_m <= 0.0 || settings.linkStiffness_NPerM <= 0.0)
+        return Refusal::notPositive;
+    if (settings.linkStiffnessSe_NPerM < 0.0 || torqueNoise_Nm < 0.0 || angleNoise_rad < 0.0)
+        return Refusal::negativeUncertainty;
+    if (settings.window.low_Nm < 0.0 || settings.window.high_Nm <= settings.window.low_Nm)
+        return Refusal::badWindow;
+    if (!inRange || settings.contactDistance_m < 1.0 / kLargest ||
+        settings.linkStiffness_NPerM < 1.0 / kLargest)
+        return Refusal::outOfRange;
+    if (samples.empty())
+        return Refusal::noSamples;
+    return std::nullopt;
+}
+
+Noise noiseOf(std::span<const JointSample> ramp, const TouchSettings& settings) {
+    Noise noise;
+    noise.known = settings.torqueNoise_Nm && settings.angleNoise_rad;
+    noise.available = noise.known;
+    if (!noise.known) {
+        const EstimatedNoise estimate = estimateNoise(ramp);
+        noise.reading = estimate.noise;
+        noise.available = estimate.degreesOfFreedom > 0.0;
+        if (noise.available)
+            noise.quantile95 = studentQuantile95(estimate.degreesOfFreedom);
+    }
+    noise.reading.torque_Nm = settings.torqueNoise_Nm.value_or(noise.reading.torque_Nm);
+    noise.reading.angle_rad = settings.angleNoise_rad.value_or(noise.reading.angle_rad);
+    return noise;
+}
+
+tl::expected<Slope, Refusal> twoPointSlope(std::span<const JointSample> ramp, const TorqueWindow& window,
+                                           const Noise& noise) {
+    const auto nearest = [&](double torque_Nm) -> const JointSample& {
+        return *std::min_element(ramp.begin(), ramp.end(), [&](const JointSample& a, const JointSample& b) {
+            return std::abs(a.torque_Nm - torque_Nm) < std::abs(b.torque_Nm - torque_Nm);
+        });
+    };
+    const JointSample& low = nearest(window.low_Nm);
+    const JointSample& high = nearest(window.high_Nm);
+    if (low.torque_Nm > window.middle_Nm() || high.torque_Nm < window.middle_Nm())
+        return tl::unexpected(Refusal::windowNotReached);
+    Slope slope;
+    slope.samples = 2;
+    slope.deltaTorque_Nm = high.torque_Nm - low.torque_Nm;
+    slope.deltaTheta_rad = high.angle_rad - low.angle_rad;
+    if (slope.deltaTorque_Nm <= 0.0)
+        return tl::unexpected(Refusal::torqueUnchanged);
+    slope.value_radPerNm = slope.deltaTheta_rad / slope.deltaTorque_Nm;
+    if (noise.available) {
+        slope.se_radPerNm = std::sqrt(2.0) * noise.along_rad(slope.value_radPerNm) / slope.deltaTorque_Nm;
+        slope.quantile95 = noise.quantile95;
+    }
+    return slope;
+}
+
+tl::expected<Slope, Refusal> regressionSlope(std::span<const JointSample> ramp, const TorqueWindow& window,
+                                             const Noise& noise) {
+    // Deviations from the first sample keep their digits where the angle is far from zero.
+    const double origin_rad = ramp.front().angle_rad;
+    std::vector<TorqueAngle> points(ramp.size());
+    std::transform(ramp.begin(), ramp.end(), points.begin(), [&](const JointSample& sample) {
+        return TorqueAngle{sample.torque_Nm, sample.angle_rad - origin_rad};
+    });
+    const double slack_Nm = kBorderRounding * window.width_Nm();
+    const auto inWindow = [&](double torque_Nm) {
+        return torque_Nm >= window.low_Nm - slack_Nm && torque_Nm <= window.high_Nm + slack_Nm;
+    };
+
+    const auto selectWhere = [&](const auto& torqueOf) {
+        std::vector<TorqueAngle> selection;
+        selection.reserve(points.size());
+        std::copy_if(points.begin(), points.end(), std::back_inserter(selection),
+                     [&](const TorqueAngle& point) { return inWindow(torqueOf(point)); });
+        return selection;
+    };
+
+    std::vector<TorqueAngle> selection =
+        selectWhere([](const TorqueAngle& point) { return point.torque_Nm; });
+    if (selection.empty())
+        return tl::unexpected(Refusal::windowNotReached);
+    if (selection.size() < 2)
+        return tl::unexpected(Refusal::tooFewSamples);
+    std::optional<ComplianceLine> line = fitComplianceLine(selection, noise.reading);
+    if (!line)
+        return tl::unexpected(Refusal::torqueUnchanged);
+
+    const auto fittedTorque_Nm = [&](const TorqueAngle& point) {
+        return line->fittedTorque_Nm(point, noise.reading);
+    };
+    for (int round = 0; round < kSelectionRounds && line->points > 2 && line->correlated; ++round) {
+        std::vector<TorqueAngle> nextSelection = selectWhere(fittedTorque_Nm);
+        if (nextSelection == selection || nextSelection.size() < 3)
+            break;
+        const std::optional<ComplianceLine> next = fitComplianceLine(nextSelection, noise.reading);
+        if (!next || !next->correlated)
+            break;
+        line = next;
+        selection = std::move(nextSelection);
+    }
+
+    Slope slope;
+    slope.samples = line->points;
+    slope.value_radPerNm = line->slope_radPerNm;
+    slope.se_radPerNm = line->slopeSe_radPerNm;
+    if (line->points > 2)
+        slope.quantile95 = studentQuantile95(static_cast<double>(line->points) - 2.0);
+    if (noise.known) {
+        slope.se_radPerNm = std::max(line->slopeSe_radPerNm.value_or(0.0),
+                                     noise.along_rad(line->slope_radPerNm) / line->torqueSpread_Nm);
+        slope.quantile95 = kNormalQuantile95;
+    }
+    // A line without correlation says nothing about where a sample belongs along it.
+    const auto alongLine_Nm = [&](const TorqueAngle& point) {
+        return line->correlated ? fittedTorque_Nm(point) : point.torque_Nm;
+    };
+    const auto [lowest, highest] = std::minmax_element(
+        selection.begin(), selection.end(),
+        [&](const TorqueAngle& a, const TorqueAngle& b) { return alongLine_Nm(a) < alongLine_Nm(b); });
+    slope.deltaTorque_Nm = alongLine_Nm(*highest) - alongLine_Nm(*lowest);
+    slope.deltaTheta_rad = slope.value_radPerNm * slope.deltaTorque_Nm;
+    return slope;
+}
+
+/// Class of the object, and whether the whole interval agrees with it.
+void classifyObject(TouchStiffness& touch) {
+    const Stiffness& object = touch.object;
+    touch.material = object.value_NPerM ? classify(*object.value_NPerM) : Material::metal;
+    const bool lowerAgrees = object.lower95_NPerM && classify(*object.lower95_NPerM) == touch.material;
+    const bool upperAgrees = object.upper95_NPerM ? classify(*object.upper95_NPerM) == touch.material
+                                                  : touch.material == Material::metal;
+    touch.materialCertain = lowerAgrees && upperAgrees;
+}
+
+} // namespace
+
+const char* toString(Method method) {
+    return method == Method::twoPoint ? "two-point" : "regression";
+}
+
+std::optional<Method> methodFromString(std::string_view text) {
+    for (const Method method : {Method::twoPoint, Method::regression})
+        if (text == toString(method))
+            return method;
+    return std::nullopt;
+}
+
+tl::expected<TouchStiffness, Refusal> estimateStiffness(std::span<const JointSample> samples,
+                                                        const TouchSettings& settings) {
+    if (const std::optional<Refusal> refusal = refuse(samples, settings))
+        return tl::unexpected(*refusal);
+    const std::vector<JointSample> ramp = loadingRamp(samples, settings.window, settings.torqueReference_Nm);
+    if (ramp.empty())
+        return tl::unexpected(Refusal::windowNotReached);
+    const Noise noise = noiseOf(ramp, settings);
+    const tl::expected<Slope, Refusal> slope = settings.method == Method::twoPoint
+                                                   ? twoPointSlope(ramp, settings.window, noise)
+                                                   : regressionSlope(ramp, settings.window, noise);
+    if (!slope)
+        return tl::unexpected(slope.error());
+
+    const double distanceSquared_m2 = settings.contactDistance_m * settings.contactDistance_m;
+    TouchStiffness touch;
+    touch.method = settings.method;
+    touch.samples = slope->samples;
+    touch.deltaTorque_Nm = slope->deltaTorque_Nm;
+    touch.deltaTheta_rad = slope->deltaTheta_rad;
+    touch.totalCompliance.value_mPerN = distanceSquared_m2 * slope->value_radPerNm;
+    touch.totalCompliance.quantile95 = slope->quantile95;
+    if (slope->se_radPerNm)
+        touch.totalCompliance.se_mPerN = distanceSquared_m2 * *slope->se_radPerNm;
+
+    const double link_NPerM = settings.linkStiffness_NPerM;
+    const tl::expected<Compliance, Refusal> object =
+        objectCompliance(touch.totalCompliance, link_NPerM, settings.linkStiffnessSe_NPerM);
+    if (!object)
+        return tl::unexpected(object.error() == Refusal::notFinite ? Refusal::outOfRange : object.error());
+    touch.objectCompliance = *object;
+
+    const double resolution_mPerN = kComplianceResolution / link_NPerM;
+    const auto isBelowZero = [&](const Compliance& compliance) {
+        return compliance.value_mPerN + compliance.margin_mPerN() < -resolution_mPerN;
+    };
+    if (isBelowZero(touch.totalCompliance))
+        return tl::unexpected(Refusal::angleOpposesTorque);
+    touch.stifferThanLink = isBelowZero(touch.objectCompliance);
+    touch.total = stiffnessFromCompliance(touch.totalCompliance, link_NPerM);
+    touch.object = stiffnessFromCompliance(touch.objectCompliance, link_NPerM);
+    classifyObject(touch);
+    return touch;
+}
+
+} // namespace teleta::stiffness
