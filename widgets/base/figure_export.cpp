@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/base/figure_export.h"
+
+#include <QBuffer>
+#include <QClipboard>
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QImage>
+#include <QMenu>
+#include <QMimeData>
+#include <QPageLayout>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QSaveFile>
+#include <QStandardPaths>
+#include <QSvgGenerator>
+#include <QWidget>
+
+#include <cmath>
+
+namespace teleta::base {
+
+namespace {
+
+constexpr int kScreen_dpi = 96;
+
+core::Unexpected writeError(const QString& path, const QString& reason) {
+    core::Error error;
+    error.kind = core::ErrorKind::ioFailed;
+    error.message = QCoreApplication::translate("FigureExport", "The file could not be written: %1")
+                        .arg(reason)
+                        .toStdString();
+    error.where.file = path.toStdString();
+    return core::Unexpected(std::move(error));
+}
+
+void paintSvg(const Figure& figure, QIODevice& device) {
+    QSvgGenerator svg;
+    svg.setOutputDevice(&device);
+    svg.setResolution(kScreen_dpi);
+    svg.setTitle(figure.name);
+    svg.setSize(figure.size_px.toSize());
+    svg.setViewBox(QRectF(QPointF(), figure.size_px));
+    QPainter painter(&svg);
+    figure.paint(painter);
+}
+
+void paintPdf(const Figure& figure, QIODevice& device) {
+    constexpr double kPointsPerPixel = 72.0 / kScreen_dpi;
+    QPdfWriter pdf(&device);
+    pdf.setTitle(figure.name);
+    pdf.setCreator(QCoreApplication::applicationName());
+    pdf.setResolution(kScreen_dpi);
+    pdf.setPageLayout(
+        QPageLayout(QPageSize(figure.size_px * kPointsPerPixel, QPageSize::Point, {}, QPageSize::ExactMatch),
+                    QPageLayout::Portrait, QMarginsF()));
+    QPainter painter(&pdf);
+    figure.paint(painter);
+}
+
+QImage imageOf(const Figure& figure) {
+    constexpr int kScale = 2;
+    QImage image((figure.size_px * kScale).toSize(), QImage::Format_ARGB32_Premultiplied);
+    image.setDevicePixelRatio(kScale);
+    image.setDotsPerMeterX(qRound(kScale * kScreen_dpi / 0.0254));
+    image.setDotsPerMeterY(image.dotsPerMeterX());
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    figure.paint(painter);
+    return image;
+}
+
+/// Calls write(device) on a file that takes its name only when all of it has been written.
+template <typename Write>
+core::Expected<void> writeWhole(const QString& path, Write&& write) {
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly))
+        return writeError(path, file.errorString());
+    write(file);
+    if (!file.commit())
+        return writeError(path, file.errorString());
+    return {};
+}
+
+} // namespace
+
+core::Expected<void> saveSvg(const Figure& figure, const QString& path) {
+    return writeWhole(path, [&](QIODevice& device) { paintSvg(figure, device); });
+}
+
+core::Expected<void> savePdf(const Figure& figure, const QString& path) {
+    return writeWhole(path, [&](QIODevice& device) { paintPdf(figure, device); });
+}
+
+core::Expected<void> savePng(const Figure& figure, const QString& path) {
+    return writeWhole(path, [&](QIODevice& device) { imageOf(figure).save(&device, "PNG"); });
+}
+
+core::Expected<void> saveCsv(const Figure& figure, const QString& path) {
+    return writeWhole(path, [&](QIODevice& device) { device.write(figure.csv().toUtf8()); });
+}
+
+core::Expected<void> saveFigure(const Figure& figure, const QString& path) {
+    const QString extension = QFileInfo(path).suffix().toLower();
+    if (extension == QLatin1String("svg"))
+        return saveSvg(figure, path);
+    if (extension == QLatin1String("pdf"))
+        return savePdf(figure, path);
+    if (extension == QLatin1String("png"))
+        return savePng(figure, path);
+    if (extension == QLatin1String("csv"))
+        return saveCsv(figure, path);
+    core::Error error;
+    error.kind = core::ErrorKind::badInput;
+    error.message = QCoreApplication::translate("FigureExport", "Unknown picture format \"%1\"")
+                        .arg(extension)
+                        .toStdString();
+    error.expected = "svg, pdf, png, csv";
+    error.where.file = path.toStdString();
+    return core::Unexpected(std::move(error));
+}
+
+void copyPicture(const Figure& figure) {
+    QBuffer svg;
+    svg.open(QIODevice::WriteOnly);
+    paintSvg(figure, svg);
+    auto* data = new QMimeData;
+    data->setImageData(imageOf(figure));
+    data->setData(QStringLiteral("image/svg+xml"), svg.data());
+    QGuiApplication::clipboard()->setMimeData(data);
+}
+
+void copyData(const Figure& figure) {
+    const QString csv = figure.csv();
+    auto* data = new QMimeData;
+    data->setText(csv);
+    data->setData(QStringLiteral("text/csv"), csv.toUtf8());
+    QGuiApplication::clipboard()->setMimeData(data);
+}
+
+FigureExport::FigureExport(QWidget* view, std::function<Figure()> make)
+    : QObject(view)
+    , m_view(view)
+    , m_make(std::move(make)) {
+}
+
+void FigureExport::addActions(QMenu& menu) {
+    menu.addAction(tr("&Copy Picture"), this, [this] { copyPicture(m_make()); });
+    menu.addAction(tr("Copy &Data"), this, [this] { copyData(m_make()); });
+    menu.addAction(tr("&Save Picture…"), this, [this] { askAndSave(true); });
+    menu.addAction(tr("Save Da&ta…"), this, [this] { askAndSave(false); });
+}
+
+void FigureExport::askAndSave(bool picture) {
+    // Made now: what is saved is what was on the screen when the user asked.
+    const Figure figure = m_make();
+    auto* dialog = new QFileDialog(m_view, picture ? tr("Save Picture") : tr("Save Data"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    const QStringList filters = picture ? QStringList{tr("SVG picture (*.svg)"), tr("PDF document (*.pdf)"),
+                                                      tr("PNG picture (*.png)")}
+                                        : QStringList{tr("Comma-separated values (*.csv)")};
+    const QStringList suffixes =
+        picture ? QStringList{QStringLiteral("svg"), QStringLiteral("pdf"), QStringLiteral("png")}
+                : QStringList{QStringLiteral("csv")};
+    dialog->setNameFilters(filters);
+    dialog->setDefaultSuffix(suffixes.first());
+    dialog->setDirectory(QStandardPaths::writableLocation(picture ? QStandardPaths::PicturesLocation
+                                                                  : QStandardPaths::DocumentsLocation));
+    dialog->selectFile(figure.name);
+    connect(dialog, &QFileDialog::filterSelected, dialog, [dialog, filters, suffixes](const QString& filter) {
+        dialog->setDefaultSuffix(suffixes.value(filters.indexOf(filter)));
+    });
+    connect(dialog, &QFileDialog::fileSelected, this, [this, figure](const QString& path) {
+        const auto result = saveFigure(figure, path);
+        if (result)
+            emit saved(QDir::toNativeSeparators(path));
+        else
+            emit failed(QString::fromStdString(core::describe(result.error())));
+    });
+    dialog->open();
+}
+
+} // namespace teleta::base

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/error.h"
+
+#include <QObject>
+#include <QSizeF>
+#include <QString>
+
+#include <functional>
+
+class QMenu;
+class QPainter;
+class QWidget;
+
+namespace teleta::base {
+
+/// A picture with the data behind it; it owns both, so the view may change while the figure is kept. paint
+/// draws on white, for paper, into a rectangle of size_px at the origin.
+struct Figure {
+    QString name;                         ///< file name without extension
+    QSizeF size_px;                       ///< at 96 dots per inch
+    std::function<void(QPainter&)> paint; ///< vector drawing as far as it goes
+    std::function<QString()> csv;         ///< header line and rows, C locale; empty when there are no data
+};
+
+/// Writes a figure. The file is complete or it is not there (written beside and renamed).
+/// Error: ioFailed with the path.
+[[nodiscard]] core::Expected<void> saveSvg(const Figure& figure, const QString& path);
+[[nodiscard]] core::Expected<void> savePdf(const Figure& figure, const QString& path);
+/// At twice the resolution of the screen (192 dots per inch).
+[[nodiscard]] core::Expected<void> savePng(const Figure& figure, const QString& path);
+[[nodiscard]] core::Expected<void> saveCsv(const Figure& figure, const QString& path);
+/// Format by extension: svg, pdf, png, csv. Error: badInput for another one.
+[[nodiscard]] core::Expected<void> saveFigure(const Figure& figure, const QString& path);
+
+/// Puts the picture (PNG and SVG) or the data (text and CSV) on the clipboard.
+void copyPicture(const Figure& figure);
+void copyData(const Figure& figure);
+
+/// The actions that every chart and matrix has in its context menu.
+/// Thread: GUI. No call blocks on a dialog; what became of a save comes as a signal.
+class FigureExport : public QObject {
+    Q_OBJECT
+public:
+    /// make: called when an action is triggered.
+    FigureExport(QWidget* view, std::function<Figure()> make);
+
+    /// Appends Copy Picture, Copy Data, Save Picture, Save Data.
+    void addActions(QMenu& menu);
+
+signals:
+    void saved(const QString& path);
+    void failed(const QString& message);
+
+private:
+    void askAndSave(bool picture);
+
+    QWidget* m_view;
+    std::function<Figure()> m_make;
+};
+
+} // namespace teleta::base

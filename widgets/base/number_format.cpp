@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/base/number_format.h"
+
+#include <QLocale>
+
+#include <array>
+#include <cmath>
+
+namespace teleta::base {
+
+namespace {
+
+constexpr QChar kFigureSpace(0x2007);
+constexpr QChar kMinus(0x2212);
+constexpr QChar kNoBreakSpace(0x00a0);
+
+QString filled(QString text) {
+    return text.rightJustified(kNumberWidth, kFigureSpace);
+}
+
+QString undefinedText() {
+    return filled(QString(QChar(0x2014)));
+}
+
+QString number(double value, int decimals) {
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    QString text = locale.toString(std::abs(value), 'f', decimals);
+    const bool zero = std::round(std::abs(value) * std::pow(10.0, decimals)) == 0.0;
+    if (value < 0.0 && !zero)
+        text.prepend(kMinus);
+    return text;
+}
+
+/// Decimals for three significant digits, after rounding: 9.996 is 10.0.
+int decimalsFor(double value) {
+    const double magnitude = std::abs(value);
+    if (magnitude < 9.995)
+        return 2;
+    return magnitude < 99.95 ? 1 : 0;
+}
+
+} // namespace
+
+QString threeDigits(std::optional<double> value) {
+    if (!value || std::isnan(*value))
+        return undefinedText();
+    if (std::isinf(*value))
+        return filled(*value < 0.0 ? QString(kMinus) + QChar(0x221e) : QString(QChar(0x221e)));
+    return filled(number(*value, decimalsFor(*value)));
+}
+
+double threeDigitResolution(double value) {
+    constexpr std::array<double, 3> kSteps{1.0, 0.1, 0.01};
+    return kSteps[static_cast<std::size_t>(decimalsFor(value))];
+}
+
+QString wholeNumber(std::optional<double> value) {
+    if (!value || !std::isfinite(*value))
+        return undefinedText();
+    return filled(number(*value, 0));
+}
+
+QString siQuantity(std::optional<double> value, const QString& unit) {
+    constexpr std::array<char16_t, 9> kPrefixes{u'p', u'n', u'\u00b5', u'm', u'\u2007',
+                                                u'k', u'M', u'G',      u'T'};
+    constexpr int kNoPrefix = 4;
+    if (!value || !std::isfinite(*value))
+        return undefinedText() + kNoBreakSpace + kFigureSpace + unit;
+    int index = kNoPrefix;
+    double mantissa = *value;
+    while (std::abs(mantissa) >= 999.5 && index + 1 < static_cast<int>(kPrefixes.size())) {
+        mantissa /= 1000.0;
+        ++index;
+    }
+    while (mantissa != 0.0 && std::abs(mantissa) < 0.9995 && index > 0) {
+        mantissa *= 1000.0;
+        --index;
+    }
+    return filled(number(mantissa, decimalsFor(mantissa))) + kNoBreakSpace +
+           QChar(kPrefixes[static_cast<std::size_t>(index)]) + unit;
+}
+
+QString withUnit(const QString& number, const QString& unit) {
+    return unit.isEmpty() ? number : number + kNoBreakSpace + unit;
+}
+
+QString shortCount(quint64 count) {
+    constexpr std::array<char16_t, 4> kSuffixes{u'k', u'M', u'G', u'T'};
+    if (count < 1000)
+        return QString::number(count);
+    quint64 scale = 1000;
+    std::size_t index = 0;
+    while (count / scale >= 1000 && index + 1 < kSuffixes.size()) {
+        scale *= 1000;
+        ++index;
+    }
+    const double mantissa = static_cast<double>(count) / static_cast<double>(scale);
+    const int decimals = mantissa < 10.0 ? 2 : mantissa < 100.0 ? 1 : 0;
+    const double step = std::pow(10.0, decimals);
+    // The small term keeps exact counts such as 1230 from falling to the step below in binary.
+    const double down = std::floor(mantissa * step + 1e-9) / step;
+    return number(down, decimals) + kNoBreakSpace + QChar(kSuffixes[index]);
+}
+
+bool SteadyNumber::update(std::optional<double> value) {
+    if (!value || !std::isfinite(*value)) {
+        const bool changed = m_shown.has_value();
+        m_shown.reset();
+        return changed;
+    }
+    if (m_shown) {
+        const double step = m_resolution > 0.0 ? m_resolution : threeDigitResolution(*m_shown);
+        if (std::abs(*value - *m_shown) < step)
+            return false;
+    }
+    const double step = m_resolution > 0.0 ? m_resolution : threeDigitResolution(*value);
+    const double rounded = std::round(*value / step) * step;
+    const bool changed = m_shown != rounded;
+    m_shown = rounded;
+    return changed;
+}
+
+QString SteadyNumber::text() const {
+    return m_resolution >= 1.0 ? wholeNumber(m_shown) : threeDigits(m_shown);
+}
+
+} // namespace teleta::base

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/device.h"
+
+#include <QColor>
+#include <QPalette>
+#include <QRectF>
+#include <QString>
+
+class QPainter;
+
+namespace teleta::base {
+
+/// Shape of a device's state; no two that mean different things share shape and colour.
+/// live: green disc. stale: amber triangle. lost: red disc, crossed. reconnecting: red ring, crossed.
+/// connecting: grey ring with a gap. paused: two bars. finished: square. closed: empty ring.
+void paintStatusGlyph(QPainter& painter, const QRectF& square, core::DeviceState state,
+                      const QPalette& palette);
+
+[[nodiscard]] QColor statusColour(core::DeviceState state, const QPalette& palette);
+
+/// The word beside the shape, translated: "live", "stale", ...
+[[nodiscard]] QString statusWord(core::DeviceState state);
+
+/// An age in words that stay short: "0.3 s", "12 s", "5 min", "3 h".
+[[nodiscard]] QString ageText(double age_s);
+
+} // namespace teleta::base
