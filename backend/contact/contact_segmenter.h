@@ -11,9 +11,9 @@ namespace teleta::contact {
 
 /// One contact region of a frame, in the sensor frame {s}.
 struct Contact {
-    int id = 0;             ///< stable from frame to frame, from 1; 0 before tracking
-    int region = 0;         ///< value of its taxels in the label image, from 1
-    double x_m = 0.0;       ///< load-weighted centroid, TeleTA eq. (1)
+    int id = 0;       ///< stable from frame to frame, from 1; 0 before tracking
+    int region = 0;   ///< value of its taxels in the label image, from 1
+    double x_m = 0.0; ///< load-weighted centroid, TeleTA eq. (1)
     double y_m = 0.0;
     double force_N = 0.0;
     double peak_N = 0.0;
@@ -23,17 +23,17 @@ struct Contact {
 };
 
 struct SegmentationSettings {
-    double threshold_N = 0.2;     ///< taxels below carry no contact; > 0
-    double noiseHeight = 0.1;     ///< h of the h-maxima: a summit that rises less than this above its saddle to a higher
-                                  ///< one is merged into it; as a share of the frame's peak load, 0..1
-    double noiseHeight_N = 0.0;   ///< the same, absolute; the larger of the two acts
-    int minimumTaxels = 1;        ///< smaller regions are dropped
+    double threshold_N = 0.2; ///< taxels below carry no contact; > 0
+    double noiseHeight = 0.1; ///< h of the h-maxima: a summit that rises less than this above its saddle to a
+                              ///< higher one is merged into it; as a share of the frame's peak load, 0..1
+    double noiseHeight_N = 0.0; ///< the same, absolute; the larger of the two acts
+    int minimumTaxels = 1;      ///< smaller regions are dropped
 };
 
 /// Segments a frame into contacts by watershed: flooding from the maxima of the load in order of falling load
-/// (8-neighbourhood, union-find over taxels sorted by load; exact, one pass), with h-maxima suppression so that noise
-/// does not split a contact. A plateau is one region. Scale-free: loads of 1e-12 and 1e12 segment alike.
-/// Contacts come out in order of falling force. Dead and non-finite taxels belong to no region.
+/// (8-neighbourhood, union-find over taxels sorted by load; exact, one pass), with h-maxima suppression so
+/// that noise does not split a contact. A plateau is one region. Scale-free: loads of 1e-12 and 1e12 segment
+/// alike. Contacts come out in order of falling force. Dead and non-finite taxels belong to no region.
 /// Thread: one; after the first frames nothing is allocated.
 /// Source: TeleTA section 1, eq. (1); spec teleta.md section 1.
 class ContactSegmenter {
@@ -41,7 +41,7 @@ public:
     explicit ContactSegmenter(const core::ArrayLayout& layout, const SegmentationSettings& settings = {});
 
     [[nodiscard]] std::span<Contact> segment(std::span<const float> load_N,
-                                                   std::span<const std::uint8_t> dead = {});
+                                             std::span<const std::uint8_t> dead = {});
     /// Region of each taxel of the last frame: 0 none, else Contact::region.
     [[nodiscard]] std::span<const std::int32_t> labels() const { return m_labels; }
 
@@ -49,10 +49,53 @@ public:
     [[nodiscard]] const SegmentationSettings& settings() const { return m_settings; }
 
 private:
+    /// Consecutive active taxels of one row, [begin, end), later those of one basin.
+    struct Run {
+        std::int32_t begin = 0;
+        std::int32_t end = 0;
+        std::int32_t row = 0;
+        std::int32_t basin = 0;
+    };
+    /// The taxels that climb to one summit; after merging, the region of its highest summit.
+    struct Basin {
+        std::int32_t summit = 0; ///< taxel
+        std::int32_t parent = 0; ///< basin that it was merged into, or itself
+        std::int32_t region = 0;
+        std::int32_t taxels = 0;
+        std::int32_t minRow = 0, maxRow = 0, minColumn = 0, maxColumn = 0;
+        double load = 0.0, loadX = 0.0, loadY = 0.0; ///< sums of load, load times column, load times row
+    };
+
+    void findActive(std::span<const float> load_N, std::span<const std::uint8_t> dead);
+    void findRuns();
+    void findAscents();
+    void climb();
+    [[nodiscard]] std::int32_t climbFrom(std::int32_t taxel);
+    void findPasses(double height_N);
+    void addPasses(const Run& upper, const Run& lower, double height_N);
+    void addPass(std::int32_t first, std::int32_t second, double height_N);
+    void mergeOver(std::int32_t pass, double height_N);
+    [[nodiscard]] std::int32_t rootOf(std::int32_t basin);
+    [[nodiscard]] bool isHigher(std::int32_t taxel, std::int32_t other) const;
+    void measure();
+    void number();
+
     core::ArrayLayout m_layout;
     SegmentationSettings m_settings;
     std::vector<std::int32_t> m_labels;
     std::vector<Contact> m_contacts;
+
+    // Working memory, as large as the array can ever need it.
+    std::vector<float> m_load;          ///< 0 where a taxel is not active
+    std::vector<std::uint8_t> m_active; ///< 0 or 255
+    std::vector<double> m_key;          ///< orders taxels by falling load, then by index
+    std::vector<double> m_rowMaximum;   ///< largest key of a taxel and its neighbours in the row
+    std::vector<std::int32_t> m_ascent; ///< the highest of a taxel and its eight neighbours
+    std::vector<Run> m_runs,
+        m_segments; ///< runs of active taxels; runs of one basin, from the last to the first
+    std::vector<Basin> m_basins;
+    std::vector<std::int32_t> m_passes;
+    std::vector<std::int32_t> m_order;
 };
 
 } // namespace teleta::contact

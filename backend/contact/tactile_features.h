@@ -25,31 +25,35 @@ enum class MomentRange {
 };
 
 struct FeatureSettings {
-    double threshold_N = 0.2;  ///< a taxel is active when its load is at least this; > 0
-    bool automaticThreshold = false; ///< find the lowest useful threshold in each frame; threshold_N is the lower bound
+    double threshold_N = 0.2; ///< a taxel is active when its load is at least this (compared as float); > 0,
+                              ///< and what is not > 0 acts as the smallest load over 0
+    bool automaticThreshold = false; ///< find the lowest useful threshold in each frame; threshold_N is the
+                                     ///< lower bound (see automatic_threshold.h)
     OrientationMode orientation = OrientationMode::binarised;
     MomentRange range = MomentRange::image;
-    double edgeRatio = 4.0;    ///< becomes an edge when lambda1/lambda2 rises above this
-    double pointRatio = 2.5;   ///< becomes a point when lambda1/lambda2 falls below this; < edgeRatio
+    double edgeRatio = 4.0;  ///< becomes an edge when lambda1/lambda2 rises above this
+    double pointRatio = 2.5; ///< becomes a point when lambda1/lambda2 falls below this; < edgeRatio
 };
 
 /// Tactile features of one frame, in the sensor frame {s}. A feature that is not defined is empty, never 0.
 struct TactileFeatures {
     ContactType type = ContactType::none;
-    double force_N = 0.0;              ///< M_00
-    std::optional<double> copX_m;      ///< centre of pressure, M_10/M_00
+    double force_N = 0.0;         ///< M_00
+    std::optional<double> copX_m; ///< centre of pressure, M_10/M_00
     std::optional<double> copY_m;
-    std::optional<double> cocX_m;      ///< centre of contact: centroid of the binary image
+    std::optional<double> cocX_m; ///< centre of contact: centroid of the binary image
     std::optional<double> cocY_m;
-    std::optional<double> dzmpX_m;     ///< CoP_y - CoC_y: moment about x
-    std::optional<double> dzmpY_m;     ///< CoP_x - CoC_x: moment about y
-    std::optional<double> alphaZ_rad;  ///< first principal axis, (-pi/2, pi/2]; empty for one taxel or an isotropic blob
-    std::optional<double> lambda1_m2;  ///< eigenvalues of the covariance, lambda1 >= lambda2; need two active taxels
+    std::optional<double> dzmpX_m; ///< CoP_y - CoC_y: moment about x
+    std::optional<double> dzmpY_m; ///< CoP_x - CoC_x: moment about y
+    std::optional<double>
+        alphaZ_rad; ///< first principal axis, (-pi/2, pi/2]; empty for one taxel or an isotropic blob
+    std::optional<double>
+        lambda1_m2; ///< eigenvalues of the covariance, lambda1 >= lambda2; need two active taxels
     std::optional<double> lambda2_m2;
-    int active = 0;                    ///< taxels at or over the threshold
-    int dead = 0;                      ///< taxels left out because they are dead or not finite
-    double peak_N = 0.0;               ///< largest load
-    double threshold_N = 0.0;          ///< the threshold that was used
+    int active = 0;           ///< taxels at or over the threshold
+    int dead = 0;             ///< taxels left out because they are dead or not finite
+    double peak_N = 0.0;      ///< largest load
+    double threshold_N = 0.0; ///< the threshold that was used
 };
 
 /// Computes the features of frames of one stream.
@@ -64,19 +68,25 @@ class FeatureExtractor {
 public:
     explicit FeatureExtractor(const core::ArrayLayout& layout, const FeatureSettings& settings = {});
 
-    /// load_N: taxels >= 0 (what FrameConditioner gives); dead: 1 for taxels to leave out, may be empty. Values that
-    /// are not finite or negative are left out and counted as dead.
-    [[nodiscard]] TactileFeatures compute(std::span<const float> load_N, std::span<const std::uint8_t> dead = {});
+    /// load_N: taxels >= 0 (what FrameConditioner gives); dead: 1 for taxels to leave out, may be empty.
+    /// Values that are not finite or negative are left out and counted as dead.
+    [[nodiscard]] TactileFeatures compute(std::span<const float> load_N,
+                                          std::span<const std::uint8_t> dead = {});
 
     void setSettings(const FeatureSettings& settings) { m_settings = settings; }
     [[nodiscard]] const FeatureSettings& settings() const { return m_settings; }
     void reset() { m_previous = ContactType::none; }
 
 private:
+    int clean(std::span<const float> load_N, std::span<const std::uint8_t> dead);
+
+    [[nodiscard]] ContactType classify(double lambda1, double lambda2) const;
+
     core::ArrayLayout m_layout;
     FeatureSettings m_settings;
-    std::vector<double> m_x_m; ///< x of each column
-    std::vector<double> m_y_m; ///< y of each row
+    std::size_t m_stride;        ///< columns of a cleaned row
+    std::vector<float> m_clean;  ///< the frame with 0 at the taxels that are left out
+    std::vector<float> m_usable; ///< the loads of the other taxels
     ContactType m_previous = ContactType::none;
 };
 

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/contact/frame_conditioner.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace teleta::contact {
+
+FrameConditioner::FrameConditioner(std::size_t taxels, ConditioningSettings settings)
+    : m_settings(std::move(settings)) {
+    if (m_settings.tare.size() != taxels)
+        m_settings.tare.clear();
+    if (m_settings.dead.size() != taxels)
+        m_settings.dead.clear();
+    m_tare = m_settings.tare;
+    m_tare.resize(taxels, 0.0F);
+    m_dead = m_settings.dead;
+    m_dead.resize(taxels, 0);
+}
+
+std::size_t FrameConditioner::apply(std::span<const float> raw, std::span<float> load_N,
+                                    std::span<std::uint8_t> dead) const {
+    const std::size_t taxels = std::min({m_tare.size(), raw.size(), load_N.size(), dead.size()});
+    const double gain = m_settings.inverted ? -m_settings.gain : m_settings.gain;
+    constexpr float kLargest = std::numeric_limits<float>::max();
+
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < taxels; ++i) {
+        const auto load =
+            static_cast<float>(gain * (static_cast<double>(raw[i]) - static_cast<double>(m_tare[i])));
+        // A value or a tare that is not finite makes a load that is not finite; NaN fails every comparison.
+        const bool usable = m_dead[i] == 0 && load >= -kLargest && load <= kLargest;
+        load_N[i] = usable && load > 0.0F ? load : 0.0F;
+        dead[i] = usable ? 0 : 1;
+        count += dead[i];
+    }
+    return count;
+}
+
+} // namespace teleta::contact
