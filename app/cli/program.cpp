@@ -3,6 +3,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/command_io.h"
+#include "app/cli/commands/stiffness_command.h"
 
 #include <QCoreApplication>
 
@@ -19,6 +20,7 @@ namespace {
 /// and a line here: commands.push_back(std::make_unique<FeaturesCommand>());
 std::vector<std::unique_ptr<Command>> makeCommands() {
     std::vector<std::unique_ptr<Command>> commands;
+    commands.push_back(std::make_unique<StiffnessCommand>());
     return commands;
 }
 
