@@ -43,12 +43,11 @@ void TouchChannel::post(ChannelSettings settings, bool keepTare) {
 }
 
 void TouchChannel::requestTare(double duration_s) {
-    // The smallest positive value stands for one frame, because 0 means clear.
-    m_tareRequests.post(std::max(duration_s, std::numeric_limits<double>::min()));
+    m_tareRequests.post({.clear = false, .duration_s = duration_s});
 }
 
 void TouchChannel::clearTare() {
-    m_tareRequests.post(0.0);
+    m_tareRequests.post({.clear = true});
 }
 
 std::size_t TouchChannel::process() {
@@ -84,11 +83,11 @@ bool TouchChannel::takeCommands() {
             change->settings.conditioning.tare = m_settings.conditioning.tare;
         applySettings(std::move(change->settings));
     }
-    if (const auto tare_s = m_tareRequests.take()) {
+    if (const auto request = m_tareRequests.take()) {
         m_tareRun.reset();
-        if (*tare_s > 0.0) {
+        if (!request->clear) {
             m_tareRun = std::make_unique<TareRun>();
-            m_tareRun->duration_s = *tare_s;
+            m_tareRun->duration_s = request->duration_s;
             m_tareRun->sum.resize(m_current.layout.taxels());
             m_tareRun->count.resize(m_current.layout.taxels());
         } else {
@@ -157,7 +156,10 @@ void TouchChannel::accumulateTare(const core::SampleBlock& block, std::size_t in
         ++run.count[taxel];
     }
     ++run.frames;
-    if (block.sourceTime_s[index] - run.start_s < run.duration_s)
+    // Stream times are decimal fractions: a difference that should be the duration may fall short by
+    // rounding.
+    constexpr double kTimeRounding_s = 1e-9;
+    if (block.sourceTime_s[index] - run.start_s < run.duration_s - kTimeRounding_s)
         return;
 
     ChannelSettings tared = m_settings;

@@ -70,6 +70,10 @@ private:
         ChannelSettings settings;
         bool keepTare = true;
     };
+    struct TareRequest {
+        bool clear = false;
+        double duration_s = 0.0;
+    };
     struct TareRun {
         double duration_s = 0.0;
         std::size_t frames = 0;
@@ -90,7 +94,7 @@ private:
     core::LatestCopy<ChannelSettings> m_settingsInUse;
     std::atomic<std::uint64_t> m_revision{0};
     core::Mailbox<Change> m_changes;
-    core::Mailbox<double> m_tareRequests; ///< duration in s; 0 clears
+    core::Mailbox<TareRequest> m_tareRequests;
 
     contact::FrameConditioner m_conditioner;
     contact::FeatureExtractor m_features;

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/pipeline/touch_channel.h"
+
+#include "tests/backend/pipeline/scripted_source.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+using teleta::contact::ContactType;
+using teleta::core::ArrayLayout;
+using teleta::pipeline::ChannelSettings;
+using teleta::pipeline::FeatureSample;
+using teleta::pipeline::TouchChannel;
+using teleta::test::ScriptedSource;
+
+namespace {
+
+constexpr ArrayLayout kLayout{.rows = 2, .columns = 3, .pitch_m = 0.01};
+
+struct Channel {
+    explicit Channel(ChannelSettings settings = {}, std::size_t capacity = 64)
+    {
+        auto owned = std::make_unique<ScriptedSource>(kLayout, capacity);
+        source = owned.get();
+        channel = std::make_unique<TouchChannel>(std::move(owned), std::move(settings));
+    }
+    TouchChannel* operator->() const { return channel.get(); }
+
+    ScriptedSource* source = nullptr;
+    std::unique_ptr<TouchChannel> channel;
+};
+
+} // namespace
+
+TEST(TouchChannel, showsNothingBeforeTheFirstFrame)
+{
+    Channel channel;
+    EXPECT_EQ(channel->process(), 0U);
+    EXPECT_FALSE(channel->update());
+    EXPECT_EQ(channel->generation(), 0U);
+}
+
+TEST(TouchChannel, turnsAFrameIntoContactsAndFeatures)
+{
+    Channel channel;
+    channel.source->push({0, 0, 0, 0, 0, 3}, 0.25);
+    EXPECT_EQ(channel->process(), 1U);
+    ASSERT_TRUE(channel->update());
+
+    const auto& snapshot = channel->snapshot();
+    EXPECT_EQ(snapshot.layout, kLayout);
+    EXPECT_DOUBLE_EQ(snapshot.sourceTime_s, 0.25);
+    EXPECT_DOUBLE_EQ(snapshot.features.force_N, 3.0);
+    EXPECT_EQ(snapshot.features.type, ContactType::point);
+    ASSERT_EQ(snapshot.contacts.size(), 1U);
+    EXPECT_EQ(snapshot.contacts.front().id, 1);
+    EXPECT_DOUBLE_EQ(snapshot.contacts.front().x_m, 0.01);
+    EXPECT_DOUBLE_EQ(snapshot.contacts.front().y_m, 0.005);
+    EXPECT_EQ(snapshot.labels[5], snapshot.contacts.front().region);
+    EXPECT_EQ(snapshot.labels[0], 0);
+}
+
+TEST(TouchChannel, givesTheViewerEveryFrameAsASampleAndOnlyTheNewestAsASnapshot)
+{
+    Channel channel;
+    for (int frame = 0; frame < 5; ++frame)
+        channel.source->push({float(frame), 0, 0, 0, 0, 0}, 0.1 * frame);
+    EXPECT_EQ(channel->process(), 5U);
+    ASSERT_TRUE(channel->update());
+    EXPECT_EQ(channel->generation(), 1U);
+    EXPECT_DOUBLE_EQ(channel->snapshot().features.force_N, 4.0);
+
+    FeatureSample sample;
+    for (int frame = 0; frame < 5; ++frame) {
+        ASSERT_TRUE(channel->popSample(sample));
+        EXPECT_DOUBLE_EQ(sample.features.force_N, frame);
+        EXPECT_DOUBLE_EQ(sample.sourceTime_s, 0.1 * frame);
+    }
+    EXPECT_FALSE(channel->popSample(sample));
+    EXPECT_EQ(channel->framesProcessed(), 5U);
+}
+
+TEST(TouchChannel, countsSamplesThatALateViewerMisses)
+{
+    constexpr std::size_t kLate = 10;
+    Channel channel({}, TouchChannel::kHistorySamples + kLate);
+    for (std::size_t frame = 0; frame < TouchChannel::kHistorySamples + kLate; ++frame)
+        ASSERT_TRUE(channel.source->push({1, 0, 0, 0, 0, 0}, 0.005 * static_cast<double>(frame)));
+    channel->process();
+    EXPECT_EQ(channel->samplesNotShown(), kLate);
+    EXPECT_EQ(channel->framesProcessed(), TouchChannel::kHistorySamples + kLate);
+}
+
+TEST(TouchChannel, appliesNewSettingsToTheLastFrameOfAPausedSource)
+{
+    Channel channel;
+    channel.source->push({2, 0, 0, 0, 0, 0}, 0.0);
+    channel->process();
+    ASSERT_TRUE(channel->update());
+    EXPECT_DOUBLE_EQ(channel->snapshot().features.force_N, 2.0);
+
+    ChannelSettings settings = channel->settings();
+    settings.conditioning.gain = 10.0;
+    channel->post(settings);
+    EXPECT_EQ(channel->process(), 0U);
+    ASSERT_TRUE(channel->update());
+    EXPECT_DOUBLE_EQ(channel->snapshot().features.force_N, 20.0);
+    EXPECT_EQ(channel->settingsRevision(), 1U);
+    EXPECT_EQ(channel->framesProcessed(), 1U) << "looking again at a frame is not a new frame";
+}
+
+TEST(TouchChannel, taresWithTheMeanOfTheFramesInTheGivenTime)
+{
+    Channel channel;
+    channel->requestTare(0.2);
+    channel.source->push({10, 20, 0, 0, 0, 0}, 1.0);
+    channel.source->push({12, 20, 0, 0, 0, 0}, 1.1);
+    channel.source->push({14, 20, 0, 0, 0, 0}, 1.2);
+    channel.source->push({13, 25, 0, 0, 0, 0}, 1.3);
+    channel->process();
+    ASSERT_TRUE(channel->update());
+    ASSERT_EQ(channel->settings().conditioning.tare.size(), kLayout.taxels());
+    EXPECT_FLOAT_EQ(channel->settings().conditioning.tare[0], 12.0F);
+    EXPECT_FLOAT_EQ(channel->settings().conditioning.tare[1], 20.0F);
+    EXPECT_DOUBLE_EQ(channel->snapshot().features.force_N, 1.0 + 5.0);
+}
+
+TEST(TouchChannel, keepsTheTareWhenAPanelPostsSettingsWithoutIt)
+{
+    Channel channel;
+    channel->requestTare(0.0);
+    channel.source->push({10, 0, 0, 0, 0, 0}, 0.0);
+    channel->process();
+    EXPECT_FLOAT_EQ(channel->settings().conditioning.tare.at(0), 10.0F);
+
+    ChannelSettings settings;
+    settings.conditioning.gain = 2.0;
+    channel->post(settings);
+    channel->process();
+    EXPECT_FLOAT_EQ(channel->settings().conditioning.tare.at(0), 10.0F);
+    EXPECT_DOUBLE_EQ(channel->settings().conditioning.gain, 2.0);
+
+    channel->clearTare();
+    channel->process();
+    EXPECT_TRUE(channel->settings().conditioning.tare.empty());
+}
+
+TEST(TouchChannel, marksATaxelThatNeverReadsAsDeadWhenTaring)
+{
+    constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+    Channel channel;
+    channel->requestTare(0.0);
+    channel.source->push({kNaN, 1, 1, 1, 1, 1}, 0.0);
+    channel->process();
+    EXPECT_TRUE(std::isnan(channel->settings().conditioning.tare.at(0)));
+
+    channel.source->push({5, 1, 1, 1, 1, 1}, 0.1);
+    channel->process();
+    ASSERT_TRUE(channel->update());
+    EXPECT_EQ(channel->snapshot().features.dead, 1);
+    EXPECT_EQ(channel->snapshot().dead[0], 1);
+}
+
+TEST(TouchChannel, startsIdentitiesAnewAfterAJumpInTheStream)
+{
+    Channel channel;
+    channel.source->push({1, 0, 0, 0, 0, 0}, 0.0);
+    channel.source->push({0, 0, 0, 0, 0, 1}, 0.01);
+    channel->process();
+    ASSERT_TRUE(channel->update());
+    EXPECT_EQ(channel->snapshot().contacts.front().id, 2) << "22 mm away is another contact";
+
+    channel.source->push({0, 0, 0, 0, 0, 1}, 0.0, true);
+    channel->process();
+    ASSERT_TRUE(channel->update());
+    EXPECT_EQ(channel->snapshot().contacts.front().id, 1);
+}
+
+TEST(TouchChannel, ignoresABlockOfAnotherSize)
+{
+    Channel channel;
+    channel.source->push({1, 2}, 0.0);
+    EXPECT_EQ(channel->process(), 0U);
+    EXPECT_FALSE(channel->update());
+}
