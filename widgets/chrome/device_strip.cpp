@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/chrome/device_strip.h"
+
+#include "widgets/base/status_glyph.h"
+#include "widgets/base/tabular_text.h"
+#include "widgets/base/theme.h"
+
+#include <QEvent>
+#include <QHelpEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolTip>
+
+#include <algorithm>
+#include <cmath>
+
+namespace teleta::chrome {
+
+DeviceStrip::DeviceStrip(QWidget* parent)
+    : QWidget(parent) {
+    setAccessibleName(tr("Devices"));
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+void DeviceStrip::setReadings(const std::vector<DeviceReading>& readings) {
+    bool changed = readings.size() != m_cells.size();
+    m_cells.resize(readings.size());
+    for (std::size_t index = 0; index < readings.size(); ++index) {
+        Cell& cell = m_cells[index];
+        const DeviceReading& now = readings[index];
+        changed = changed || now.state != cell.reading.state || now.active != cell.reading.active ||
+                  now.provenance != cell.reading.provenance;
+        cell.reading = now;
+        cell.rate.update(now.rate_Hz);
+        cell.latency_ms.update(now.latency_s ? std::optional(*now.latency_s * 1e3) : std::nullopt);
+        const QString before = cell.text;
+        compose(cell);
+        changed = changed || before != cell.text;
+    }
+    if (!changed)
+        return;
+    arrange();
+    QStringList spoken;
+    for (const Cell& cell : m_cells)
+        spoken << cell.text;
+    setAccessibleDescription(spoken.join(QStringLiteral("; ")));
+    update();
+}
+
+QSize DeviceStrip::sizeHint() const {
+    const int right = m_cells.empty() ? 0 : m_cells.back().rect.right() + 1;
+    return {std::max(right, base::em(this, 12)), base::em(this, 1.75)};
+}
+
+QSize DeviceStrip::minimumSizeHint() const {
+    return {base::em(this, 8), base::em(this, 1.75)};
+}
+
+QString DeviceStrip::text(int index) const {
+    return index >= 0 && index < static_cast<int>(m_cells.size())
+               ? m_cells[static_cast<std::size_t>(index)].text
+               : QString();
+}
+
+void DeviceStrip::compose(Cell& cell) const {
+    const DeviceReading& reading = cell.reading;
+    QString word = base::statusWord(reading.state);
+    if (reading.state == core::DeviceState::stale || reading.state == core::DeviceState::lost)
+        word = tr("%1 for %2", "state of a device and its age").arg(word, base::ageText(reading.age_s));
+    QStringList parts{reading.name, word};
+    if (reading.state == core::DeviceState::live)
+        parts << base::withUnit(cell.rate.text().trimmed(), tr("Hz"));
+    parts << tr("%1 lost", "frames").arg(base::shortCount(reading.lost));
+    if (reading.active && cell.latency_ms.shown() && reading.state == core::DeviceState::live)
+        parts << tr("to screen %1 ms").arg(cell.latency_ms.text().trimmed());
+    cell.text = parts.join(QStringLiteral("  "));
+}
+
+void DeviceStrip::arrange() {
+    const int height = base::em(this, 1.75);
+    int left = 0;
+    for (Cell& cell : m_cells) {
+        double width = base::grid(this, 4) + base::tabularWidth(QFontMetricsF(font()), cell.text);
+        const QString provenance = base::provenanceText(cell.reading.provenance);
+        if (!provenance.isEmpty())
+            width += base::badgeSize(font(), provenance).width() + base::grid(this);
+        cell.rect = QRect(left, 0, static_cast<int>(std::ceil(width)), height);
+        left = cell.rect.right() + 1 + base::grid(this, 2);
+    }
+    updateGeometry();
+}
+
+void DeviceStrip::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const double glyph = base::em(this, 0.75);
+    for (const Cell& cell : m_cells) {
+        const QRectF box(cell.rect);
+        if (cell.reading.active && m_cells.size() > 1) {
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(
+                base::mixed(palette().color(QPalette::Window), palette().color(QPalette::Highlight), 0.18));
+            painter.drawRoundedRect(box, base::grid(this, 0.5), base::grid(this, 0.5));
+        }
+        double x = box.left() + base::grid(this);
+        base::paintStatusGlyph(painter, {x, box.center().y() - 0.5 * glyph, glyph, glyph}, cell.reading.state,
+                               palette());
+        x += glyph + base::grid(this);
+        const QString provenance = base::provenanceText(cell.reading.provenance);
+        if (!provenance.isEmpty()) {
+            const QSizeF size = base::badgeSize(font(), provenance);
+            base::paintBadge(painter, {{x, box.center().y() - 0.5 * size.height()}, size}, provenance,
+                             base::statusColours(palette()).simulated);
+            x += size.width() + base::grid(this);
+        }
+        painter.setPen(palette().color(QPalette::WindowText));
+        base::drawTabularText(painter, {x, box.top(), box.right() - x, box.height()},
+                              Qt::AlignLeft | Qt::AlignVCenter, cell.text);
+    }
+    if (m_cells.empty()) {
+        painter.setPen(palette().color(QPalette::PlaceholderText));
+        painter.drawText(rect().adjusted(base::grid(this), 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
+                         tr("No device"));
+    }
+}
+
+void DeviceStrip::mousePressEvent(QMouseEvent* event) {
+    const int index = cellAt(event->pos());
+    if (event->button() == Qt::LeftButton && index >= 0)
+        emit deviceActivated(index);
+}
+
+bool DeviceStrip::event(QEvent* event) {
+    if (event->type() == QEvent::ToolTip) {
+        const auto* help = static_cast<QHelpEvent*>(event);
+        const int index = cellAt(help->pos());
+        if (index >= 0)
+            QToolTip::showText(help->globalPos(), toolTipText(m_cells[static_cast<std::size_t>(index)]),
+                               this);
+        else
+            QToolTip::hideText();
+        return true;
+    }
+    return QWidget::event(event);
+}
+
+int DeviceStrip::cellAt(const QPoint& point) const {
+    for (std::size_t index = 0; index < m_cells.size(); ++index) {
+        if (m_cells[index].rect.contains(point))
+            return static_cast<int>(index);
+    }
+    return -1;
+}
+
+QString DeviceStrip::toolTipText(const Cell& cell) const {
+    const DeviceReading& reading = cell.reading;
+    QStringList lines{
+        reading.name,
+        tr("State: %1").arg(base::statusWord(reading.state)),
+        tr("Rate: %1 Hz").arg(reading.rate_Hz, 0, 'f', 1),
+        tr("Frames lost: %1").arg(reading.lost),
+        tr("Frames displayed: %1").arg(reading.displayed),
+        tr("Age of the newest frame: %1").arg(base::ageText(reading.age_s)),
+    };
+    if (reading.latency_s)
+        lines << tr("From the read to the screen: %1 ms").arg(*reading.latency_s * 1e3, 0, 'f', 1);
+    if (!reading.details.isEmpty())
+        lines << reading.details;
+    return lines.join(QLatin1Char('\n'));
+}
+
+} // namespace teleta::chrome

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/device.h"
+#include "widgets/base/badge.h"
+#include "widgets/base/number_format.h"
+
+#include <QString>
+#include <QWidget>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace teleta::chrome {
+
+/// What the status bar says of one device.
+struct DeviceReading {
+    QString name;
+    base::Provenance provenance = base::Provenance::live;
+    core::DeviceState state = core::DeviceState::closed; ///< as observed now, stale included
+    double age_s = 0.0;                                  ///< of the newest data
+    double rate_Hz = 0.0;                                ///< achieved
+    std::uint64_t lost = 0;
+    std::uint64_t displayed = 0;
+    std::optional<double> latency_s; ///< from the read of a frame to its picture
+    QString details;                 ///< why it is lost; shown in the tool tip
+    bool active = false;             ///< its data are what the views show
+};
+
+/// The devices in the status bar: glyph, name, word, rate and losses of each. A click asks for the device's
+/// views. Thread: GUI. Numbers change only by what can be seen, so nothing flickers.
+class DeviceStrip : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit DeviceStrip(QWidget* parent = nullptr);
+
+    void setReadings(const std::vector<DeviceReading>& readings);
+
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
+    /// The text of one device as it is painted, for tests and assistive tools.
+    [[nodiscard]] QString text(int index) const;
+
+signals:
+    void deviceActivated(int index);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    bool event(QEvent* event) override;
+
+private:
+    struct Cell {
+        DeviceReading reading;
+        base::SteadyNumber rate{1.0};
+        base::SteadyNumber latency_ms{0.5};
+        QString text;
+        QRect rect;
+    };
+    void compose(Cell& cell) const;
+    void arrange();
+    [[nodiscard]] int cellAt(const QPoint& point) const;
+    [[nodiscard]] QString toolTipText(const Cell& cell) const;
+
+    std::vector<Cell> m_cells;
+};
+
+} // namespace teleta::chrome

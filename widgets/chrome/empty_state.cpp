@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/chrome/empty_state.h"
+
+#include "widgets/base/theme.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPixmap>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace teleta::chrome {
+
+EmptyState::EmptyState(base::Icon icon, QWidget* parent)
+    : QWidget(parent)
+    , m_icon(icon)
+    , m_picture(new QLabel(this))
+    , m_headline(new QLabel(this))
+    , m_sentence(new QLabel(this))
+    , m_buttons(new QHBoxLayout) {
+    for (QLabel* label : {m_picture, m_headline, m_sentence})
+        label->setAlignment(Qt::AlignCenter);
+    m_sentence->setWordWrap(true);
+    m_buttons->addStretch(1);
+    m_buttons->addStretch(1);
+
+    auto* layout = new QVBoxLayout(this);
+    layout->addStretch(2);
+    layout->addWidget(m_picture);
+    layout->addWidget(m_headline);
+    layout->addWidget(m_sentence);
+    layout->addSpacing(base::grid(this, 2));
+    layout->addLayout(m_buttons);
+    layout->addStretch(3);
+    restyle();
+}
+
+void EmptyState::setTexts(const QString& headline, const QString& sentence) {
+    m_headline->setText(headline);
+    m_sentence->setText(sentence);
+    setAccessibleName(headline);
+    setAccessibleDescription(sentence);
+}
+
+QPushButton* EmptyState::addAction(const QString& text, const QString& toolTip) {
+    auto* button = new QPushButton(text, this);
+    button->setToolTip(toolTip);
+    button->setAutoDefault(true);
+    if (!m_hasDefault)
+        button->setDefault(true);
+    m_hasDefault = true;
+    m_buttons->insertWidget(m_buttons->count() - 1, button);
+    return button;
+}
+
+void EmptyState::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
+        restyle();
+}
+
+void EmptyState::restyle() {
+    m_headline->setFont(base::sized(font(), base::kLargeText));
+    const int side = base::em(this, 4);
+    QPixmap picture(QSize(side, side) * devicePixelRatio());
+    picture.setDevicePixelRatio(devicePixelRatio());
+    picture.fill(Qt::transparent);
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    base::paintIcon(painter, QRectF(0, 0, side, side), m_icon, palette().color(QPalette::PlaceholderText));
+    painter.end();
+    m_picture->setPixmap(picture);
+}
+
+} // namespace teleta::chrome

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/chrome/message_bar.h"
+
+#include "widgets/base/icons.h"
+#include "widgets/base/theme.h"
+
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPainter>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace teleta::chrome {
+
+namespace {
+
+QColor severityColour(Message::Severity severity, const QPalette& palette) {
+    const base::StatusColours& colours = base::statusColours(palette);
+    switch (severity) {
+    case Message::Severity::error:
+        return colours.lost;
+    case Message::Severity::warning:
+        return colours.stale;
+    case Message::Severity::information:
+        break;
+    }
+    return colours.neutral;
+}
+
+base::Icon severityIcon(Message::Severity severity) {
+    switch (severity) {
+    case Message::Severity::error:
+        return base::Icon::error;
+    case Message::Severity::warning:
+        return base::Icon::warning;
+    case Message::Severity::information:
+        break;
+    }
+    return base::Icon::info;
+}
+
+/// A row with a tinted background and a bar in the severity's colour.
+class Row : public QFrame {
+public:
+    Row(Message::Severity severity, QWidget* parent)
+        : QFrame(parent)
+        , m_severity(severity) {}
+
+protected:
+    void paintEvent(QPaintEvent* /*event*/) override {
+        QPainter painter(this);
+        const QColor colour = severityColour(m_severity, palette());
+        painter.fillRect(rect(), base::mixed(palette().color(QPalette::Window), colour, 0.14));
+        painter.fillRect(QRect(0, 0, base::grid(this, 0.5), height()), colour);
+        painter.fillRect(QRect(0, height() - 1, width(), 1),
+                         base::mixed(palette().color(QPalette::Window), colour, 0.4));
+    }
+
+private:
+    Message::Severity m_severity;
+};
+
+/// The sign before the text, painted so that it follows the palette.
+class Sign : public QWidget {
+public:
+    Sign(Message::Severity severity, QWidget* parent)
+        : QWidget(parent)
+        , m_severity(severity) {
+        const int side = base::em(this, 1.25);
+        setFixedSize(side, side);
+    }
+
+protected:
+    void paintEvent(QPaintEvent* /*event*/) override {
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        base::paintIcon(painter, rect(), severityIcon(m_severity), severityColour(m_severity, palette()));
+    }
+
+private:
+    Message::Severity m_severity;
+};
+
+} // namespace
+
+MessageBar::MessageBar(QWidget* parent)
+    : QWidget(parent)
+    , m_layout(new QVBoxLayout(this)) {
+    m_layout->setContentsMargins(0, 0, 0, 0);
+    m_layout->setSpacing(1);
+    setAccessibleName(tr("Messages"));
+    hide();
+}
+
+void MessageBar::post(const Message& message) {
+    const auto same = std::find_if(m_entries.begin(), m_entries.end(), [&](const Entry& entry) {
+        return entry.message.text == message.text && entry.message.details == message.details;
+    });
+    if (same != m_entries.end()) {
+        ++same->repeats;
+        std::rotate(same, same + 1, m_entries.end());
+    } else {
+        if (m_entries.size() == kKept)
+            m_entries.erase(m_entries.begin());
+        m_entries.push_back({message, QDateTime::currentDateTime(), 1, false});
+    }
+    rebuild();
+}
+
+void MessageBar::clear() {
+    m_entries.clear();
+    rebuild();
+}
+
+void MessageBar::rebuild() {
+    while (QLayoutItem* item = m_layout->takeAt(0)) {
+        item->widget()->hide();
+        item->widget()->deleteLater();
+        delete item;
+    }
+    const std::size_t shown = std::min<std::size_t>(m_entries.size(), kShown);
+    for (std::size_t back = 0; back < shown; ++back)
+        m_layout->addWidget(makeRow(m_entries.size() - 1 - back));
+    if (m_entries.size() > shown) {
+        auto* more =
+            new QLabel(tr("%n older message(s)", nullptr, static_cast<int>(m_entries.size() - shown)), this);
+        more->setFont(base::sized(font(), base::kSmallText));
+        more->setContentsMargins(base::grid(this, 2), 0, 0, 0);
+        m_layout->addWidget(more);
+    }
+    setVisible(!m_entries.empty());
+}
+
+QWidget* MessageBar::makeRow(std::size_t index) {
+    const Entry& entry = m_entries[index];
+    auto* row = new Row(entry.message.severity, this);
+    row->setObjectName(QStringLiteral("message"));
+    auto* line = new QHBoxLayout;
+    line->setSpacing(base::grid(this));
+    line->addWidget(new Sign(entry.message.severity, row), 0, Qt::AlignTop);
+
+    auto* text = new QLabel(entry.message.text, row);
+    text->setTextFormat(Qt::PlainText);
+    text->setWordWrap(true);
+    text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    QFont bold = text->font();
+    bold.setBold(true);
+    text->setFont(bold);
+    line->addWidget(text, 1);
+
+    const QString since = QLocale().toString(entry.since.time(), QLocale::ShortFormat);
+    auto* when = new QLabel(
+        entry.repeats > 1 ? tr("since %1, %n times", nullptr, entry.repeats).arg(since) : since, row);
+    when->setFont(base::sized(font(), base::kSmallText));
+    line->addWidget(when, 0, Qt::AlignTop);
+
+    const auto rememberAndRebuild = [this](auto change) {
+        return [this, change] {
+            change();
+            rebuild();
+        };
+    };
+    if (!entry.message.details.isEmpty()) {
+        auto* details = new QToolButton(row);
+        details->setText(entry.open ? tr("Hide details") : tr("Details"));
+        details->setAutoRaise(true);
+        connect(details, &QToolButton::clicked, this,
+                rememberAndRebuild([this, index] { m_entries[index].open = !m_entries[index].open; }));
+        line->addWidget(details, 0, Qt::AlignTop);
+    }
+    auto* dismiss = new QToolButton(row);
+    dismiss->setIcon(base::themeIcon(base::Icon::close));
+    dismiss->setAutoRaise(true);
+    dismiss->setToolTip(tr("Dismiss"));
+    dismiss->setAccessibleName(tr("Dismiss"));
+    connect(dismiss, &QToolButton::clicked, this, rememberAndRebuild([this, index] {
+                m_entries.erase(m_entries.begin() + static_cast<std::ptrdiff_t>(index));
+            }));
+    line->addWidget(dismiss, 0, Qt::AlignTop);
+
+    auto* column = new QVBoxLayout(row);
+    column->setContentsMargins(base::grid(this, 2), base::grid(this, 0.5), base::grid(this),
+                               base::grid(this, 0.5));
+    column->setSpacing(base::grid(this, 0.5));
+    column->addLayout(line);
+    const auto addLine = [&](const QString& content) {
+        if (content.isEmpty())
+            return;
+        auto* label = new QLabel(content, row);
+        label->setTextFormat(Qt::PlainText);
+        label->setWordWrap(true);
+        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        label->setContentsMargins(base::em(this, 1.25) + base::grid(this), 0, 0, 0);
+        column->addWidget(label);
+    };
+    addLine(entry.message.advice);
+    if (entry.open)
+        addLine(entry.message.details);
+    row->setAccessibleName(entry.message.text);
+    row->setAccessibleDescription(entry.message.advice);
+    return row;
+}
+
+} // namespace teleta::chrome

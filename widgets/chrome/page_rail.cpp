@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/chrome/page_rail.h"
+
+#include "widgets/base/theme.h"
+
+#include <QButtonGroup>
+#include <QEvent>
+#include <QPainter>
+#include <QPixmap>
+#include <QShortcut>
+#include <QStyle>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace teleta::chrome {
+
+namespace {
+
+constexpr double kWidth_em = 5.0;
+constexpr double kIcon_em = 1.75;
+
+/// A rail button: a bar in the accent colour marks the chosen page, so that it shows without colour vision
+/// too.
+class RailButton : public QToolButton {
+public:
+    using QToolButton::QToolButton;
+
+protected:
+    void paintEvent(QPaintEvent* /*event*/) override {
+        QPainter painter(this);
+        const QColor window = palette().color(QPalette::Window);
+        const QColor text = palette().color(QPalette::WindowText);
+        const QColor accent = palette().color(QPalette::Highlight);
+        if (isChecked() || isDown())
+            painter.fillRect(rect(), base::mixed(window, accent, 0.18));
+        else if (underMouse())
+            painter.fillRect(rect(), base::mixed(window, text, 0.08));
+        if (isChecked())
+            painter.fillRect(QRect(0, 0, base::grid(this, 0.5), height()), accent);
+
+        const int side = base::em(this, kIcon_em);
+        const QFontMetrics metrics(font());
+        const int gap = base::grid(this, 0.5);
+        const int top = (height() - side - gap - metrics.height()) / 2;
+        icon().paint(&painter, QRect((width() - side) / 2, top, side, side));
+        painter.setPen(text);
+        painter.drawText(QRect(0, top + side + gap, width(), metrics.height()), Qt::AlignCenter,
+                         this->text());
+        if (hasFocus()) {
+            painter.setPen(QPen(accent, 1, Qt::DotLine));
+            painter.drawRect(rect().adjusted(2, 2, -3, -3));
+        }
+    }
+};
+
+} // namespace
+
+PageRail::PageRail(QWidget* parent)
+    : QWidget(parent)
+    , m_layout(new QVBoxLayout(this))
+    , m_group(new QButtonGroup(this)) {
+    m_layout->setContentsMargins(0, 0, 0, 0);
+    m_layout->setSpacing(0);
+    m_layout->addStretch(1);
+    m_group->setExclusive(true);
+    setAccessibleName(tr("Pages"));
+    restyle();
+}
+
+void PageRail::addPage(const QString& name, base::Icon icon, const QString& title, const QString& toolTip) {
+    auto* button = new RailButton(this);
+    button->setCheckable(true);
+    button->setFocusPolicy(Qt::TabFocus);
+    m_layout->insertWidget(static_cast<int>(m_pages.size()), button);
+    m_group->addButton(button);
+    m_pages.push_back({name, icon, button});
+    connect(button, &QToolButton::clicked, this, [this, name] { emit pageRequested(name); });
+    const auto number = static_cast<int>(m_pages.size());
+    if (number <= 9) {
+        auto* shortcut = new QShortcut(QKeySequence(QStringLiteral("Ctrl+%1").arg(number)), this);
+        connect(shortcut, &QShortcut::activated, button, &QToolButton::click);
+    }
+    setTitle(name, title, toolTip);
+    if (number == 1)
+        button->setChecked(true);
+    restyle();
+}
+
+void PageRail::setTitle(const QString& name, const QString& title, const QString& toolTip) {
+    const auto found =
+        std::find_if(m_pages.begin(), m_pages.end(), [&](const Page& page) { return page.name == name; });
+    if (found == m_pages.end())
+        return;
+    const auto number = static_cast<int>(found - m_pages.begin()) + 1;
+    found->button->setText(title);
+    found->button->setAccessibleName(title);
+    found->button->setToolTip(
+        tr("%1 (Ctrl+%2)", "tool tip of a page and its shortcut").arg(toolTip).arg(number));
+}
+
+void PageRail::setCurrentPage(const QString& name) {
+    for (const Page& page : m_pages) {
+        if (page.name == name)
+            page.button->setChecked(true);
+    }
+}
+
+QString PageRail::currentPage() const {
+    for (const Page& page : m_pages) {
+        if (page.button->isChecked())
+            return page.name;
+    }
+    return {};
+}
+
+void PageRail::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
+        restyle();
+}
+
+void PageRail::restyle() {
+    const int width = base::em(this, kWidth_em);
+    setFixedWidth(width);
+    for (const Page& page : m_pages) {
+        page.button->setIcon(base::themeIcon(page.icon));
+        page.button->setFixedSize(width, base::em(this, 4.0));
+    }
+}
+
+} // namespace teleta::chrome

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/device.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QSlider;
+class QToolButton;
+
+namespace teleta::chrome {
+
+/// Control of a playback: play and pause, single steps, a time bar, speed, loop. Shows a position, emits
+/// intents. Keys: Space plays or pauses, Left and Right step, Home and End go to the ends. Thread: GUI.
+class PlaybackBar : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PlaybackBar(QWidget* parent = nullptr);
+
+    void setPosition(const core::PlaybackPosition& position);
+
+signals:
+    void playRequested();
+    void pauseRequested();
+    void stepRequested(int frames);
+    void seekRequested(double time_s);
+    void speedRequested(double factor);
+    void loopRequested(bool loop);
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    QToolButton* makeButton(const QString& name);
+    void restyle();
+    void retranslate();
+    void togglePlay();
+    [[nodiscard]] double sliderTime_s(int value) const;
+
+    QToolButton* m_toStart;
+    QToolButton* m_back;
+    QToolButton* m_play;
+    QToolButton* m_forward;
+    QToolButton* m_loop;
+    QSlider* m_slider;
+    QLabel* m_time;
+    QComboBox* m_speed;
+    core::PlaybackPosition m_position;
+    bool m_shownPaused = false;
+};
+
+} // namespace teleta::chrome

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/chrome/source_chooser.h"
+
+#include "widgets/base/icons.h"
+#include "widgets/base/theme.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QMenu>
+#include <QSignalBlocker>
+#include <QToolButton>
+
+namespace teleta::chrome {
+
+SourceChooser::SourceChooser(QWidget* parent)
+    : QWidget(parent)
+    , m_box(new QComboBox(this))
+    , m_open(new QToolButton(this))
+    , m_close(new QToolButton(this))
+    , m_menu(new QMenu(this)) {
+    m_box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    m_box->setMinimumContentsLength(18);
+    m_open->setPopupMode(QToolButton::InstantPopup);
+    m_open->setMenu(m_menu);
+    m_open->setFocusPolicy(Qt::TabFocus);
+    m_close->setAutoRaise(true);
+    m_close->setFocusPolicy(Qt::TabFocus);
+    m_close->setEnabled(false);
+
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(base::grid(this, 0.5));
+    layout->addWidget(m_box);
+    layout->addWidget(m_close);
+    layout->addWidget(m_open);
+
+    connect(m_box, &QComboBox::activated, this,
+            [this] { emit sourceChosen(m_box->currentData().toULongLong()); });
+    connect(m_close, &QToolButton::clicked, this,
+            [this] { emit closeRequested(m_box->currentData().toULongLong()); });
+    retranslate();
+}
+
+void SourceChooser::setSources(const std::vector<Source>& sources, std::uint64_t active) {
+    m_sources = sources;
+    const QSignalBlocker blocked(m_box);
+    m_box->clear();
+    for (const Source& source : sources) {
+        const QString provenance = base::provenanceText(source.provenance);
+        QString text = source.name;
+        if (source.opening)
+            text = tr("%1 (opening\u2026)", "a source").arg(text);
+        else if (!provenance.isEmpty())
+            text = tr("%1 \u2014 %2", "a source and whether its data are simulated or recorded")
+                       .arg(text, provenance);
+        m_box->addItem(base::themeIcon(source.provenance == base::Provenance::simulated ? base::Icon::scene
+                                       : source.provenance == base::Provenance::recorded
+                                           ? base::Icon::recording
+                                           : base::Icon::sensor),
+                       text, QVariant::fromValue<qulonglong>(source.key));
+        if (source.key == active)
+            m_box->setCurrentIndex(m_box->count() - 1);
+    }
+    m_box->setEnabled(!sources.empty());
+    m_close->setEnabled(!sources.empty());
+    if (sources.empty())
+        m_box->addItem(tr("No source"));
+}
+
+void SourceChooser::setDemos(const std::vector<Demo>& demos) {
+    m_demos = demos;
+    rebuildMenu();
+}
+
+void SourceChooser::setRecent(const QStringList& paths) {
+    m_recent = paths;
+    rebuildMenu();
+}
+
+void SourceChooser::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    if (event->type() == QEvent::PaletteChange) {
+        rebuildMenu();
+        m_close->setIcon(base::themeIcon(base::Icon::close));
+    }
+}
+
+void SourceChooser::rebuildMenu() {
+    m_menu->clear();
+    for (const Demo& demo : m_demos) {
+        QAction* action = m_menu->addAction(base::themeIcon(base::Icon::scene), demo.title);
+        action->setToolTip(demo.description);
+        connect(action, &QAction::triggered, this, [this, path = demo.path] { emit demoRequested(path); });
+    }
+    m_menu->setToolTipsVisible(true);
+    m_menu->addSeparator();
+    QAction* recording =
+        m_menu->addAction(base::themeIcon(base::Icon::recording), tr("Open &recording\u2026"), this,
+                          &SourceChooser::openRecordingRequested);
+    recording->setToolTip(tr("Recorded frames as CSV: time_s,t0,t1,\u2026"));
+    m_menu->addAction(base::themeIcon(base::Icon::scene), tr("Open &scene file\u2026"), this,
+                      &SourceChooser::openSceneRequested);
+    m_menu->addAction(base::themeIcon(base::Icon::sensor), tr("Open source &list\u2026"), this,
+                      &SourceChooser::openListRequested);
+    if (m_recent.isEmpty())
+        return;
+    m_menu->addSeparator();
+    for (const QString& path : m_recent) {
+        QAction* action = m_menu->addAction(QFileInfo(path).fileName());
+        action->setToolTip(path);
+        connect(action, &QAction::triggered, this, [this, path] { emit recentRequested(path); });
+    }
+}
+
+void SourceChooser::retranslate() {
+    m_box->setAccessibleName(tr("Source"));
+    m_box->setToolTip(tr("The tactile array that the views show"));
+    m_open->setText(tr("&Open"));
+    m_open->setToolTip(tr("Open a simulated scene or a recording"));
+    m_close->setIcon(base::themeIcon(base::Icon::close));
+    m_close->setAccessibleName(tr("Close source"));
+    m_close->setToolTip(tr("Close this source"));
+    rebuildMenu();
+    setSources(m_sources, m_box->currentData().toULongLong());
+}
+
+} // namespace teleta::chrome

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/base/badge.h"
+
+#include <QString>
+#include <QWidget>
+
+#include <cstdint>
+#include <vector>
+
+class QComboBox;
+class QMenu;
+class QToolButton;
+
+namespace teleta::chrome {
+
+/// Which source the views show, and the ways to open another one.
+/// Thread: GUI.
+class SourceChooser : public QWidget {
+    Q_OBJECT
+
+public:
+    struct Source {
+        std::uint64_t key = 0;
+        QString name;
+        base::Provenance provenance = base::Provenance::live;
+        bool opening = false;
+    };
+    struct Demo {
+        QString path;
+        QString title;
+        QString description;
+    };
+
+    explicit SourceChooser(QWidget* parent = nullptr);
+
+    void setSources(const std::vector<Source>& sources, std::uint64_t active);
+    void setDemos(const std::vector<Demo>& demos);
+    void setRecent(const QStringList& paths);
+
+    /// The menu with the ways to open a source, for the File menu too.
+    [[nodiscard]] QMenu* openMenu() const { return m_menu; }
+
+signals:
+    void sourceChosen(std::uint64_t key);
+    void closeRequested(std::uint64_t key);
+    void demoRequested(const QString& path);
+    void openRecordingRequested();
+    void openSceneRequested();
+    void openListRequested();
+    void recentRequested(const QString& path);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void rebuildMenu();
+    void retranslate();
+
+    QComboBox* m_box;
+    QToolButton* m_open;
+    QToolButton* m_close;
+    QMenu* m_menu;
+    std::vector<Source> m_sources;
+    std::vector<Demo> m_demos;
+    QStringList m_recent;
+};
+
+} // namespace teleta::chrome

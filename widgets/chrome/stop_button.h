@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAbstractButton>
+#include <QElapsedTimer>
+#include <QTimer>
+
+namespace teleta::chrome {
+
+/// STOP. A press stops at once, on the way down. While stopped, only holding the button (or Space) for a
+/// second releases, so that nothing starts to move by a stray click. Thread: GUI.
+class StopButton : public QAbstractButton {
+    Q_OBJECT
+
+public:
+    /// How long it must be held to release.
+    static constexpr int kHold_ms = 1000;
+    static constexpr int kMinimumSide_px = 44;
+
+    explicit StopButton(QWidget* parent = nullptr);
+
+    /// Shows the state that the StopSwitch is in.
+    void setEngaged(bool engaged);
+    [[nodiscard]] bool engaged() const { return m_engaged; }
+
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+
+signals:
+    void stopRequested();
+    void releaseRequested();
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void onPressed();
+    void onReleased();
+    void onHoldTick();
+    void describe();
+
+    bool m_engaged = false;
+    QElapsedTimer m_held;
+    QTimer m_holdTimer;
+};
+
+} // namespace teleta::chrome
