@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/architecture/source_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <regex>
+#include <set>
+
+namespace teleta::architecture {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMaximumLines = 600;
+
+const std::vector<std::string> kFolders = {"app",       "widgets",      "backend", "devices",
+                                           "resources", "translations", "tests",   "packaging"};
+const std::vector<std::string> kCode = {".cpp", ".h"};
+const std::vector<std::string> kText = {".cpp", ".h", ".cmake", "CMakeLists.txt", ".sh", ".toml", ".desktop"};
+
+std::vector<Violation> withoutLicenceLine(const SourceFile& file) {
+    static const std::regex licence(R"(^(//|#) SPDX-License-Identifier: GPL-3\.0-or-later$)");
+    // A script begins with its interpreter.
+    const std::size_t first = !file.lines.empty() && file.lines[0].starts_with("#!") ? 1 : 0;
+    if (file.lines.size() > first && std::regex_match(file.lines[first], licence))
+        return {};
+    return {{file.path, static_cast<int>(first) + 1, "expected the SPDX licence line"}};
+}
+
+std::vector<Violation> tooLong(const SourceFile& file) {
+    if (file.lines.size() <= kMaximumLines)
+        return {};
+    return {{file.path, 0, std::to_string(file.lines.size()) + " lines, at most 600 are allowed"}};
+}
+
+std::vector<Violation> unfinished(const SourceFile& file) {
+    // Spelled so that this file does not name them.
+    static const std::regex word(R"(\b(TO[D]O|FIX[M]E|X[X]X|HA[C]K)\b)");
+    std::vector<Violation> violations;
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+        if (std::regex_search(file.lines[i], word))
+            violations.push_back({file.path, static_cast<int>(i) + 1, "unfinished work"});
+    }
+    return violations;
+}
+
+std::string checkAll(const std::vector<SourceFile>& files,
+                     const std::function<std::vector<Violation>(const SourceFile&)>& rule) {
+    std::vector<Violation> violations;
+    for (const SourceFile& file : files) {
+        const std::vector<Violation> found = rule(file);
+        violations.insert(violations.end(), found.begin(), found.end());
+    }
+    return describe(violations);
+}
+
+TEST(SourceFilesTest, haveTheLicenceLine) {
+    const std::vector<SourceFile> files = readFiles(TELETA_SOURCE_DIR, kFolders, kText);
+    ASSERT_GT(files.size(), 40U);
+    EXPECT_EQ(checkAll(files, withoutLicenceLine), "");
+}
+
+TEST(SourceFilesTest, haveAtMost600Lines) {
+    EXPECT_EQ(checkAll(readFiles(TELETA_SOURCE_DIR, kFolders, kCode), tooLong), "");
+}
+
+TEST(SourceFilesTest, haveNoUnfinishedWork) {
+    EXPECT_EQ(checkAll(readFiles(TELETA_SOURCE_DIR, kFolders, kText), unfinished), "");
+}
+
+TEST(SourceFilesTest, findPlantedViolations) {
+    EXPECT_EQ(withoutLicenceLine({"a.cpp", {"#include <vector>"}}).size(), 1U);
+    EXPECT_EQ(withoutLicenceLine({"a.sh", {"#!/bin/sh", "set -e"}}).size(), 1U);
+    EXPECT_EQ(withoutLicenceLine({"a.cpp", {}}).size(), 1U);
+    EXPECT_TRUE(
+        withoutLicenceLine({"a.sh", {"#!/bin/sh", "# SPDX-License-Identifier: GPL-3.0-or-later"}}).empty());
+    EXPECT_EQ(tooLong({"a.cpp", std::vector<std::string>(601)}).size(), 1U);
+    EXPECT_TRUE(tooLong({"a.cpp", std::vector<std::string>(600)}).empty());
+    EXPECT_EQ(describe(unfinished({"a.cpp", {"int a;", std::string("// TO") + "DO: b"}})),
+              "a.cpp:2: unfinished work\n");
+}
+
+TEST(SourceFilesTest, areNamedInABuildFile) {
+    static const std::regex source(R"((\$\{CMAKE_SOURCE_DIR\}/)?([\w./-]+\.cpp))");
+    std::set<std::string> named;
+    for (const SourceFile& file : readFiles(TELETA_SOURCE_DIR, kFolders, {"CMakeLists.txt"})) {
+        const fs::path folder = fs::path(file.path).parent_path();
+        for (const std::string& line : file.lines) {
+            for (std::sregex_iterator match(line.begin(), line.end(), source), end; match != end; ++match) {
+                const fs::path base = (*match)[1].matched ? fs::path() : folder;
+                named.insert((base / match->str(2)).lexically_normal().generic_string());
+            }
+        }
+    }
+    std::string unnamed;
+    for (const SourceFile& file : readFiles(TELETA_SOURCE_DIR, kFolders, {".cpp"}))
+        unnamed += named.contains(file.path) ? std::string() : file.path + '\n';
+    EXPECT_EQ(unnamed, "");
+}
+
+TEST(SourceTreeTest, hasTheAgreedTopLevel) {
+    const std::set<std::string> agreed = {"app",       "widgets",           "backend",      "devices",
+                                          "resources", "translations",      "tests",        "packaging",
+                                          "LICENSE",   "CMakePresets.json", "README.md",    "ARCHITECTURE.md",
+                                          "build",     "CONTRIBUTING.md",   "CHANGELOG.md", "CMakeLists.txt"};
+    for (const auto& entry : fs::directory_iterator(TELETA_SOURCE_DIR)) {
+        const std::string name = entry.path().filename().string();
+        EXPECT_TRUE(name.starts_with('.') || agreed.contains(name))
+            << name << " is not part of the agreed layout";
+    }
+    for (const std::string& folder : kFolders)
+        EXPECT_TRUE(fs::is_directory(fs::path(TELETA_SOURCE_DIR) / folder)) << folder << " is missing";
+}
+
+} // namespace
+} // namespace teleta::architecture
