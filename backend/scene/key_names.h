@@ -7,9 +7,9 @@
 
 namespace teleta::scene {
 
-/// The allowed name that a misspelt one most likely stands for: the smallest number of inserted, deleted and
-/// changed characters, letter case aside, at most a third of the length. Empty when none is near. Thread: any
-/// (pure).
+/// The allowed name that a misspelt one most likely stands for: the smallest number of inserted, deleted,
+/// changed and swapped characters, letter case aside, at most a third of the length. Empty when none is near.
+/// Thread: any (pure).
 [[nodiscard]] std::string_view nearestName(std::string_view name,
                                            const std::vector<std::string_view>& allowed);
 

@@ -128,7 +128,8 @@ struct Scene {
 };
 
 /// Checks a scene that was made by a program rather than read from a file: sizes, signs, keyframes, dead
-/// taxels. Error: badInput, without a place.
+/// taxels.
+/// Error: badInput, without a place.
 [[nodiscard]] core::Expected<void> checkScene(const Scene& scene);
 
 } // namespace teleta::scene

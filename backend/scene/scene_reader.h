@@ -10,8 +10,9 @@
 namespace teleta::scene {
 
 /// Reads a scene file (TOML). Unknown keys, effects and shapes, keys without their unit, wrong types and
-/// values out of range are errors with file, line, column and what was expected. Error: notFound, ioFailed,
-/// badInput. Thread: any.
+/// values out of range are errors with file, line, column and what was expected.
+/// Error: notFound, ioFailed, badInput.
+/// Thread: any.
 [[nodiscard]] core::Expected<Scene> readScene(const std::string& path);
 
 /// The same from text; file is the name that errors show.

@@ -32,7 +32,8 @@ class TomlTable;
 
 /// A parsed TOML file and the first thing that is wrong with it. Reads through its tables never fail on the
 /// spot: a value that is missing or wrong yields a stand-in and the document keeps the error, so that a
-/// reader is a plain list of fields which asks firstError() once at its end. Thread: one.
+/// reader is a plain list of fields which asks firstError() once at its end.
+/// Thread: one.
 class TomlDocument {
 public:
     /// Error: notFound, ioFailed, or badInput with the place of the syntax error.
@@ -53,7 +54,8 @@ private:
 
 /// One table of a document, read key by key. It remembers which keys were asked for; finish() reports the
 /// others. A key whose name lacks its unit, or has another one, is told apart from an unknown one, and a near
-/// miss is named. Thread: one.
+/// miss is named.
+/// Thread: one.
 class TomlTable {
 public:
     /// True when the key is there; counts as asked for.

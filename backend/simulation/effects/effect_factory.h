@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/scene/scene.h"
+#include "backend/simulation/effects/effect.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace teleta::simulation {
+
+/// The effects that a valid scene lists, and no others, in the order in which they act:
+/// crosstalk, hysteresis; drift, noise, saturation, quantization, dead_taxels.
+[[nodiscard]] std::vector<std::unique_ptr<Effect>> makeEffects(const scene::Scene& scene, std::uint64_t seed);
+
+} // namespace teleta::simulation

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/simulation/effects/crosstalk.h"
+#include "backend/simulation/effects/dead_taxels.h"
+#include "backend/simulation/effects/drift.h"
+#include "backend/simulation/effects/hysteresis.h"
+#include "backend/simulation/effects/noise.h"
+#include "backend/simulation/effects/quantization.h"
+#include "backend/simulation/effects/saturation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <set>
+#include <vector>
+
+using namespace teleta::simulation;
+using teleta::core::ArrayLayout;
+
+namespace {
+
+const ArrayLayout kLayout{6, 14, 0.0034};
+
+double sum(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+} // namespace
+
+TEST(Noise, addsIndependentValuesOfTheStatedDeviation) {
+    Noise noise("noise", {.sd_N = 0.05}, RandomStream(1, "noise"));
+    constexpr int kFrames = 2000;
+    const double count = kFrames * 84.0;
+    double mean = 0.0, square = 0.0, inTime = 0.0, inSpace = 0.0;
+    std::vector<double> last(84, 0.0);
+    for (int frame = 0; frame < kFrames; ++frame) {
+        std::vector<double> load_N(84, 2.0);
+        noise.apply(load_N);
+        for (std::size_t i = 0; i < load_N.size(); ++i) {
+            load_N[i] = (load_N[i] - 2.0) / 0.05;
+            mean += load_N[i] / count;
+            square += load_N[i] * load_N[i] / count;
+            inTime += load_N[i] * last[i] / count;
+            if (i > 0)
+                inSpace += load_N[i] * load_N[i - 1] / count;
+        }
+        last = load_N;
+    }
+    const double standardError = 1.0 / std::sqrt(count);
+    EXPECT_NEAR(mean, 0.0, 5.0 * standardError);
+    EXPECT_NEAR(square, 1.0, 5.0 * std::sqrt(2.0) * standardError);
+    EXPECT_NEAR(inTime, 0.0, 5.0 * standardError);
+    EXPECT_NEAR(inSpace, 0.0, 5.0 * standardError);
+}
+
+TEST(Quantization, roundsToTheNearestStep) {
+    Quantization quantization("quantization", {.step_N = 0.25});
+    std::vector<double> load_N{0.0, 0.12, 0.13, 0.25, 1.1, -0.13, 1e6 + 0.2};
+    quantization.apply(load_N);
+    EXPECT_EQ(load_N, (std::vector<double>{0.0, 0.0, 0.25, 0.25, 1.0, -0.25, 1e6 + 0.25}));
+}
+
+TEST(Saturation, limitsReadingsToTheScale) {
+    Saturation saturation("saturation", 2.89);
+    std::vector<double> load_N{-0.1, 0.0, 1.0, 2.89, 2.9, 1e9};
+    saturation.apply(load_N);
+    EXPECT_EQ(load_N, (std::vector<double>{0.0, 0.0, 1.0, 2.89, 2.89, 2.89}));
+}
+
+TEST(DeadTaxels, readTheirValueWhateverTheirLoad) {
+    DeadTaxels named(
+        "dead_taxels",
+        {.taxels = {{.row = 0, .column = 0}, {.row = 5, .column = 13}}, .count = 0, .reading_N = 0.7},
+        kLayout, RandomStream(1, "dead_taxels"));
+    std::vector<double> load_N(84, 2.0);
+    named.apply(load_N);
+    EXPECT_EQ(load_N[0], 0.7);
+    EXPECT_EQ(load_N[83], 0.7);
+    EXPECT_EQ(std::count(load_N.begin(), load_N.end(), 2.0), 82);
+
+    DeadTaxels nan("dead_taxels",
+                   {.taxels = {{.row = 1, .column = 2}}, .count = 0, .reading_N = std::nan("")}, kLayout,
+                   RandomStream(1, "dead_taxels"));
+    nan.apply(load_N);
+    EXPECT_TRUE(std::isnan(load_N[16]));
+}
+
+TEST(DeadTaxels, areSoManyAndOthersWithAnotherSeed) {
+    std::set<std::vector<double>> patterns;
+    for (std::uint64_t seed = 0; seed < 50; ++seed) {
+        DeadTaxels drawn("dead_taxels", {.taxels = {}, .count = 5, .reading_N = 0.0}, kLayout,
+                         RandomStream(seed, "dead_taxels"));
+        std::vector<double> load_N(84, 1.0);
+        drawn.apply(load_N);
+        EXPECT_EQ(sum(load_N), 79.0);
+        std::vector<double> again(84, 1.0);
+        drawn.apply(again);
+        EXPECT_EQ(again, load_N) << "the same taxels stay dead";
+        patterns.insert(load_N);
+    }
+    EXPECT_GE(patterns.size(), 49U);
+    DeadTaxels all("dead_taxels", {.taxels = {}, .count = 84, .reading_N = 0.0}, kLayout,
+                   RandomStream(1, "d"));
+    std::vector<double> load_N(84, 1.0);
+    all.apply(load_N);
+    EXPECT_EQ(sum(load_N), 0.0);
+}
+
+TEST(Crosstalk, handsTheStatedShareToTheFourNeighbours) {
+    Crosstalk crosstalk("crosstalk", {.share = 0.2}, kLayout);
+    std::vector<double> load_N(84, 0.0);
+    load_N[2 * 14 + 5] = 4.0;
+    crosstalk.apply(load_N);
+    EXPECT_DOUBLE_EQ(load_N[2 * 14 + 5], 3.2);
+    for (const int neighbour : {2 * 14 + 4, 2 * 14 + 6, 1 * 14 + 5, 3 * 14 + 5})
+        EXPECT_DOUBLE_EQ(load_N[static_cast<std::size_t>(neighbour)], 0.2);
+    EXPECT_DOUBLE_EQ(sum(load_N), 4.0);
+}
+
+TEST(Crosstalk, keepsAtTheBorderWhatHasNoNeighbour) {
+    Crosstalk crosstalk("crosstalk", {.share = 0.2}, kLayout);
+    std::vector<double> load_N(84, 0.0);
+    load_N[13] = 4.0; // the corner of the first row: nothing may reach the start of the second row
+    crosstalk.apply(load_N);
+    EXPECT_DOUBLE_EQ(load_N[13], 3.6);
+    EXPECT_DOUBLE_EQ(load_N[12], 0.2);
+    EXPECT_DOUBLE_EQ(load_N[27], 0.2);
+    EXPECT_EQ(load_N[14], 0.0);
+}
+
+TEST(Crosstalk, conservesTheTotalAndLeavesAnEvenLoadAlone) {
+    RandomStream random(1, "load");
+    for (const double share : {0.0, 0.3, 1.0}) {
+        Crosstalk crosstalk("crosstalk", {.share = share}, kLayout);
+        std::vector<double> even(84, 1.5);
+        crosstalk.apply(even);
+        EXPECT_EQ(even, std::vector<double>(84, 1.5));
+        std::vector<double> load_N(84);
+        for (double& load : load_N)
+            load = random.uniform();
+        const double before_N = sum(load_N);
+        crosstalk.apply(load_N);
+        EXPECT_NEAR(sum(load_N), before_N, 1e-12);
+        for (const double load : load_N)
+            EXPECT_GE(load, 0.0);
+    }
+    Crosstalk single("crosstalk", {.share = 1.0}, {1, 1, 0.01});
+    std::vector<double> one{3.0};
+    single.apply(one);
+    EXPECT_EQ(one[0], 3.0);
+}
+
+// A load that rises to X and falls to 0: y = x; then y = X while x > X/(1+h); then y = (1+h) x.
+TEST(Hysteresis, followsItsTwoBranchesAndEnclosesTheStatedArea) {
+    constexpr double kShare = 0.25;
+    constexpr double kPeak_N = 2.0;
+    constexpr int kSteps = 10'000;
+    Hysteresis hysteresis("hysteresis", {.share = kShare}, {1, 1, 0.01});
+    double area_N2 = 0.0;
+    const auto reading_N = [&](double load_N) {
+        std::vector<double> value{load_N};
+        hysteresis.apply(value);
+        return value[0];
+    };
+    for (int i = 0; i <= kSteps; ++i) {
+        const double load_N = kPeak_N * i / kSteps;
+        const double y_N = reading_N(load_N);
+        ASSERT_DOUBLE_EQ(y_N, load_N);
+        area_N2 -= y_N * kPeak_N / kSteps;
+    }
+    for (int i = kSteps; i >= 0; --i) {
+        const double load_N = kPeak_N * i / kSteps;
+        const double y_N = reading_N(load_N);
+        ASSERT_NEAR(y_N, std::min(kPeak_N, (1.0 + kShare) * load_N), 1e-12);
+        area_N2 += y_N * kPeak_N / kSteps;
+    }
+    EXPECT_NEAR(area_N2, kPeak_N * kPeak_N * kShare / (2.0 * (1.0 + kShare)), 1e-3);
+    EXPECT_EQ(reading_N(0.0), 0.0);
+}
+
+TEST(Hysteresis, doesNotDependOnSpeedAndStaysWithinItsBranches) {
+    RandomStream random(1, "load");
+    Hysteresis slow("hysteresis", {.share = 0.3}, {1, 1, 0.01});
+    Hysteresis fast("hysteresis", {.share = 0.3}, {1, 1, 0.01});
+    double from_N = 0.0;
+    for (int i = 0; i < 200; ++i) {
+        const double to_N = random.uniform();
+        std::vector<double> value{to_N};
+        fast.apply(value);
+        std::vector<double> inSteps;
+        for (int k = 1; k <= 10; ++k) {
+            inSteps.assign(1, from_N + (to_N - from_N) * k / 10.0);
+            slow.apply(inSteps);
+        }
+        EXPECT_NEAR(value[0], inSteps[0], 1e-12);
+        EXPECT_GE(value[0], to_N);
+        EXPECT_LE(value[0], 1.3 * to_N + 1e-12);
+        from_N = to_N;
+    }
+}
+
+TEST(Drift, hasTheStatedVarianceAtEveryTime) {
+    constexpr double kStep_s = 0.005;
+    constexpr double kTime_s = 2.0;
+    const ArrayLayout large{100, 100, 0.01};
+    Drift drift("drift", {.sd_N = 0.1, .timeConstant_s = kTime_s}, large, kStep_s, RandomStream(1, "drift"));
+    std::vector<double> first;
+    for (int frame = 1; frame <= 1600; ++frame) {
+        std::vector<double> load_N(large.taxels(), 0.0);
+        drift.apply(load_N);
+        if (frame != 40 && frame != 400 && frame != 1600)
+            continue;
+        double mean = 0.0, square = 0.0;
+        for (const double value : load_N) {
+            mean += value / 1e4;
+            square += value * value / 1e4;
+        }
+        const double expected = 0.01 * (1.0 - std::exp(-2.0 * frame * kStep_s / kTime_s));
+        EXPECT_NEAR(square / expected, 1.0, 5.0 * std::sqrt(2.0 / 1e4)) << frame;
+        EXPECT_NEAR(mean, 0.0, 5.0 * std::sqrt(expected / 1e4)) << frame;
+    }
+}
+
+TEST(Drift, doesNotDependOnTheFrameRate) {
+    // Values a second apart are correlated by exp(-1 s / tau) at any rate.
+    const ArrayLayout large{100, 100, 0.01};
+    for (const int rate_Hz : {1, 20}) {
+        Drift drift("drift", {.sd_N = 1.0, .timeConstant_s = 2.0}, large, 1.0 / rate_Hz,
+                    RandomStream(1, "drift"));
+        std::vector<double> early(large.taxels()), late;
+        for (int frame = 0; frame < 30 * rate_Hz; ++frame) {
+            early.assign(large.taxels(), 0.0);
+            drift.apply(early);
+        }
+        for (int frame = 0; frame < rate_Hz; ++frame) {
+            late.assign(large.taxels(), 0.0);
+            drift.apply(late);
+        }
+        const double product = std::inner_product(early.begin(), early.end(), late.begin(), 0.0) / 1e4;
+        EXPECT_NEAR(product, std::exp(-0.5), 5.0 * std::sqrt(2.0 / 1e4));
+    }
+}
+
+TEST(Drift, staysFiniteForAnEndlessTimeConstant) {
+    Drift drift("drift", {.sd_N = 1.0, .timeConstant_s = 1e12}, {1, 1, 0.01}, 1e-3, RandomStream(1, "drift"));
+    std::vector<double> load_N{0.0};
+    drift.apply(load_N);
+    // sd sqrt(2 dt/tau), not 0 by cancellation
+    EXPECT_GT(std::abs(load_N[0]), 1e-9);
+    EXPECT_LT(std::abs(load_N[0]), 1e-6);
+}
