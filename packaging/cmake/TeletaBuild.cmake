@@ -71,7 +71,9 @@ function(teleta_gui_test name)
     if(ARG_LABEL STREQUAL "gl")
         find_program(TELETA_XVFB_RUN xvfb-run REQUIRED)
         add_test(NAME ${name} COMMAND ${TELETA_XVFB_RUN} -a -s "-screen 0 1600x1000x24" $<TARGET_FILE:${name}>)
-        set_tests_properties(${name} PROPERTIES ENVIRONMENT "QT_QPA_PLATFORM=xcb;LIBGL_ALWAYS_SOFTWARE=1")
+        # xvfb-run -a does not choose its display number safely when two of them start at once.
+        set_tests_properties(${name} PROPERTIES ENVIRONMENT "QT_QPA_PLATFORM=xcb;LIBGL_ALWAYS_SOFTWARE=1"
+                                                RESOURCE_LOCK xvfb)
     else()
         add_test(NAME ${name} COMMAND ${name})
         set_tests_properties(${name} PROPERTIES ENVIRONMENT "QT_QPA_PLATFORM=offscreen")

@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# For the scripts beside it, which source it: root and jobs, and a compiler cache that two build folders share.
+# shellcheck shell=bash
+root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
+jobs=$(nproc)
+export CMAKE_BUILD_PARALLEL_LEVEL=$jobs
+export CCACHE_BASEDIR=$root
+export CCACHE_NOHASHDIR=1
+# Precompiled headers are cached only when these differences are forgiven.
+export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+
+# Configures a preset quietly; its output appears when it fails.
+configure() {
+    local log
+    if ! log=$(cd "$root" && cmake --preset "$1" 2>&1); then
+        printf '%s\n' "$log" >&2
+        return 1
+    fi
+}
+
+# Qt wants a private folder for its sockets, which a bare machine does not have.
+ensure_runtime_folder() {
+    if [[ ! -d ${XDG_RUNTIME_DIR:-} ]]; then
+        export XDG_RUNTIME_DIR="$root/build/runtime"
+        mkdir -p "$XDG_RUNTIME_DIR"
+        chmod 700 "$XDG_RUNTIME_DIR"
+    fi
+}

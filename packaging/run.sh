@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Installs what is missing, builds the programs and starts the console, by default with a simulated touch.
+#   run.sh [arguments of teleta-console]
+# Without a display it starts one in memory, takes a picture of the console, says where it is, and ends.
+set -euo pipefail
+source "$(dirname -- "${BASH_SOURCE[0]}")/build_environment.sh"
+
+"$root/packaging/install_dependencies.sh"
+configure release
+cmake --build "$root/build/release" --target teleta-console teleta
+
+arguments=("$@")
+has_source=false
+has_screenshot=false
+for argument in "$@"; do
+    case "$argument" in
+        --scene | --scene=* | --replay | --replay=* | -h | --help* | -v | --version) has_source=true ;;
+        --screenshot | --screenshot=*) has_screenshot=true ;;
+    esac
+done
+$has_source || arguments=(--scene "$root/resources/scenes/tactile-indenter.toml" "${arguments[@]}")
+console="$root/build/release/app/console/teleta-console"
+
+if [[ -n ${DISPLAY:-}${WAYLAND_DISPLAY:-} ]]; then
+    exec "$console" "${arguments[@]}"
+fi
+
+picture="$root/build/teleta-console.png"
+if ! $has_screenshot; then
+    arguments+=(--screenshot "$picture" --after 5)
+    rm -f "$picture"
+fi
+ensure_runtime_folder
+status=0
+xvfb-run -a -s "-screen 0 1600x1000x24" env QT_QPA_PLATFORM=xcb LIBGL_ALWAYS_SOFTWARE=1 \
+    "$console" "${arguments[@]}" || status=$?
+if ! $has_screenshot && [[ -s $picture ]]; then
+    printf 'There is no display, so the console was drawn in memory. The picture is %s\n' "$picture"
+fi
+exit "$status"

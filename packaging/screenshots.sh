@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Makes the pictures of the README from the running console: a recorded pressure mat and a simulated touch, light and dark.
+#   screenshots.sh [FOLDER [WIDTHxHEIGHT]]      default: resources/screenshots 1600x1000
+set -euo pipefail
+source "$(dirname -- "${BASH_SOURCE[0]}")/build_environment.sh"
+folder=${1:-$root/resources/screenshots}
+size=${2:-1600x1000}
+mkdir -p "$folder"
+
+"$root/packaging/install_dependencies.sh"
+configure release
+cmake --build "$root/build/release" --target teleta-console
+ensure_runtime_folder
+
+data="$root/tests/data/popu"
+recording=(--replay "$data/tactilus_sequence_excerpt.csv" --tare "$data/tactilus_empty1.csv" --rows 64 --columns 27)
+simulation=(--scene "$root/resources/scenes/tactile-indenter.toml")
+
+# take NAME ARGUMENTS...
+take() {
+    local picture="$folder/$1.png"
+    shift
+    xvfb-run -a -s "-screen 0 ${size}x24" env QT_QPA_PLATFORM=xcb LIBGL_ALWAYS_SOFTWARE=1 \
+        "$root/build/release/app/console/teleta-console" "$@" --size "$size" --screenshot "$picture" --after 3
+    printf '%s\n' "$picture"
+}
+
+for theme in dark light; do
+    take "operate-recording-$theme" "${recording[@]}" --page operate --theme "$theme"
+    take "operate-simulation-$theme" "${simulation[@]}" --page operate --theme "$theme"
+done

@@ -1,0 +1,101 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Installs what is missing, builds everything with warnings as errors and runs all checks:
+#   format      clang-format of every C++ file
+#   ci          the whole project: all tests, those with OpenGL on a screen in memory
+#   headless    backend and command line without any GUI library
+#   tsan        threads: core, pipeline and devices under the thread sanitizer
+#   asan        the backend under the address and undefined-behaviour sanitizers
+# Names as arguments choose among them. Every check runs, whatever the others found; the summary is last.
+set -uo pipefail
+source "$(dirname -- "${BASH_SOURCE[0]}")/build_environment.sh"
+
+all_checks=(format ci headless tsan asan)
+for name in "$@"; do
+    if [[ " ${all_checks[*]} " != *" $name "* ]]; then
+        printf "test: unknown check '%s' (expected %s)\n" "$name" "${all_checks[*]}" >&2
+        exit 2
+    fi
+done
+checks=("$@")
+((${#checks[@]})) || checks=("${all_checks[@]}")
+
+"$root/packaging/install_dependencies.sh" --test || exit 1
+ensure_runtime_folder
+
+passed=0
+failed=0
+summary=()
+
+# record CHECK PASSED FAILED [REMARK]
+record() {
+    ((passed += $2, failed += $3))
+    summary+=("$(printf '%-9s %4d passed, %d failed%s  (%d s)' "$1" "$2" "$3" "${4:+: $4}" "$SECONDS")")
+}
+
+# run_tests FOLDER [CTEST ARGUMENTS...]: adds the numbers of one CTest run to tests_passed and tests_failed.
+run_tests() {
+    local log line
+    log=$(mktemp)
+    ctest --test-dir "$@" -j "$jobs" --no-tests=error --output-on-failure 2>&1 | tee "$log"
+    local status=${PIPESTATUS[0]}
+    line=$(grep -oE '[0-9]+ tests failed out of [0-9]+' "$log")
+    rm -f "$log"
+    if [[ $line =~ ^([0-9]+)\ tests\ failed\ out\ of\ ([0-9]+)$ ]]; then
+        ((tests_failed += BASH_REMATCH[1], tests_passed += BASH_REMATCH[2] - BASH_REMATCH[1]))
+        ((status == 0 || BASH_REMATCH[1] > 0)) || ((tests_failed += 1))
+    else
+        ((tests_failed += 1))
+    fi
+}
+
+# check_build PRESET FOLDERS...: builds and tests everything, or only what is in these folders of tests/.
+check_build() {
+    local preset=$1 folder
+    shift
+    local targets=(all) folders=(.)
+    if (($#)); then
+        folders=("${@/#/tests/}")
+        targets=("${folders[@]/%//all}")
+    fi
+    tests_passed=0
+    tests_failed=0
+    if ! configure "$preset" || ! cmake --build "$root/build/$preset" --target "${targets[@]}"; then
+        record "$preset" 0 1 "it does not build"
+        return
+    fi
+    for folder in "${folders[@]}"; do
+        run_tests "$root/build/$preset/$folder"
+    done
+    record "$preset" "$tests_passed" "$tests_failed"
+}
+
+export TSAN_OPTIONS="halt_on_error=1 second_deadlock_stack=1"
+export ASAN_OPTIONS="detect_stack_use_after_return=1 strict_string_checks=1"
+export UBSAN_OPTIONS="print_stacktrace=1"
+
+for name in "${checks[@]}"; do
+    printf '\n== %s\n' "$name"
+    SECONDS=0
+    case "$name" in
+        format)
+            if "$root/packaging/format.sh" --check; then
+                record format 1 0
+            else
+                record format 0 1 "run packaging/format.sh"
+            fi
+            ;;
+        tsan) check_build tsan backend/core backend/pipeline devices/replay devices/simulated ;;
+        asan)
+            # Every part of the backend that has tests.
+            mapfile -t parts < <(cd "$root/tests" && printf '%s\n' backend/*/CMakeLists.txt)
+            check_build asan "${parts[@]%/CMakeLists.txt}"
+            ;;
+        *) check_build "$name" ;;
+    esac
+done
+
+printf '\n'
+printf '%s\n' "${summary[@]}"
+printf '%d passed, %d failed\n' "$passed" "$failed"
+((failed == 0 && passed > 0))
