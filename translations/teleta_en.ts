@@ -1,4 +1,21 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
+<context>
+    <name>teleta::chrome::MessageBar</name>
+    <message numerus="yes">
+        <source>%n older message(s)</source>
+        <translation>
+            <numerusform>%n older message</numerusform>
+            <numerusform>%n older messages</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>since %1, %n times</source>
+        <translation>
+            <numerusform>since %1, %n time</numerusform>
+            <numerusform>since %1, %n times</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

@@ -27,28 +27,43 @@ QStringList languagesOf(const QList<QLocale>& locales) {
     return names;
 }
 
-/// The plural messages of a .ts file whose two English forms are not both there and finished.
-QStringList pluralsWithoutForms(QIODevice& ts) {
-    QStringList incomplete;
-    QXmlStreamReader xml(&ts);
+struct Plural {
+    QString context;
     QString source;
+    QStringList forms;
     bool finished = false;
-    int forms = 0;
+};
+
+/// The plural messages of a .ts file.
+QList<Plural> pluralsOf(QIODevice& ts) {
+    QList<Plural> plurals;
+    QXmlStreamReader xml(&ts);
+    QString context;
+    Plural message;
     while (!xml.atEnd()) {
         xml.readNext();
-        if (xml.isStartElement() && xml.name() == QLatin1String("source")) {
-            source = xml.readElementText();
-        } else if (xml.isStartElement() && xml.name() == QLatin1String("translation")) {
-            finished = !xml.attributes().hasAttribute(QLatin1String("type"));
-            forms = 0;
-        } else if (xml.isStartElement() && xml.name() == QLatin1String("numerusform")) {
-            forms += xml.readElementText().isEmpty() ? 0 : 1;
-        } else if (xml.isEndElement() && xml.name() == QLatin1String("message") &&
-                   (!finished || forms != 2)) {
-            incomplete.append(source);
-        }
+        const bool start = xml.isStartElement();
+        if (start && xml.name() == QLatin1String("name"))
+            context = xml.readElementText();
+        else if (start && xml.name() == QLatin1String("source"))
+            message = {context, xml.readElementText(), {}, false};
+        else if (start && xml.name() == QLatin1String("translation"))
+            message.finished = !xml.attributes().hasAttribute(QLatin1String("type"));
+        else if (start && xml.name() == QLatin1String("numerusform"))
+            message.forms.append(xml.readElementText());
+        else if (xml.isEndElement() && xml.name() == QLatin1String("message") && !message.forms.isEmpty())
+            plurals.append(message);
     }
     EXPECT_FALSE(xml.hasError()) << xml.errorString().toStdString();
+    return plurals;
+}
+
+QStringList incompleteOnes(const QList<Plural>& plurals) {
+    QStringList incomplete;
+    for (const Plural& plural : plurals) {
+        if (!plural.finished || plural.forms.size() != 2 || plural.forms.contains(QString()))
+            incomplete.append(plural.source);
+    }
     return incomplete;
 }
 
@@ -95,6 +110,27 @@ TEST_F(TranslationTest, replacesTheLanguageInstalledBefore) {
     EXPECT_EQ(translatorsOf(m_application), once);
 }
 
+TEST_F(TranslationTest, countsInEnglish) {
+    QFile ts(kSource + QStringLiteral("/translations/teleta_en.ts"));
+    ASSERT_TRUE(ts.open(QIODevice::ReadOnly));
+    const QList<Plural> plurals = pluralsOf(ts);
+    ASSERT_FALSE(plurals.isEmpty());
+    installTranslator(m_application, QLocale(QLocale::English));
+    const auto count = [](const Plural& plural, int n) {
+        return QCoreApplication::translate(plural.context.toUtf8().constData(),
+                                           plural.source.toUtf8().constData(), nullptr, n);
+    };
+    for (const Plural& plural : plurals) {
+        ASSERT_EQ(plural.forms.size(), 2);
+        EXPECT_EQ(count(plural, 1),
+                  QString(plural.forms[0]).replace(QLatin1String("%n"), QLatin1String("1")));
+        EXPECT_EQ(count(plural, 2),
+                  QString(plural.forms[1]).replace(QLatin1String("%n"), QLatin1String("2")));
+        EXPECT_EQ(count(plural, 0),
+                  QString(plural.forms[1]).replace(QLatin1String("%n"), QLatin1String("0")));
+    }
+}
+
 TEST_F(TranslationTest, seesPluralsInServicesWithoutQObject) {
     const QTemporaryDir folder;
     QFile code(folder.filePath(QStringLiteral("service.cpp")));
@@ -111,7 +147,7 @@ TEST_F(TranslationTest, seesPluralsInServicesWithoutQObject) {
     ASSERT_TRUE(lupdate.waitForFinished() && lupdate.exitCode() == 0);
     QFile ts(folder.filePath(QStringLiteral("new_en.ts")));
     ASSERT_TRUE(ts.open(QIODevice::ReadOnly));
-    EXPECT_EQ(pluralsWithoutForms(ts), QStringList(QStringLiteral("%n frame(s)")));
+    EXPECT_EQ(incompleteOnes(pluralsOf(ts)), QStringList(QStringLiteral("%n frame(s)")));
 }
 
 TEST_F(TranslationTest, hasBothFormsOfEveryEnglishPlural) {
@@ -122,14 +158,14 @@ TEST_F(TranslationTest, hasBothFormsOfEveryEnglishPlural) {
     lupdate.setWorkingDirectory(kSource);
     lupdate.start(QStringLiteral(TELETA_LUPDATE),
                   {QStringLiteral("-silent"), QStringLiteral("-pluralonly"), QStringLiteral("-no-obsolete"),
-                   QStringLiteral("-extensions"), QStringLiteral("cpp,h"), QStringLiteral("app"),
-                   QStringLiteral("widgets"), QStringLiteral("backend"), QStringLiteral("devices"),
-                   QStringLiteral("-ts"), copy});
+                   QStringLiteral("-I"), QStringLiteral("."), QStringLiteral("-extensions"),
+                   QStringLiteral("cpp,h"), QStringLiteral("app"), QStringLiteral("widgets"),
+                   QStringLiteral("backend"), QStringLiteral("devices"), QStringLiteral("-ts"), copy});
     ASSERT_TRUE(lupdate.waitForFinished() && lupdate.exitCode() == 0)
         << lupdate.readAllStandardError().toStdString();
     QFile ts(copy);
     ASSERT_TRUE(ts.open(QIODevice::ReadOnly));
-    const QStringList incomplete = pluralsWithoutForms(ts);
+    const QStringList incomplete = incompleteOnes(pluralsOf(ts));
     EXPECT_TRUE(incomplete.isEmpty()) << "build the target update_translations and fill teleta_en.ts: "
                                       << incomplete.join(QStringLiteral("; ")).toStdString();
 }
