@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/arm/contact_force.h"
+
+#include <Eigen/SVD>
+
+#include <cmath>
+#include <limits>
+
+namespace teleta::arm {
+
+namespace {
+
+/// Larger numbers are refused, so that no product below overflows.
+constexpr double kLargest = 1e100;
+
+} // namespace
+
+tl::expected<ContactForce, ForceRefusal> solveContactForce(const PointJacobian& jacobian,
+                                                           const JointVector& torque_Nm,
+                                                           const ForceSettings& settings) {
+    // Not allFinite(), which subtracts infinities.
+    if (!jacobian.array().isFinite().all() || !torque_Nm.array().isFinite().all() ||
+        !std::isfinite(settings.torqueNoise_Nm) || !std::isfinite(settings.leastLever_m))
+        return tl::unexpected(ForceRefusal::notFinite);
+    if (jacobian.cwiseAbs().maxCoeff() > kLargest || torque_Nm.cwiseAbs().maxCoeff() > kLargest ||
+        std::abs(settings.torqueNoise_Nm) > kLargest || std::abs(settings.leastLever_m) > kLargest)
+        return tl::unexpected(ForceRefusal::outOfRange);
+    if (settings.leastLever_m < 1.0 / kLargest || settings.torqueNoise_Nm < 0.0)
+        return tl::unexpected(ForceRefusal::badSetting);
+
+    const Eigen::JacobiSVD<PointJacobian> svd(jacobian, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    ContactForce contact;
+    contact.levers_m = svd.singularValues();
+    contact.directions = svd.matrixU();
+    Eigen::Vector3d variance_N2 = Eigen::Vector3d::Zero();
+    for (int i = 0; i < 3; ++i) {
+        const Eigen::Vector3d direction = contact.directions.col(i);
+        // In units of the least lever nothing overflows or vanishes for arms of any size.
+        const double lever = contact.levers_m[i] / settings.leastLever_m;
+        const double damping2 = lever < 1.0 ? 0.25 * (1.0 - lever * lever) : 0.0;
+        const double gain_perM = lever / (lever * lever + damping2) / settings.leastLever_m;
+        contact.force_N += direction * (gain_perM * svd.matrixV().col(i).dot(torque_Nm));
+        if (lever < 1.0) {
+            contact.hidden += direction * direction.transpose();
+        } else {
+            ++contact.observedDirections;
+            variance_N2 += (gain_perM * settings.torqueNoise_Nm * direction).cwiseAbs2();
+        }
+    }
+    contact.forceSd_N = variance_N2.cwiseSqrt();
+    for (int axis = 0; axis < 3; ++axis)
+        contact.observable[static_cast<std::size_t>(axis)] = contact.hidden.col(axis).norm() <= kHiddenShare;
+    contact.conditionNumber = contact.levers_m[2] > 0.0 ? contact.levers_m[0] / contact.levers_m[2]
+                                                        : std::numeric_limits<double>::infinity();
+    contact.residual_Nm = (torque_Nm - jacobian.transpose() * contact.force_N).norm();
+    return contact;
+}
+
+} // namespace teleta::arm
