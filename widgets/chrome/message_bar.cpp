@@ -125,6 +125,8 @@ void MessageBar::rebuild() {
     const std::size_t shown = std::min<std::size_t>(m_entries.size(), kShown);
     for (std::size_t back = 0; back < shown; ++back)
         m_layout->addWidget(makeRow(m_entries.size() - 1 - back));
+    for (int index = 0; index < m_layout->count(); ++index)
+        m_layout->itemAt(index)->widget()->show();
     if (m_entries.size() > shown) {
         auto* more =
             new QLabel(tr("%n older message(s)", nullptr, static_cast<int>(m_entries.size() - shown)), this);

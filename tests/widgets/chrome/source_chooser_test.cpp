@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/chrome/source_chooser.h"
+
+#include <QComboBox>
+#include <QMenu>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolButton>
+
+using teleta::base::Provenance;
+using teleta::chrome::SourceChooser;
+
+/// Choosing and opening sources.
+class SourceChooserTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void choosesAmongTheOpenSources() {
+        SourceChooser chooser;
+        chooser.setSources(
+            {{7, "first", Provenance::simulated, false}, {9, "second", Provenance::recorded, false}}, 9);
+        auto* box = chooser.findChild<QComboBox*>();
+        QCOMPARE(box->count(), 2);
+        QCOMPARE(box->currentIndex(), 1);
+        QVERIFY(box->itemText(0).contains("SIMULATED"));
+        QSignalSpy choices(&chooser, &SourceChooser::sourceChosen);
+        QTest::keyClick(box, Qt::Key_Up);
+        QCOMPARE(choices.size(), 1);
+        QCOMPARE(choices[0][0].toULongLong(), 7ULL);
+    }
+
+    void saysThatThereIsNoSource() {
+        SourceChooser chooser;
+        chooser.setSources({}, 0);
+        QVERIFY(!chooser.findChild<QComboBox*>()->isEnabled());
+        QVERIFY(!chooser.findChild<QComboBox*>()->currentText().isEmpty());
+    }
+
+    void offersDemosFilesAndRecentOnes() {
+        SourceChooser chooser;
+        chooser.setDemos({{":/scenes/demo.toml", "A demo", "what it shows"}});
+        chooser.setRecent({"/somewhere/run.csv"});
+        QSignalSpy demos(&chooser, &SourceChooser::demoRequested);
+        QSignalSpy recordings(&chooser, &SourceChooser::openRecordingRequested);
+        QSignalSpy recent(&chooser, &SourceChooser::recentRequested);
+        for (QAction* action : chooser.openMenu()->actions()) {
+            if (!action->isSeparator() && !action->text().contains("list") &&
+                !action->text().contains("scene file"))
+                action->trigger();
+        }
+        QCOMPARE(demos.size(), 1);
+        QCOMPARE(demos[0][0].toString(), QString(":/scenes/demo.toml"));
+        QCOMPARE(recordings.size(), 1);
+        QCOMPARE(recent.size(), 1);
+        QCOMPARE(recent[0][0].toString(), QString("/somewhere/run.csv"));
+    }
+
+    void closesTheSourceThatIsShown() {
+        SourceChooser chooser;
+        chooser.setSources({{7, "first", Provenance::simulated, false}}, 7);
+        QSignalSpy closes(&chooser, &SourceChooser::closeRequested);
+        for (auto* button : chooser.findChildren<QToolButton*>()) {
+            if (button->menu() == nullptr)
+                QTest::mouseClick(button, Qt::LeftButton);
+        }
+        QCOMPARE(closes.size(), 1);
+        QCOMPARE(closes[0][0].toULongLong(), 7ULL);
+    }
+};
+
+QTEST_MAIN(SourceChooserTest)
+#include "source_chooser_test.moc"
