@@ -34,4 +34,4 @@ if ((${#files[@]} == 0)); then
     exit 0
 fi
 printf '%s\0' "${files[@]}" | xargs -0 -n 1 -P "$jobs" clang-tidy --quiet -p "$build" \
-    --extra-arg=-Wno-unknown-warning-option --extra-arg=-Wno-ignored-gch --warnings-as-errors='*'
+    --extra-arg=-Wno-unknown-warning-option --extra-arg=-Wno-ignored-gch --warnings-as-errors='*' 2> >(grep -v 'warnings generated' >&2)
