@@ -27,6 +27,7 @@ const std::vector<Rule> kRules = {
     {"backend/contact", {"backend/core"}, {"expected", "Eigen"}},
     {"backend/stiffness", {"backend/core"}, {"expected", "Eigen", "Boost.Math"}},
     {"backend/contour", {"backend/core"}, {"expected", "Eigen", "Boost.Math"}},
+    {"backend/arm", {"backend/core"}, {"expected", "Eigen"}},
     {"backend/simulation", {"backend/core", "backend/scene"}, {"expected", "Eigen"}},
     // Services.
     {"backend/scene", {"backend/core"}, {"QtCore", "expected", "toml++"}},
