@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/core/source_outlet.h"
+
+#include <utility>
+
+namespace teleta::core {
+
+void SourceOutlet::open(Wakeup& consumer, std::int64_t now_ns) {
+    m_consumer = &consumer;
+    m_nextFrame = 0;
+    m_lost = 0;
+    m_overflowAtOpen = m_blocks.overflow();
+    m_status = {};
+    m_rate.reset();
+    setState(DeviceState::connecting, now_ns);
+}
+
+void SourceOutlet::deliver(SampleBlock&& block, DeviceState state) {
+    const std::uint64_t frames = block.frames();
+    block.firstFrame = m_nextFrame;
+    m_nextFrame += frames;
+    m_status.framesRead += frames;
+    m_status.lastData_ns = block.time_ns.back();
+    for (const std::int64_t time_ns : block.time_ns)
+        m_rate.add(time_ns);
+    m_blocks.push(std::move(block), frames);
+    if (state != m_status.state)
+        enter(state, m_status.lastData_ns, {});
+    publish();
+}
+
+void SourceOutlet::lose(std::uint64_t frames) {
+    m_nextFrame += frames;
+    m_lost += frames;
+    publish();
+}
+
+void SourceOutlet::setState(DeviceState state, std::int64_t now_ns, std::string message) {
+    if (state == m_status.state && message == m_status.message)
+        return;
+    enter(state, now_ns, std::move(message));
+    publish();
+}
+
+void SourceOutlet::enter(DeviceState state, std::int64_t now_ns, std::string message) {
+    m_status.state = state;
+    m_status.since_ns = now_ns;
+    m_status.message = std::move(message);
+    if (state != DeviceState::live)
+        m_rate.reset();
+}
+
+void SourceOutlet::publish() {
+    m_status.rate_Hz = m_rate.rate_Hz(m_status.lastData_ns);
+    m_status.framesLost = m_lost + (m_blocks.overflow() - m_overflowAtOpen);
+    m_published.set(m_status);
+    if (m_consumer != nullptr)
+        m_consumer->notify();
+}
+
+} // namespace teleta::core

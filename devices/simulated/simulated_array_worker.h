@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/device.h"
+#include "backend/core/source_outlet.h"
+#include "backend/core/stop_switch.h"
+#include "devices/simulated/simulated_array_config.h"
+
+#include <condition_variable>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <random>
+#include <stop_token>
+#include <vector>
+
+namespace teleta::simulated {
+
+/// Makes the frames of a simulated array when they are due:
+///   due_k = epoch + k / rate + lag
+/// so that a late frame does not delay the next ones. A block holds the frames that are due together.
+/// Thread: run() is the worker's; open() before it; the others from any.
+class SimulatedArrayWorker {
+public:
+    SimulatedArrayWorker(std::unique_ptr<core::FrameGenerator> generator, const core::StopSwitch& stopSwitch,
+                         SimulatedArrayConfig config);
+
+    void open(core::Wakeup& consumer);
+    void run(const std::stop_token& stop);
+    /// Ends a wait of run(), so that it looks at its stop token and its faults.
+    void wake();
+
+    void setFaults(const SimulatedFaults& faults);
+    [[nodiscard]] SimulatedFaults faults() const;
+
+    [[nodiscard]] core::SourceOutlet& outlet() { return m_outlet; }
+    [[nodiscard]] const core::SourceOutlet& outlet() const { return m_outlet; }
+
+private:
+    using Lock = std::unique_lock<std::mutex>;
+
+    void connect();
+    void waitForPlug(Lock& lock, const std::stop_token& stop);
+    [[nodiscard]] std::int64_t due_ns(double lag_s) const;
+    void readDue(const SimulatedFaults& faults, std::int64_t now_ns);
+    void deliver(core::SampleBlock& block);
+
+    std::unique_ptr<core::FrameGenerator> m_generator;
+    const core::StopSwitch& m_stopSwitch;
+    SimulatedArrayConfig m_config;
+    core::SourceDescription m_description;
+    std::int64_t m_staleAfter_ns;
+    core::SourceOutlet m_outlet;
+
+    mutable std::mutex m_mutex;
+    std::condition_variable m_condition;
+    SimulatedFaults m_faults; ///< guarded by m_mutex
+
+    std::mt19937_64 m_dropRandom;
+    std::vector<float> m_values;
+    std::int64_t m_epoch_ns = 0;
+    std::uint64_t m_sinceEpoch = 0; ///< frames made since the epoch
+    bool m_discontinuity = false;   ///< of the next block
+};
+
+} // namespace teleta::simulated

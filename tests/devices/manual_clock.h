@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/pacing_clock.h"
+#include "backend/core/wakeup.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+
+namespace teleta::test {
+
+/// A clock for one worker that moves only when the test moves it, so that pacing is tested without time
+/// passing.
+class ManualClock : public core::PacingClock {
+public:
+    [[nodiscard]] std::int64_t now_ns() const override {
+        const std::scoped_lock lock(m_mutex);
+        return m_now_ns;
+    }
+
+    void waitUntil(std::condition_variable& condition, std::unique_lock<std::mutex>& lock,
+                   std::int64_t deadline_ns) override {
+        std::unique_lock own(m_mutex);
+        if (deadline_ns <= m_now_ns)
+            return;
+        m_deadline_ns = deadline_ns;
+        m_condition = &condition;
+        m_workerMutex = lock.mutex();
+        m_parked = true;
+        m_changed.notify_all();
+        own.unlock();
+        condition.wait(lock);
+        own.lock();
+        m_parked = false;
+    }
+
+    /// Moves on by so much, then waits until the worker has done all that is due and waits for a later time.
+    void advance(std::int64_t step_ns) {
+        std::unique_lock own(m_mutex);
+        m_now_ns += step_ns;
+        while (!m_parked || m_deadline_ns <= m_now_ns) {
+            if (m_parked) {
+                m_parked = false;
+                own.unlock();
+                // The worker holds its mutex until it really waits.
+                { const std::scoped_lock worker(*m_workerMutex); }
+                m_condition->notify_all();
+                own.lock();
+            } else if (m_changed.wait_for(own, std::chrono::seconds(20)) == std::cv_status::timeout) {
+                ADD_FAILURE() << "the worker does not come to rest";
+                return;
+            }
+        }
+    }
+
+    void settle() { advance(0); }
+
+private:
+    mutable std::mutex m_mutex;
+    std::condition_variable m_changed;
+    std::int64_t m_now_ns = 1'000'000'000'000;
+    bool m_parked = false;
+    std::int64_t m_deadline_ns = 0;
+    std::condition_variable* m_condition = nullptr;
+    std::mutex* m_workerMutex = nullptr;
+};
+
+/// Waits, notified by a source, until a condition holds; false when it does not come to hold.
+template <typename Condition>
+[[nodiscard]] bool eventually(core::Wakeup& wakeup, const Condition& condition) {
+    for (int i = 0; i < 2000; ++i) {
+        if (condition())
+            return true;
+        wakeup.waitFor(std::chrono::milliseconds(10));
+    }
+    return condition();
+}
+
+} // namespace teleta::test
