@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <string_view>
 #include <unistd.h>
 #include <utility>
 
@@ -191,14 +192,10 @@ core::Expected<std::vector<JointSample>> StiffnessCommand::readLog() const {
     core::Expected<core::CsvReader> reader = core::CsvReader::open(m_logPath);
     if (!reader)
         return core::Unexpected(reader.error());
-    std::array<std::size_t, 3> columns{};
-    constexpr std::array<const char*, 3> kNames{"time_s", "joint_angle_rad", "joint_torque_nm"};
-    for (std::size_t i = 0; i < kNames.size(); ++i) {
-        const core::Expected<std::size_t> column = reader->column(kNames[i]);
-        if (!column)
-            return core::Unexpected(column.error());
-        columns[i] = *column;
-    }
+    constexpr std::array<std::string_view, 3> kNames{"time_s", "joint_angle_rad", "joint_torque_nm"};
+    const core::Expected<std::vector<std::size_t>> columns = reader->columns(kNames);
+    if (!columns)
+        return core::Unexpected(columns.error());
 
     std::vector<JointSample> log;
     std::vector<double> row;
@@ -211,7 +208,7 @@ core::Expected<std::vector<JointSample>> StiffnessCommand::readLog() const {
             return log;
         if (interrupted())
             return core::Unexpected(interruption());
-        log.push_back({row[columns[0]], row[columns[1]], row[columns[2]]});
+        log.push_back({row[(*columns)[0]], row[(*columns)[1]], row[(*columns)[2]]});
         progress.update(reader->bytesRead());
     }
 }
