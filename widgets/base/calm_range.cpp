@@ -63,7 +63,8 @@ bool CalmRange::update(double low, double high, double time_s) {
     const Ends ends = rounded();
     const bool outside = m_low < m_shownLow || m_high > m_shownHigh;
     const bool clearlyLess = ends.high - ends.low < kClearlyLess * (m_shownHigh - m_shownLow);
-    if (!first && !outside && !clearlyLess)
+    const bool tooNarrow = m_shownHigh - m_shownLow < m_minimumSpan * (1.0 - 1e-9);
+    if (!first && !outside && !clearlyLess && !tooNarrow)
         return false;
     const bool changed = ends.low != m_shownLow || ends.high != m_shownHigh;
     m_shownLow = ends.low;

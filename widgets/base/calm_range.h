@@ -18,6 +18,8 @@ public:
     /// directions. True when the shown range changed.
     bool update(double low, double high, double time_s);
     void reset();
+    /// For data whose scale becomes known later; > 0.
+    void setMinimumSpan(double span) { m_minimumSpan = span; }
 
     [[nodiscard]] double low() const { return m_shownLow; }
     [[nodiscard]] double high() const { return m_shownHigh; }

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/widgets/sample_touch.h"
+#include "widgets/base/theme.h"
+#include "widgets/tactile/heatmap_view.h"
+
+#include <QApplication>
+#include <QDir>
+#include <QPainter>
+#include <QTextStream>
+
+#include <functional>
+#include <memory>
+
+using namespace teleta;
+
+namespace {
+
+struct Exhibit {
+    QString name;
+    QSize size;
+    std::function<std::unique_ptr<QWidget>()> make;
+};
+
+std::unique_ptr<QWidget> heatmap(const pipeline::TouchSnapshot& snapshot, base::Provenance provenance,
+                                 bool values) {
+    auto view = std::make_unique<tactile::HeatmapView>();
+    view->setProvenance(provenance);
+    view->setSnapshot(snapshot);
+    view->overlayAction(tactile::HeatmapView::Overlay::values)->setChecked(values);
+    return view;
+}
+
+pipeline::TouchSnapshot smallArray() {
+    const core::ArrayLayout layout{6, 14, 0.0034};
+    std::vector<std::uint8_t> dead(layout.taxels(), 0);
+    dead[3] = dead[40] = 1;
+    return test::snapshotOf(
+        layout, test::hills(layout, {{-0.012, 0.001, 1.6, 0.006, 0.0025, 0.6}, {0.015, -0.003, 0.9}}), dead);
+}
+
+pipeline::TouchSnapshot largeArray() {
+    const core::ArrayLayout layout{27, 64, 0.0025};
+    std::vector<std::uint8_t> dead(layout.taxels(), 0);
+    for (const std::size_t i : {700U, 701U, 1300U})
+        dead[i] = 1;
+    return test::snapshotOf(layout,
+                            test::hills(layout, {{-0.05, 0.01, 3.0, 0.02, 0.006, -0.4},
+                                                 {0.02, -0.01, 1.5, 0.008, 0.008},
+                                                 {0.04, 0.018, 2.1, 0.005, 0.01},
+                                                 {0.065, -0.02, 0.9}}),
+                            dead);
+}
+
+std::vector<Exhibit> exhibits() {
+    return {
+        {QStringLiteral("heatmap_small"), QSize(760, 460),
+         [] { return heatmap(smallArray(), base::Provenance::simulated, true); }},
+        {QStringLiteral("heatmap_small_narrow"), QSize(420, 260),
+         [] { return heatmap(smallArray(), base::Provenance::recorded, false); }},
+        {QStringLiteral("heatmap_large"), QSize(900, 520),
+         [] { return heatmap(largeArray(), base::Provenance::live, false); }},
+        {QStringLiteral("heatmap_large_small"), QSize(460, 300),
+         [] { return heatmap(largeArray(), base::Provenance::simulated, false); }},
+    };
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    QApplication app(argc, argv);
+    const QStringList arguments = QApplication::arguments();
+    if (arguments.size() < 2) {
+        QTextStream(stderr) << "usage: widget_gallery FOLDER [NAME..]\n";
+        return 2;
+    }
+    const QDir folder(arguments.at(1));
+    if (!folder.mkpath(QStringLiteral(".")))
+        return 1;
+    for (const bool dark : {false, true}) {
+        base::applyTheme(dark ? base::ThemeChoice::dark : base::ThemeChoice::light);
+        for (const Exhibit& exhibit : exhibits()) {
+            if (arguments.size() > 2 && !arguments.mid(2).contains(exhibit.name))
+                continue;
+            const std::unique_ptr<QWidget> widget = exhibit.make();
+            widget->resize(exhibit.size);
+            widget->show();
+            QApplication::processEvents();
+            const QString file =
+                exhibit.name + (dark ? QStringLiteral("_dark.png") : QStringLiteral("_light.png"));
+            if (!widget->grab().save(folder.filePath(file)))
+                return 1;
+        }
+    }
+    return 0;
+}

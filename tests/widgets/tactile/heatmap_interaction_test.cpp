@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/widgets/input_events.h"
+#include "tests/widgets/sample_touch.h"
+#include "tests/widgets/test_registry.h"
+#include "widgets/tactile/heatmap_view.h"
+
+#include <QClipboard>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMimeData>
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace teleta;
+using namespace teleta::tactile;
+using teleta::test::turnWheel;
+
+namespace {
+
+constexpr core::ArrayLayout kArray{6, 14, 0.0034};
+
+pipeline::TouchSnapshot touched() {
+    std::vector<float> load_N(kArray.taxels(), 0.0F);
+    load_N[static_cast<std::size_t>(3 * kArray.columns + 7)] = 1.25F;
+    return test::snapshotOf(kArray, load_N);
+}
+
+} // namespace
+
+class HeatmapInteractionTest : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<HeatmapView> m_view;
+
+    [[nodiscard]] QPoint centreOf(int row, int column) const {
+        return m_view->layoutNow().taxelRect({row, column}).center().toPoint();
+    }
+
+private slots:
+    void init() {
+        m_view = std::make_unique<HeatmapView>();
+        m_view->resize(760, 460);
+        m_view->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_view.get()));
+        m_view->setSnapshot(touched());
+    }
+    void cleanup() { m_view.reset(); }
+
+    void hoveringReadsTheTaxel() {
+        QTest::mouseMove(m_view.get(), centreOf(3, 7));
+        QCOMPARE(m_view->cursorTaxel(), std::optional(Taxel{3, 7}));
+        const QString text = m_view->readout();
+        QVERIFY2(text.contains(QStringLiteral("row 3, column 7")), qPrintable(text));
+        QVERIFY(text.contains(QStringLiteral("1.25\u00a0N")));
+        QVERIFY(text.contains(QStringLiteral("contact #1")));
+        QVERIFY(text.contains(QStringLiteral("1.70 mm"))); // (7 - 6.5) 3.4 mm and (3 - 2.5) 3.4 mm
+        QCOMPARE(m_view->accessibleDescription(), text);
+    }
+
+    void hoveringBesideTheArrayReadsNothing() {
+        QTest::mouseMove(m_view.get(), centreOf(3, 7));
+        QTest::mouseMove(m_view.get(), QPoint(3, 3));
+        QVERIFY(!m_view->cursorTaxel());
+        QVERIFY(m_view->readout().isEmpty());
+    }
+
+    void theReadoutFollowsTheData() {
+        QTest::mouseMove(m_view.get(), centreOf(3, 7));
+        pipeline::TouchSnapshot next = touched();
+        next.load_N[static_cast<std::size_t>(3 * kArray.columns + 7)] = 0.75F;
+        m_view->setSnapshot(next);
+        QVERIFY(m_view->readout().contains(QStringLiteral("0.75")));
+    }
+
+    void arrowKeysMoveTheReadoutAndStopAtTheBorder() {
+        QTest::keyClick(m_view.get(), Qt::Key_Right);
+        QCOMPARE(m_view->cursorTaxel(), std::optional(Taxel{3, 7})); // starts in the middle
+        QTest::keyClick(m_view.get(), Qt::Key_Right);
+        QTest::keyClick(m_view.get(), Qt::Key_Up);
+        QCOMPARE(m_view->cursorTaxel(), std::optional(Taxel{4, 8}));
+        QTest::keyClick(m_view.get(), Qt::Key_Down);
+        QTest::keyClick(m_view.get(), Qt::Key_Left);
+        QCOMPARE(m_view->cursorTaxel(), std::optional(Taxel{3, 7}));
+        for (int i = 0; i < 30; ++i) {
+            QTest::keyClick(m_view.get(), Qt::Key_Left);
+            QTest::keyClick(m_view.get(), Qt::Key_Down);
+        }
+        QCOMPARE(m_view->cursorTaxel(), std::optional(Taxel{0, 0}));
+    }
+
+    void theKeyboardReadoutStaysWhenTheMouseLeaves() {
+        QTest::keyClick(m_view.get(), Qt::Key_Right);
+        QTest::mouseMove(m_view.get(), centreOf(0, 0));
+        QTest::mouseMove(m_view.get(), QPoint(3, 3));
+        QCOMPARE(m_view->cursorTaxel(), std::optional(Taxel{3, 7}));
+    }
+
+    void ctrlWheelZoomsAroundTheMouse() {
+        const QPointF point = m_view->layoutNow().taxelRect({4, 10}).center();
+        const QPointF before = m_view->layoutNow().gridAt(point);
+        QVERIFY(turnWheel(m_view.get(), point, 4, Qt::ControlModifier));
+        QVERIFY(m_view->zoomFactor() > 2.0);
+        const QPointF after = m_view->layoutNow().gridAt(point);
+        QVERIFY2((after - before).manhattanLength() < 0.05,
+                 qPrintable(QString::number((after - before).manhattanLength())));
+        QVERIFY(turnWheel(m_view.get(), point, -10, Qt::ControlModifier));
+        QCOMPARE(m_view->zoomFactor(), 1.0);
+    }
+
+    void aPlainWheelIsLeftToTheWindow() {
+        QVERIFY(!turnWheel(m_view.get(), centreOf(3, 7), 1));
+        QCOMPARE(m_view->zoomFactor(), 1.0);
+    }
+
+    void draggingMovesAZoomedPictureAndStopsAtItsEnd() {
+        turnWheel(m_view.get(), centreOf(3, 7), 6, Qt::ControlModifier);
+        const QPoint start = m_view->layoutNow().visible().center().toPoint();
+        const QPointF grabbed = m_view->layoutNow().gridAt(start);
+        QTest::mousePress(m_view.get(), Qt::LeftButton, {}, start);
+        QTest::mouseMove(m_view.get(), start + QPoint(40, 10));
+        QMouseEvent move(QEvent::MouseMove, start + QPoint(40, 10),
+                         m_view->mapToGlobal(start + QPoint(40, 10)), Qt::NoButton, Qt::LeftButton,
+                         Qt::NoModifier);
+        QApplication::sendEvent(m_view.get(), &move);
+        const QPointF under = m_view->layoutNow().gridAt(start + QPoint(40, 10));
+        QVERIFY((under - grabbed).manhattanLength() < 0.1);
+        QMouseEvent far(QEvent::MouseMove, start + QPoint(9000, 0),
+                        m_view->mapToGlobal(start + QPoint(9000, 0)), Qt::NoButton, Qt::LeftButton,
+                        Qt::NoModifier);
+        QApplication::sendEvent(m_view.get(), &far);
+        QTest::mouseRelease(m_view.get(), Qt::LeftButton, {}, start);
+        QVERIFY(std::abs(m_view->layoutNow().sensor().left() - m_view->layoutNow().visible().left()) < 1.0);
+    }
+
+    void doubleClickShowsTheWholeArray() {
+        turnWheel(m_view.get(), centreOf(3, 7), 6, Qt::ControlModifier);
+        QTest::mouseDClick(m_view.get(), Qt::LeftButton, {},
+                           m_view->layoutNow().visible().center().toPoint());
+        QCOMPARE(m_view->zoomFactor(), 1.0);
+    }
+
+    void theKeyboardZoomsToo() {
+        QTest::keyClick(m_view.get(), Qt::Key_Plus);
+        QCOMPARE(m_view->zoomFactor(), 1.25);
+        QTest::keyClick(m_view.get(), Qt::Key_Minus);
+        QCOMPARE(m_view->zoomFactor(), 1.0);
+        QTest::keyClick(m_view.get(), Qt::Key_Plus);
+        QTest::keyClick(m_view.get(), Qt::Key_0);
+        QCOMPARE(m_view->zoomFactor(), 1.0);
+    }
+
+    void anotherArrayIsShownWhole() {
+        turnWheel(m_view.get(), centreOf(3, 7), 6, Qt::ControlModifier);
+        QTest::keyClick(m_view.get(), Qt::Key_Right);
+        m_view->setSnapshot(test::snapshotOf({3, 3, 0.001}, std::vector<float>(9, 0.0F)));
+        QCOMPARE(m_view->zoomFactor(), 1.0);
+        QVERIFY(!m_view->cursorTaxel());
+    }
+
+    void theUpperEndIsTypedOnTheBar() {
+        QSignalSpy changed(m_view.get(), &HeatmapView::fixedRangeChanged);
+        const auto type = [this](const QString& text) {
+            QTest::mouseDClick(m_view.get(), Qt::LeftButton, {},
+                               m_view->layoutNow().colourBar().center().toPoint());
+            auto* edit = m_view->findChild<QLineEdit*>();
+            QVERIFY(edit);
+            edit->selectAll();
+            if (text.isEmpty())
+                QTest::keyClick(edit, Qt::Key_Delete);
+            else
+                QTest::keyClicks(edit, text);
+            QTest::keyClick(edit, Qt::Key_Return);
+            QTRY_VERIFY(!m_view->findChild<QLineEdit*>());
+        };
+        type(QStringLiteral("4.5"));
+        QCOMPARE(m_view->fixedRange(), std::optional(4.5));
+        QCOMPARE(m_view->rangeTop(), 4.5);
+        QCOMPARE(changed.size(), qsizetype(1));
+        type(QString());
+        QVERIFY(!m_view->fixedRange());
+        QCOMPARE(m_view->rangeTop(), 1.25);
+    }
+
+    void escapeTakesBackWhatWasTyped() {
+        QTest::mouseDClick(m_view.get(), Qt::LeftButton, {},
+                           m_view->layoutNow().colourBar().center().toPoint());
+        auto* edit = m_view->findChild<QLineEdit*>();
+        QVERIFY(edit);
+        QTest::keyClicks(edit, QStringLiteral("9"));
+        QTest::keyClick(edit, Qt::Key_Escape);
+        QTRY_VERIFY(!m_view->findChild<QLineEdit*>());
+        QVERIFY(!m_view->fixedRange());
+    }
+
+    void textThatIsNoNumberChangesNothing() {
+        m_view->setFixedRange(3.0);
+        QTest::mouseDClick(m_view.get(), Qt::LeftButton, {},
+                           m_view->layoutNow().colourBar().center().toPoint());
+        auto* edit = m_view->findChild<QLineEdit*>();
+        QVERIFY(edit);
+        QTest::keyClicks(edit, QStringLiteral("much"));
+        QTest::keyClick(edit, Qt::Key_Return);
+        QCOMPARE(m_view->fixedRange(), std::optional(3.0));
+    }
+
+    void aRangeThatMakesNoSenseIsIgnored() {
+        QSignalSpy changed(m_view.get(), &HeatmapView::fixedRangeChanged);
+        for (const double top : {0.0, -1.0, qInf(), qQNaN()})
+            m_view->setFixedRange(top);
+        QVERIFY(!m_view->fixedRange());
+        QVERIFY(changed.isEmpty());
+    }
+
+    void theAutomaticRangeDoesNotFollowSmallChanges() {
+        const double top = m_view->rangeTop();
+        pipeline::TouchSnapshot next = touched();
+        for (int i = 1; i <= 60; ++i) {
+            next.time_ns = i * 33'000'000LL;
+            next.features.peak_N = 1.15 + 0.1 * (i % 2);
+            m_view->setSnapshot(next);
+            QCOMPARE(m_view->rangeTop(), top);
+        }
+    }
+
+    void everyOverlayCanBeSwitchedFromTheMenu() {
+        QMenu menu;
+        m_view->populateMenu(menu);
+        QSignalSpy changed(m_view.get(), &HeatmapView::overlaysChanged);
+        for (const auto overlay : {HeatmapView::Overlay::contacts, HeatmapView::Overlay::values}) {
+            QAction* action = m_view->overlayAction(overlay);
+            QVERIFY(menu.actions().contains(action));
+            QVERIFY(!action->text().isEmpty() && !action->toolTip().isEmpty());
+            action->trigger();
+        }
+        QCOMPARE(changed.size(), qsizetype(2));
+    }
+
+    void theMenuFixesAndFreesTheRange() {
+        QMenu menu;
+        m_view->populateMenu(menu);
+        QMenu* range = nullptr;
+        for (QAction* action : menu.actions())
+            if (action->menu())
+                range = action->menu();
+        QVERIFY(range);
+        range->actions().at(1)->trigger();
+        QCOMPARE(m_view->fixedRange(), std::optional(1.25));
+        range->actions().at(0)->trigger();
+        QVERIFY(!m_view->fixedRange());
+    }
+
+    void ctrlCCopiesThePicture() {
+        QGuiApplication::clipboard()->clear();
+        QTest::keySequence(m_view.get(), QKeySequence::Copy);
+        QVERIFY(QGuiApplication::clipboard()->mimeData()->hasImage());
+    }
+
+    void theDataAreOneRowATaxel() {
+        const QString csv = m_view->figure().csv();
+        const QStringList lines = csv.split(u'\n', Qt::SkipEmptyParts);
+        QCOMPARE(lines.size(), qsizetype(1 + 6 * 14));
+        QCOMPARE(lines.first(), QStringLiteral("row,column,x_m,y_m,load_N,dead,contact_id"));
+        QCOMPARE(lines.at(1 + 3 * 14 + 7), QStringLiteral("3,7,0.0017,0.0017,1.25,0,1"));
+        QCOMPARE(lines.at(1), QStringLiteral("0,0,-0.0221,-0.0085,0,0,0"));
+    }
+
+    void aFigureKeepsTheFrameOfWhichItWasMade() {
+        const base::Figure figure = m_view->figure();
+        m_view->setSnapshot(test::snapshotOf(kArray, std::vector<float>(kArray.taxels(), 0.0F)));
+        QVERIFY(figure.csv().contains(QStringLiteral("1.25")));
+    }
+
+    void anInconsistentSnapshotIsNotShown() {
+        pipeline::TouchSnapshot broken = touched();
+        broken.load_N.pop_back();
+        m_view->setSnapshot(broken);
+        QTest::mouseMove(m_view.get(), centreOf(3, 7));
+        QVERIFY(m_view->readout().isEmpty());
+        QCOMPARE(m_view->figure().csv().count(u'\n'), qsizetype(1));
+    }
+
+    void withoutDataTheViewSaysWhatToDo() {
+        m_view->clear();
+        const QImage silent = m_view->grab().toImage();
+        m_view->setEmptyText(QStringLiteral("No source. Open a demo scene."));
+        QVERIFY(m_view->grab().toImage() != silent);
+    }
+
+    void itCanBeUsedWithoutSeeing() {
+        QVERIFY(!m_view->accessibleName().isEmpty());
+        QVERIFY(!m_view->whatsThis().isEmpty());
+        QCOMPARE(m_view->focusPolicy(), Qt::StrongFocus);
+    }
+
+    void escapeIsLeftToStop() {
+        QKeyEvent escape(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier);
+        QApplication::sendEvent(m_view.get(), &escape);
+        QVERIFY(!escape.isAccepted());
+    }
+};
+
+static const teleta::test::Registration<HeatmapInteractionTest> registration;
+
+#include "heatmap_interaction_test.moc"

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/pipeline/touch_snapshot.h"
+#include "widgets/base/badge.h"
+
+#include <QPointF>
+#include <QString>
+
+#include <cstddef>
+#include <optional>
+
+namespace teleta::tactile {
+
+struct Taxel {
+    int row = 0, column = 0;
+    bool operator==(const Taxel&) const = default;
+};
+
+/// What is drawn over the taxels.
+struct HeatmapOverlays {
+    bool contacts = true;
+    bool centreOfPressure = true;
+    bool centreOfContact = true;
+    bool principalAxis = true;
+    bool values = false; ///< loads as numbers, where the taxels are large enough
+};
+
+/// Part of the array that is shown. centre: in columns and rows from the array's lower left corner.
+struct HeatmapZoom {
+    double factor = 1.0; ///< 1 shows the whole array
+    QPointF centre;
+};
+
+/// All that a heatmap shows; the painter knows nothing else.
+struct HeatmapContent {
+    pipeline::TouchSnapshot snapshot;
+    bool valid = false; ///< false: emptyText is shown instead
+    HeatmapOverlays overlays;
+    double rangeTop = 1.0; ///< load at the upper end of the colours
+    bool rangeFixed = false;
+    HeatmapZoom zoom;
+    std::optional<Taxel> cursor;
+    base::Provenance provenance = base::Provenance::live;
+    QString forceText; ///< total force, steadied
+    QString angleText; ///< principal axis in degrees, steadied
+    QString emptyText;
+
+    [[nodiscard]] std::size_t index(const Taxel& taxel) const {
+        return static_cast<std::size_t>(taxel.row) * static_cast<std::size_t>(snapshot.layout.columns) +
+               static_cast<std::size_t>(taxel.column);
+    }
+    [[nodiscard]] bool isDead(std::size_t index) const {
+        return !snapshot.dead.empty() && snapshot.dead[index] != 0;
+    }
+    /// The contact that a taxel belongs to, or null.
+    [[nodiscard]] const contact::Contact* contactAt(std::size_t index) const;
+    [[nodiscard]] QString unit() const { return QString::fromStdString(snapshot.loadUnit); }
+};
+
+/// Whether the vectors of a snapshot fit its layout, so that it can be drawn.
+[[nodiscard]] bool isConsistent(const pipeline::TouchSnapshot& snapshot);
+
+/// One taxel in words: row, column, load with unit, contact, place in mm. Rows and columns count from 0 as in
+/// files.
+[[nodiscard]] QString taxelText(const HeatmapContent& content, const Taxel& taxel);
+
+/// The frame as CSV: row,column,x_m,y_m,load_<unit>,dead,contact_id; one row a taxel, C locale. contact_id is
+/// 0 outside of contacts.
+[[nodiscard]] QString frameCsv(const HeatmapContent& content);
+
+} // namespace teleta::tactile

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/tactile/heatmap_content.h"
+
+#include <QFontMetricsF>
+#include <QRectF>
+
+namespace teleta::tactile {
+
+/// Where the parts of a heatmap lie, in px, and the map between the sensor frame {s} and the picture.
+/// {s} is drawn as it is seen from outside the skin: x to the right, y up, z towards the viewer; row 0 is at
+/// the bottom. Taxels are square; at zoom 1 their side is a whole number of device pixels where there is room
+/// for it.
+class HeatmapLayout {
+public:
+    HeatmapLayout(const QRectF& bounds, const QFontMetricsF& metrics, const core::ArrayLayout& array,
+                  const HeatmapZoom& zoom, double devicePixelRatio);
+
+    [[nodiscard]] const QRectF& header() const { return m_header; }
+    [[nodiscard]] const QRectF& legend() const { return m_legend; }
+    [[nodiscard]] const QRectF& readout() const { return m_readout; }
+    [[nodiscard]] const QRectF& colourBar() const { return m_colourBar; }
+    /// The array, also its parts outside the viewport.
+    [[nodiscard]] const QRectF& sensor() const { return m_sensor; }
+    /// The part of the array that can be seen; everything on the array is clipped to it.
+    [[nodiscard]] const QRectF& visible() const { return m_visible; }
+    [[nodiscard]] double taxelSide() const { return m_side; }
+
+    /// Upper left corner of a grid point: column 0..columns, row 0..rows from the bottom.
+    [[nodiscard]] QPointF gridPoint(double column, double row) const;
+    [[nodiscard]] QRectF taxelRect(const Taxel& taxel) const;
+    /// Centre of taxel (row, column) of the array is at {s} (x_m(column), y_m(row)).
+    [[nodiscard]] QPointF pixelOf(double x_m, double y_m) const;
+    /// The taxel under a point of the visible part.
+    [[nodiscard]] std::optional<Taxel> taxelAt(const QPointF& pixel) const;
+    /// The same point in columns and rows, for panning and zooming.
+    [[nodiscard]] QPointF gridAt(const QPointF& pixel) const;
+    /// Centre nearest to the wanted one for which the array still fills the viewport.
+    [[nodiscard]] QPointF clampedCentre(const QPointF& centre) const;
+
+private:
+    core::ArrayLayout m_array;
+    QRectF m_header, m_legend, m_readout, m_colourBar, m_viewport, m_sensor, m_visible;
+    double m_side = 1.0;
+};
+
+} // namespace teleta::tactile

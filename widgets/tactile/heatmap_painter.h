@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/tactile/heatmap_content.h"
+#include "widgets/tactile/heatmap_layout.h"
+
+#include <QCoreApplication>
+#include <QImage>
+#include <QPainterPath>
+#include <QPalette>
+
+class QPainter;
+
+namespace teleta::tactile {
+
+/// Draws a heatmap on a screen or on paper.
+/// Thread: GUI.
+class HeatmapPainter {
+    Q_DECLARE_TR_FUNCTIONS(HeatmapPainter)
+
+public:
+    enum class Medium {
+        screen, ///< taxels as one image
+        paper,  ///< taxels as rectangles, sharp at any scale
+    };
+
+    /// Draws content as laid out, with the painter's font and the colours of the palette.
+    void paint(QPainter& painter, const HeatmapLayout& layout, const HeatmapContent& content,
+               const QPalette& palette, Medium medium);
+
+private:
+    void paintTaxels(Medium medium);
+    void paintDead();
+    void paintGrid();
+    void paintValues();
+    void paintContacts();
+    void paintContactLabels();
+    void paintAxis();
+    void paintMarks();
+    void paintCursor();
+    void paintScales();
+    void paintColourBar();
+    void paintHeader();
+    void paintLegend();
+    [[nodiscard]] double markRadius() const;
+    [[nodiscard]] int firstColumn(const contact::Contact& contact, int row) const;
+
+    QPainter* m_painter = nullptr;
+    const HeatmapLayout* m_layout = nullptr;
+    const HeatmapContent* m_content = nullptr;
+    QPalette m_palette;
+    double m_em = 16.0;
+    QImage m_image; ///< kept so that frames of one array allocate nothing
+};
+
+} // namespace teleta::tactile

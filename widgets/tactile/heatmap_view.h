@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/pipeline/touch_snapshot.h"
+#include "widgets/base/badge.h"
+#include "widgets/base/calm_range.h"
+#include "widgets/base/figure_export.h"
+#include "widgets/base/number_format.h"
+#include "widgets/tactile/heatmap_content.h"
+#include "widgets/tactile/heatmap_painter.h"
+
+#include <QAction>
+#include <QPointer>
+#include <QPointF>
+#include <QWidget>
+
+#include <array>
+#include <optional>
+
+class QMenu;
+
+namespace teleta::base {
+class InlineEdit;
+}
+
+namespace teleta::tactile {
+
+/// The tactile array as a picture: loads in colour, contacts, centres, principal axis, dead taxels.
+/// Shows the snapshot that it was given last and owns no other truth.
+///
+/// Mouse: hover reads a taxel, Ctrl+wheel zooms, drag moves a zoomed picture, double click shows all of it
+/// again, double click on the colour bar types its upper end. Keys: arrows move the read-out, + - 0 zoom,
+/// Shift+arrows move the picture, Ctrl+C copies it. Thread: GUI.
+class HeatmapView : public QWidget {
+    Q_OBJECT
+public:
+    enum class Overlay { contacts, centreOfPressure, centreOfContact, principalAxis, values };
+    static constexpr int kOverlays = 5;
+
+    explicit HeatmapView(QWidget* parent = nullptr);
+
+    /// Takes over the newest snapshot and repaints. A snapshot whose vectors do not fit its layout clears the
+    /// view.
+    void setSnapshot(const pipeline::TouchSnapshot& snapshot);
+    /// No data: the empty text is shown.
+    void clear();
+    void setEmptyText(const QString& text);
+    /// Marks data that are not live with a violet label.
+    void setProvenance(base::Provenance provenance);
+
+    /// Checkable; for menus and for remembering.
+    [[nodiscard]] QAction* overlayAction(Overlay overlay) const;
+
+    /// Upper end of the colours; empty: follows the data. > 0 and finite, others are ignored.
+    void setFixedRange(std::optional<double> top);
+    [[nodiscard]] std::optional<double> fixedRange() const;
+    /// The upper end in use.
+    [[nodiscard]] double rangeTop() const { return m_content.rangeTop; }
+
+    void resetZoom();
+    [[nodiscard]] double zoomFactor() const { return m_content.zoom.factor; }
+
+    /// The taxel that is read out, by mouse or by keyboard.
+    [[nodiscard]] std::optional<Taxel> cursorTaxel() const { return m_content.cursor; }
+    /// What the read-out says; empty without a cursor.
+    [[nodiscard]] QString readout() const;
+
+    /// The picture on white with its data, independent of the view from then on.
+    [[nodiscard]] base::Figure figure() const;
+    /// Fills the menu that a right click opens.
+    void populateMenu(QMenu& menu);
+
+    /// Where the parts lie now.
+    [[nodiscard]] HeatmapLayout layoutNow() const;
+
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+signals:
+    void overlaysChanged();
+    void fixedRangeChanged(std::optional<double> top);
+    void exported(const QString& path);
+    void exportFailed(const QString& message);
+
+protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void makeActions();
+    void retranslate();
+    void updateRange();
+    void takeOverlays();
+    void setCursorTaxel(std::optional<Taxel> taxel);
+    void moveCursor(int rows, int columns);
+    void zoomBy(double factor, const QPointF& pixel);
+    void panBy(const QPointF& taxels);
+    void editRange();
+    [[nodiscard]] QRectF rangeEditArea() const;
+    [[nodiscard]] QString toolTipAt(const QPointF& pixel) const;
+
+    HeatmapContent m_content;
+    HeatmapPainter m_painter;
+    base::CalmRange m_range;
+    std::optional<double> m_fixedTop;
+    base::SteadyNumber m_force;
+    base::SteadyNumber m_angle{1.0};
+    std::array<QAction*, kOverlays> m_overlayActions{};
+    base::FigureExport* m_export = nullptr;
+    QPointer<base::InlineEdit> m_rangeEdit;
+    std::optional<Taxel> m_keyboardTaxel;
+    std::optional<QPointF> m_dragFrom;
+};
+
+} // namespace teleta::tactile
