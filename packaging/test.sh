@@ -70,6 +70,14 @@ check_build() {
     record "$preset" "$tests_passed" "$tests_failed"
 }
 
+# parts_with_tests PATTERNS...: the folders of tests/ that match and declare tests.
+parts_with_tests() {
+    local pattern
+    for pattern in "$@"; do
+        (cd "$root/tests" && compgen -G "$pattern/CMakeLists.txt" | sed 's|/CMakeLists.txt$||')
+    done
+}
+
 export TSAN_OPTIONS="halt_on_error=1 second_deadlock_stack=1"
 export ASAN_OPTIONS="detect_stack_use_after_return=1 strict_string_checks=1"
 export UBSAN_OPTIONS="print_stacktrace=1"
@@ -85,11 +93,13 @@ for name in "${checks[@]}"; do
                 record format 0 1 "run packaging/format.sh"
             fi
             ;;
-        tsan) check_build tsan backend/core backend/pipeline devices/replay devices/simulated ;;
+        tsan)
+            mapfile -t parts < <(parts_with_tests backend/core backend/pipeline 'devices/*')
+            check_build tsan "${parts[@]}"
+            ;;
         asan)
-            # Every part of the backend that has tests.
-            mapfile -t parts < <(cd "$root/tests" && printf '%s\n' backend/*/CMakeLists.txt)
-            check_build asan "${parts[@]%/CMakeLists.txt}"
+            mapfile -t parts < <(parts_with_tests 'backend/*')
+            check_build asan "${parts[@]}"
             ;;
         *) check_build "$name" ;;
     esac
