@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/tactile/channel_settings_panel.h"
+
+#include "widgets/base/theme.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QEvent>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace teleta::tactile {
+
+namespace {
+
+constexpr double kSmallest = 1e-6;
+constexpr double kLargest = 1e9;
+/// Distance kept between the two ratios, so that the decision between edge and point has hysteresis.
+constexpr double kRatioGap = 0.1;
+
+QDoubleSpinBox* makeNumber(QWidget* parent, double low, double high, int decimals) {
+    auto* box = new QDoubleSpinBox(parent);
+    box->setDecimals(decimals);
+    box->setRange(low, high);
+    box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    box->setKeyboardTracking(false);
+    return box;
+}
+
+} // namespace
+
+ChannelSettingsPanel::ChannelSettingsPanel(QWidget* parent)
+    : QWidget(parent)
+    , m_tare(new QPushButton(this))
+    , m_clearTare(new QPushButton(this))
+    , m_tareState(new QLabel(this))
+    , m_gain(makeNumber(this, kSmallest, kLargest, 6))
+    , m_inverted(new QCheckBox(this))
+    , m_threshold(makeNumber(this, kSmallest, kLargest, 4))
+    , m_automatic(new QCheckBox(this))
+    , m_noiseHeight(makeNumber(this, 0.0, 100.0, 1))
+    , m_minimumTaxels(new QSpinBox(this))
+    , m_orientation(new QComboBox(this))
+    , m_range(new QComboBox(this))
+    , m_edgeRatio(makeNumber(this, 1.0 + kRatioGap, 1000.0, 2))
+    , m_pointRatio(makeNumber(this, 1.0, 1000.0, 2))
+    , m_defaults(new QPushButton(this)) {
+    m_minimumTaxels->setRange(1, 10'000);
+    m_orientation->addItems({QString(), QString()});
+    m_range->addItems({QString(), QString()});
+    m_tareState->setWordWrap(true);
+
+    auto* tareRow = new QHBoxLayout;
+    tareRow->addWidget(m_tare);
+    tareRow->addWidget(m_clearTare);
+    auto* form = new QFormLayout;
+    form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    m_gainLabel = addRow(form, m_gain);
+    form->addRow(m_inverted);
+    m_thresholdLabel = addRow(form, m_threshold);
+    form->addRow(m_automatic);
+    m_noiseLabel = addRow(form, m_noiseHeight);
+    m_minimumLabel = addRow(form, m_minimumTaxels);
+    m_orientationLabel = addRow(form, m_orientation);
+    m_rangeLabel = addRow(form, m_range);
+    m_edgeLabel = addRow(form, m_edgeRatio);
+    m_pointLabel = addRow(form, m_pointRatio);
+
+    auto* layout = new QVBoxLayout(this);
+    layout->addLayout(tareRow);
+    layout->addWidget(m_tareState);
+    layout->addLayout(form);
+    layout->addWidget(m_defaults, 0, Qt::AlignLeft);
+    layout->addStretch(1);
+
+    connect(m_tare, &QPushButton::clicked, this, &ChannelSettingsPanel::tareRequested);
+    connect(m_clearTare, &QPushButton::clicked, this, &ChannelSettingsPanel::clearTareRequested);
+    for (QDoubleSpinBox* box : {m_gain, m_threshold, m_noiseHeight, m_edgeRatio, m_pointRatio})
+        connect(box, &QDoubleSpinBox::valueChanged, this, &ChannelSettingsPanel::changed);
+    connect(m_minimumTaxels, &QSpinBox::valueChanged, this, &ChannelSettingsPanel::changed);
+    for (QCheckBox* box : {m_inverted, m_automatic})
+        connect(box, &QCheckBox::toggled, this, &ChannelSettingsPanel::changed);
+    for (QComboBox* box : {m_orientation, m_range})
+        connect(box, &QComboBox::currentIndexChanged, this, &ChannelSettingsPanel::changed);
+    connect(m_defaults, &QPushButton::clicked, this, [this] {
+        pipeline::ChannelSettings defaults;
+        defaults.conditioning.tare = m_settings.conditioning.tare;
+        defaults.conditioning.dead = m_settings.conditioning.dead;
+        defaults.loadUnit = m_settings.loadUnit;
+        setSettings(defaults);
+        emit settingsChanged(settings());
+    });
+    retranslate();
+    setSettings({});
+}
+
+void ChannelSettingsPanel::setSettings(const pipeline::ChannelSettings& settings) {
+    m_showing = true;
+    m_settings = settings;
+    m_gain->setValue(settings.conditioning.gain);
+    m_inverted->setChecked(settings.conditioning.inverted);
+    m_threshold->setValue(settings.features.threshold_N);
+    m_automatic->setChecked(settings.features.automaticThreshold);
+    m_noiseHeight->setValue(settings.segmentation.noiseHeight * 100.0);
+    m_minimumTaxels->setValue(settings.segmentation.minimumTaxels);
+    m_orientation->setCurrentIndex(settings.features.orientation == contact::OrientationMode::weighted ? 1
+                                                                                                       : 0);
+    m_range->setCurrentIndex(settings.features.range == contact::MomentRange::active ? 1 : 0);
+    m_edgeRatio->setValue(settings.features.edgeRatio);
+    m_pointRatio->setMaximum(settings.features.edgeRatio - kRatioGap);
+    m_pointRatio->setValue(settings.features.pointRatio);
+    const QString unit = QString::fromStdString(settings.loadUnit);
+    m_threshold->setSuffix(unit.isEmpty() ? QString() : QLatin1Char(' ') + unit);
+    showTare();
+    m_showing = false;
+}
+
+pipeline::ChannelSettings ChannelSettingsPanel::settings() const {
+    pipeline::ChannelSettings settings = m_settings;
+    settings.conditioning.gain = m_gain->value();
+    settings.conditioning.inverted = m_inverted->isChecked();
+    settings.features.threshold_N = m_threshold->value();
+    settings.features.automaticThreshold = m_automatic->isChecked();
+    settings.features.orientation = m_orientation->currentIndex() == 1 ? contact::OrientationMode::weighted
+                                                                       : contact::OrientationMode::binarised;
+    settings.features.range =
+        m_range->currentIndex() == 1 ? contact::MomentRange::active : contact::MomentRange::image;
+    settings.features.edgeRatio = m_edgeRatio->value();
+    settings.features.pointRatio = std::min(m_pointRatio->value(), m_edgeRatio->value() - kRatioGap);
+    settings.segmentation.threshold_N = m_threshold->value();
+    settings.segmentation.noiseHeight = m_noiseHeight->value() * 0.01;
+    settings.segmentation.minimumTaxels = m_minimumTaxels->value();
+    return settings;
+}
+
+void ChannelSettingsPanel::changed() {
+    if (m_showing)
+        return;
+    m_pointRatio->setMaximum(m_edgeRatio->value() - kRatioGap);
+    m_settings = settings();
+    emit settingsChanged(m_settings);
+}
+
+void ChannelSettingsPanel::showTare() {
+    const auto& tare = m_settings.conditioning.tare;
+    const auto dead = std::count_if(tare.begin(), tare.end(), [](float value) { return std::isnan(value); });
+    QString text = tare.empty() ? tr("Not tared") : tr("Tared");
+    if (dead > 0)
+        text = tr("Tared, %n taxel(s) without a reading", nullptr, static_cast<int>(dead));
+    m_tareState->setText(text);
+    m_clearTare->setEnabled(!tare.empty());
+}
+
+QLabel* ChannelSettingsPanel::addRow(QFormLayout* form, QWidget* field) {
+    auto* label = new QLabel(this);
+    label->setBuddy(field);
+    form->addRow(label, field);
+    return label;
+}
+
+void ChannelSettingsPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+        showTare();
+    }
+}
+
+void ChannelSettingsPanel::retranslate() {
+    const auto describe = [](QLabel* label, QWidget* field, const QString& name, const QString& help) {
+        label->setText(name);
+        field->setToolTip(help);
+        field->setWhatsThis(help);
+        field->setAccessibleName(QString(name).remove(QLatin1Char('&')).remove(QLatin1Char(':')));
+    };
+    m_tare->setText(tr("&Tare now"));
+    m_tare->setToolTip(
+        tr("Takes the mean of the next half second as the unloaded state. Nothing may touch the array."));
+    m_clearTare->setText(tr("&Clear tare"));
+    m_clearTare->setToolTip(tr("Uses the raw values again"));
+    describe(m_gainLabel, m_gain, tr("&Gain:"), tr("Load per raw unit"));
+    m_inverted->setText(tr("Values &fall under load"));
+    m_inverted->setToolTip(tr("For arrays whose raw values are highest when nothing touches them"));
+    describe(m_thresholdLabel, m_threshold, tr("T&hreshold:"), tr("A taxel is in contact from this load on"));
+    m_automatic->setText(tr("&Automatic threshold"));
+    m_automatic->setToolTip(
+        tr("Finds the lowest useful threshold in each frame; the value above is its lower bound"));
+    describe(
+        m_noiseLabel, m_noiseHeight, tr("&Noise height:"),
+        tr("Two summits are one contact when the lower one rises less than this above the saddle between "
+           "them, in percent of the frame's peak"));
+    m_noiseHeight->setSuffix(tr(" %"));
+    describe(m_minimumLabel, m_minimumTaxels, tr("&Smallest contact:"),
+             tr("Contacts of fewer taxels are ignored"));
+    m_minimumTaxels->setSuffix(tr(" taxels"));
+    describe(m_orientationLabel, m_orientation, tr("&Orientation:"),
+             tr("Which taxels the principal axis is computed from"));
+    m_orientation->setItemText(0, tr("active taxels alike"));
+    m_orientation->setItemText(1, tr("weighted with the load"));
+    describe(m_rangeLabel, m_range, tr("&Force over:"),
+             tr("The whole image counts every load; active taxels leave out the noise of unloaded ones"));
+    m_range->setItemText(0, tr("whole image"));
+    m_range->setItemText(1, tr("active taxels"));
+    describe(m_edgeLabel, m_edgeRatio, tr("&Edge above:"),
+             tr("The contact becomes an edge when the ratio of the eigenvalues rises above this"));
+    describe(m_pointLabel, m_pointRatio, tr("&Point below:"),
+             tr("The contact becomes a point when the ratio of the eigenvalues falls below this"));
+    m_defaults->setText(tr("&Defaults"));
+    m_defaults->setToolTip(tr("Default values for everything but the tare"));
+}
+
+} // namespace teleta::tactile
