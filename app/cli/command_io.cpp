@@ -22,9 +22,9 @@ constexpr int kTableDigits = 4;
 constexpr std::size_t kTableWidth = 11; // "-1.234e-05" and a blank
 constexpr std::int64_t kFlushInterval_ns = 100'000'000;
 
-QString translate(const char* text) {
-    return QCoreApplication::translate("CommandLine", text);
-}
+struct OutputText {
+    Q_DECLARE_TR_FUNCTIONS(OutputText)
+};
 
 /// Text as a JSON string; bytes that are not UTF-8 are replaced.
 std::string jsonString(std::string_view text) {
@@ -52,12 +52,13 @@ void printError(const core::Error& error) {
 }
 
 void declareJson(CLI::App& app, bool& json) {
-    app.add_flag("--json", json, translate("Print one JSON document on standard output").toStdString());
+    app.add_flag("--json", json, OutputText::tr("Print one JSON document on standard output").toStdString());
 }
 
 void declareOut(CLI::App& app, std::string& outPath) {
-    app.add_option("--out", outPath,
-                   translate("Write the CSV to this file, which appears when it is complete").toStdString())
+    app.add_option(
+           "--out", outPath,
+           OutputText::tr("Write the CSV to this file, which appears when it is complete").toStdString())
         ->type_name("FILE");
 }
 
@@ -107,7 +108,7 @@ core::Expected<RowOutput> RowOutput::open(std::span<const std::string_view> colu
     if (rows.m_table) {
         for (const std::string_view column : columns)
             rows.cell(column);
-        static_cast<void>(rows.endRow());
+        rows.endRow();
     }
     return rows;
 }
@@ -161,7 +162,7 @@ void RowOutput::cell(std::string_view value) {
     m_text->write(value);
 }
 
-bool RowOutput::endRow() {
+void RowOutput::endRow() {
     if (m_csv)
         m_csv->endRow();
     if (m_json)
@@ -170,16 +171,21 @@ bool RowOutput::endRow() {
         m_text->write("\n");
     m_firstRow = false;
     m_field = 0;
-    flushNowAndThen();
-    return !(m_csv && m_csv->failed()) && !(m_text && m_text->failed());
 }
 
-/// Rows of a slow source reach the reader when they are computed, those of a fast one in large pieces.
-void RowOutput::flushNowAndThen() {
+bool RowOutput::failed() const {
+    return (m_csv && m_csv->failed()) || (m_text && m_text->failed());
+}
+
+void RowOutput::flushIfDue() {
     const std::int64_t now_ns = core::steadyNow_ns();
     if (now_ns < m_nextFlush_ns)
         return;
     m_nextFlush_ns = now_ns + kFlushInterval_ns;
+    flush();
+}
+
+void RowOutput::flush() {
     if (m_csv)
         m_csv->flush();
     if (m_text)

@@ -57,8 +57,8 @@ struct RowOptions {
 ///   json        a JSON array of objects with the columns as keys on standard output;
 ///   neither     CSV on standard output, or a table with aligned columns when that is a terminal.
 /// CSV and JSON have numbers with the fewest digits that read back as the same double; what is not defined is
-/// NA, in JSON null. The table has four significant digits. Call number, integer or text once for each
-/// column, in order, then endRow.
+/// NA, in JSON null. The table has four significant digits.
+/// Call number, integer or text once for each column, in order, then endRow.
 class RowOutput {
 public:
     [[nodiscard]] static core::Expected<RowOutput> open(std::span<const std::string_view> columns,
@@ -68,9 +68,17 @@ public:
     void number(const std::optional<double>& value);
     void integer(long long value);
     void text(std::string_view value);
-    /// False when writing failed or when the reader went away: there is no use in going on; finish() says
-    /// why.
-    [[nodiscard]] bool endRow();
+    void endRow();
+
+    /// Writing failed or the reader went away: there is no use in going on; finish() says why.
+    [[nodiscard]] bool failed() const;
+
+    /// Hands the rows so far to who reads them.
+    void flush();
+
+    /// The same, a few times a second at most: in the loop of a source that may be slow, it lets the rows of
+    /// a slow one appear when they are computed and those of a fast one in large pieces.
+    void flushIfDue();
 
     /// Completes the output. Without it an --out file does not appear.
     [[nodiscard]] core::Expected<void> finish();
@@ -82,7 +90,6 @@ private:
     explicit RowOutput(std::span<const std::string_view> columns);
     void jsonValue(std::string_view value);
     void cell(std::string_view value);
-    void flushNowAndThen();
 
     std::vector<std::string> m_columns;
     std::size_t m_field = 0;

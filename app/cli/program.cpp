@@ -3,6 +3,8 @@
 
 #include "app/cli/command.h"
 #include "app/cli/command_io.h"
+#include "app/cli/commands/contacts_command.h"
+#include "app/cli/commands/features_command.h"
 #include "app/cli/commands/stiffness_command.h"
 
 #include <QCoreApplication>
@@ -16,37 +18,39 @@ namespace teleta::cli {
 
 namespace {
 
-/// All commands in the order of the help. A new one is its file under commands/, that file's line in CMakeLists.txt
-/// and a line here: commands.push_back(std::make_unique<FeaturesCommand>());
+/// All commands in the order of the help. A new one is its file under commands/, that file's line in
+/// CMakeLists.txt and a line here.
 std::vector<std::unique_ptr<Command>> makeCommands() {
     std::vector<std::unique_ptr<Command>> commands;
+    commands.push_back(std::make_unique<FeaturesCommand>());
+    commands.push_back(std::make_unique<ContactsCommand>());
     commands.push_back(std::make_unique<StiffnessCommand>());
     return commands;
 }
 
-QString translate(const char* text) {
-    return QCoreApplication::translate("CommandLine", text);
-}
+struct ProgramText {
+    Q_DECLARE_TR_FUNCTIONS(ProgramText)
+};
 
 void translateHelp(CLI::App& app) {
     const auto label = [&app](const char* key, const char* text) {
-        app.get_formatter()->label(key, translate(text).toStdString());
+        app.get_formatter()->label(key, QCoreApplication::translate("ProgramText", text).toStdString());
     };
-    label("Usage", QT_TRANSLATE_NOOP("CommandLine", "Usage"));
-    label("OPTIONS", QT_TRANSLATE_NOOP("CommandLine", "OPTIONS"));
-    label("Options", QT_TRANSLATE_NOOP("CommandLine", "Options"));
-    label("Positionals", QT_TRANSLATE_NOOP("CommandLine", "Arguments"));
-    label("SUBCOMMAND", QT_TRANSLATE_NOOP("CommandLine", "COMMAND"));
-    label("Subcommands", QT_TRANSLATE_NOOP("CommandLine", "Commands"));
-    label("REQUIRED", QT_TRANSLATE_NOOP("CommandLine", "(required)"));
-    app.set_help_flag("-h,--help", translate("Print this help").toStdString());
+    label("Usage", QT_TRANSLATE_NOOP("ProgramText", "Usage"));
+    label("OPTIONS", QT_TRANSLATE_NOOP("ProgramText", "OPTIONS"));
+    label("Options", QT_TRANSLATE_NOOP("ProgramText", "Options"));
+    label("Positionals", QT_TRANSLATE_NOOP("ProgramText", "Arguments"));
+    label("SUBCOMMAND", QT_TRANSLATE_NOOP("ProgramText", "COMMAND"));
+    label("Subcommands", QT_TRANSLATE_NOOP("ProgramText", "Commands"));
+    label("REQUIRED", QT_TRANSLATE_NOOP("ProgramText", "(required)"));
+    app.set_help_flag("-h,--help", ProgramText::tr("Print this help").toStdString());
 }
 
 std::string usageError(const CLI::App* app, const CLI::Error& error) {
     QString command = QStringLiteral("teleta");
     for (const CLI::App* parsed : app->get_subcommands())
         command += QLatin1Char(' ') + QString::fromStdString(parsed->get_name());
-    return translate("teleta: %1\n%2 --help says more.\n")
+    return ProgramText::tr("teleta: %1\n%2 --help says more.\n")
         .arg(QString::fromStdString(error.what()), command)
         .toStdString();
 }
@@ -54,12 +58,13 @@ std::string usageError(const CLI::App* app, const CLI::Error& error) {
 } // namespace
 
 int runProgram(int argc, const char* const* argv) {
-    CLI::App app(translate("Computes contacts, stiffness and shape from what a tactile robot arm has felt.")
-                     .toStdString(),
-                 "teleta");
+    CLI::App app(
+        ProgramText::tr("Computes contacts, stiffness and shape from what a tactile robot arm has felt.")
+            .toStdString(),
+        "teleta");
     translateHelp(app);
     app.set_version_flag("--version", "teleta " + QCoreApplication::applicationVersion().toStdString(),
-                         translate("Print the version").toStdString());
+                         ProgramText::tr("Print the version").toStdString());
     app.failure_message(usageError);
     app.require_subcommand(1);
 
@@ -67,7 +72,7 @@ int runProgram(int argc, const char* const* argv) {
     for (const std::unique_ptr<Command>& command : commands) {
         CLI::App* subcommand = app.add_subcommand(command->name(), command->summary().toStdString());
         command->declare(*subcommand);
-        subcommand->footer("\n" + translate("Example:").toStdString() + "\n  " + command->example());
+        subcommand->footer("\n" + ProgramText::tr("Example:").toStdString() + "\n  " + command->example());
     }
 
     try {

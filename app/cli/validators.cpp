@@ -13,9 +13,9 @@ namespace teleta::cli {
 
 namespace {
 
-QString translate(const char* text) {
-    return QCoreApplication::translate("CommandLine", text);
-}
+struct ValidatorText {
+    Q_DECLARE_TR_FUNCTIONS(ValidatorText)
+};
 
 CLI::Validator numberThat(const std::function<bool(double)>& accepted, const QString& wanted) {
     CLI::Validator validator(std::string{});
@@ -23,7 +23,7 @@ CLI::Validator numberThat(const std::function<bool(double)>& accepted, const QSt
         double value = 0.0;
         if (CLI::detail::lexical_cast(text, value) && std::isfinite(value) && accepted(value))
             return {};
-        return translate("%1 is given, %2 is expected")
+        return ValidatorText::tr("%1 is given, %2 is expected")
             .arg(QString::fromStdString(text), wanted)
             .toStdString();
     });
@@ -33,20 +33,21 @@ CLI::Validator numberThat(const std::function<bool(double)>& accepted, const QSt
 } // namespace
 
 CLI::Validator finite() {
-    return numberThat([](double) { return true; }, translate("a number"));
+    return numberThat([](double) { return true; }, ValidatorText::tr("a number"));
 }
 
 CLI::Validator nonZero() {
-    return numberThat([](double value) { return value != 0.0; }, translate("a number other than 0"));
+    return numberThat([](double value) { return value != 0.0; }, ValidatorText::tr("a number other than 0"));
 }
 
 CLI::Validator positive() {
-    return numberThat([](double value) { return value > 0.0; }, translate("a number above 0"));
+    return numberThat([](double value) { return value > 0.0; }, ValidatorText::tr("a number above 0"));
 }
 
 CLI::Validator between(double lower, double upper) {
-    return numberThat([lower, upper](double value) { return value >= lower && value <= upper; },
-                      translate("a number from %1 to %2").arg(forPeople(lower, 6), forPeople(upper, 6)));
+    return numberThat(
+        [lower, upper](double value) { return value >= lower && value <= upper; },
+        ValidatorText::tr("a number from %1 to %2").arg(forPeople(lower, 6), forPeople(upper, 6)));
 }
 
 } // namespace teleta::cli

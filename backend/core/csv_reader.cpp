@@ -25,9 +25,9 @@ constexpr std::size_t kFirstBuffer = 256U << 10U;
 constexpr std::size_t kShownNames = 8;
 constexpr qsizetype kShownCharacters = 40;
 
-QString translate(const char* text) {
-    return QCoreApplication::translate("CsvReader", text);
-}
+struct CsvReaderText {
+    Q_DECLARE_TR_FUNCTIONS(CsvReaderText)
+};
 
 bool isBlank(char c) {
     return c == ' ' || c == '\t';
@@ -197,15 +197,15 @@ Expected<void> CsvReader::Private::openFile() {
     if (file < 0) {
         const int code = errno;
         if (code == EINTR)
-            return systemError(ErrorKind::cancelled, translate("opening was interrupted: %1"), code);
+            return systemError(ErrorKind::cancelled, CsvReaderText::tr("opening was interrupted: %1"), code);
         return systemError(code == ENOENT || code == ENOTDIR ? ErrorKind::notFound : ErrorKind::ioFailed,
-                           translate("cannot open the file: %1"), code);
+                           CsvReaderText::tr("cannot open the file: %1"), code);
     }
     struct stat status = {};
     if (::fstat(file, &status) != 0)
-        return systemError(ErrorKind::ioFailed, translate("cannot read the file: %1"), errno);
+        return systemError(ErrorKind::ioFailed, CsvReaderText::tr("cannot read the file: %1"), errno);
     if (S_ISDIR(status.st_mode))
-        return badInput(translate("this is a folder"), translate("a CSV file"), {path});
+        return badInput(CsvReaderText::tr("this is a folder"), CsvReaderText::tr("a CSV file"), {path});
     if (S_ISREG(status.st_mode)) {
         seekable = true;
         size = static_cast<std::uint64_t>(status.st_size);
@@ -220,15 +220,15 @@ Expected<void> CsvReader::Private::readHeader() {
     if (!any)
         return Unexpected(any.error());
     if (!*any)
-        return badInput(translate("the file is empty"),
-                        translate("a header line with the names of the columns"), {path, 1, 1});
+        return badInput(CsvReaderText::tr("the file is empty"),
+                        CsvReaderText::tr("a header line with the names of the columns"), {path, 1, 1});
     if (rowLength >= 2 && (std::memcmp(row(), "\xFF\xFE", 2) == 0 || std::memcmp(row(), "\xFE\xFF", 2) == 0))
-        return badInput(translate("the file is UTF-16"), translate("UTF-8"), {path, 1, 1});
+        return badInput(CsvReaderText::tr("the file is UTF-16"), CsvReaderText::tr("UTF-8"), {path, 1, 1});
     for (const char* p = row();; ++p) {
         Field field = readField(p, rowEnd());
         if (!field.wellFormed)
-            return badInput(translate("text outside of the quotes of a column name"),
-                            translate("a comma behind the closing quote"), placeOf(p));
+            return badInput(CsvReaderText::tr("text outside of the quotes of a column name"),
+                            CsvReaderText::tr("a comma behind the closing quote"), placeOf(p));
         header.push_back(std::move(field.text));
         p = field.end;
         if (p == rowEnd())
@@ -251,7 +251,7 @@ Expected<void> CsvReader::Private::fill() {
     if (count < 0) {
         const int code = errno;
         return systemError(code == EINTR ? ErrorKind::cancelled : ErrorKind::ioFailed,
-                           translate("cannot read the file: %1"), code);
+                           CsvReaderText::tr("cannot read the file: %1"), code);
     }
     end += static_cast<std::size_t>(count);
     atEnd = count == 0;
@@ -273,8 +273,9 @@ Expected<bool> CsvReader::Private::readRow() {
             quotes += std::count(from, to, '"');
             scanned += static_cast<std::size_t>(to - from);
             if (scanned > kMaximumLine)
-                return badInput(translate("the line is longer than 16 MiB"),
-                                quotes % 2 != 0 ? translate("a closing quote") : translate("a line end"),
+                return badInput(CsvReaderText::tr("the line is longer than 16 MiB"),
+                                quotes % 2 != 0 ? CsvReaderText::tr("a closing quote")
+                                                : CsvReaderText::tr("a line end"),
                                 {path, nextLine});
             if (lineFeed != nullptr) {
                 if (quotes % 2 == 0)
@@ -299,7 +300,7 @@ Expected<bool> CsvReader::Private::readRow() {
         begin += scanned + (lineFeed != nullptr ? 1 : 0);
         nextLine += (lineFeed != nullptr ? 1 : 0) + (quotes > 0 ? std::count(row(), rowEnd(), '\n') : 0);
         if (quotes % 2 != 0)
-            return badInput(translate("a quote is not closed"), translate("a closing quote"),
+            return badInput(CsvReaderText::tr("a quote is not closed"), CsvReaderText::tr("a closing quote"),
                             placeOf(std::find(row(), rowEnd(), '"')));
         if (rowLength > 0 && rowEnd()[-1] == '\r')
             --rowLength;
@@ -314,16 +315,16 @@ Expected<double> CsvReader::Private::slowField(const char* begin_, const char*& 
     const Field field = readField(begin_, rowEnd());
     end_ = field.end;
     const QString wanted =
-        allowNonFinite ? translate("a number, nan, inf or NA") : translate("a finite number");
+        allowNonFinite ? CsvReaderText::tr("a number, nan, inf or NA") : CsvReaderText::tr("a finite number");
     const char* text = field.text.c_str();
     double value = std::numeric_limits<double>::quiet_NaN();
     if (field.text.empty())
-        return badInput(translate("the field is empty"), wanted, placeOf(begin_));
+        return badInput(CsvReaderText::tr("the field is empty"), wanted, placeOf(begin_));
     if (!field.wellFormed || (field.text != "NA" && !parseNumber(text, text + field.text.size(), value)))
-        return badInput(translate("%1 is not a number").arg(shown({begin_, field.end})), wanted,
+        return badInput(CsvReaderText::tr("%1 is not a number").arg(shown({begin_, field.end})), wanted,
                         placeOf(begin_));
     if (!allowNonFinite && !std::isfinite(value))
-        return badInput(translate("%1 is not a finite number").arg(shown(field.text)), wanted,
+        return badInput(CsvReaderText::tr("%1 is not a finite number").arg(shown(field.text)), wanted,
                         placeOf(begin_));
     return value;
 }
@@ -370,14 +371,14 @@ Expected<std::vector<std::size_t>> CsvReader::columns(std::span<const std::strin
             continue;
         }
         if (std::find(first + 1, d->header.end(), name) != d->header.end())
-            return d->badInput(translate("the column %1 is there twice").arg(shown(name)),
-                               translate("each name once"), {d->path, 1, 1});
+            return d->badInput(CsvReaderText::tr("the column %1 is there twice").arg(shown(name)),
+                               CsvReaderText::tr("each name once"), {d->path, 1, 1});
         found.push_back(static_cast<std::size_t>(first - d->header.begin()));
     }
     if (!missing.empty())
-        return d->badInput(translate("missing columns: %1; the file has: %2")
+        return d->badInput(CsvReaderText::tr("missing columns: %1; the file has: %2")
                                .arg(shownNames(missing), shownNames(d->header)),
-                           translate("the columns %1").arg(shownNames(names)), {d->path, 1, 1});
+                           CsvReaderText::tr("the columns %1").arg(shownNames(names)), {d->path, 1, 1});
     return found;
 }
 
@@ -391,8 +392,8 @@ Expected<bool> CsvReader::next(std::vector<double>& values, bool allowNonFinite)
     const char* p = d->row();
     for (std::size_t i = 0;; ++i, ++p) {
         if (i == columns)
-            return d->badInput(translate("the row is too long: more than %1 values").arg(columns),
-                               translate("one value a column: %1").arg(columns), d->placeOf(p));
+            return d->badInput(CsvReaderText::tr("the row is too long: more than %1 values").arg(columns),
+                               CsvReaderText::tr("one value a column: %1").arg(columns), d->placeOf(p));
         const auto [stop, code] = std::from_chars(p, rowEnd, values[i]);
         if (matches(code) && (stop == rowEnd || *stop == ',') &&
             (allowNonFinite || std::isfinite(values[i]))) {
@@ -405,8 +406,9 @@ Expected<bool> CsvReader::next(std::vector<double>& values, bool allowNonFinite)
         }
         if (p == rowEnd) {
             if (i + 1 < columns)
-                return d->badInput(translate("the row is too short: %1 of %2 values").arg(i + 1).arg(columns),
-                                   translate("one value a column: %1").arg(columns), d->placeOf(p));
+                return d->badInput(
+                    CsvReaderText::tr("the row is too short: %1 of %2 values").arg(i + 1).arg(columns),
+                    CsvReaderText::tr("one value a column: %1").arg(columns), d->placeOf(p));
             return true;
         }
     }
@@ -435,14 +437,14 @@ std::uint64_t CsvReader::bytesTotal() const {
 Expected<void> CsvReader::seek(std::uint64_t byteOffset, long long line) {
     if (!d->seekable)
         return Unexpected(Error{ErrorKind::refused,
-                                translate("a pipe has no positions to go to").toStdString(),
-                                translate("a file").toStdString(),
+                                CsvReaderText::tr("a pipe has no positions to go to").toStdString(),
+                                CsvReaderText::tr("a file").toStdString(),
                                 {d->path}});
     if (byteOffset >= d->bufferOffset && byteOffset - d->bufferOffset <= d->end) {
         d->begin = static_cast<std::size_t>(byteOffset - d->bufferOffset);
     } else {
         if (::lseek(d->file, static_cast<off_t>(byteOffset), SEEK_SET) < 0)
-            return d->systemError(ErrorKind::ioFailed, translate("cannot read the file: %1"), errno);
+            return d->systemError(ErrorKind::ioFailed, CsvReaderText::tr("cannot read the file: %1"), errno);
         d->bufferOffset = byteOffset;
         d->begin = 0;
         d->end = 0;

@@ -15,10 +15,11 @@ namespace teleta::core {
 /// Reads a CSV file of numbers row by row with constant memory (files of many GB are fine): RFC 4180 quoting,
 /// LF or CRLF, optional UTF-8 BOM, comma only, numbers in the C locale. Lines that are empty are skipped.
 /// Errors carry file, line, column (of the field, in characters from 1) and what was expected: missing
-/// columns, a row too short or too long, text instead of a number, an empty file, a line over 16 MiB. "nan",
-/// "inf" and "NA" are values (NaN, infinity, NaN) only in columns read with allowNonFinite. A signal whose
-/// handler was installed without SA_RESTART ends a read that waits for a pipe: ErrorKind::cancelled, and
-/// next() may be called again. Thread: one.
+/// columns, a row too short or too long, text instead of a number, an empty file, a line over 16 MiB.
+/// "nan", "inf" and "NA" are values (NaN, infinity, NaN) only in columns read with allowNonFinite.
+/// A signal whose handler was installed without SA_RESTART ends a read that waits for a pipe:
+/// ErrorKind::cancelled, and next() may be called again.
+/// Thread: one.
 class CsvReader {
 public:
     ~CsvReader();

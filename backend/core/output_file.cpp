@@ -14,14 +14,14 @@ namespace teleta::core {
 
 namespace {
 
-QString translate(const char* text) {
-    return QCoreApplication::translate("OutputFile", text);
-}
+struct OutputFileText {
+    Q_DECLARE_TR_FUNCTIONS(OutputFileText)
+};
 
 Error writeError(const QFileDevice& device, const std::string& name) {
     const bool readerIsGone = device.errorString() == qt_error_string(EPIPE);
     return {readerIsGone ? ErrorKind::cancelled : ErrorKind::ioFailed,
-            translate("cannot write: %1").arg(device.errorString()).toStdString(),
+            OutputFileText::tr("cannot write: %1").arg(device.errorString()).toStdString(),
             {},
             {name}};
 }
@@ -55,7 +55,7 @@ Expected<OutputFile> OutputFile::create(const std::string& path) {
 OutputFile OutputFile::standardOutput() {
     auto device = std::make_unique<QFile>();
     const bool opened = device->open(STDOUT_FILENO, QIODevice::WriteOnly | QIODevice::Unbuffered);
-    OutputFile output(std::move(device), translate("standard output").toStdString());
+    OutputFile output(std::move(device), OutputFileText::tr("standard output").toStdString());
     if (!opened)
         output.keepError();
     return output;

@@ -12,10 +12,13 @@ class QFileDevice;
 namespace teleta::core {
 
 /// Where a program writes text: a file that appears under its name only when it is complete, or standard
-/// output. A file is written to a temporary one beside it; finish() makes it durable and renames it. Without
-/// finish() the temporary file is removed and an older file of that name stays as it was. What is not a
-/// regular file (a pipe, /dev/null) is written to directly. The first error is kept and reported by finish():
-/// ioFailed, or cancelled when the reader of a pipe went away. Thread: one.
+/// output.
+/// A file is written without a name (or under a temporary one); finish() makes it durable and gives it its
+/// name. Without finish() it vanishes and an older file of that name stays as it was. What is not a regular
+/// file (a pipe, /dev/null) is written to directly.
+/// The first error is kept and reported by finish(): ioFailed, or cancelled when the reader of a pipe went
+/// away.
+/// Thread: one.
 class OutputFile {
 public:
     [[nodiscard]] static Expected<OutputFile> create(const std::string& path);

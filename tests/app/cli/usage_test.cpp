@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/cli/program_run.h"
+
+#include <gtest/gtest.h>
+
+using teleta::test::ProgramResult;
+using teleta::test::readAll;
+using teleta::test::run;
+using teleta::test::TemporaryFolder;
+
+namespace {
+
+class Usage : public testing::TestWithParam<std::vector<std::string>> {};
+
+} // namespace
+
+TEST_P(Usage, thatIsWrongEndsWith2AndAMessage) {
+    const TemporaryFolder folder;
+    std::vector<std::string> arguments = GetParam();
+    for (std::string& argument : arguments) {
+        if (argument == "FILE")
+            argument = folder.write("frames.csv", "time_s,t0\n0,1\n");
+    }
+    const ProgramResult result = run(arguments);
+    EXPECT_EQ(result.exitCode, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_NE(result.err.find("teleta: "), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("--help"), std::string::npos) << result.err;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    CommandLine, Usage,
+    testing::Values(
+        std::vector<std::string>{}, std::vector<std::string>{"dance"}, std::vector<std::string>{"features"},
+        std::vector<std::string>{"features", "FILE", "--unknown"},
+        std::vector<std::string>{"features", "FILE", "FILE"},
+        std::vector<std::string>{"features", "FILE", "--rows"},
+        std::vector<std::string>{"features", "FILE", "--rows", "0"},
+        std::vector<std::string>{"features", "FILE", "--rows", "1025"},
+        std::vector<std::string>{"features", "FILE", "--columns", "2.5"},
+        std::vector<std::string>{"features", "FILE", "--columns", "x"},
+        std::vector<std::string>{"features", "FILE", "--pitch-mm", "0"},
+        std::vector<std::string>{"features", "FILE", "--pitch-mm", "inf"},
+        std::vector<std::string>{"features", "FILE", "--threshold", "-0.2"},
+        std::vector<std::string>{"features", "FILE", "--threshold", "0,2"},
+        std::vector<std::string>{"features", "FILE", "--gain", "0"},
+        std::vector<std::string>{"features", "FILE", "--gain", "nan"},
+        std::vector<std::string>{"contacts", "FILE", "--noise-height", "1.5"},
+        std::vector<std::string>{"contacts", "FILE", "--min-taxels", "0"},
+        std::vector<std::string>{"features", "FILE", "--rows", "1", "--columns", "1", "--dead", "1"},
+        std::vector<std::string>{"features", "FILE", "--rows", "1", "--columns", "1", "--dead", "-1"},
+        std::vector<std::string>{"features", "FILE", "--rows", "1", "--columns", "1", "--out", "FILE"}));
+
+TEST(CommandLine, helpIsNoErrorAndHasAnExampleForEachCommand) {
+    const ProgramResult program = run({"--help"});
+    EXPECT_EQ(program.exitCode, 0);
+    for (const std::string command : {"features", "contacts"}) {
+        EXPECT_NE(program.out.find(command), std::string::npos);
+        const ProgramResult help = run({command, "--help"});
+        EXPECT_EQ(help.exitCode, 0);
+        EXPECT_NE(help.out.find("teleta " + command + " press.csv"), std::string::npos);
+        EXPECT_NE(help.out.find("--pitch-mm"), std::string::npos);
+        EXPECT_EQ(help.err, "");
+    }
+}
+
+TEST(CommandLine, theVersionIsPrinted) {
+    const ProgramResult result = run({"--version"});
+    EXPECT_EQ(result.exitCode, 0);
+    EXPECT_EQ(result.out.find("teleta "), 0U);
+}
+
+TEST(CommandLine, anOutputThatIsTheInputIsRefusedAndLeavesItAlone) {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("frames.csv", "time_s,t0\n0,1\n");
+    EXPECT_EQ(run({"features", path, "--rows", "1", "--columns", "1", "--out", path}).exitCode, 2);
+    EXPECT_EQ(readAll(path), "time_s,t0\n0,1\n");
+}
+
+TEST(CommandLine, aListOfDeadTaxelsDoesNotSwallowTheFileName) {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("frames.csv", "time_s,t0,t1\n0,1,1\n");
+    EXPECT_EQ(run({"features", "--rows", "1", "--columns", "2", "--dead", "0,1", path}).exitCode, 0);
+}
