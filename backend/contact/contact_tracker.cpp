@@ -47,8 +47,11 @@ void ContactTracker::reset() {
 }
 
 void ContactTracker::assign(std::span<Contact> contacts, double time_s) {
-    std::erase_if(m_tracks,
-                  [&](const Track& track) { return time_s - track.lastSeen_s > m_settings.memory_s; });
+    // A contact of the frame before is not gone, however long ago that frame was.
+    std::erase_if(m_tracks, [&](const Track& track) {
+        return track.lastFrame != m_frame && time_s - track.lastSeen_s > m_settings.memory_s;
+    });
+    ++m_frame;
 
     m_trackOf.assign(contacts.size(), kNone);
     m_contactOf.assign(m_tracks.size(), kNone);
@@ -84,6 +87,7 @@ void ContactTracker::assign(std::span<Contact> contacts, double time_s) {
         track.x_m = contact.x_m;
         track.y_m = contact.y_m;
         track.lastSeen_s = time_s;
+        track.lastFrame = m_frame;
     }
 }
 

@@ -12,7 +12,8 @@ namespace teleta::contact {
 
 struct TrackingSettings {
     double gate_m = 0.015; ///< a contact that moved further than this since it was seen is a new one; 0..1000
-    double memory_s = 0.1; ///< how long a contact that is gone may come back under its identity
+    double memory_s = 0.1; ///< how long a contact that is gone may come back under its identity; one that was
+                           ///< there in the frame before keeps it in any case
 };
 
 /// Gives contacts an identity that is stable from frame to frame: optimal assignment between the contacts of
@@ -40,6 +41,7 @@ private:
         int id = 0;
         double x_m = 0.0, y_m = 0.0;
         double lastSeen_s = 0.0;
+        std::uint64_t lastFrame = 0; ///< number of the frame in which it was seen last
     };
     /// A contact and a track that are no further apart than the gate.
     struct Pair {
@@ -56,6 +58,7 @@ private:
     TrackingSettings m_settings;
     std::vector<Track> m_tracks; ///< in order of identity
     int m_nextId = 1;
+    std::uint64_t m_frame = 0;
 
     // Working memory, kept from frame to frame.
     std::vector<Pair> m_pairs;

@@ -69,6 +69,16 @@ TEST_F(ContactsCommand, identitiesStayWhenTheOrderOfTheForcesChanges) {
     EXPECT_EQ(idOf[0][1], idOf[1][1]);
 }
 
+TEST_F(ContactsCommand, identitiesStayHoweverSlowTheFramesCome) {
+    std::string frames;
+    for (const char* time : {"0", "0.1", "0.2", "0.3", "0.4", "5", "60"})
+        frames += std::string(time) + ",0,0,0,0,0,0,0,3,0,0,0,0,0,0,0,0,0,0,0,0,0\n";
+    const auto all = rows(frames);
+    ASSERT_EQ(all.size(), 7U);
+    for (const auto& row : all)
+        EXPECT_EQ(row[kId], "1") << "at " << row[kTime] << " s";
+}
+
 TEST_F(ContactsCommand, framesWithoutContactHaveNoRow) {
     EXPECT_TRUE(rows("0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0\n"
                      "1,0,0,0,0,0,0,0,0.1,0,0,0,0,0,0,0,0,0,0,0,0,0\n")
