@@ -96,17 +96,17 @@ TEST_F(Interruption, whileInputPoursInCompletesTheFileAndTheJsonDocument) {
     RunningProgram program(arguments("features", {"--out", path, "--json"}),
                            {.environment = {}, .outPath = json});
     feed("time_s,t0,t1\n");
+    // Not blocking, so that the end does not hang when nobody reads any more.
+    fcntl(m_writer, F_SETFL, O_NONBLOCK);
     std::atomic<bool> done = false;
     std::thread writer([&] {
         std::string text;
         for (int i = 0; !done; ++i) {
             text = frame(i);
-            // Not blocking, so that the end does not hang when nobody reads any more.
             while (!done && ::write(m_writer, text.data(), text.size()) < 0)
                 std::this_thread::yield();
         }
     });
-    fcntl(m_writer, F_SETFL, O_NONBLOCK);
     const bool started = waitForOutput(program, "\n0,");
     program.send(SIGINT);
     const ProgramResult result = program.wait();
@@ -130,4 +130,33 @@ TEST_F(Interruption, beforeThereIsAnyInputLeavesNoFile) {
     const ProgramResult result = program.wait();
     EXPECT_TRUE(result.exitCode == 1 || result.exitCode == -SIGTERM) << result.exitCode;
     EXPECT_EQ(m_folder.entries(), 1U);
+}
+
+TEST_F(Interruption, leavesNoProgressBarOnTheTerminal) {
+    const std::string path = m_folder.path("out.csv");
+    RunningProgram program(arguments("features", {"--out", path}),
+                           {.environment = {}, .outPath = {}, .terminal = true});
+    feed("time_s,t0,t1\n");
+    // Not blocking, so that the end does not hang when nobody reads any more.
+    fcntl(m_writer, F_SETFL, O_NONBLOCK);
+    std::atomic<bool> done = false;
+    std::thread writer([&] {
+        for (const std::string text = frame(0); !done;) {
+            if (::write(m_writer, text.data(), text.size()) < 0)
+                std::this_thread::yield();
+        }
+    });
+    // The source has no known size, so amount and rate are shown.
+    std::string seen;
+    while (seen.find("MB/s") == std::string::npos && !program.ended())
+        seen = program.readTerminal();
+    program.send(SIGINT);
+    const std::string all = program.wait().out;
+    done = true;
+    writer.join();
+    EXPECT_NE(seen.find(" MB  "), std::string::npos) << seen;
+    const std::size_t erased = all.rfind("\r\x1b[K");
+    ASSERT_NE(erased, std::string::npos);
+    EXPECT_EQ(all.find("MB/s", erased), std::string::npos) << "the message stands on a clean line";
+    EXPECT_NE(all.find("teleta: interrupted", erased), std::string::npos) << all;
 }

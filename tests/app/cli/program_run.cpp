@@ -122,17 +122,25 @@ void RunningProgram::reap(int options) {
     m_result.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
 }
 
+bool RunningProgram::readTerminalOnce() {
+    char buffer[4096];
+    ssize_t count = 0;
+    do
+        count = ::read(m_terminal, buffer, sizeof buffer);
+    while (count < 0 && errno == EINTR);
+    // Reading fails with EIO when the program has closed its side.
+    if (count > 0)
+        m_result.out.append(buffer, static_cast<std::size_t>(count));
+    return count > 0;
+}
+
+const std::string& RunningProgram::readTerminal() {
+    readTerminalOnce();
+    return m_result.out;
+}
+
 ProgramResult RunningProgram::wait() {
-    if (m_terminal >= 0) {
-        // Reading fails with EIO when the program has closed its side.
-        char buffer[4096];
-        for (;;) {
-            const ssize_t count = ::read(m_terminal, buffer, sizeof buffer);
-            if (count > 0)
-                m_result.out.append(buffer, static_cast<std::size_t>(count));
-            else if (count == 0 || errno != EINTR)
-                break;
-        }
+    while (m_terminal >= 0 && readTerminalOnce()) {
     }
     reap(0);
     if (m_terminal < 0) {

@@ -41,9 +41,13 @@ public:
     /// Largest resident memory until now in kB, as the kernel keeps it for this process; 0 when it is not
     /// known.
     [[nodiscard]] long peakMemory_kB() const;
+    /// Waits for more output on the terminal and returns all that came until now; the same text again when
+    /// the program has closed it.
+    [[nodiscard]] const std::string& readTerminal();
     [[nodiscard]] ProgramResult wait();
 
 private:
+    bool readTerminalOnce();
     void reap(int options);
 
     TemporaryFolder m_folder;
