@@ -9,8 +9,7 @@ namespace teleta::stiffness {
 
 namespace {
 
-/// Slope of the line in units of both spreads, and the slope over the correlation, which stays finite at r =
-/// 0.
+/// Slope of the line in units of both spreads, and the slope over the correlation, finite where that is zero.
 struct ScaledSlope {
     double slope = 0.0;
     double slopeOverCorrelation = 1.0;
@@ -30,22 +29,35 @@ ScaledSlope demingSlope(double correlation, double torqueNoise, double angleNois
     return {ratio * correlation, ratio};
 }
 
+/// Whether a correlation is significant at 95 % (Student's t of the slope).
+bool isSignificant(double correlation, double unexplained, std::size_t points) {
+    if (points < 3)
+        return correlation != 0.0;
+    // The widest quantile, of one degree of freedom, spares computing the right one for every clear case.
+    constexpr double kWidestQuantile95 = 12.7063;
+    const double degreesOfFreedom = static_cast<double>(points) - 2.0;
+    const double explained = correlation * correlation * degreesOfFreedom;
+    if (explained > kWidestQuantile95 * kWidestQuantile95 * unexplained)
+        return true;
+    const double quantile = studentQuantile95(degreesOfFreedom);
+    return explained > quantile * quantile * unexplained;
+}
+
+/// Share of a point's distance from the line, in angle, that its torque has likely caused.
+double pullOf(double slope_radPerNm, const ReadingNoise& noise) {
+    if (!std::isnormal(slope_radPerNm))
+        return 0.0;
+    if (noise.torque_Nm <= 0.0 && noise.angle_rad <= 0.0)
+        return 1.0 / slope_radPerNm;
+    const double fromTorque_rad = std::abs(slope_radPerNm) * noise.torque_Nm;
+    const double both_rad = std::hypot(fromTorque_rad, noise.angle_rad);
+    return both_rad > 0.0 ? fromTorque_rad / both_rad * (fromTorque_rad / both_rad) / slope_radPerNm : 0.0;
+}
+
 } // namespace
 
 double studentQuantile95(double degreesOfFreedom) {
     return boost::math::quantile(boost::math::students_t(degreesOfFreedom), 0.975);
-}
-
-double ComplianceLine::fittedTorque_Nm(const TorqueAngle& point, const ReadingNoise& noise) const {
-    const double residual_rad = point.angle_rad - offset_rad - slope_radPerNm * point.torque_Nm;
-    const double fromTorque_rad = std::abs(slope_radPerNm) * noise.torque_Nm;
-    if (noise.torque_Nm <= 0.0 && noise.angle_rad <= 0.0)
-        return slope_radPerNm == 0.0 ? point.torque_Nm : point.torque_Nm + residual_rad / slope_radPerNm;
-    const double both_rad = std::hypot(fromTorque_rad, noise.angle_rad);
-    if (both_rad <= 0.0)
-        return point.torque_Nm;
-    const double share = std::copysign(noise.torque_Nm, slope_radPerNm) * (fromTorque_rad / both_rad);
-    return point.torque_Nm + share * (residual_rad / both_rad);
 }
 
 std::optional<ComplianceLine> fitComplianceLine(std::span<const TorqueAngle> points,
@@ -56,11 +68,11 @@ std::optional<ComplianceLine> fitComplianceLine(std::span<const TorqueAngle> poi
     double meanTorque_Nm = 0.0;
     double meanAngle_rad = 0.0;
     for (const TorqueAngle& point : points) {
-        meanTorque_Nm += (point.torque_Nm - points.front().torque_Nm) / static_cast<double>(n);
-        meanAngle_rad += (point.angle_rad - points.front().angle_rad) / static_cast<double>(n);
+        meanTorque_Nm += point.torque_Nm - points.front().torque_Nm;
+        meanAngle_rad += point.angle_rad - points.front().angle_rad;
     }
-    meanTorque_Nm += points.front().torque_Nm;
-    meanAngle_rad += points.front().angle_rad;
+    meanTorque_Nm = points.front().torque_Nm + meanTorque_Nm / static_cast<double>(n);
+    meanAngle_rad = points.front().angle_rad + meanAngle_rad / static_cast<double>(n);
 
     double farthestTorque_Nm = 0.0;
     double farthestAngle_rad = 0.0;
@@ -104,13 +116,7 @@ std::optional<ComplianceLine> fitComplianceLine(std::span<const TorqueAngle> poi
                                 correlation * ((point.torque_Nm - meanTorque_Nm) / torqueSpread_Nm);
         unexplained += residual * residual;
     }
-    const double degreesOfFreedom = static_cast<double>(n) - 2.0;
-
-    line.correlated = correlation != 0.0;
-    if (n > 2) {
-        const double quantile = studentQuantile95(degreesOfFreedom);
-        line.correlated = correlation * correlation * degreesOfFreedom > quantile * quantile * unexplained;
-    }
+    line.correlated = isSignificant(correlation, unexplained, n);
     ScaledSlope scaled{correlation, 1.0};
     if (line.correlated) {
         double torqueNoise = noise.torque_Nm / torqueSpread_Nm;
@@ -125,17 +131,10 @@ std::optional<ComplianceLine> fitComplianceLine(std::span<const TorqueAngle> poi
     line.slope_radPerNm = scaled.slope * scale_radPerNm;
     line.offset_rad = meanAngle_rad - line.slope_radPerNm * meanTorque_Nm;
     line.torqueSpread_Nm = torqueSpread_Nm / std::sqrt(scaled.slopeOverCorrelation);
-    if (n > 2) {
-        line.slopeSe_radPerNm =
-            scaled.slopeOverCorrelation * scale_radPerNm * std::sqrt(unexplained / degreesOfFreedom);
-        double squares = 0.0;
-        for (const TorqueAngle& point : points) {
-            const double residual_rad =
-                (point.angle_rad - meanAngle_rad) - line.slope_radPerNm * (point.torque_Nm - meanTorque_Nm);
-            squares += residual_rad * residual_rad;
-        }
-        line.scatter_rad = std::sqrt(squares / degreesOfFreedom);
-    }
+    line.pull_NmPerRad = pullOf(line.slope_radPerNm, noise);
+    if (n > 2)
+        line.slopeSe_radPerNm = scaled.slopeOverCorrelation * scale_radPerNm *
+                                std::sqrt(unexplained / (static_cast<double>(n) - 2.0));
     return line;
 }
 

@@ -26,13 +26,16 @@ struct ComplianceLine {
     double slope_radPerNm = 0.0;
     double offset_rad = 0.0;
     std::optional<double> slopeSe_radPerNm; ///< from the scatter about the line; empty for two points
-    double scatter_rad = 0.0;     ///< rms of angle - line, n - 2 in the denominator; 0 for two points
-    double torqueSpread_Nm = 0.0; ///< sqrt(sum (torque - mean)^2) without the noise's share
+    double torqueSpread_Nm = 0.0;           ///< sqrt(sum (torque - mean)^2) without the noise's share
+    double pull_NmPerRad = 0.0; ///< how far a point moves in torque, per distance in angle, onto the line
     std::size_t points = 0;
     bool correlated = false; ///< torque and angle change together, significant at 95 %
 
     /// Torque of a point after it was moved onto the line along its likeliest error.
-    [[nodiscard]] double fittedTorque_Nm(const TorqueAngle& point, const ReadingNoise& noise) const;
+    [[nodiscard]] double fittedTorque_Nm(const TorqueAngle& point) const {
+        return point.torque_Nm +
+               pull_NmPerRad * (point.angle_rad - offset_rad - slope_radPerNm * point.torque_Nm);
+    }
 };
 
 /// Fits the line by maximum likelihood with a known noise ratio (Deming): the torque carries all of it when

@@ -32,9 +32,9 @@ struct Slope {
 
 struct Noise {
     ReadingNoise reading;
-    bool known = false;     ///< both were given
-    bool available = false; ///< both are known or estimated
-    double quantile95 = kNormalQuantile95;
+    bool known = false;            ///< both were given
+    bool available = false;        ///< both are known or estimated
+    double degreesOfFreedom = 0.0; ///< of an estimate
 
     /// Spread of a sample about the line, seen along the angle.
     [[nodiscard]] double along_rad(double slope_radPerNm) const {
@@ -83,8 +83,7 @@ Noise noiseOf(std::span<const JointSample> ramp, const TouchSettings& settings) 
         const EstimatedNoise estimate = estimateNoise(ramp);
         noise.reading = estimate.noise;
         noise.available = estimate.degreesOfFreedom > 0.0;
-        if (noise.available)
-            noise.quantile95 = studentQuantile95(estimate.degreesOfFreedom);
+        noise.degreesOfFreedom = estimate.degreesOfFreedom;
     }
     noise.reading.torque_Nm = settings.torqueNoise_Nm.value_or(noise.reading.torque_Nm);
     noise.reading.angle_rad = settings.angleNoise_rad.value_or(noise.reading.angle_rad);
@@ -111,7 +110,7 @@ tl::expected<Slope, Refusal> twoPointSlope(std::span<const JointSample> ramp, co
     slope.value_radPerNm = slope.deltaTheta_rad / slope.deltaTorque_Nm;
     if (noise.available) {
         slope.se_radPerNm = std::sqrt(2.0) * noise.along_rad(slope.value_radPerNm) / slope.deltaTorque_Nm;
-        slope.quantile95 = noise.quantile95;
+        slope.quantile95 = noise.known ? kNormalQuantile95 : studentQuantile95(noise.degreesOfFreedom);
     }
     return slope;
 }
@@ -147,9 +146,7 @@ tl::expected<Slope, Refusal> regressionSlope(std::span<const JointSample> ramp, 
     if (!line)
         return tl::unexpected(Refusal::torqueUnchanged);
 
-    const auto fittedTorque_Nm = [&](const TorqueAngle& point) {
-        return line->fittedTorque_Nm(point, noise.reading);
-    };
+    const auto fittedTorque_Nm = [&](const TorqueAngle& point) { return line->fittedTorque_Nm(point); };
     for (int round = 0; round < kSelectionRounds && line->points > 2 && line->correlated; ++round) {
         std::vector<TorqueAngle> nextSelection = selectWhere(fittedTorque_Nm);
         if (nextSelection == selection || nextSelection.size() < 3)

@@ -34,7 +34,6 @@ TEST(ComplianceLine, allNoiseInTheAngleIsLeastSquaresOfAngleOnTorque) {
     EXPECT_NEAR(line->offset_rad, 2.0 - slope * 2.0, 1e-14);
     const double variance = (squaresYy() - slope * squaresXy()) / 3.0;
     EXPECT_NEAR(line->slopeSe_radPerNm.value(), std::sqrt(variance / squaresXx()), 1e-13);
-    EXPECT_NEAR(line->scatter_rad, std::sqrt(variance), 1e-13);
     EXPECT_NEAR(line->torqueSpread_Nm, std::sqrt(squaresXx()), 1e-13);
 }
 
@@ -82,7 +81,7 @@ TEST(ComplianceLine, fittedTorqueIsTheFootOfTheLikeliestError) {
     const auto line = fitComplianceLine(kPoints, noise);
     ASSERT_TRUE(line);
     for (const TorqueAngle& point : kPoints) {
-        const double fitted_Nm = line->fittedTorque_Nm(point, noise);
+        const double fitted_Nm = line->fittedTorque_Nm(point);
         // The foot minimises ((torque - t)/0.2)^2 + ((angle - line(t))/0.1)^2: derivative zero.
         const double angle_rad = line->offset_rad + line->slope_radPerNm * fitted_Nm;
         const double derivative = (point.torque_Nm - fitted_Nm) / 0.04 +
