@@ -14,8 +14,8 @@ packages=(
     libqt6opengl6-dev libqt6sql6-sqlite qt6-translations-l10n
     # charts and the 3D view
     libqcustomplot-dev libqcustomplot2.1-qt6 libvtk9-dev
-    # numerics and pictures
-    libeigen3-dev libceres-dev libboost-math-dev libopencv-dev
+    # numerics
+    libeigen3-dev libboost-math-dev
     # files, queues, command line
     libtomlplusplus-dev nlohmann-json3-dev libreaderwriterqueue-dev libcli11-dev libexpected-dev
     # tests and benchmarks

@@ -18,4 +18,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>teleta::tactile::ChannelSettingsPanel</name>
+    <message numerus="yes">
+        <source>Tared, %n taxel(s) without a reading</source>
+        <translation>
+            <numerusform>Tared, %n taxel without a reading</numerusform>
+            <numerusform>Tared, %n taxels without a reading</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>
