@@ -16,14 +16,30 @@ void SourceOutlet::open(Wakeup& consumer, std::int64_t now_ns) {
 }
 
 void SourceOutlet::deliver(SampleBlock&& block, DeviceState state) {
-    const std::uint64_t frames = block.frames();
+    begin(block);
+    m_blocks.push(std::move(block), m_time_ns.size());
+    finish(state);
+}
+
+bool SourceOutlet::tryDeliver(SampleBlock& block, DeviceState state) {
+    begin(block);
+    if (!m_blocks.tryPush(block))
+        return false;
+    finish(state);
+    return true;
+}
+
+void SourceOutlet::begin(SampleBlock& block) {
     block.firstFrame = m_nextFrame;
-    m_nextFrame += frames;
-    m_status.framesRead += frames;
-    m_status.lastData_ns = block.time_ns.back();
-    for (const std::int64_t time_ns : block.time_ns)
+    m_time_ns.assign(block.time_ns.begin(), block.time_ns.end());
+}
+
+void SourceOutlet::finish(DeviceState state) {
+    m_nextFrame += m_time_ns.size();
+    m_status.framesRead += m_time_ns.size();
+    m_status.lastData_ns = m_time_ns.back();
+    for (const std::int64_t time_ns : m_time_ns)
         m_rate.add(time_ns);
-    m_blocks.push(std::move(block), frames);
     if (state != m_status.state)
         enter(state, m_status.lastData_ns, {});
     publish();

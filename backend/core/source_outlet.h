@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace teleta::core {
 
@@ -27,14 +28,14 @@ public:
     /// block: at least one frame, its firstFrame is overwritten.
     void deliver(SampleBlock&& block, DeviceState state);
 
+    /// The same for a worker that can wait: false when the queue is full, and then nothing happened.
+    [[nodiscard]] bool tryDeliver(SampleBlock& block, DeviceState state);
+
     /// Counts frames that the device or its link lost: their numbers are skipped.
     void lose(std::uint64_t frames);
 
     /// Publishes a state unless it is already this one with this message.
     void setState(DeviceState state, std::int64_t now_ns, std::string message = {});
-
-    /// True while deliver() would lose a block.
-    [[nodiscard]] bool full() const { return m_blocks.size() >= m_blocks.capacity(); }
 
     [[nodiscard]] DeviceState state() const { return m_status.state; }
     [[nodiscard]] std::int64_t lastData_ns() const { return m_status.lastData_ns; }
@@ -43,6 +44,8 @@ public:
     [[nodiscard]] DeviceStatus status() const { return m_published.get(); }
 
 private:
+    void begin(SampleBlock& block);
+    void finish(DeviceState state);
     void enter(DeviceState state, std::int64_t now_ns, std::string message);
     void publish();
 
@@ -50,6 +53,7 @@ private:
     RateMeter m_rate;
     DeviceStatus m_status;
     LatestCopy<DeviceStatus> m_published;
+    std::vector<std::int64_t> m_time_ns; ///< of the block at hand, which is moved into the queue
     Wakeup* m_consumer = nullptr;
     std::uint64_t m_nextFrame = 0;
     std::uint64_t m_lost = 0;           ///< by device and link

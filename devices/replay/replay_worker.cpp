@@ -179,7 +179,7 @@ void ReplayWorker::seekTo(double time_s, const std::stop_token& stop) {
     }
     if (scan(
             from, [&](const FramePlace& place) { return timeOf_s(place) >= time_s; }, stop))
-        showPending();
+        showPending(stop);
 }
 
 void ReplayWorker::stepBy(long long frames, const std::stop_token& stop) {
@@ -192,7 +192,7 @@ void ReplayWorker::stepBy(long long frames, const std::stop_token& stop) {
     if (isNext ||
         scan(
             m_index.atFrame(frame), [frame](const FramePlace& place) { return place.frame >= frame; }, stop))
-        showPending();
+        showPending(stop);
 }
 
 /// Reads on until a frame is reached, or the last one, which is then pending. False when that was not to be.
@@ -223,7 +223,7 @@ bool ReplayWorker::scan(const FramePlace& from, const Reached& reached, const st
 }
 
 /// Delivers the pending frame now, whatever its time.
-void ReplayWorker::showPending() {
+void ReplayWorker::showPending(const std::stop_token& stop) {
     const FramePlace& place = m_cursor.place();
     anchorAt(timeOf_s(place));
     if (m_delivered && m_delivered->frame == place.frame) {
@@ -234,7 +234,7 @@ void ReplayWorker::showPending() {
         m_discontinuity = true;
     core::SampleBlock block;
     append(block);
-    deliver(block);
+    deliver(block, stop);
 }
 
 void ReplayWorker::playDue(const std::stop_token& stop) {
@@ -248,12 +248,7 @@ void ReplayWorker::playDue(const std::stop_token& stop) {
     }
     const bool unpaced = std::isinf(m_active.speed);
     const std::int64_t start_ns = now_ns();
-    if (unpaced) {
-        if (m_outlet.full()) {
-            waitUntil(start_ns + kQueueRetry_ns, stop);
-            return;
-        }
-    } else {
+    if (!unpaced) {
         const std::int64_t next_ns = due_ns(timeOf_s(m_cursor.place()));
         if (start_ns < next_ns) {
             if (m_delivered)
@@ -270,12 +265,12 @@ void ReplayWorker::playDue(const std::stop_token& stop) {
         const core::Expected<bool> any = m_cursor.read();
         m_pending = any && *any;
         if (!m_pending) {
-            deliver(block);
+            deliver(block, stop);
             reachEnd(any);
             return;
         }
     } while (block.frames() < kFramesPerBlock && (unpaced || due_ns(timeOf_s(m_cursor.place())) <= start_ns));
-    deliver(block);
+    deliver(block, stop);
 }
 
 /// Goes to the first frame, which is due now.
@@ -319,12 +314,21 @@ void ReplayWorker::append(core::SampleBlock& block) {
     m_pending = false;
 }
 
-void ReplayWorker::deliver(core::SampleBlock& block) {
+void ReplayWorker::deliver(core::SampleBlock& block, const std::stop_token& stop) {
     block.channels = m_cursor.values().size();
     block.discontinuity = std::exchange(m_discontinuity, false);
     m_shown.set({.time_s = timeOf_s(*m_delivered), .frame = m_delivered->frame});
-    m_outlet.deliver(std::move(block),
-                     m_active.playing ? core::DeviceState::live : core::DeviceState::paused);
+    const core::DeviceState state = m_active.playing ? core::DeviceState::live : core::DeviceState::paused;
+    if (!std::isinf(m_active.speed)) {
+        m_outlet.deliver(std::move(block), state);
+        return;
+    }
+    while (!m_outlet.tryDeliver(block, state)) {
+        std::unique_lock lock(m_mutex);
+        if (stop.stop_requested())
+            return;
+        m_config.clock->waitUntil(m_condition, lock, now_ns() + kQueueRetry_ns);
+    }
 }
 
 void ReplayWorker::anchorAt(double time_s) {

@@ -67,14 +67,14 @@ private:
     void stepBy(long long frames, const std::stop_token& stop);
     template <typename Reached>
     [[nodiscard]] bool scan(const FramePlace& from, const Reached& reached, const std::stop_token& stop);
-    void showPending();
+    void showPending(const std::stop_token& stop);
     void playDue(const std::stop_token& stop);
     void rewind();
     void reachEnd(const core::Expected<bool>& read);
     void endAs(core::DeviceState state, std::string message = {});
 
     void append(core::SampleBlock& block);
-    void deliver(core::SampleBlock& block);
+    void deliver(core::SampleBlock& block, const std::stop_token& stop);
     void anchorAt(double time_s);
     [[nodiscard]] double timeOf_s(const FramePlace& place) const;
     [[nodiscard]] std::int64_t due_ns(double time_s) const;

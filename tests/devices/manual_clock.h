@@ -45,10 +45,12 @@ public:
         while (!m_parked || m_deadline_ns <= m_now_ns) {
             if (m_parked) {
                 m_parked = false;
+                std::mutex& workerMutex = *m_workerMutex;
+                std::condition_variable& condition = *m_condition;
                 own.unlock();
                 // The worker holds its mutex until it really waits.
-                { const std::scoped_lock worker(*m_workerMutex); }
-                m_condition->notify_all();
+                { const std::scoped_lock worker(workerMutex); }
+                condition.notify_all();
                 own.lock();
             } else if (m_changed.wait_for(own, std::chrono::seconds(20)) == std::cv_status::timeout) {
                 ADD_FAILURE() << "the worker does not come to rest";

@@ -28,6 +28,20 @@ TEST(BoundedQueue, countsWhatItCannotHoldAndKeepsTheRestInOrder)
     EXPECT_FALSE(queue.pop(value));
 }
 
+TEST(BoundedQueue, leavesAnItemThatDoesNotFitWithAProducerThatCanWait) {
+    BoundedQueue<std::vector<int>> queue(1);
+    std::vector<int> first{1};
+    std::vector<int> second{2};
+    EXPECT_TRUE(queue.tryPush(first));
+    EXPECT_FALSE(queue.tryPush(second));
+    EXPECT_EQ(second, std::vector<int>{2});
+    EXPECT_EQ(queue.overflow(), 0U);
+    std::vector<int> item;
+    ASSERT_TRUE(queue.pop(item));
+    EXPECT_EQ(item, std::vector<int>{1});
+    EXPECT_TRUE(queue.tryPush(second));
+}
+
 TEST(BoundedQueue, accountsForEveryItemBetweenTwoThreads)
 {
     constexpr int kItems = 200'000;
