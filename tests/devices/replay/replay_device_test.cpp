@@ -14,7 +14,7 @@ TEST_F(ReplayDeviceTest, describesTheRecording) {
     writeFrames(50);
     open(config());
     const core::SourceDescription& description = m_device->description();
-    EXPECT_EQ(description.name, "ReplayDeviceTest_describesTheRecording.csv");
+    EXPECT_EQ(testing::TempDir() + description.name, m_path);
     EXPECT_EQ(description.layout, (core::ArrayLayout{1, 2, 0.01}));
     EXPECT_NEAR(description.nominalRate_Hz, 10.0, 1e-9);
     EXPECT_TRUE(description.recorded);

@@ -12,6 +12,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <unistd.h>
 #include <vector>
 
 namespace teleta::test {
@@ -33,7 +34,9 @@ class ReplayTest : public testing::Test {
 protected:
     void SetUp() override {
         const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-        m_path = testing::TempDir() + info->test_suite_name() + "_" + info->name() + ".csv";
+        // Several runs of this program may go on at the same time.
+        m_path = testing::TempDir() + info->test_suite_name() + "_" + info->name() + "_" +
+                 std::to_string(::getpid()) + ".csv";
     }
 
     void TearDown() override {
