@@ -11,7 +11,8 @@
 namespace teleta::core {
 
 /// The clock of a worker that keeps a schedule, and its wait that commands can end. A test puts a clock in
-/// its place that stands still until the test moves it. Thread: any.
+/// its place that stands still until the test moves it.
+/// Thread: any.
 class PacingClock {
 public:
     /// A deadline that never comes.

@@ -17,7 +17,8 @@ struct FramePlace {
 };
 
 /// Places of some frames of a recording, evenly spaced and few however long the file is: when there are too
-/// many, every second one goes. Thread: add() and complete() from one; the others from any.
+/// many, every second one goes.
+/// Thread: add() and complete() from one; the others from any.
 class FrameIndex {
 public:
     static constexpr std::size_t kMaximumPlaces = 4096;
