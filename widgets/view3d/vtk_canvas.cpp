@@ -98,7 +98,7 @@ void VtkCanvas::paintGL() {
     }
 }
 
-QImage VtkCanvas::picture(double scale) {
+QImage VtkCanvas::picture(double scale, bool withOverlay) {
     if (!m_window->attached() || deviceSize().isEmpty()) {
         return {};
     }
@@ -127,7 +127,7 @@ QImage VtkCanvas::picture(double scale) {
     }
     requestRender();
     doneCurrent();
-    if (!image.isNull() && m_overlay) {
+    if (!image.isNull() && withOverlay && m_overlay) {
         QPainter painter(&image);
         painter.setRenderHint(QPainter::Antialiasing);
         m_overlay(painter, size());

@@ -27,7 +27,7 @@ public:
     void requestRender();
     void setOverlay(Overlay overlay) { m_overlay = std::move(overlay); }
     /// Draws the scene anew at `scale` times the widget's device pixels.
-    [[nodiscard]] QImage picture(double scale);
+    [[nodiscard]] QImage picture(double scale, bool withOverlay);
     [[nodiscard]] std::uint64_t framesRendered() const { return m_framesRendered; }
 
 signals:

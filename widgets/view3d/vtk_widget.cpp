@@ -97,8 +97,9 @@ void VtkWidget::setOverlay(Overlay overlay) {
     }
 }
 
-QImage VtkWidget::picture(double scale) {
-    return m_parts->canvas != nullptr ? m_parts->canvas->picture(scale) : QImage();
+QImage VtkWidget::picture(double scale, PictureOverlay overlay) {
+    return m_parts->canvas != nullptr ? m_parts->canvas->picture(scale, overlay == PictureOverlay::with)
+                                      : QImage();
 }
 
 std::uint64_t VtkWidget::framesRendered() const {

@@ -39,9 +39,10 @@ public:
     /// Draws the scene with the next repaint. Many calls make one frame.
     void requestRender();
     void setOverlay(Overlay overlay);
-    /// The scene with its overlay at `scale` (> 0) times the device pixels shown, limited by what the driver
-    /// can do. Null when nothing can be drawn.
-    [[nodiscard]] QImage picture(double scale = 1.0);
+    enum class PictureOverlay { with, without };
+    /// The scene at `scale` (> 0) times the device pixels shown, limited by what the driver can do. Null when
+    /// nothing can be drawn.
+    [[nodiscard]] QImage picture(double scale = 1.0, PictureOverlay overlay = PictureOverlay::with);
     /// Frames that VTK drew on the screen so far.
     [[nodiscard]] std::uint64_t framesRendered() const;
 

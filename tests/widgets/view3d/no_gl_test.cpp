@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/widgets/view3d/touch_examples.h"
+#include "widgets/view3d/scene3d_view.h"
 #include "widgets/view3d/vtk_widget.h"
 
 #include <QApplication>
@@ -17,8 +19,7 @@ class NoGlTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void aTextSaysWhyThereIsNoView()
-    {
+    void aTextSaysWhyThereIsNoView() {
         VtkWidget view;
         view.resize(400, 300);
         view.show();
@@ -38,8 +39,7 @@ private slots:
         QVERIFY(written);
     }
 
-    void everyCallIsHarmless()
-    {
+    void everyCallIsHarmless() {
         QMainWindow window;
         auto* dock = new QDockWidget(&window);
         auto* view = new VtkWidget;
@@ -61,10 +61,35 @@ private slots:
         QTest::keyClick(view, Qt::Key_R);
         view->setOverlay({});
     }
+
+    void theSceneViewIsHarmlessToo() {
+        using namespace teleta;
+        view3d::Scene3dView view;
+        view.resize(500, 400);
+        view.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&view));
+        QTRY_VERIFY(!view.vtkWidget().canRender());
+        const core::ArrayLayout layout;
+        for (std::uint64_t frame = 1; frame < 4; ++frame) {
+            view.setSnapshot(test::pressed(layout, {{1, 0.0, 0.0, 1.0}}, frame));
+        }
+        view.setSurface(view3d::Surface::cylinder);
+        view.setArmLinks(std::vector<view3d::ArmLink>(2));
+        view.setContour(std::vector<Eigen::Vector3d>{{0, 0, 0}}, {}, {}, QStringLiteral("point"));
+        view.setFollowing(true);
+        view.setParallel(true);
+        view.look(view3d::CameraPreset::top);
+        view.setProvenance(base::Provenance::simulated);
+        QTest::keyClick(&view, Qt::Key_Right);
+        QTest::keyClick(&view, Qt::Key_1);
+        view.hide();
+        view.show();
+        view.clear();
+        QVERIFY(!view.vtkWidget().fallbackText().isEmpty());
+    }
 };
 
-int main(int argc, char** argv)
-{
+int main(int argc, char** argv) {
     teleta::view3d::configureOpenGlBeforeApplication();
     QApplication application(argc, argv);
     NoGlTest test;

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/widgets/view3d/touch_examples.h"
+#include "widgets/base/theme.h"
+#include "widgets/view3d/geometry_export.h"
+#include "widgets/view3d/touch_scene.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QtEndian>
+
+#include <gtest/gtest.h>
+#include <vtkActorCollection.h>
+#include <vtkPointData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkXMLPolyDataReader.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+using namespace teleta;
+using view3d::Surface;
+using view3d::TouchScene;
+
+namespace {
+
+constexpr core::ArrayLayout kLayout{.rows = 6, .columns = 14, .pitch_m = 0.0034};
+
+TouchScene makeScene() {
+    return TouchScene(view3d::SceneColours(base::designedPalette(false)));
+}
+
+std::set<vtkObject*> objectsOf(const TouchScene& scene) {
+    std::set<vtkObject*> objects;
+    vtkActorCollection* actors = scene.renderer()->GetActors();
+    actors->InitTraversal();
+    while (vtkActor* actor = actors->GetNextActor()) {
+        auto* mesh = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
+        objects.insert({actor, actor->GetMapper(), mesh, mesh->GetPoints(), mesh->GetPoints()->GetData(),
+                        mesh->GetPointData()->GetScalars()});
+    }
+    return objects;
+}
+
+} // namespace
+
+TEST(TouchScene, snapshotsChangeArraysAndMakeNoNewObjects) {
+    TouchScene scene = makeScene();
+    scene.take(test::pressed(kLayout, {{1, 0.0, 0.0, 1.0}}, 1));
+    EXPECT_TRUE(scene.draw()) << "a new layout changes the shape of the scene";
+    const std::set<vtkObject*> before = objectsOf(scene);
+    EXPECT_EQ(scene.take(test::pressed(kLayout, {{1, 0.01, 0.0, 2.0}, {2, -0.01, 0.0, 1.0}}, 2)),
+              TouchScene::Taken::fresh);
+    EXPECT_FALSE(scene.draw());
+    EXPECT_EQ(objectsOf(scene), before);
+}
+
+TEST(TouchScene, theSameFrameIsNotDrawnTwice) {
+    TouchScene scene = makeScene();
+    const auto snapshot = test::pressed(kLayout, {{1, 0.0, 0.0, 1.0}}, 7);
+    EXPECT_EQ(scene.take(snapshot), TouchScene::Taken::fresh);
+    EXPECT_EQ(scene.take(snapshot), TouchScene::Taken::same);
+}
+
+TEST(TouchScene, framesThatDoNotFitTheirLayoutAreRefused) {
+    TouchScene scene = makeScene();
+    auto snapshot = test::pressed(kLayout, {});
+    snapshot.load_N.pop_back();
+    EXPECT_EQ(scene.take(snapshot), TouchScene::Taken::refused);
+    snapshot = test::pressed(kLayout, {});
+    snapshot.dead.resize(3);
+    EXPECT_EQ(scene.take(snapshot), TouchScene::Taken::refused);
+    for (const core::ArrayLayout layout : {core::ArrayLayout{.rows = 0, .columns = 14, .pitch_m = 0.0034},
+                                           {.rows = 6, .columns = 1025, .pitch_m = 0.0034},
+                                           {.rows = 6, .columns = 14, .pitch_m = 0.0},
+                                           {.rows = 6, .columns = 14, .pitch_m = std::nan("")}}) {
+        snapshot = test::pressed(kLayout, {});
+        snapshot.layout = layout;
+        EXPECT_EQ(scene.take(snapshot), TouchScene::Taken::refused);
+    }
+    EXPECT_TRUE(scene.isEmpty());
+}
+
+TEST(TouchScene, aMarkSitsOnThePeakAndItsArrowIsAsLongAsItsForceSays) {
+    TouchScene scene = makeScene();
+    const auto snapshot = test::pressed(kLayout, {{1, 0.01, 0.002, 1.0}, {2, -0.01, 0.0, 0.5}});
+    scene.take(snapshot);
+    scene.draw();
+    ASSERT_EQ(scene.marks().size(), 2U);
+    const view3d::SensorSize& size = scene.sensorSize();
+    for (const view3d::ContactMark& mark : scene.marks()) {
+        EXPECT_DOUBLE_EQ(mark.p_Sensor_Foot.x(), mark.contact.x_m);
+        EXPECT_DOUBLE_EQ(mark.p_Sensor_Foot.y(), mark.contact.y_m);
+        EXPECT_NEAR(mark.p_Sensor_Foot.z(),
+                    size.tile_m + size.rise_m * mark.contact.peak_N / scene.loadRange_N(), 1e-12);
+        const Eigen::Vector3d arrow = mark.p_Sensor_Tail - mark.p_Sensor_Foot;
+        EXPECT_NEAR(arrow.z(), size.mark_m + size.arrow_m * mark.contact.force_N / scene.forceRange_N(),
+                    1e-12);
+        EXPECT_NEAR(arrow.head<2>().norm(), 0.0, 1e-12);
+    }
+}
+
+TEST(TouchScene, onTheCylinderTheMarkIsWhereTheMapSaysAndTheArrowAlongTheNormal) {
+    TouchScene scene = makeScene();
+    scene.setSurface(Surface::cylinder);
+    scene.take(test::pressed(kLayout, {{1, 0.01, 0.008, 1.0}}));
+    scene.draw();
+    ASSERT_EQ(scene.marks().size(), 1U);
+    const view3d::ContactMark& mark = scene.marks().front();
+    const double angle = 0.008 / 0.025;
+    const Eigen::Vector3d normal(0.0, std::sin(angle), std::cos(angle));
+    EXPECT_NEAR(mark.p_Sensor_Foot.x(), 0.01, 1e-12);
+    EXPECT_NEAR(mark.p_Sensor_Foot.dot(normal), mark.p_Sensor_Foot.tail<2>().norm(), 1e-12);
+    EXPECT_GT(mark.p_Sensor_Foot.dot(normal), 0.025);
+    EXPECT_NEAR((mark.p_Sensor_Tail - mark.p_Sensor_Foot).normalized().dot(normal), 1.0, 1e-12);
+}
+
+TEST(TouchScene, loadsOfAnyMagnitudeFillTheSameHeights) {
+    for (const double unit : {1e-12, 1.0, 1e12}) {
+        TouchScene scene = makeScene();
+        auto snapshot = test::pressed(kLayout, {{1, 0.0, 0.0, 1.0}});
+        for (float& load : snapshot.load_N) {
+            load = static_cast<float>(static_cast<double>(load) * unit);
+        }
+        snapshot.threshold_N *= unit;
+        snapshot.contacts.front().force_N *= unit;
+        snapshot.contacts.front().peak_N *= unit;
+        scene.take(snapshot);
+        scene.draw();
+        EXPECT_GE(scene.loadRange_N(), snapshot.contacts.front().peak_N);
+        EXPECT_LE(scene.loadRange_N(), 2.0 * snapshot.contacts.front().peak_N);
+        const auto z = scene.marks().front().p_Sensor_Foot.z();
+        EXPECT_GT(z, 0.5 * scene.sensorSize().rise_m);
+        EXPECT_LE(z, scene.sensorSize().tile_m + scene.sensorSize().rise_m);
+    }
+}
+
+TEST(TouchScene, contactsThatAreNotFiniteAreLeftOut) {
+    TouchScene scene = makeScene();
+    auto snapshot = test::pressed(kLayout, {{1, 0.0, 0.0, 1.0}, {2, 0.01, 0.0, 0.5}});
+    snapshot.contacts.front().x_m = std::numeric_limits<double>::quiet_NaN();
+    snapshot.load_N[5] = std::numeric_limits<float>::infinity();
+    snapshot.load_N[6] = std::numeric_limits<float>::quiet_NaN();
+    scene.take(snapshot);
+    scene.draw();
+    ASSERT_EQ(scene.marks().size(), 1U);
+    EXPECT_TRUE(std::isfinite(scene.loadRange_N()));
+}
+
+TEST(TouchScene, aFixedRangeHoldsUntilItIsReleased) {
+    TouchScene scene = makeScene();
+    scene.setFixedRange(20.0);
+    scene.take(test::pressed(kLayout, {{1, 0.0, 0.0, 1.0}}));
+    scene.draw();
+    EXPECT_EQ(scene.loadRange_N(), 20.0);
+    scene.setFixedRange({});
+    EXPECT_LT(scene.loadRange_N(), 2.5);
+}
+
+TEST(TouchScene, linksAndPointsThatAreNotFiniteAreLeftOut) {
+    TouchScene scene = makeScene();
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const std::vector<Eigen::Vector3d> points = {{0, 0, 0}, {nan, 0, 0}, {1, 2, 0}};
+    scene.setContour(points, points, {});
+    EXPECT_EQ(scene.contourBox_m().max(), Eigen::Vector3d(1, 2, 0));
+    std::vector<view3d::ArmLink> links(3);
+    links[0].length_m = 0.2;
+    links[0].radius_m = 0.01;
+    links[1].length_m = nan;
+    links[2].length_m = 0.2; // no radius
+    scene.setArmLinks(links);
+    // A tube along x from the origin, with room for the joint's ball of 1.25 radii.
+    EXPECT_LT((scene.armBox_m().min() - Eigen::Vector3d(-0.0125, -0.0125, -0.0125)).norm(), 1e-12);
+    EXPECT_LT((scene.armBox_m().max() - Eigen::Vector3d(0.2125, 0.0125, 0.0125)).norm(), 1e-12);
+    scene.setArmLinks({});
+    scene.setContour({}, {}, {});
+    EXPECT_TRUE(scene.isEmpty());
+    EXPECT_FALSE(scene.corners().empty());
+}
+
+TEST(GeometryExport, aStlFileHoldsTheTrianglesOfThePlateInMillimetres) {
+    TouchScene scene = makeScene();
+    auto snapshot = test::pressed(kLayout, {});
+    scene.take(snapshot);
+    scene.draw();
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("plate.stl"));
+    ASSERT_TRUE(view3d::exportGeometry(scene.worldMeshes(), path));
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const QByteArray bytes = file.readAll();
+    // Binary STL: 80 bytes of header, a count, 50 bytes each. Boxes without a floor: 5 quads; a slab: 6
+    // quads.
+    const auto triangles = qFromLittleEndian<quint32>(bytes.constData() + 80);
+    EXPECT_EQ(triangles, 84U * 10U + 12U);
+    ASSERT_EQ(bytes.size(), 84 + 50 * static_cast<qsizetype>(triangles));
+    float largest = 0.0F;
+    for (quint32 i = 0; i < triangles; ++i) {
+        for (int corner = 0; corner < 3; ++corner) {
+            const char* at = bytes.constData() + 84 + 50 * static_cast<qsizetype>(i) + 12 + 12 * corner;
+            largest = std::max(largest, qFromLittleEndian<float>(at));
+        }
+    }
+    EXPECT_NEAR(static_cast<double>(largest), 0.5 * 14 * 3.4, 1e-4);
+}
+
+TEST(GeometryExport, aVtpFileReadsBackWithColoursInThePlaceOfThePose) {
+    TouchScene scene = makeScene();
+    scene.take(test::pressed(kLayout, {{1, 0.01, 0.0, 1.0}}));
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    pose.translation() = Eigen::Vector3d(1.0, 2.0, 3.0);
+    scene.setSensorPose(pose);
+    scene.draw();
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("touch.vtp"));
+    ASSERT_TRUE(view3d::exportGeometry(scene.worldMeshes(), path));
+    const vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(QFile::encodeName(path).constData());
+    reader->Update();
+    vtkPolyData* read = reader->GetOutput();
+    double bounds[6];
+    read->GetBounds(bounds);
+    EXPECT_GT(bounds[0], 1000.0 - 25.0);
+    EXPECT_LT(bounds[1], 1000.0 + 25.0);
+    EXPECT_GT(bounds[4], 3000.0 - 5.0);
+    ASSERT_NE(read->GetPointData()->GetArray("colour"), nullptr);
+    EXPECT_GT(read->GetNumberOfLines(), 0);
+    EXPECT_NE(read->GetFieldData()->GetAbstractArray("length_unit"), nullptr);
+    EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files), QStringList(QStringLiteral("touch.vtp")));
+}
+
+TEST(GeometryExport, aPlyFileNamesItsColours) {
+    TouchScene scene = makeScene();
+    scene.take(test::pressed(kLayout, {{1, 0.01, 0.0, 1.0}}));
+    scene.draw();
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("touch.ply"));
+    const auto written = view3d::exportGeometry(scene.worldMeshes(), path);
+    ASSERT_TRUE(written) << core::describe(written.error());
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const QByteArray header = file.read(2000);
+    EXPECT_TRUE(header.startsWith("ply\n"));
+    EXPECT_TRUE(header.contains("property uchar red")) << header.toStdString();
+}
+
+TEST(GeometryExport, errorsSayWhatIsWrongAndLeaveNoFile) {
+    TouchScene scene = makeScene();
+    scene.take(test::pressed(kLayout, {}));
+    scene.draw();
+    const QTemporaryDir folder;
+    const auto unknown =
+        view3d::exportGeometry(scene.worldMeshes(), folder.filePath(QStringLiteral("a.obj")));
+    ASSERT_FALSE(unknown);
+    EXPECT_EQ(unknown.error().kind, core::ErrorKind::badInput);
+    const auto empty = view3d::exportGeometry({}, folder.filePath(QStringLiteral("a.stl")));
+    ASSERT_FALSE(empty);
+    EXPECT_EQ(empty.error().kind, core::ErrorKind::badInput);
+    for (const char* name : {"no/such/folder/a.vtp", "no/such/folder/a.ply", "no/such/folder/a.stl"}) {
+        const QString path = folder.filePath(QLatin1String(name));
+        const auto lost = view3d::exportGeometry(scene.worldMeshes(), path);
+        ASSERT_FALSE(lost) << name;
+        EXPECT_EQ(lost.error().kind, core::ErrorKind::ioFailed);
+        EXPECT_EQ(lost.error().where.file, path.toStdString());
+    }
+    EXPECT_TRUE(QDir(folder.path()).isEmpty());
+}

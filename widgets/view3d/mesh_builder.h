@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QRgb>
+
+#include <Eigen/Core>
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <span>
+
+namespace teleta::view3d {
+
+/// Fills one vtkPolyData with coloured solids and lines, again and again without allocating once it has
+/// grown. Call clear(), add shapes, then finish(). Colours are per point, normals too when `withNormals`.
+/// Thread: one.
+class MeshBuilder {
+public:
+    explicit MeshBuilder(bool withNormals = true);
+
+    [[nodiscard]] vtkPolyData* data() const { return m_data; }
+    [[nodiscard]] bool isEmpty() const { return m_points->GetNumberOfPoints() == 0; }
+
+    void clear();
+    void finish();
+
+    void sphere(const Eigen::Vector3d& centre, double radius, QRgb colour);
+    /// Side of a cone or cylinder between two points, with flat ends where a radius is not 0.
+    void cone(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radiusFrom, double radiusTo,
+              QRgb colour);
+    /// A shaft and a head that ends at `to`. headLength is shortened when the arrow is shorter than its head.
+    void arrow(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double shaftRadius, double headLength,
+               QRgb colour);
+    /// Eight triangles, points on the axes at `radius`.
+    void octahedron(const Eigen::Vector3d& centre, double radius, QRgb colour);
+    /// Four corners in order, with one normal.
+    void quad(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
+              const Eigen::Vector3d& d, QRgb colour);
+    void segment(const Eigen::Vector3d& a, const Eigen::Vector3d& b, QRgb colour);
+    void polyline(std::span<const Eigen::Vector3d> points, QRgb colour, bool closed = false);
+
+private:
+    vtkIdType point(const Eigen::Vector3d& p, const Eigen::Vector3d& normal, QRgb colour);
+    void disc(const Eigen::Vector3d& centre, const Eigen::Vector3d& normal, double radius, QRgb colour);
+
+    bool m_withNormals;
+    vtkNew<vtkPolyData> m_data;
+    vtkNew<vtkPoints> m_points;
+    vtkNew<vtkFloatArray> m_normals;
+    vtkNew<vtkUnsignedCharArray> m_colours;
+    vtkNew<vtkCellArray> m_polys;
+    vtkNew<vtkCellArray> m_lines;
+};
+
+} // namespace teleta::view3d

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view3d/overlay_maker.h"
+
+#include <QLocale>
+
+#include <vtkCamera.h>
+#include <vtkMatrix4x4.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace teleta::view3d {
+
+namespace {
+
+constexpr std::size_t kMostLabels = 12;
+
+QString millimetres(double length_m) {
+    return base::withUnit(QLocale().toString(length_m * 1e3, 'g', 3), QStringLiteral("mm"));
+}
+
+} // namespace
+
+std::optional<QPointF> placeInPicture(vtkRenderer& renderer, const Eigen::Vector3d& p_World) {
+    vtkMatrix4x4* matrix = renderer.GetActiveCamera()->GetCompositeProjectionTransformMatrix(
+        renderer.GetTiledAspectRatio(), -1.0, 1.0);
+    const double world[4] = {p_World.x(), p_World.y(), p_World.z(), 1.0};
+    double view[4];
+    matrix->MultiplyPoint(world, view);
+    if (!(view[3] > 0.0)) {
+        return {};
+    }
+    return QPointF(0.5 * (1.0 + view[0] / view[3]), 0.5 * (1.0 - view[1] / view[3]));
+}
+
+OverlayContent OverlayMaker::make(const TouchScene& scene, const SceneCamera& camera,
+                                  const Request& request) {
+    const SceneColours& colours = scene.colours();
+    OverlayContent content;
+    content.font = request.font;
+    content.text = colours.text;
+    content.faintText = colours.faintText;
+    content.card = colours.backgroundTop;
+    content.card.setAlphaF(0.86F);
+    content.provenance = request.provenance;
+    content.provenanceColour = colours.simulated;
+    const Eigen::AlignedBox3d& contour = scene.contourBox_m();
+    if (scene.isEmpty()) {
+        content.emptyText = request.emptyText;
+        return content;
+    }
+
+    content.orientationShown = true;
+    const Orbit& orbit = camera.orbit();
+    const Eigen::Vector3d right = orbit.up().cross(orbit.direction());
+    for (int axis = 0; axis < 3; ++axis) {
+        content.orientation[static_cast<std::size_t>(axis)] = {right[axis], orbit.up()[axis],
+                                                               orbit.direction()[axis]};
+    }
+    content.axisColours = {colours.axisX, colours.axisY, colours.axisZ};
+    content.legend = legendOf(scene, request.grid);
+
+    if (scene.hasSensor()) {
+        content.loadRange = scene.loadRange_N();
+        content.loadUnit = QString::fromStdString(scene.snapshot().loadUnit);
+        if (scene.axesShown()) {
+            static const std::array<QString, 3> names = {QStringLiteral("x"), QStringLiteral("y"),
+                                                         QStringLiteral("z")};
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const Eigen::Vector3d beyond = 1.06 * scene.axes().tips()[axis];
+                if (const auto place = placeInPicture(*scene.renderer(), scene.toWorld(beyond))) {
+                    content.labels.push_back({*place, names[axis], content.axisColours[axis]});
+                }
+            }
+        }
+        if (request.contactLabels) {
+            addContacts(scene, content);
+        }
+    }
+    if (!contour.isEmpty() && !request.shapeLabel.isEmpty()) {
+        const Eigen::Vector3d above(contour.center().x(), contour.center().y(), contour.max().z());
+        if (const auto place = placeInPicture(*scene.renderer(), above)) {
+            content.labels.push_back({*place, request.shapeLabel, colours.contourCurve, true});
+        }
+    }
+    return content;
+}
+
+void OverlayMaker::addContacts(const TouchScene& scene, OverlayContent& content) {
+    const auto& marks = scene.marks();
+    const QString unit = QString::fromStdString(scene.snapshot().loadUnit);
+    for (std::size_t i = 0; i < std::min(marks.size(), kMostLabels); ++i) {
+        const ContactMark& mark = marks[i];
+        const auto place = placeInPicture(*scene.renderer(), scene.toWorld(mark.p_Sensor_Tail));
+        if (!place) {
+            continue;
+        }
+        base::SteadyNumber& force = m_forces[mark.contact.id];
+        force.update(mark.contact.force_N);
+        content.labels.push_back(
+            {*place,
+             //: A contact in the 3-D view: its number and its force
+             tr("%1: %2").arg(mark.contact.id).arg(base::withUnit(force.text().trimmed(), unit)), mark.colour,
+             true});
+    }
+    std::erase_if(m_forces, [&](const auto& known) {
+        return std::none_of(marks.begin(), marks.end(),
+                            [&](const ContactMark& mark) { return mark.contact.id == known.first; });
+    });
+}
+
+QStringList OverlayMaker::legendOf(const TouchScene& scene, bool grid) {
+    QStringList legend;
+    if (scene.hasSensor()) {
+        if (scene.grid().block() > 1) {
+            legend += tr("Each block: the largest of %1 × %1 taxels").arg(scene.grid().block());
+        }
+        if (scene.surface() == Surface::cylinder) {
+            const CylinderSize cylinder = scene.cylinder();
+            legend += scene.cylinderWasEnlarged()
+                          ? tr("Cylinder enlarged to fit: radius %1, length %2")
+                                .arg(millimetres(cylinder.radius_m), millimetres(cylinder.length_m))
+                          : tr("Cylinder: radius %1, length %2")
+                                .arg(millimetres(cylinder.radius_m), millimetres(cylinder.length_m));
+        }
+        if (!scene.marks().empty()) {
+            legend += tr("Longest arrow: %1")
+                          .arg(base::withUnit(QLocale().toString(scene.forceRange_N(), 'g', 3),
+                                              QString::fromStdString(scene.snapshot().loadUnit)));
+        }
+    }
+    if (grid) {
+        legend += tr("Grid: %1").arg(millimetres(scene.gridSpacing_m()));
+    }
+    return legend;
+}
+
+} // namespace teleta::view3d

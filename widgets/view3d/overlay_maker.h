@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/base/number_format.h"
+#include "widgets/view3d/scene_camera.h"
+#include "widgets/view3d/scene_overlay.h"
+#include "widgets/view3d/touch_scene.h"
+
+#include <QCoreApplication>
+
+#include <map>
+
+namespace teleta::view3d {
+
+/// Place of a point of the world in the picture, as shares of its width and height from the top left; empty
+/// behind the camera.
+[[nodiscard]] std::optional<QPointF> placeInPicture(vtkRenderer& renderer, const Eigen::Vector3d& p_World);
+
+/// Writes down what the picture of a scene needs as text. Forces change only by a full step of what is shown.
+/// Thread: GUI.
+class OverlayMaker {
+    Q_DECLARE_TR_FUNCTIONS(OverlayMaker)
+public:
+    struct Request {
+        QFont font;
+        base::Provenance provenance = base::Provenance::live;
+        QString emptyText;
+        QString shapeLabel;
+        bool contactLabels = true;
+        bool grid = true;
+    };
+
+    [[nodiscard]] OverlayContent make(const TouchScene& scene, const SceneCamera& camera,
+                                      const Request& request);
+
+private:
+    void addContacts(const TouchScene& scene, OverlayContent& content);
+    [[nodiscard]] static QStringList legendOf(const TouchScene& scene, bool grid);
+
+    std::map<int, base::SteadyNumber> m_forces; ///< by identity
+};
+
+} // namespace teleta::view3d

@@ -1,0 +1,599 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view3d/scene3d_view.h"
+
+#include "widgets/base/figure_export.h"
+#include "widgets/base/number_format.h"
+#include "widgets/base/theme.h"
+#include "widgets/view3d/geometry_export.h"
+#include "widgets/view3d/overlay_maker.h"
+#include "widgets/view3d/scene_camera.h"
+#include "widgets/view3d/touch_scene.h"
+#include "widgets/view3d/view_icons.h"
+#include "widgets/view3d/vtk_widget.h"
+
+#include <QActionGroup>
+#include <QEvent>
+#include <QFileDialog>
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QMenu>
+#include <QPainter>
+#include <QToolBar>
+#include <QToolTip>
+#include <QVBoxLayout>
+
+#include <vtkRenderWindow.h>
+#include <vtkRenderWindowInteractor.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace teleta::view3d {
+
+namespace {
+
+constexpr double kTurnStep_rad = 15.0 * std::numbers::pi / 180.0;
+constexpr double kPanStep = 0.08;
+constexpr double kZoomStep = 1.2;
+constexpr double kPictureScale = 2.0;
+
+struct PresetAction {
+    CameraPreset preset;
+    ViewIcon icon;
+    Qt::Key key;
+};
+constexpr std::array<PresetAction, 4> kPresets = {
+    {{CameraPreset::front, ViewIcon::front, Qt::Key_1},
+     {CameraPreset::top, ViewIcon::top, Qt::Key_2},
+     {CameraPreset::side, ViewIcon::side, Qt::Key_3},
+     {CameraPreset::isometric, ViewIcon::isometric, Qt::Key_4}}};
+
+constexpr std::array<const char*, Scene3dView::kLayers> kLayerKeys = {"grid", "axes", "displacement",
+                                                                      "contactLabels"};
+
+} // namespace
+
+struct Scene3dView::Parts {
+    explicit Parts(Scene3dView* view)
+        : scene(SceneColours(view->palette()))
+        , camera(scene.renderer())
+        , vtk(new VtkWidget(view))
+        , toolBar(new QToolBar(view))
+        , figures(view, [this] { return figure(); }) {}
+
+    [[nodiscard]] OverlayContent overlay() {
+        return overlayMaker.make(scene, camera,
+                                 {.font = vtk->font(),
+                                  .provenance = provenance,
+                                  .emptyText = emptyText,
+                                  .shapeLabel = shapeLabel,
+                                  .contactLabels = layers[3]->isChecked(),
+                                  .grid = layers[0]->isChecked()});
+    }
+
+    [[nodiscard]] base::Figure figure();
+    [[nodiscard]] QString csv() const;
+
+    TouchScene scene;
+    SceneCamera camera;
+    OverlayMaker overlayMaker;
+    vtkNew<OrbitStyle> style;
+    VtkWidget* vtk;
+    QToolBar* toolBar;
+    base::FigureExport figures;
+
+    base::Provenance provenance = base::Provenance::live;
+    QString emptyText;
+    QString shapeLabel;
+    bool emptyTextIsOwn = true;
+    double lastTime_s = 0.0;
+
+    QActionGroup* surfaces = nullptr;
+    QAction* plate = nullptr;
+    QAction* cylinder = nullptr;
+    std::array<QAction*, kPresets.size()> presets{};
+    QAction* reset = nullptr;
+    QAction* follow = nullptr;
+    QAction* parallel = nullptr;
+    std::array<QAction*, kLayers> layers{};
+    QAction* copyPicture = nullptr;
+    QAction* saveGeometry = nullptr;
+};
+
+base::Figure Scene3dView::Parts::figure() {
+    // For paper: drawn anew in the light colours, and put back.
+    const SceneColours shown = scene.colours();
+    scene.applyColours(SceneColours(base::designedPalette(false)));
+    scene.draw();
+    const QImage picture = vtk->picture(kPictureScale, VtkWidget::PictureOverlay::without);
+    const OverlayContent content = overlay();
+    scene.applyColours(shown);
+    scene.draw();
+    return {.name = Scene3dView::tr("touch 3-D"),
+            .size_px = vtk->size(),
+            .paint =
+                [picture, content, size = QSizeF(vtk->size())](QPainter& painter) {
+                    painter.drawImage(QRectF(QPointF(), size), picture);
+                    paintOverlay(painter, size, content);
+                },
+            .csv = [text = csv()] { return text; }};
+}
+
+QString Scene3dView::Parts::csv() const {
+    QString text = QStringLiteral("time_s,contact_id,x_m,y_m,force_n,peak_n,area_m2\n");
+    for (const ContactMark& mark : scene.marks()) {
+        const contact::Contact& c = mark.contact;
+        QStringList row = {QString::number(scene.snapshot().sourceTime_s, 'g', 12), QString::number(c.id)};
+        for (const double value : {c.x_m, c.y_m, c.force_N, c.peak_N, c.area_m2}) {
+            row += QString::number(value, 'g', 9);
+        }
+        text += row.join(QLatin1Char(',')) + QLatin1Char('\n');
+    }
+    return text;
+}
+
+Scene3dView::Scene3dView(QWidget* parent)
+    : QWidget(parent)
+    , m_parts(std::make_unique<Parts>(this)) {
+    Parts& parts = *m_parts;
+    makeActions();
+    makeToolBar();
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(parts.toolBar);
+    layout->addWidget(parts.vtk, 1);
+    setFocusProxy(parts.vtk);
+
+    parts.vtk->renderWindow()->AddRenderer(parts.scene.renderer());
+    parts.vtk->interactor()->SetInteractorStyle(parts.style);
+    parts.style->setCamera(&parts.camera);
+    parts.camera.onChange([this] { m_parts->vtk->requestRender(); });
+    parts.vtk->setOverlay(
+        [this](QPainter& painter, const QSizeF& size) { paintOverlay(painter, size, m_parts->overlay()); });
+    connect(parts.vtk, &VtkWidget::pixelScaleChanged, this,
+            [this](double scale) { m_parts->scene.applyPixelScale(scale); });
+    connect(parts.vtk, &VtkWidget::menuRequested, this, [this](const QPoint& position) {
+        auto* menu = new QMenu(this);
+        menu->setAttribute(Qt::WA_DeleteOnClose);
+        fillMenu(*menu);
+        menu->popup(position);
+    });
+    connect(&parts.figures, &base::FigureExport::saved, this, &Scene3dView::saved);
+    connect(&parts.figures, &base::FigureExport::failed, this, &Scene3dView::failed);
+    retranslate();
+    sceneMoved(true);
+}
+
+Scene3dView::~Scene3dView() {
+    // The widget draws with the scene and must go before it.
+    m_parts->camera.onChange({});
+    m_parts->vtk->setOverlay({});
+    m_parts->vtk->renderWindow()->RemoveRenderer(m_parts->scene.renderer());
+    delete m_parts->vtk;
+}
+
+void Scene3dView::makeActions() {
+    Parts& parts = *m_parts;
+    const auto make = [this](ViewIcon icon, const QList<QKeySequence>& keys, bool checkable) {
+        auto* action = new QAction(viewIcon(icon), {}, this);
+        action->setShortcuts(keys);
+        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+        action->setCheckable(checkable);
+        addAction(action);
+        return action;
+    };
+    parts.surfaces = new QActionGroup(this);
+    parts.plate = make(ViewIcon::plate, {}, true);
+    parts.cylinder = make(ViewIcon::cylinder, {}, true);
+    parts.surfaces->addAction(parts.plate);
+    parts.surfaces->addAction(parts.cylinder);
+    parts.plate->setChecked(true);
+    connect(parts.plate, &QAction::triggered, this, [this] { setSurface(Surface::plate); });
+    connect(parts.cylinder, &QAction::triggered, this, [this] { setSurface(Surface::cylinder); });
+    for (std::size_t i = 0; i < kPresets.size(); ++i) {
+        parts.presets[i] = make(kPresets[i].icon, {QKeySequence(kPresets[i].key)}, false);
+        connect(parts.presets[i], &QAction::triggered, this, [this, i] { look(kPresets[i].preset); });
+    }
+    parts.reset = make(ViewIcon::reset, {QKeySequence(Qt::Key_Home), QKeySequence(Qt::Key_R)}, false);
+    connect(parts.reset, &QAction::triggered, this, &Scene3dView::resetView);
+    parts.follow = make(ViewIcon::follow, {QKeySequence(Qt::Key_F)}, true);
+    parts.parallel = make(ViewIcon::parallel, {QKeySequence(Qt::Key_5)}, true);
+    connect(parts.parallel, &QAction::toggled, this, [this](bool on) { m_parts->camera.setParallel(on); });
+    parts.layers = {make(ViewIcon::grid, {}, true), make(ViewIcon::axes, {}, true),
+                    make(ViewIcon::displacement, {}, true), new QAction(this)};
+    parts.layers[3]->setCheckable(true);
+    for (QAction* layer : parts.layers) {
+        layer->setChecked(true);
+        connect(layer, &QAction::toggled, this, [this] {
+            Parts& p = *m_parts;
+            p.scene.setGridShown(p.layers[0]->isChecked());
+            p.scene.setAxesShown(p.layers[1]->isChecked());
+            p.scene.setDisplacementShown(p.layers[2]->isChecked());
+            p.vtk->requestRender();
+        });
+    }
+    parts.copyPicture = new QAction(this);
+    parts.copyPicture->setShortcut(QKeySequence::Copy);
+    parts.copyPicture->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    addAction(parts.copyPicture);
+    connect(parts.copyPicture, &QAction::triggered, this, [this] { base::copyPicture(m_parts->figure()); });
+    parts.saveGeometry = make(ViewIcon::geometry, {}, false);
+    connect(parts.saveGeometry, &QAction::triggered, this, &Scene3dView::askForGeometryFile);
+}
+
+void Scene3dView::makeToolBar() {
+    Parts& parts = *m_parts;
+    parts.toolBar->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    const int side = base::em(this, 1.25);
+    parts.toolBar->setIconSize(QSize(side, side));
+    parts.toolBar->addActions({parts.plate, parts.cylinder});
+    parts.toolBar->addSeparator();
+    for (QAction* preset : parts.presets) {
+        parts.toolBar->addAction(preset);
+    }
+    parts.toolBar->addAction(parts.reset);
+    parts.toolBar->addSeparator();
+    parts.toolBar->addActions({parts.follow, parts.parallel});
+    parts.toolBar->addSeparator();
+    parts.toolBar->addActions({parts.layers[0], parts.layers[1], parts.layers[2]});
+}
+
+void Scene3dView::retranslate() {
+    Parts& parts = *m_parts;
+    const auto name = [](QAction* action, const QString& text, const QString& help) {
+        action->setText(text);
+        const QString key = action->shortcut().toString(QKeySequence::NativeText);
+        action->setToolTip(key.isEmpty() ? help : tr("%1 (%2)").arg(help, key));
+        action->setWhatsThis(help);
+    };
+    name(parts.plate, tr("Flat array"), tr("Show the array flat, as it is"));
+    name(parts.cylinder, tr("Wrapped on the cylinder"), tr("Wrap the array around the tactile cylinder"));
+    name(parts.presets[0], tr("Front"), tr("Look from the front"));
+    name(parts.presets[1], tr("Top"), tr("Look from above"));
+    name(parts.presets[2], tr("Side"), tr("Look from the right"));
+    name(parts.presets[3], tr("Isometric"), tr("Look from a corner"));
+    name(parts.reset, tr("Show all"), tr("Back to the start: everything from a corner"));
+    name(parts.follow, tr("Follow contact"), tr("Keep the strongest contact in the middle"));
+    name(parts.parallel, tr("Orthographic"), tr("Parallel lines stay parallel: no perspective"));
+    name(parts.layers[0], tr("Grid"), tr("Show the ground with a grid in millimetres"));
+    name(parts.layers[1], tr("Axes"), tr("Show the axes of the array's frame"));
+    name(parts.layers[2], tr("Displacement"), tr("Show how far each contact moved since it began"));
+    name(parts.layers[3], tr("Contact labels"), tr("Show number and force at each contact"));
+    name(parts.copyPicture, tr("Copy picture"), tr("Copy the picture"));
+    name(parts.saveGeometry, tr("Export geometry…"), tr("Save the scene for other programs: VTP, PLY, STL"));
+    parts.toolBar->setAccessibleName(tr("3-D view"));
+    parts.vtk->setAccessibleName(tr("Touch in 3-D"));
+    parts.vtk->setWhatsThis(
+        tr("The tactile array with its loads as heights and colours, contacts with force "
+           "arrows, the arm and the explored contour. Drag with the left button to turn, with "
+           "the middle button to move, turn the wheel to zoom."));
+    if (parts.emptyTextIsOwn) {
+        parts.emptyText = tr("No touch to show yet.");
+    }
+}
+
+void Scene3dView::fillMenu(QMenu& menu) {
+    Parts& parts = *m_parts;
+    for (QAction* preset : parts.presets) {
+        menu.addAction(preset);
+    }
+    menu.addAction(parts.reset);
+    menu.addSeparator();
+    menu.addActions({parts.plate, parts.cylinder});
+    menu.addSeparator();
+    menu.addActions({parts.follow, parts.parallel});
+    menu.addSeparator();
+    for (QAction* layer : parts.layers) {
+        menu.addAction(layer);
+    }
+    menu.addSeparator();
+    parts.figures.addActions(menu);
+    menu.addAction(parts.saveGeometry);
+}
+
+void Scene3dView::setSnapshot(const pipeline::TouchSnapshot& snapshot) {
+    Parts& parts = *m_parts;
+    if (!parts.vtk->canRender()) {
+        return;
+    }
+    switch (parts.scene.take(snapshot)) {
+    case TouchScene::Taken::same:
+        return;
+    case TouchScene::Taken::refused:
+        clear();
+        return;
+    case TouchScene::Taken::fresh:
+        break;
+    }
+    if (isVisible()) {
+        refresh();
+    }
+}
+
+void Scene3dView::refresh() {
+    Parts& parts = *m_parts;
+    if (parts.scene.draw()) {
+        sceneMoved(true);
+    }
+    const double time_s = parts.scene.snapshot().sourceTime_s;
+    if (isFollowing() && !parts.scene.marks().empty()) {
+        parts.camera.follow(parts.scene.toWorld(parts.scene.marks().front().p_Sensor_Foot),
+                            time_s - parts.lastTime_s);
+    }
+    parts.lastTime_s = time_s;
+    parts.vtk->requestRender();
+}
+
+void Scene3dView::sceneMoved(bool refit) {
+    m_parts->camera.setScene(m_parts->scene.corners(), refit);
+}
+
+void Scene3dView::clear() {
+    if (m_parts->scene.hasSensor()) {
+        m_parts->scene.clear();
+        sceneMoved(true);
+    }
+}
+
+void Scene3dView::setEmptyText(const QString& text) {
+    m_parts->emptyText = text;
+    m_parts->emptyTextIsOwn = false;
+    m_parts->vtk->requestRender();
+}
+
+void Scene3dView::setProvenance(base::Provenance provenance) {
+    if (provenance != m_parts->provenance) {
+        m_parts->provenance = provenance;
+        m_parts->vtk->requestRender();
+    }
+}
+
+void Scene3dView::setFixedRange(std::optional<double> top) {
+    if (!top || (std::isfinite(*top) && *top > 0.0)) {
+        m_parts->scene.setFixedRange(top);
+        refresh();
+    }
+}
+
+void Scene3dView::setSurface(Surface surface) {
+    Parts& parts = *m_parts;
+    (surface == Surface::plate ? parts.plate : parts.cylinder)->setChecked(true);
+    if (surface != parts.scene.surface()) {
+        parts.scene.setSurface(surface);
+        refresh();
+        emit surfaceChanged(surface);
+    }
+}
+
+Surface Scene3dView::surface() const {
+    return m_parts->scene.surface();
+}
+
+void Scene3dView::setCylinder(const CylinderSize& cylinder) {
+    const auto usable = [](double length_m) { return std::isfinite(length_m) && length_m > 0.0; };
+    if (usable(cylinder.radius_m) && usable(cylinder.length_m)) {
+        m_parts->scene.setCylinder(cylinder);
+        refresh();
+    }
+}
+
+void Scene3dView::setSensorPose(const Eigen::Isometry3d& X_World_Sensor) {
+    m_parts->scene.setSensorPose(X_World_Sensor);
+    sceneMoved(false);
+}
+
+void Scene3dView::setContour(std::span<const Eigen::Vector3d> points_m,
+                             std::span<const Eigen::Vector3d> curve_m,
+                             std::span<const Eigen::Vector3d> vertices_m, const QString& label) {
+    const bool wasEmpty = m_parts->scene.contourBox_m().isEmpty();
+    m_parts->shapeLabel = label;
+    m_parts->scene.setContour(points_m, curve_m, vertices_m);
+    sceneMoved(wasEmpty != m_parts->scene.contourBox_m().isEmpty());
+}
+
+void Scene3dView::setArmLinks(std::span<const ArmLink> links) {
+    const bool wasEmpty = m_parts->scene.armBox_m().isEmpty();
+    m_parts->scene.setArmLinks(links);
+    sceneMoved(wasEmpty != m_parts->scene.armBox_m().isEmpty());
+}
+
+void Scene3dView::look(CameraPreset preset) {
+    m_parts->camera.look(preset);
+}
+
+const Orbit& Scene3dView::orbit() const {
+    return m_parts->camera.orbit();
+}
+
+void Scene3dView::resetView() {
+    setFollowing(false);
+    look(CameraPreset::isometric);
+}
+
+void Scene3dView::setFollowing(bool following) {
+    m_parts->follow->setChecked(following);
+}
+
+bool Scene3dView::isFollowing() const {
+    return m_parts->follow->isChecked();
+}
+
+void Scene3dView::setParallel(bool parallel) {
+    m_parts->parallel->setChecked(parallel);
+}
+
+bool Scene3dView::isParallel() const {
+    return m_parts->camera.isParallel();
+}
+
+QAction* Scene3dView::layerAction(Layer layer) const {
+    return m_parts->layers[static_cast<std::size_t>(layer)];
+}
+
+QVariantMap Scene3dView::viewState() const {
+    QVariantMap state = {{QStringLiteral("cylinder"), surface() == Surface::cylinder},
+                         {QStringLiteral("parallel"), isParallel()},
+                         {QStringLiteral("following"), isFollowing()}};
+    for (std::size_t i = 0; i < kLayers; ++i) {
+        state.insert(QLatin1String(kLayerKeys[i]), m_parts->layers[i]->isChecked());
+    }
+    return state;
+}
+
+void Scene3dView::restoreViewState(const QVariantMap& state) {
+    const auto flag = [&](const char* key, bool now) {
+        return state.value(QLatin1String(key), now).toBool();
+    };
+    setSurface(flag("cylinder", surface() == Surface::cylinder) ? Surface::cylinder : Surface::plate);
+    setParallel(flag("parallel", isParallel()));
+    setFollowing(flag("following", isFollowing()));
+    for (std::size_t i = 0; i < kLayers; ++i) {
+        m_parts->layers[i]->setChecked(flag(kLayerKeys[i], m_parts->layers[i]->isChecked()));
+    }
+}
+
+core::Expected<void> Scene3dView::saveGeometry(const QString& path) const {
+    m_parts->scene.draw();
+    return exportGeometry(m_parts->scene.worldMeshes(), path);
+}
+
+void Scene3dView::askForGeometryFile() {
+    auto* dialog = new QFileDialog(this, tr("Export geometry (in mm)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setNameFilters({tr("VTK, with colours and lines (*.vtp)"), tr("Triangles with colours (*.ply)"),
+                            tr("Triangles (*.stl)")});
+    dialog->setDefaultSuffix(QStringLiteral("vtp"));
+    connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
+        dialog->setDefaultSuffix(filter.section(QLatin1String("*."), 1).left(3));
+    });
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+        if (const auto written = saveGeometry(path); written) {
+            emit saved(path);
+        } else {
+            emit failed(QString::fromStdString(core::describe(written.error())));
+        }
+    });
+    dialog->open();
+}
+
+VtkWidget& Scene3dView::vtkWidget() const {
+    return *m_parts->vtk;
+}
+
+QString Scene3dView::contactTextAt(const QPoint& position) const {
+    const Parts& parts = *m_parts;
+    const double reach_px = 1.2 * fontMetrics().height();
+    const ContactMark* nearest = nullptr;
+    double nearest_px = reach_px;
+    for (const ContactMark& mark : parts.scene.marks()) {
+        if (const auto place =
+                placeInPicture(*parts.scene.renderer(), parts.scene.toWorld(mark.p_Sensor_Foot))) {
+            const QPointF at(place->x() * parts.vtk->width(), place->y() * parts.vtk->height());
+            const QPointF away = at - QPointF(position);
+            if (const double distance_px = std::hypot(away.x(), away.y()); distance_px < nearest_px) {
+                nearest_px = distance_px;
+                nearest = &mark;
+            }
+        }
+    }
+    if (nearest == nullptr) {
+        return {};
+    }
+    const contact::Contact& c = nearest->contact;
+    const QString unit = QString::fromStdString(parts.scene.snapshot().loadUnit);
+    return tr("Contact %1\nForce %2, peak %3\nx %4, y %5\nArea %6")
+        .arg(c.id)
+        .arg(base::withUnit(base::threeDigits(c.force_N), unit),
+             base::withUnit(base::threeDigits(c.peak_N), unit),
+             base::withUnit(base::threeDigits(c.x_m * 1e3), QStringLiteral("mm")),
+             base::withUnit(base::threeDigits(c.y_m * 1e3), QStringLiteral("mm")),
+             base::withUnit(base::threeDigits(c.area_m2 * 1e6), QStringLiteral("mm²")));
+}
+
+bool Scene3dView::event(QEvent* event) {
+    if (event->type() == QEvent::ToolTip) {
+        const auto* help = static_cast<QHelpEvent*>(event);
+        const QString text = contactTextAt(m_parts->vtk->mapFromGlobal(help->globalPos()));
+        text.isEmpty() ? QToolTip::hideText() : QToolTip::showText(help->globalPos(), text, this);
+        return true;
+    }
+    return QWidget::event(event);
+}
+
+void Scene3dView::changeEvent(QEvent* event) {
+    switch (event->type()) {
+    case QEvent::PaletteChange:
+        applyPalette();
+        break;
+    case QEvent::LanguageChange:
+        retranslate();
+        m_parts->vtk->requestRender();
+        break;
+    case QEvent::FontChange: {
+        const int side = base::em(this, 1.25);
+        m_parts->toolBar->setIconSize(QSize(side, side));
+        m_parts->vtk->requestRender();
+        break;
+    }
+    default:
+        break;
+    }
+    QWidget::changeEvent(event);
+}
+
+void Scene3dView::applyPalette() {
+    m_parts->scene.applyColours(SceneColours(palette()));
+    refresh();
+}
+
+void Scene3dView::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    refresh(); // what was missed while hidden
+}
+
+void Scene3dView::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    layout()->activate();
+    if (!m_parts->vtk->size().isEmpty()) {
+        m_parts->camera.setAspect(static_cast<double>(m_parts->vtk->width()) / m_parts->vtk->height());
+    }
+}
+
+void Scene3dView::keyPressEvent(QKeyEvent* event) {
+    SceneCamera& camera = m_parts->camera;
+    const bool move = event->modifiers().testFlag(Qt::ShiftModifier);
+    const auto step = [&](double right, double up) {
+        move ? camera.pan(kPanStep * right, kPanStep * up)
+             : camera.turn(-kTurnStep_rad * right, -kTurnStep_rad * up);
+    };
+    switch (event->key()) {
+    case Qt::Key_Left:
+        step(-1.0, 0.0);
+        break;
+    case Qt::Key_Right:
+        step(1.0, 0.0);
+        break;
+    case Qt::Key_Up:
+        step(0.0, 1.0);
+        break;
+    case Qt::Key_Down:
+        step(0.0, -1.0);
+        break;
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+        camera.zoom(kZoomStep);
+        break;
+    case Qt::Key_Minus:
+        camera.zoom(1.0 / kZoomStep);
+        break;
+    default:
+        QWidget::keyPressEvent(event);
+        return;
+    }
+    event->accept();
+}
+
+} // namespace teleta::view3d

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view3d/scene_camera.h"
+
+#include <Eigen/Geometry>
+#include <vtkCamera.h>
+#include <vtkObjectFactory.h>
+#include <vtkRenderer.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderWindowInteractor.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace teleta::view3d {
+
+namespace {
+
+constexpr double kViewAngle_rad = 30.0 * std::numbers::pi / 180.0;
+constexpr double kFill = 0.86;
+constexpr double kLeastRadius_m = 1e-4;
+constexpr double kFollowTime_s = 0.3;
+/// The target may wander this far from the middle, as a share of the visible height, before the camera moves.
+constexpr double kFollowRest = 0.04;
+constexpr double kNearest = 1e-3; ///< near plane over far plane
+
+} // namespace
+
+SceneCamera::SceneCamera(vtkRenderer* renderer)
+    : m_renderer(renderer) {
+    apply();
+}
+
+void SceneCamera::setScene(std::vector<Eigen::Vector3d> corners_m, bool refit) {
+    m_corners_m = std::move(corners_m);
+    if (m_fitted && refit) {
+        fit();
+    }
+    apply();
+}
+
+void SceneCamera::setAspect(double aspect) {
+    if (aspect > 0.0 && aspect != m_aspect) {
+        m_aspect = aspect;
+        if (m_fitted) {
+            fit();
+        }
+        apply();
+    }
+}
+
+void SceneCamera::look(CameraPreset preset) {
+    m_orbit = orbitOf(preset);
+    fit();
+    apply();
+}
+
+void SceneCamera::turn(double azimuthStep_rad, double elevationStep_rad) {
+    m_orbit = m_orbit.turned(azimuthStep_rad, elevationStep_rad);
+    apply();
+}
+
+void SceneCamera::pan(double right, double up) {
+    m_fitted = false;
+    const Eigen::Vector3d upward = m_orbit.up();
+    const Eigen::Vector3d rightward = upward.cross(m_orbit.direction());
+    m_focal_m -= visibleHeight_m() * (right * rightward + up * upward);
+    apply();
+}
+
+void SceneCamera::zoom(double factor) {
+    if (!(factor > 0.0)) {
+        return;
+    }
+    m_fitted = false;
+    m_distance_m = std::clamp(m_distance_m / factor, kLeastRadius_m, 1e4);
+    apply();
+}
+
+void SceneCamera::setParallel(bool parallel) {
+    m_parallel = parallel;
+    if (m_fitted) {
+        fit();
+    }
+    apply();
+}
+
+void SceneCamera::follow(const Eigen::Vector3d& target_m, double elapsed_s) {
+    if (!target_m.allFinite()) {
+        return;
+    }
+    const Eigen::Vector3d way_m = target_m - m_focal_m;
+    const double rest_m = kFollowRest * visibleHeight_m();
+    if (way_m.norm() <= rest_m) {
+        return;
+    }
+    m_fitted = false;
+    const double share = -std::expm1(-std::clamp(elapsed_s, 0.0, 1.0) / kFollowTime_s);
+    m_focal_m += share * (1.0 - rest_m / way_m.norm()) * way_m;
+    apply();
+}
+
+double SceneCamera::visibleHeight_m() const {
+    return 2.0 * m_distance_m * std::tan(0.5 * kViewAngle_rad);
+}
+
+void SceneCamera::fit() {
+    m_fitted = true;
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& corner : m_corners_m) {
+        box.extend(corner);
+    }
+    m_focal_m = box.isEmpty() ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : Eigen::Vector3d(box.center());
+    const CameraFit fitted =
+        fitCamera(m_orbit, m_focal_m, m_corners_m, kViewAngle_rad, m_aspect, kFill, kLeastRadius_m);
+    // One distance serves both projections, so that switching keeps the size at the focal point.
+    m_distance_m =
+        m_parallel ? fitted.parallelHalfHeight_m / std::tan(0.5 * kViewAngle_rad) : fitted.distance_m;
+}
+
+void SceneCamera::apply() {
+    const Eigen::Vector3d position_m = m_focal_m + m_distance_m * m_orbit.direction();
+    const Eigen::Vector3d up = m_orbit.up();
+    vtkCamera* camera = m_renderer->GetActiveCamera();
+    camera->SetViewAngle(kViewAngle_rad * 180.0 / std::numbers::pi);
+    camera->SetFocalPoint(m_focal_m.x(), m_focal_m.y(), m_focal_m.z());
+    camera->SetPosition(position_m.x(), position_m.y(), position_m.z());
+    camera->SetViewUp(up.x(), up.y(), up.z());
+    camera->SetParallelProjection(m_parallel);
+    camera->SetParallelScale(0.5 * visibleHeight_m());
+    // Planes around the scene and its ground, which is larger; loads and arrows stay inside.
+    double radius_m = kLeastRadius_m;
+    for (const Eigen::Vector3d& corner : m_corners_m) {
+        radius_m = std::max(radius_m, (corner - m_focal_m).norm());
+    }
+    const double far_m = m_distance_m + 4.0 * radius_m;
+    camera->SetClippingRange(std::max(m_distance_m - 4.0 * radius_m, kNearest * far_m), far_m);
+    if (m_changed) {
+        m_changed();
+    }
+}
+
+vtkStandardNewMacro(OrbitStyle);
+
+std::optional<Eigen::Vector2d> OrbitStyle::movedShare() const {
+    vtkRenderWindowInteractor* interactor = this->Interactor;
+    const int* size = interactor->GetRenderWindow()->GetSize();
+    if (m_camera == nullptr || size[1] <= 0) {
+        return {};
+    }
+    return Eigen::Vector2d(interactor->GetEventPosition()[0] - interactor->GetLastEventPosition()[0],
+                           interactor->GetEventPosition()[1] - interactor->GetLastEventPosition()[1]) /
+           size[1];
+}
+
+void OrbitStyle::Rotate() {
+    if (const auto moved = movedShare()) {
+        // Across the height of the picture by half a turn.
+        m_camera->turn(-std::numbers::pi * moved->x(), -std::numbers::pi * moved->y());
+    }
+}
+
+void OrbitStyle::Pan() {
+    if (const auto moved = movedShare()) {
+        m_camera->pan(moved->x(), moved->y());
+    }
+}
+
+void OrbitStyle::Dolly() {
+    if (const auto moved = movedShare()) {
+        m_camera->zoom(std::exp(3.0 * moved->y()));
+    }
+}
+
+void OrbitStyle::Dolly(double factor) {
+    if (m_camera != nullptr) {
+        m_camera->zoom(factor);
+    }
+}
+
+} // namespace teleta::view3d

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view3d/scene_overlay.h"
+
+#include "widgets/base/colour_maps.h"
+#include "widgets/base/number_format.h"
+#include "widgets/base/tabular_text.h"
+#include "widgets/base/theme.h"
+
+#include <QFontMetricsF>
+#include <QLinearGradient>
+#include <QLocale>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace teleta::view3d {
+
+namespace {
+
+constexpr double kLegendFrom = 15.0; ///< height in em
+
+class OverlayPainter {
+public:
+    OverlayPainter(QPainter& painter, const QSizeF& size, const OverlayContent& content)
+        : m_painter(painter)
+        , m_size(size)
+        , m_content(content)
+        , m_font(base::sized(content.font, base::kSmallText))
+        , m_metrics(m_font)
+        , m_em(QFontMetricsF(content.font).height())
+        , m_margin(0.5 * m_em) {
+        m_painter.setFont(m_font);
+    }
+
+    void paint() {
+        paintBadge();
+        if (!m_content.emptyText.isEmpty()) {
+            m_painter.setFont(m_content.font);
+            m_painter.setPen(m_content.faintText);
+            m_painter.drawText(QRectF(QPointF(), m_size).adjusted(m_em, m_em, -m_em, -m_em),
+                               Qt::AlignCenter | Qt::TextWordWrap, m_content.emptyText);
+            return;
+        }
+        for (const OverlayLabel& label : m_content.labels) {
+            label.boxed ? paintCard(label) : paintText(label);
+        }
+        paintColourBar();
+        const double left = m_content.orientationShown ? paintOrientation() : m_margin;
+        paintLegend(left);
+    }
+
+private:
+    void paintBadge() {
+        const QString text = base::provenanceText(m_content.provenance);
+        if (text.isEmpty()) {
+            return;
+        }
+        const QRectF rect(QPointF(m_margin, m_margin), base::badgeSize(m_content.font, text));
+        m_painter.setFont(m_content.font);
+        base::paintBadge(m_painter, rect, text, m_content.provenanceColour);
+        m_painter.setFont(m_font);
+    }
+
+    [[nodiscard]] QPointF placed(const OverlayLabel& label) const {
+        return {label.place.x() * m_size.width(), label.place.y() * m_size.height()};
+    }
+
+    void paintText(const OverlayLabel& label) {
+        m_painter.setPen(label.colour);
+        const QSizeF room(m_metrics.horizontalAdvance(label.text), m_metrics.height());
+        const QPointF middle = placed(label);
+        m_painter.drawText(QRectF(middle - QPointF(0.5 * room.width(), 0.5 * room.height()), room),
+                           Qt::AlignCenter, label.text);
+    }
+
+    void paintCard(const OverlayLabel& label) {
+        const double dot = 0.55 * m_metrics.height();
+        const double pad = 0.3 * m_metrics.height();
+        const QSizeF room(base::tabularWidth(m_metrics, label.text) + dot + 3.0 * pad,
+                          m_metrics.height() * 1.2);
+        const QPointF foot = placed(label);
+        QRectF rect(foot - QPointF(0.5 * room.width(), room.height() + 0.4 * m_em), room);
+        rect.moveLeft(
+            std::clamp(rect.left(), m_margin, std::max(m_margin, m_size.width() - m_margin - room.width())));
+        rect.moveTop(
+            std::clamp(rect.top(), m_margin, std::max(m_margin, m_size.height() - m_margin - room.height())));
+        for (std::size_t tries = 0; tries <= m_cards.size(); ++tries) {
+            const auto hit = std::find_if(m_cards.begin(), m_cards.end(),
+                                          [&](const QRectF& other) { return other.intersects(rect); });
+            if (hit == m_cards.end()) {
+                break;
+            }
+            rect.moveBottom(hit->top() - 2.0);
+        }
+        if (rect.top() < 0.0) {
+            return; // no room left
+        }
+        m_cards.push_back(rect);
+        m_painter.setPen(QPen(label.colour, 1.0));
+        m_painter.setBrush(m_content.card);
+        m_painter.drawRoundedRect(rect, 3.0, 3.0);
+        m_painter.setPen(Qt::NoPen);
+        m_painter.setBrush(label.colour);
+        m_painter.drawEllipse(QRectF(rect.left() + pad, rect.center().y() - 0.5 * dot, dot, dot));
+        m_painter.setPen(m_content.text);
+        base::drawTabularText(m_painter, rect.adjusted(2.0 * pad + dot, 0.0, -pad, 0.0),
+                              Qt::AlignLeft | Qt::AlignVCenter, label.text);
+    }
+
+    void paintColourBar() {
+        const double height = std::min(0.4 * m_size.height(), 10.0 * m_em);
+        const double width = 0.7 * m_em;
+        if (!(m_content.loadRange > 0.0) || height < 3.0 * m_em || m_size.width() < 12.0 * m_em) {
+            return;
+        }
+        const double top = m_margin + m_metrics.height() + 0.4 * m_em;
+        const QRectF bar(m_size.width() - m_margin - width, top, width, height);
+        QLinearGradient ramp(bar.bottomLeft(), bar.topLeft());
+        constexpr int kStops = 16;
+        for (int i = 0; i <= kStops; ++i) {
+            const double share = static_cast<double>(i) / kStops;
+            ramp.setColorAt(share, QColor(base::colourAt(base::cividis(), share)));
+        }
+        m_painter.setPen(Qt::NoPen);
+        m_painter.setBrush(ramp);
+        m_painter.drawRect(bar);
+        m_painter.setPen(m_content.text);
+        const double textWidth = 8.0 * m_em;
+        constexpr int kTicks = 2;
+        for (int i = 0; i <= kTicks; ++i) {
+            const double share = static_cast<double>(i) / kTicks;
+            const double y = bar.bottom() - share * height;
+            const QString text = QLocale().toString(share * m_content.loadRange, 'g', 3);
+            m_painter.drawText(QRectF(bar.left() - 0.3 * m_em - textWidth, y - m_em, textWidth, 2.0 * m_em),
+                               Qt::AlignRight | Qt::AlignVCenter, text);
+        }
+        m_painter.setPen(m_content.faintText);
+        m_painter.drawText(QRectF(bar.right() - textWidth, m_margin, textWidth, m_metrics.height()),
+                           Qt::AlignRight | Qt::AlignVCenter, m_content.loadUnit);
+    }
+
+    /// Returns where the room on its right begins.
+    double paintOrientation() {
+        const double arm = 1.7 * m_em;
+        const QPointF centre(m_margin + 2.3 * m_em, m_size.height() - m_margin - 2.3 * m_em);
+        std::array<std::size_t, 3> order{};
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+            return m_content.orientation[a][2] < m_content.orientation[b][2];
+        });
+        static const std::array<QString, 3> names = {QStringLiteral("x"), QStringLiteral("y"),
+                                                     QStringLiteral("z")};
+        for (const std::size_t axis : order) {
+            const QPointF way(m_content.orientation[axis][0], -m_content.orientation[axis][1]);
+            const QPointF tip = centre + arm * way;
+            m_painter.setPen(QPen(m_content.axisColours[axis], 0.13 * m_em, Qt::SolidLine, Qt::RoundCap));
+            m_painter.drawLine(centre, tip);
+            const QPointF name = centre + (arm + 0.55 * m_em) * way;
+            m_painter.drawText(QRectF(name - QPointF(m_em, m_em), QSizeF(2.0 * m_em, 2.0 * m_em)),
+                               Qt::AlignCenter, names[axis]);
+        }
+        m_painter.setPen(Qt::NoPen);
+        m_painter.setBrush(m_content.text);
+        m_painter.drawEllipse(centre, 0.12 * m_em, 0.12 * m_em);
+        return centre.x() + 2.3 * m_em + m_margin;
+    }
+
+    void paintLegend(double left) {
+        if (m_size.height() < kLegendFrom * m_em) {
+            return; // the scene needs the room
+        }
+        m_painter.setPen(m_content.faintText);
+        double bottom = m_size.height() - m_margin;
+        const double width = m_size.width() - left - m_margin;
+        for (auto line = m_content.legend.crbegin(); line != m_content.legend.crend(); ++line) {
+            m_painter.drawText(QRectF(left, bottom - m_metrics.height(), width, m_metrics.height()),
+                               Qt::AlignLeft | Qt::AlignVCenter,
+                               m_metrics.elidedText(*line, Qt::ElideRight, width));
+            bottom -= m_metrics.height();
+        }
+    }
+
+    QPainter& m_painter;
+    QSizeF m_size;
+    const OverlayContent& m_content;
+    QFont m_font;
+    QFontMetricsF m_metrics;
+    double m_em;
+    double m_margin;
+    std::vector<QRectF> m_cards;
+};
+
+} // namespace
+
+void paintOverlay(QPainter& painter, const QSizeF& size, const OverlayContent& content) {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    OverlayPainter(painter, size, content).paint();
+    painter.restore();
+}
+
+} // namespace teleta::view3d

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/base/badge.h"
+
+#include <QColor>
+#include <QFont>
+#include <QPointF>
+#include <QSizeF>
+#include <QString>
+#include <QStringList>
+
+#include <array>
+#include <vector>
+
+class QPainter;
+
+namespace teleta::view3d {
+
+/// A text beside a point of the picture.
+struct OverlayLabel {
+    QPointF place; ///< of the point, as shares of the picture's width and height from the top left
+    QString text;
+    QColor colour;
+    bool boxed = false; ///< on a small card with a dot of its colour; cards do not cover each other
+};
+
+/// All that is written over the 3-D picture: a value, so that a saved picture keeps what it was made with.
+struct OverlayContent {
+    QFont font;
+    QColor text;
+    QColor faintText;
+    QColor card;
+    base::Provenance provenance = base::Provenance::live;
+    QColor provenanceColour;
+    QString emptyText;      ///< instead of everything else when there is nothing to show
+    double loadRange = 0.0; ///< end of the colour bar; 0: no bar
+    QString loadUnit;
+    QStringList legend;
+    std::vector<OverlayLabel> labels;
+    bool orientationShown = false;
+    /// Directions x, y, z on the screen: right, up, toward the viewer.
+    std::array<std::array<double, 3>, 3> orientation{};
+    std::array<QColor, 3> axisColours;
+};
+
+void paintOverlay(QPainter& painter, const QSizeF& size, const OverlayContent& content);
+
+} // namespace teleta::view3d
