@@ -49,4 +49,28 @@ inline std::vector<float> hills(const core::ArrayLayout& layout, const std::vect
     return load_N;
 }
 
+/// A feature sample of a contact that rolls: everything is defined while touched.
+inline pipeline::FeatureSample rollingSample(double time_s, bool touched) {
+    pipeline::FeatureSample sample;
+    sample.time_ns = static_cast<std::int64_t>(std::llround(time_s * 1e9));
+    sample.sourceTime_s = time_s;
+    contact::TactileFeatures& f = sample.features;
+    f.threshold_N = 0.2;
+    if (!touched)
+        return sample;
+    f.type = contact::ContactType::edge;
+    f.force_N = 5.0 + 0.8 * std::sin(2.0 * time_s) + 0.15 * std::sin(61.0 * time_s);
+    f.copX_m = 0.006 * std::sin(0.7 * time_s);
+    f.copY_m = 0.002 * std::cos(0.9 * time_s);
+    f.cocX_m = *f.copX_m - 0.0008 * std::sin(1.9 * time_s);
+    f.cocY_m = *f.copY_m + 0.0005;
+    f.dzmpX_m = *f.copY_m - *f.cocY_m;
+    f.dzmpY_m = *f.copX_m - *f.cocX_m;
+    f.alphaZ_rad = std::remainder(0.5 * time_s, std::acos(-1.0));
+    f.lambda1_m2 = 25e-6;
+    f.lambda2_m2 = (3.0 + std::sin(time_s)) * 1e-6;
+    f.active = 17 + static_cast<int>(4.0 * std::sin(3.0 * time_s));
+    return sample;
+}
+
 } // namespace teleta::test

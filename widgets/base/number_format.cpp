@@ -82,7 +82,8 @@ QString siQuantity(std::optional<double> value, const QString& unit) {
 }
 
 QString withUnit(const QString& number, const QString& unit) {
-    return unit.isEmpty() ? number : number + kNoBreakSpace + unit;
+    const bool close = unit.isEmpty() || unit == QChar(0x00b0);
+    return close ? number + unit : number + kNoBreakSpace + unit;
 }
 
 QString shortCount(quint64 count) {

@@ -24,7 +24,7 @@ inline constexpr int kNumberWidth = 5;
 /// decade.
 [[nodiscard]] QString siQuantity(std::optional<double> value, const QString& unit);
 
-/// number, a no-break space and the unit; without the space when the unit is empty.
+/// number, a no-break space and the unit; without the space before a degree sign and when the unit is empty.
 [[nodiscard]] QString withUnit(const QString& number, const QString& unit);
 
 /// A count in at most four characters: "0", "999", "1.23 k", "45.6 M". Rounded down, so that it never claims

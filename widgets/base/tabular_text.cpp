@@ -10,10 +10,9 @@ namespace teleta::base {
 namespace {
 
 constexpr QChar kFigureSpace(0x2007);
-constexpr QChar kMinus(0x2212);
 
 bool isCell(QChar c) {
-    return (c >= u'0' && c <= u'9') || c == kFigureSpace || c == kMinus;
+    return (c >= u'0' && c <= u'9') || c == kFigureSpace;
 }
 
 struct Cell {
@@ -74,7 +73,7 @@ void drawTabularText(QPainter& painter, const QRectF& rect, Qt::Alignment alignm
     else if (alignment.testFlag(Qt::AlignBottom))
         baseline = rect.bottom() - metrics.descent();
 
-    // Most fonts have even digits; then pieces of text between figure spaces and signs are drawn in one go.
+    // Most fonts have even digits; then pieces of text between figure spaces are drawn in one go.
     QString pending;
     double pendingX = x;
     const auto flush = [&] {
@@ -84,7 +83,7 @@ void drawTabularText(QPainter& painter, const QRectF& rect, Qt::Alignment alignm
     };
     forEachRun(metrics, cell, text, [&](const QString& run, double runWidth, bool oneCell) {
         const QChar c = run[0];
-        if (oneCell && (c == kFigureSpace || c == kMinus || !cell.evenDigits)) {
+        if (oneCell && (c == kFigureSpace || !cell.evenDigits)) {
             flush();
             if (c != kFigureSpace)
                 painter.drawText(QPointF(x + runWidth - metrics.horizontalAdvance(c), baseline), run);

@@ -9,7 +9,7 @@ class QPainter;
 
 namespace teleta::base {
 
-/// Width of a text whose digits, figure spaces and minus signs all take the room of the widest digit.
+/// Width of a text whose digits and figure spaces all take the room of the widest digit.
 [[nodiscard]] double tabularWidth(const QFontMetricsF& metrics, const QString& text);
 
 /// Draws one line with tabular figures, whatever the font's own digits are. alignment as for

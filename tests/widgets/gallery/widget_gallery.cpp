@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/sample_touch.h"
 #include "widgets/base/theme.h"
+#include "widgets/charts/strip_chart_view.h"
 #include "widgets/tactile/heatmap_view.h"
 
 #include <QApplication>
@@ -51,8 +52,39 @@ pipeline::TouchSnapshot largeArray() {
                             dead);
 }
 
+std::unique_ptr<charts::StripChartView> charts(bool all) {
+    auto view = std::make_unique<charts::StripChartView>();
+    view->setLoadUnit(QStringLiteral("N"));
+    for (const charts::Strip strip : charts::kAllStrips)
+        if (all)
+            view->stripAction(strip)->setChecked(true);
+    for (int i = 0; i < 3000; ++i) {
+        const double time_s = 0.005 * i;
+        if (time_s > 9.0 && time_s < 9.4)
+            continue; // lost
+        pipeline::FeatureSample sample = test::rollingSample(time_s, time_s < 11.0 || time_s > 12.0);
+        sample.discontinuity = i == 1500;
+        view->append(sample);
+    }
+    view->addMark(8.0, QStringLiteral("bump"));
+    view->refresh();
+    return view;
+}
+
+std::unique_ptr<QWidget> pausedCharts() {
+    auto view = charts(false);
+    view->setProvenance(base::Provenance::simulated);
+    view->setPaused(true);
+    view->scrollBy(-2.0);
+    view->setCursorTime(-3.0);
+    return view;
+}
+
 std::vector<Exhibit> exhibits() {
     return {
+        {QStringLiteral("charts"), QSize(820, 560), [] { return charts(false); }},
+        {QStringLiteral("charts_all"), QSize(820, 760), [] { return charts(true); }},
+        {QStringLiteral("charts_paused"), QSize(560, 440), pausedCharts},
         {QStringLiteral("heatmap_small"), QSize(760, 460),
          [] { return heatmap(smallArray(), base::Provenance::simulated, true); }},
         {QStringLiteral("heatmap_small_narrow"), QSize(420, 260),

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QColor>
+#include <qcustomplot.h>
+#include <QString>
+
+#include <functional>
+#include <vector>
+
+namespace teleta::charts {
+
+/// Beside a strip: its title and the value of each of its series, which is its legend too.
+class ValuePanel : public QCPLayoutElement {
+    Q_OBJECT
+public:
+    struct Line {
+        QColor colour;
+        bool dashed = false;
+        QString name;
+        QString value; ///< number and unit, fixed width
+    };
+
+    using QCPLayoutElement::QCPLayoutElement;
+
+    void setTitle(const QString& title) { m_title = title; }
+    void setLines(std::vector<Line> lines) { m_lines = std::move(lines); }
+    void setInk(const QFont& font, const QColor& text, const QColor& faint);
+    [[nodiscard]] const std::vector<Line>& lines() const { return m_lines; }
+    [[nodiscard]] const QString& title() const { return m_title; }
+
+protected:
+    void applyDefaultAntialiasingHint(QCPPainter*) const override {}
+    void draw(QCPPainter* painter) override;
+
+private:
+    QString m_title;
+    std::vector<Line> m_lines;
+    QFont m_font;
+    QColor m_text, m_faint;
+};
+
+/// The line above the strips: what the view shows, and whether the data are not live.
+class HeaderElement : public QCPLayoutElement {
+    Q_OBJECT
+public:
+    using QCPLayoutElement::QCPLayoutElement;
+
+    void setText(const QString& text) { m_text = text; }
+    [[nodiscard]] const QString& text() const { return m_text; }
+    void setBadge(const QString& text) { m_badge = text; }
+    void setInk(const QFont& font, const QColor& text, const QColor& badge);
+
+protected:
+    void applyDefaultAntialiasingHint(QCPPainter*) const override {}
+    void draw(QCPPainter* painter) override;
+
+private:
+    QString m_text, m_badge;
+    QFont m_font;
+    QColor m_ink, m_badgeColour;
+};
+
+/// A vertical line through all strips, at a time relative to the right edge.
+struct TimeLine {
+    double time_s = 0.0;
+    QString label; ///< at the top of the first strip
+};
+
+/// Draws time lines over a stack of axis rects that share their time axis.
+class TimeLines : public QCPLayerable {
+    Q_OBJECT
+public:
+    TimeLines(QCustomPlot* plot, const QString& layer);
+
+    void setRects(std::vector<QCPAxisRect*> rects) { m_rects = std::move(rects); }
+    void setLines(std::vector<TimeLine> lines) { m_lines = std::move(lines); }
+    [[nodiscard]] const std::vector<TimeLine>& lines() const { return m_lines; }
+    void setPen(const QPen& pen) { m_pen = pen; }
+    void setFont(const QFont& font) { m_font = font; }
+
+protected:
+    void applyDefaultAntialiasingHint(QCPPainter*) const override {}
+    void draw(QCPPainter* painter) override;
+
+private:
+    std::vector<QCPAxisRect*> m_rects;
+    std::vector<TimeLine> m_lines;
+    QPen m_pen;
+    QFont m_font;
+};
+
+/// Ticks at round numbers, with a true minus sign and without rounding noise around zero.
+class RoundTicker : public QCPAxisTicker {
+public:
+    /// fixedStep: distance of the ticks; 0 chooses a round one for about tickCount() ticks. suffix: behind
+    /// each label.
+    explicit RoundTicker(double fixedStep = 0.0, const QString& suffix = {})
+        : m_fixedStep(fixedStep)
+        , m_suffix(suffix) {}
+
+protected:
+    double getTickStep(const QCPRange& range) override;
+    int getSubTickCount(double) override { return 0; }
+    QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override;
+
+private:
+    double m_fixedStep;
+    QString m_suffix;
+    double m_step = 1.0;
+};
+
+} // namespace teleta::charts

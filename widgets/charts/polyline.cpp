@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/charts/polyline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace teleta::charts {
+
+namespace {
+
+class Builder {
+public:
+    Builder(std::vector<PolylinePoint>& line, double bucket_s)
+        : m_line(line)
+        , m_bucket_s(bucket_s) {
+        m_line.clear();
+    }
+
+    void add(double time_s, double value) {
+        const double bucket = std::floor(time_s / m_bucket_s);
+        if (m_inBucket && bucket != m_bucket)
+            flush();
+        if (!m_inBucket) {
+            m_bucket = bucket;
+            m_low = m_high = {time_s, value};
+            m_inBucket = true;
+        } else if (value < m_low.value) {
+            m_low = {time_s, value};
+        } else if (value > m_high.value) {
+            m_high = {time_s, value};
+        }
+    }
+
+    void lift() {
+        flush();
+        if (m_inRun == 1) {
+            const PolylinePoint only = m_line.back();
+            m_line.push_back({only.time_s + m_bucket_s, only.value});
+        }
+        if (m_inRun > 0)
+            m_line.push_back({m_line.back().time_s, std::numeric_limits<double>::quiet_NaN()});
+        m_inRun = 0;
+    }
+
+    [[nodiscard]] std::optional<ValueRange> range() const { return m_range; }
+
+private:
+    void put(const PolylinePoint& point) {
+        m_line.push_back(point);
+        ++m_inRun;
+        if (!m_range)
+            m_range = ValueRange{point.value, point.value};
+        m_range->low = std::min(m_range->low, point.value);
+        m_range->high = std::max(m_range->high, point.value);
+    }
+    void flush() {
+        if (!m_inBucket)
+            return;
+        m_inBucket = false;
+        const bool lowFirst = m_low.time_s <= m_high.time_s;
+        put(lowFirst ? m_low : m_high);
+        if (m_low.time_s != m_high.time_s)
+            put(lowFirst ? m_high : m_low);
+    }
+
+    std::vector<PolylinePoint>& m_line;
+    double m_bucket_s;
+    double m_bucket = 0.0;
+    bool m_inBucket = false;
+    PolylinePoint m_low, m_high;
+    std::size_t m_inRun = 0;
+    std::optional<ValueRange> m_range;
+};
+
+} // namespace
+
+std::optional<ValueRange> makePolyline(const FeatureHistory& history, Channel channel, double from_s,
+                                       double to_s, double bucket_s, double period,
+                                       std::vector<PolylinePoint>& line) {
+    Builder builder(line, bucket_s);
+    // One sample more at both ends, so that the line reaches the borders of the picture.
+    std::size_t i = history.firstAt(from_s);
+    i -= i > 0 ? 1 : 0;
+    const double halfPeriod = 0.5 * period;
+    double previous = std::numeric_limits<double>::quiet_NaN();
+    for (bool beyond = false; i < history.size() && !beyond; ++i) {
+        const double time_s = history.time_s(i);
+        beyond = time_s > to_s;
+        const double value = history.value(channel, i);
+        const bool wrapped = period > 0.0 && std::abs(value - previous) > halfPeriod;
+        if (wrapped || history.breakBefore(i) != Break::none || !std::isfinite(value))
+            builder.lift();
+        if (std::isfinite(value))
+            builder.add(time_s, value);
+        previous = value;
+    }
+    builder.lift();
+    return builder.range();
+}
+
+} // namespace teleta::charts

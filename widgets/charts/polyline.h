@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/charts/feature_history.h"
+
+#include <optional>
+#include <vector>
+
+namespace teleta::charts {
+
+struct PolylinePoint {
+    double time_s = 0.0;
+    double value = 0.0; ///< NaN lifts the pen
+};
+
+struct ValueRange {
+    double low = 0.0, high = 0.0;
+};
+
+/// One channel between two chart times as a line with few points: of each bucket the smallest and the largest
+/// value, in the order of time, so that no peak is lost. Buckets lie at whole multiples of their width, so
+/// that a scrolling line does not shimmer. The line is lifted at every break and at undefined values; a
+/// single sample becomes a dash of one bucket.
+///   period: values that repeat (an angle); a step of more than half of it lifts the pen. 0: none.
+/// line: overwritten, its storage is kept. Returns the range of the values, empty when there are none.
+/// bucket_s > 0. Cost: one pass over the samples in between. Thread: any (pure).
+std::optional<ValueRange> makePolyline(const FeatureHistory& history, Channel channel, double from_s,
+                                       double to_s, double bucket_s, double period,
+                                       std::vector<PolylinePoint>& line);
+
+} // namespace teleta::charts

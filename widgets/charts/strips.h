@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/charts/feature_history.h"
+
+#include <QColor>
+#include <QCoreApplication>
+#include <QPalette>
+#include <QString>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace teleta::charts {
+
+/// One chart of the stack.
+enum class Strip { force, positionX, positionY, dzmp, orientation, spread, ratio, active };
+inline constexpr std::size_t kStrips = 8;
+inline constexpr std::array<Strip, kStrips> kAllStrips{Strip::force, Strip::positionX,   Strip::positionY,
+                                                       Strip::dzmp,  Strip::orientation, Strip::spread,
+                                                       Strip::ratio, Strip::active};
+
+/// How a channel's SI value becomes the number on the axis.
+struct Display {
+    double scale = 1.0;
+    bool root = false; ///< the square root, then scaled: eigenvalues are shown as standard deviations
+
+    [[nodiscard]] double of(double value) const;
+};
+
+struct Series {
+    Channel channel = Channel::force;
+    Display display;
+    int colour = 1;      ///< identity colour; 0 the colour of faint text
+    bool dashed = false; ///< a reference, not a measurement
+    double period = 0.0; ///< of the SI value, for angles
+    bool whole = false;  ///< a count
+};
+
+/// What a strip shows; constant.
+struct StripDefinition {
+    Strip strip = Strip::force;
+    std::vector<Series> series;
+    double minimumSpan = 1.0;               ///< of the automatic axis, in displayed units
+    bool fromZero = false;                  ///< the automatic axis contains 0
+    double fixedLow = 0.0, fixedHigh = 0.0; ///< the axis when fixedLow < fixedHigh
+    double fixedStep = 0.0;                 ///< of its ticks
+    bool shownAtFirst = true;
+};
+
+[[nodiscard]] const StripDefinition& definitionOf(Strip strip);
+
+/// Texts of the strips, translated when they are asked for.
+class StripTexts {
+    Q_DECLARE_TR_FUNCTIONS(StripTexts)
+
+public:
+    [[nodiscard]] static QString title(Strip strip);
+    /// Unit on the axis; loadUnit: that of the forces.
+    [[nodiscard]] static QString unit(Strip strip, const QString& loadUnit);
+    [[nodiscard]] static QString name(Channel channel);
+    /// Stable word for settings.
+    [[nodiscard]] static QString key(Strip strip);
+};
+
+[[nodiscard]] QColor seriesColour(const Series& series, const QPalette& palette);
+
+} // namespace teleta::charts
