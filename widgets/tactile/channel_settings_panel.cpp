@@ -27,8 +27,17 @@ constexpr double kLargest = 1e9;
 /// Distance kept between the two ratios, so that the decision between edge and point has hysteresis.
 constexpr double kRatioGap = 0.1;
 
+/// Shows 1 as "1" and not as "1.000000", however many decimals may be typed.
+class NumberBox : public QDoubleSpinBox {
+public:
+    using QDoubleSpinBox::QDoubleSpinBox;
+    [[nodiscard]] QString textFromValue(double value) const override {
+        return locale().toString(value, 'g', 6);
+    }
+};
+
 QDoubleSpinBox* makeNumber(QWidget* parent, double low, double high, int decimals) {
-    auto* box = new QDoubleSpinBox(parent);
+    auto* box = new NumberBox(parent);
     box->setDecimals(decimals);
     box->setRange(low, high);
     box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
@@ -201,8 +210,7 @@ void ChannelSettingsPanel::retranslate() {
            "them, in percent of the frame's peak"));
     m_noiseHeight->setSuffix(tr(" %"));
     describe(m_minimumLabel, m_minimumTaxels, tr("&Smallest contact:"),
-             tr("Contacts of fewer taxels are ignored"));
-    m_minimumTaxels->setSuffix(tr(" taxels"));
+             tr("In taxels; contacts of fewer are ignored"));
     describe(m_orientationLabel, m_orientation, tr("&Orientation:"),
              tr("Which taxels the principal axis is computed from"));
     m_orientation->setItemText(0, tr("active taxels alike"));

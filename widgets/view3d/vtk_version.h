@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+namespace teleta::view3d {
+
+/// Version of the VTK library that is loaded: "9.1.0".
+[[nodiscard]] QString vtkLibraryVersion();
+
+} // namespace teleta::view3d
