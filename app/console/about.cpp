@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/about.h"
+
+#include "widgets/view3d/vtk_version.h"
+
+#include <QCoreApplication>
+#include <qcustomplot.h>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include <Eigen/Core>
+
+#include <utility>
+#include <vector>
+
+namespace teleta::console {
+
+namespace {
+
+struct AboutText {
+    Q_DECLARE_TR_FUNCTIONS(About)
+};
+
+QDialog* makeDialog(QWidget* parent, const QString& title, QWidget* content) {
+    auto* dialog = new QDialog(parent);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(title);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
+    auto* layout = new QVBoxLayout(dialog);
+    layout->addWidget(content, 1);
+    layout->addWidget(buttons);
+    return dialog;
+}
+
+} // namespace
+
+base::ThemeChoice themeFromName(const QString& name) {
+    if (name == QLatin1String("light"))
+        return base::ThemeChoice::light;
+    if (name == QLatin1String("dark"))
+        return base::ThemeChoice::dark;
+    return base::ThemeChoice::system;
+}
+
+void openAbout(QWidget* parent) {
+    const QString eigen =
+        QStringLiteral("%1.%2.%3").arg(EIGEN_WORLD_VERSION).arg(EIGEN_MAJOR_VERSION).arg(EIGEN_MINOR_VERSION);
+    const std::vector<std::pair<QString, QString>> libraries{
+        {QStringLiteral("Qt"), QString::fromLatin1(qVersion()) + QStringLiteral(" (LGPL-3.0)")},
+        {QStringLiteral("VTK"), view3d::vtkLibraryVersion() + QStringLiteral(" (BSD-3-Clause)")},
+        {QStringLiteral("QCustomPlot"),
+         QStringLiteral(QCUSTOMPLOT_VERSION_STR) + QStringLiteral(" (GPL-3.0)")},
+        {QStringLiteral("Eigen"), eigen + QStringLiteral(" (MPL-2.0)")},
+        {QStringLiteral("toml++"), QStringLiteral("3 (MIT)")},
+    };
+    QString text =
+        QStringLiteral("<h2>%1 %2</h2><p>%3</p><p>%4</p><table cellspacing='6'>")
+            .arg(AboutText::tr("TeleTA Console"), QCoreApplication::applicationVersion(),
+                 AboutText::tr("Shows, and lets the operator feel, what a remote robot arm touches."),
+                 AboutText::tr("Free software under the GNU General Public License, version 3 or later. "
+                               "It comes without any warranty."));
+    for (const auto& [name, version] : libraries)
+        text += QStringLiteral("<tr><td>%1</td><td>%2</td></tr>").arg(name, version);
+    text += QStringLiteral("</table>");
+    auto* label = new QLabel(text);
+    label->setTextInteractionFlags(Qt::TextBrowserInteraction);
+    label->setWordWrap(true);
+    makeDialog(parent, AboutText::tr("About TeleTA Console"), label)->open();
+}
+
+void openShortcuts(QWidget* parent) {
+    const std::vector<std::pair<QString, QString>> shortcuts{
+        {AboutText::tr("Esc Esc, Ctrl+."), AboutText::tr("STOP: whatever moves stops at once")},
+        {AboutText::tr("Ctrl+1"), AboutText::tr("Page Operate")},
+        {AboutText::tr("Space"), AboutText::tr("Play or pause, in the playback bar")},
+        {AboutText::tr("Left, Right"), AboutText::tr("One frame back or forward, in the playback bar")},
+        {AboutText::tr("Home, End"), AboutText::tr("Start or end of the recording, in the playback bar")},
+        {AboutText::tr("Arrow keys"), AboutText::tr("Move the read-out from taxel to taxel, in the heatmap")},
+        {AboutText::tr("Ctrl+wheel"), AboutText::tr("Zoom the picture or the time under the mouse")},
+        {AboutText::tr("Shift+wheel"), AboutText::tr("Scroll through time, in the charts")},
+        {AboutText::tr("1, 2, 3, 4"),
+         AboutText::tr("Front, top, side, isometric view, in the reconstruction")},
+        {AboutText::tr("F11"), AboutText::tr("Full screen")},
+        {AboutText::tr("Shift+F1"), AboutText::tr("What's This")},
+    };
+    auto* table = new QTableWidget(static_cast<int>(shortcuts.size()), 2);
+    table->setHorizontalHeaderLabels({AboutText::tr("Keys"), AboutText::tr("Effect")});
+    table->verticalHeader()->hide();
+    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    for (int row = 0; row < table->rowCount(); ++row) {
+        const auto& [keys, effect] = shortcuts[static_cast<std::size_t>(row)];
+        table->setItem(row, 0, new QTableWidgetItem(keys));
+        table->setItem(row, 1, new QTableWidgetItem(effect));
+    }
+    table->resizeColumnsToContents();
+    table->horizontalHeader()->setStretchLastSection(true);
+    QDialog* dialog = makeDialog(parent, AboutText::tr("Shortcuts"), table);
+    dialog->resize(base::em(dialog, 36), base::em(dialog, 24));
+    dialog->open();
+}
+
+} // namespace teleta::console

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/console_options.h"
+
+#include <QCommandLineParser>
+#include <QCoreApplication>
+
+#include <cmath>
+#include <limits>
+
+namespace teleta::console {
+
+namespace {
+
+/// The values of one option that is given per recording: the n-th belongs to the n-th --replay, the last one
+/// to all that follow.
+template <typename T>
+std::optional<T> valueFor(const std::vector<T>& values, std::size_t index) {
+    if (values.empty())
+        return std::nullopt;
+    return index < values.size() ? values[index] : values.back();
+}
+
+class OptionReader {
+    Q_DECLARE_TR_FUNCTIONS(ConsoleOptions)
+
+public:
+    ParsedOptions read(const QStringList& arguments);
+
+private:
+    QCommandLineOption option(const QString& name, const QString& description,
+                              const QString& valueName = {}) {
+        QCommandLineOption made(name, description, valueName);
+        m_parser.addOption(made);
+        return made;
+    }
+    std::vector<double> numbers(const QCommandLineOption& option, double low, double high);
+    std::vector<int> integers(const QCommandLineOption& option, int low, int high);
+    void fail(const QString& text) {
+        if (m_error.isEmpty())
+            m_error = text;
+    }
+
+    QCommandLineParser m_parser;
+    QString m_error;
+};
+
+std::vector<double> OptionReader::numbers(const QCommandLineOption& option, double low, double high) {
+    std::vector<double> values;
+    for (const QString& text : m_parser.values(option)) {
+        bool ok = false;
+        const double value = text.toDouble(&ok);
+        if (!ok || !(value >= low && value <= high))
+            fail(tr("--%1 %2: expected a number from %3 to %4")
+                     .arg(option.names().front(), text)
+                     .arg(low)
+                     .arg(high));
+        values.push_back(value);
+    }
+    return values;
+}
+
+std::vector<int> OptionReader::integers(const QCommandLineOption& option, int low, int high) {
+    std::vector<int> values;
+    for (const QString& text : m_parser.values(option)) {
+        bool ok = false;
+        const int value = text.toInt(&ok);
+        if (!ok || value < low || value > high)
+            fail(tr("--%1 %2: expected a whole number from %3 to %4")
+                     .arg(option.names().front(), text)
+                     .arg(low)
+                     .arg(high));
+        values.push_back(value);
+    }
+    return values;
+}
+
+ParsedOptions OptionReader::read(const QStringList& arguments) {
+    constexpr double kLargest = 1e12;
+    m_parser.setApplicationDescription(
+        tr("Shows what a remote robot arm touches: where, how hard, how stiff, what shape.\n\n"
+           "Examples:\n"
+           "  teleta-console --scene resources/scenes/tactile-indenter.toml\n"
+           "  teleta-console --replay run.csv --rows 64 --columns 27 --tare empty.csv --threshold 10\n"
+           "  teleta-console --sources both-arrays.toml --theme dark"));
+    m_parser.setSingleDashWordOptionMode(QCommandLineParser::ParseAsLongOptions);
+    const QCommandLineOption help = m_parser.addHelpOption();
+    const QCommandLineOption version = m_parser.addVersionOption();
+
+    const auto scene = option("scene", tr("Open a simulated scene (repeatable)."), tr("FILE"));
+    const auto seed = option("seed", tr("Seed of the simulated scenes (default 1)."), tr("N"));
+    const auto replay = option("replay",
+                               tr("Play back recorded frames, CSV time_s,t0,t1,... (repeatable; the options "
+                                  "below go with the recordings in their order)."),
+                               tr("FILE"));
+    const auto rows = option("rows", tr("Rows of the array (default: by the number of taxels)."), tr("N"));
+    const auto columns = option("columns", tr("Columns of the array."), tr("N"));
+    const auto pitch = option("pitch-mm", tr("Distance between taxels in mm."), tr("MM"));
+    const auto tare =
+        option("tare", tr("Recording of the unloaded array, subtracted from the frames."), tr("FILE"));
+    const auto invert = option("invert", tr("The values fall under load."));
+    const auto gain = option("gain", tr("Load per raw unit (default 1)."), tr("G"));
+    const auto threshold =
+        option("threshold", tr("Load from which a taxel is in contact (default 0.2)."), tr("LOAD"));
+    const auto rate = option("rate", tr("Play at this rate in Hz instead of the recorded times."), tr("HZ"));
+    const auto sources = option("sources", tr("Open the sources listed in a TOML file."), tr("FILE"));
+    const auto page =
+        option("page", tr("Page to show: %1.").arg(pageNames().join(QStringLiteral(", "))), tr("NAME"));
+    const auto theme = option("theme", tr("light, dark or system."), tr("NAME"));
+    const auto language = option("language", tr("Language, for example en, ja, fr, zh_CN."), tr("CODE"));
+    const auto screenshot =
+        option("screenshot", tr("Save a picture of the window as PNG and quit."), tr("FILE"));
+    const auto after = option("after", tr("Seconds to wait before the picture (default 3)."), tr("S"));
+    const auto size = option("size", tr("Size of the window, for example 1600x1000."), tr("WxH"));
+    const auto measure = option(
+        "measure", tr("Run for so many seconds, print how long the event loop was busy, quit."), tr("S"));
+    const auto fresh = option("fresh", tr("Start with the default layout and settings, and save none."));
+
+    if (!m_parser.parse(arguments))
+        return {std::nullopt, m_parser.errorText(), 2};
+    if (m_parser.isSet(help))
+        return {std::nullopt, m_parser.helpText(), 0};
+    if (m_parser.isSet(version))
+        return {std::nullopt,
+                QCoreApplication::applicationName() + QLatin1Char(' ') +
+                    QCoreApplication::applicationVersion(),
+                0};
+    if (!m_parser.positionalArguments().isEmpty())
+        fail(tr("unexpected argument \"%1\"").arg(m_parser.positionalArguments().front()));
+
+    ConsoleOptions options;
+    options.scenes = m_parser.values(scene);
+    const auto allRows = integers(rows, 1, core::ArrayLayout::kMaximumSide);
+    const auto allColumns = integers(columns, 1, core::ArrayLayout::kMaximumSide);
+    const auto allPitches_mm = numbers(pitch, 1e-6, 1e6);
+    const auto allGains = numbers(gain, 1e-12, kLargest);
+    const auto allThresholds = numbers(threshold, 1e-12, kLargest);
+    const auto allRates = numbers(rate, 0.001, 100'000.0);
+    const QStringList tareFiles = m_parser.values(tare);
+    const std::vector<QString> allTares(tareFiles.begin(), tareFiles.end());
+    const QStringList replays = m_parser.values(replay);
+    for (qsizetype index = 0; index < replays.size(); ++index) {
+        const auto nth = static_cast<std::size_t>(index);
+        ConsoleOptions::Recording recording;
+        recording.path = replays[index];
+        recording.rows = valueFor(allRows, nth);
+        recording.columns = valueFor(allColumns, nth);
+        if (const auto pitch_mm = valueFor(allPitches_mm, nth))
+            recording.pitch_m = *pitch_mm * 1e-3;
+        recording.tarePath = valueFor(allTares, nth);
+        recording.gain = valueFor(allGains, nth);
+        recording.threshold_N = valueFor(allThresholds, nth);
+        recording.rate_Hz = valueFor(allRates, nth);
+        recording.inverted = m_parser.isSet(invert);
+        options.recordings.push_back(recording);
+    }
+    options.sourceList = m_parser.value(sources);
+    if (const auto seeds = integers(seed, 0, std::numeric_limits<int>::max()); !seeds.empty())
+        options.seed = static_cast<std::uint64_t>(seeds.back());
+    options.page = m_parser.value(page);
+    if (m_parser.isSet(page) && !pageNames().contains(options.page))
+        fail(tr("--page %1: expected one of %2").arg(options.page, pageNames().join(QStringLiteral(", "))));
+    options.theme = m_parser.value(theme);
+    if (m_parser.isSet(theme) && !QStringList{"light", "dark", "system"}.contains(options.theme))
+        fail(tr("--theme %1: expected light, dark or system").arg(options.theme));
+    options.language = m_parser.value(language);
+    options.screenshot = m_parser.value(screenshot);
+    if (const auto waits_s = numbers(after, 0.0, 3600.0); !waits_s.empty())
+        options.after_s = waits_s.back();
+    if (m_parser.isSet(size)) {
+        const QStringList parts = m_parser.value(size).split(QLatin1Char('x'));
+        bool widthOk = false;
+        bool heightOk = false;
+        if (parts.size() == 2)
+            options.size = {parts[0].toInt(&widthOk), parts[1].toInt(&heightOk)};
+        if (!widthOk || !heightOk || options.size.width() < 320 || options.size.height() < 240 ||
+            options.size.width() > 16384 || options.size.height() > 16384)
+            fail(tr("--size %1: expected WIDTHxHEIGHT, from 320x240 to 16384x16384")
+                     .arg(m_parser.value(size)));
+    }
+    if (const auto times_s = numbers(measure, 0.1, 86'400.0); !times_s.empty())
+        options.measure_s = times_s.back();
+    options.freshLayout = m_parser.isSet(fresh);
+
+    if (!m_error.isEmpty())
+        return {std::nullopt, m_error, 2};
+    return {options, {}, 0};
+}
+
+} // namespace
+
+QStringList pageNames() {
+    return {QStringLiteral("operate")};
+}
+
+ParsedOptions parseOptions(const QStringList& arguments) {
+    return OptionReader().read(arguments);
+}
+
+core::Expected<RecordingRequest> completeRecording(const ConsoleOptions::Recording& recording) {
+    auto guessed = guessRecording(recording.path.toStdString());
+    if (!guessed)
+        return guessed;
+    RecordingRequest& request = *guessed;
+    request.layout.rows = recording.rows.value_or(request.layout.rows);
+    request.layout.columns = recording.columns.value_or(request.layout.columns);
+    request.layout.pitch_m = recording.pitch_m.value_or(request.layout.pitch_m);
+    if (recording.tarePath)
+        request.tarePath = recording.tarePath->toStdString();
+    request.gain = recording.gain.value_or(request.gain);
+    request.threshold_N = recording.threshold_N.value_or(request.threshold_N);
+    request.rate_Hz = recording.rate_Hz.value_or(request.rate_Hz);
+    request.inverted = recording.inverted;
+    return guessed;
+}
+
+} // namespace teleta::console

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/source_request.h"
+
+#include <QSize>
+#include <QString>
+#include <QStringList>
+
+#include <optional>
+#include <vector>
+
+namespace teleta::console {
+
+/// What the command line of teleta-console asks for.
+struct ConsoleOptions {
+    struct Recording {
+        QString path;
+        std::optional<int> rows;
+        std::optional<int> columns;
+        std::optional<double> pitch_m;
+        std::optional<QString> tarePath;
+        std::optional<double> gain;
+        std::optional<double> threshold_N;
+        std::optional<double> rate_Hz;
+        bool inverted = false;
+    };
+
+    QStringList scenes;
+    std::vector<Recording> recordings;
+    QString sourceList;
+    std::uint64_t seed = 1;
+    QString page;
+    QString theme;
+    QString language;
+    QString screenshot;
+    double after_s = 3.0;
+    QSize size;
+    std::optional<double> measure_s; ///< print the event loop's statistics after so long and quit
+    bool freshLayout = false;        ///< start with default layout and settings and save nothing
+};
+
+/// Outcome of reading the command line: options, or a text to print and the exit code to leave with (0 for
+/// --help and
+/// --version, 2 for wrong usage).
+struct ParsedOptions {
+    std::optional<ConsoleOptions> options;
+    QString text;
+    int exitCode = 0;
+};
+
+/// Names of the pages for --page and the settings, in the order of the rail.
+[[nodiscard]] QStringList pageNames();
+
+[[nodiscard]] ParsedOptions parseOptions(const QStringList& arguments);
+
+/// Completes what the command line says of a recording with what its file tells. Reads the header of the
+/// file.
+[[nodiscard]] core::Expected<RecordingRequest> completeRecording(const ConsoleOptions::Recording& recording);
+
+} // namespace teleta::console

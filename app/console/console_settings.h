@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/source_request.h"
+
+#include <QByteArray>
+#include <QSettings>
+#include <QString>
+#include <QStringList>
+
+#include <memory>
+#include <optional>
+
+namespace teleta::console {
+
+/// What the console remembers from one start to the next, in an INI file under the user's configuration
+/// folder. Versioned: entries of another version are left alone and the defaults used. Thread: GUI; QSettings
+/// writes the file by itself, atomically.
+class ConsoleSettings {
+public:
+    static constexpr int kVersion = 1;
+    static constexpr int kRecentFiles = 8;
+
+    /// fresh: remember nothing and start with the defaults.
+    explicit ConsoleSettings(bool fresh);
+
+    [[nodiscard]] QString theme() const { return text("theme", QStringLiteral("system")); }
+    void setTheme(const QString& theme) { set("theme", theme); }
+    [[nodiscard]] QString language() const { return text("language", {}); }
+    void setLanguage(const QString& language) { set("language", language); }
+    [[nodiscard]] QString page() const { return text("page", {}); }
+    void setPage(const QString& page) { set("page", page); }
+
+    [[nodiscard]] QByteArray geometry() const { return bytes("window/geometry"); }
+    void setGeometry(const QByteArray& geometry) { set("window/geometry", geometry); }
+    /// Dock layout of a page.
+    [[nodiscard]] QByteArray layout(const QString& page) const { return bytes("layout/" + page); }
+    void setLayout(const QString& page, const QByteArray& layout) { set("layout/" + page, layout); }
+
+    [[nodiscard]] QStringList recentFiles() const;
+    void addRecentFile(const QString& path);
+
+    /// How a recording was opened the last time.
+    [[nodiscard]] std::optional<RecordingRequest> recording(const QString& path) const;
+    void setRecording(const RecordingRequest& request);
+
+private:
+    [[nodiscard]] QString text(const QString& key, const QString& fallback) const;
+    [[nodiscard]] QByteArray bytes(const QString& key) const;
+    void set(const QString& key, const QVariant& value);
+
+    std::unique_ptr<QSettings> m_settings; ///< null when fresh
+};
+
+} // namespace teleta::console

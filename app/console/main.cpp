@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/common/translation.h"
+#include "app/console/about.h"
+#include "app/console/console_options.h"
+#include "app/console/console_settings.h"
+#include "app/console/main_window.h"
+#include "app/console/unattended.h"
+#include "backend/core/stop_switch.h"
+#include "widgets/base/theme.h"
+#include "widgets/view3d/gl_setup.h"
+
+#include <QApplication>
+#include <QLocale>
+
+#include <cstdio>
+
+int main(int argc, char* argv[]) {
+    using namespace teleta;
+
+    view3d::configureOpenGlBeforeApplication();
+    QApplication application(argc, argv);
+    QCoreApplication::setOrganizationName(QStringLiteral("TeleTA"));
+    QCoreApplication::setApplicationName(QStringLiteral("teleta-console"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(TELETA_VERSION));
+    QGuiApplication::setDesktopFileName(QStringLiteral("org.teleta.Console"));
+    QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/teleta-console.svg")));
+    app::installTranslator(application, QLocale::system());
+
+    const console::ParsedOptions parsed = console::parseOptions(QCoreApplication::arguments());
+    if (!parsed.options) {
+        std::fprintf(parsed.exitCode == 0 ? stdout : stderr, "%s\n", qPrintable(parsed.text));
+        return parsed.exitCode;
+    }
+    const console::ConsoleOptions& options = *parsed.options;
+
+    console::ConsoleSettings settings(options.freshLayout || !options.screenshot.isEmpty() ||
+                                      options.measure_s);
+    const QString language = options.language.isEmpty() ? settings.language() : options.language;
+    if (!language.isEmpty())
+        app::installTranslator(application, QLocale(language));
+    base::applyTheme(console::themeFromName(options.theme.isEmpty() ? settings.theme() : options.theme));
+
+    core::StopSwitch stop;
+    console::MainWindow window(options, settings, stop);
+    console::Unattended unattended(options, window);
+    window.show();
+    window.openRequested(options);
+    unattended.start();
+    return QApplication::exec();
+}

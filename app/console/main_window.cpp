@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/main_window.h"
+
+#include "app/console/about.h"
+#include "app/console/background.h"
+#include "app/console/operate_page.h"
+#include "app/console/recording_dialog.h"
+#include "app/console/source_list.h"
+#include "widgets/base/theme.h"
+#include "widgets/chrome/device_strip.h"
+#include "widgets/chrome/page_rail.h"
+#include "widgets/chrome/stop_button.h"
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDir>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QShortcut>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+#include <QWhatsThis>
+
+#include <cstdio>
+
+namespace teleta::console {
+
+namespace {
+
+constexpr char kOperate[] = "operate";
+
+/// Two presses of Escape within this time are STOP.
+constexpr int kDoubleEscape_ms = 600;
+
+} // namespace
+
+MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings, core::StopSwitch& stop)
+    : m_settings(settings)
+    , m_stop(stop)
+    , m_sources(stop)
+    , m_rail(new chrome::PageRail(this))
+    , m_pages(new QStackedWidget(this))
+    , m_operate(new OperatePage(m_sources, this))
+    , m_devices(new chrome::DeviceStrip(this))
+    , m_stopButton(new chrome::StopButton(this))
+    , m_seed(options.seed) {
+    setWindowTitle(tr("TeleTA Console"));
+    setAcceptDrops(true);
+    m_rail->addPage(QLatin1String(kOperate), base::Icon::operate, tr("Operate"),
+                    tr("What the arm touches, live or played back"));
+    m_pages->addWidget(m_operate);
+
+    auto* status = new QWidget(this);
+    auto* statusRow = new QHBoxLayout(status);
+    statusRow->setContentsMargins(base::grid(this), base::grid(this, 0.5), base::grid(this, 0.5),
+                                  base::grid(this, 0.5));
+    statusRow->addWidget(m_devices, 1);
+    statusRow->addWidget(m_stopButton);
+
+    auto* right = new QVBoxLayout;
+    right->setSpacing(0);
+    right->addWidget(m_pages, 1);
+    right->addWidget(status);
+    auto* central = new QWidget(this);
+    auto* row = new QHBoxLayout(central);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    row->addWidget(m_rail);
+    row->addLayout(right, 1);
+    setCentralWidget(central);
+
+    connect(m_rail, &chrome::PageRail::pageRequested, this,
+            [this](const QString& name) { m_settings.setPage(name); });
+    connect(m_devices, &chrome::DeviceStrip::deviceActivated, this, [this](int index) {
+        if (index < static_cast<int>(m_sources.items().size()))
+            m_sources.activate(m_sources.items()[static_cast<std::size_t>(index)].key);
+    });
+    connect(m_stopButton, &chrome::StopButton::stopRequested, this, [this] {
+        m_stop.engage();
+        showStop();
+    });
+    connect(m_stopButton, &chrome::StopButton::releaseRequested, this, [this] {
+        m_stop.release();
+        showStop();
+    });
+    connect(&m_sources, &SourceManager::failed, this, &MainWindow::onFailed);
+    connect(m_operate, &OperatePage::demoRequested, this, &MainWindow::openDemo);
+    connect(m_operate, &OperatePage::openRecordingRequested, this, [this] {
+        askForFile(tr("Open recording"), tr("Recorded frames (*.csv)"), &MainWindow::openRecording);
+    });
+    connect(m_operate, &OperatePage::openListRequested, this, [this] {
+        askForFile(tr("Open source list"), tr("Source lists (*.toml)"), &MainWindow::openList);
+    });
+    auto& chooser = m_operate->chooser();
+    connect(&chooser, &chrome::SourceChooser::demoRequested, this, &MainWindow::openScene);
+    connect(&chooser, &chrome::SourceChooser::openRecordingRequested, m_operate,
+            &OperatePage::openRecordingRequested);
+    connect(&chooser, &chrome::SourceChooser::openListRequested, m_operate, &OperatePage::openListRequested);
+    connect(&chooser, &chrome::SourceChooser::openSceneRequested, this,
+            [this] { askForFile(tr("Open scene"), tr("Scenes (*.toml)"), &MainWindow::openScene); });
+    connect(&chooser, &chrome::SourceChooser::recentRequested, this, &MainWindow::openFile);
+    fillDemos();
+    chooser.setRecent(m_settings.recentFiles());
+    buildMenus();
+
+    auto* stopKey = new QShortcut(QKeySequence(Qt::CTRL | Qt::Key_Period), this);
+    stopKey->setContext(Qt::ApplicationShortcut);
+    connect(stopKey, &QShortcut::activated, m_stopButton, &chrome::StopButton::stopRequested);
+    qApp->installEventFilter(this);
+
+    resize(base::em(this, 96), base::em(this, 60));
+    if (!m_settings.geometry().isEmpty())
+        restoreGeometry(m_settings.geometry());
+    if (options.size.isValid())
+        resize(options.size);
+    if (!m_settings.layout(QLatin1String(kOperate)).isEmpty())
+        m_operate->restoreLayout(m_settings.layout(QLatin1String(kOperate)));
+
+    connect(&m_clock, &GuiClock::tick, this, &MainWindow::onTick);
+    m_clock.start();
+}
+
+MainWindow::~MainWindow() {
+    qApp->removeEventFilter(this);
+}
+
+void MainWindow::onTick() {
+    m_sources.poll();
+    m_operate->tick();
+    m_devices->setReadings(m_operate->readings());
+    showStop();
+}
+
+void MainWindow::openRequested(const ConsoleOptions& options) {
+    for (const QString& scene : options.scenes)
+        m_sources.open(SceneRequest{scene.toStdString(), options.seed});
+    for (const ConsoleOptions::Recording& recording : options.recordings) {
+        runInBackground(
+            this, [recording] { return completeRecording(recording); },
+            [this, name = QFileInfo(recording.path).fileName()](core::Expected<RecordingRequest> request) {
+                if (request)
+                    m_sources.open(*request);
+                else
+                    onFailed(name, request.error());
+            });
+    }
+    if (!options.sourceList.isEmpty())
+        openList(options.sourceList);
+}
+
+void MainWindow::openDemo() {
+    openScene(QStringLiteral(":/scenes/tactile-indenter.toml"));
+}
+
+void MainWindow::openScene(const QString& path) {
+    m_sources.open(SceneRequest{path.toStdString(), m_seed});
+}
+
+void MainWindow::openFile(const QString& path) {
+    if (path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
+        openRecording(path);
+        return;
+    }
+    // A TOML file is a source list when it reads as one, else a scene, whose own errors are then the useful
+    // ones.
+    runInBackground(
+        this, [path] { return readSourceList(path.toStdString()); },
+        [this, path](core::Expected<std::vector<SourceRequest>> list) {
+            if (!list) {
+                openScene(path);
+                return;
+            }
+            for (const SourceRequest& request : *list)
+                m_sources.open(request);
+        });
+}
+
+void MainWindow::openRecording(const QString& path) {
+    runInBackground(
+        this, [path] { return guessRecording(path.toStdString()); },
+        [this, path](core::Expected<RecordingRequest> guess) {
+            if (!guess) {
+                onFailed(QFileInfo(path).fileName(), guess.error());
+                return;
+            }
+            const auto known = m_settings.recording(path);
+            const bool fits = known && known->layout.taxels() == guess->layout.taxels();
+            auto* dialog = new RecordingDialog(fits ? *known : *guess, this);
+            dialog->setAttribute(Qt::WA_DeleteOnClose);
+            connect(dialog, &QDialog::accepted, this, [this, dialog, path] {
+                const RecordingRequest request = dialog->request();
+                m_settings.setRecording(request);
+                m_settings.addRecentFile(path);
+                m_operate->chooser().setRecent(m_settings.recentFiles());
+                m_sources.open(request);
+            });
+            dialog->open();
+        });
+}
+
+void MainWindow::openList(const QString& path) {
+    runInBackground(
+        this, [path] { return readSourceList(path.toStdString()); },
+        [this, path](core::Expected<std::vector<SourceRequest>> list) {
+            if (!list) {
+                onFailed(QFileInfo(path).fileName(), list.error());
+                return;
+            }
+            m_settings.addRecentFile(path);
+            m_operate->chooser().setRecent(m_settings.recentFiles());
+            for (const SourceRequest& request : *list)
+                m_sources.open(request);
+        });
+}
+
+void MainWindow::askForFile(const QString& title, const QString& filter,
+                            void (MainWindow::*open)(const QString&)) {
+    auto* dialog = new QFileDialog(this, title, QString(), filter);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, open);
+    dialog->open();
+}
+
+void MainWindow::onFailed(const QString& name, const core::Error& error) {
+    m_anyFailure = true;
+    const QString details = QString::fromStdString(core::describe(error));
+    std::fprintf(stderr, "teleta-console: %s\n", qPrintable(details));
+    m_operate->messages().post({chrome::Message::Severity::error,
+                                tr("%1 could not be opened.", "a file").arg(name),
+                                QString::fromStdString(error.message), details});
+}
+
+void MainWindow::showStop() {
+    m_stopButton->setEngaged(m_stop.engaged());
+}
+
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+    // Looked at before any widget may use the key up. One press passes several widgets on its way: it counts once,
+    // until the key is let go.
+    if (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress ||
+        event->type() == QEvent::KeyRelease) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        if (key->key() == Qt::Key_Escape && !key->isAutoRepeat())
+            onEscape(event->type() != QEvent::KeyRelease);
+    }
+    return QMainWindow::eventFilter(watched, event);
+}
+
+void MainWindow::onEscape(bool down) {
+    if (down == m_escapeDown)
+        return;
+    m_escapeDown = down;
+    if (!down)
+        return;
+    if (m_lastEscape.isValid() && m_lastEscape.elapsed() < kDoubleEscape_ms) {
+        m_lastEscape.invalidate();
+        m_stop.engage();
+        showStop();
+    } else {
+        m_lastEscape.start();
+    }
+}
+
+void MainWindow::fillDemos() {
+    // Titles are those of the scenes that come with the program; their files are resources.
+    m_operate->chooser().setDemos({
+        {QStringLiteral(":/scenes/tactile-indenter.toml"), tr("Demo: a ball and a bar"),
+         tr("A 6 x 14 array pressed by a ball that wanders, then by a bar that turns")},
+        {QStringLiteral(":/scenes/tactile-two-contacts.toml"), tr("Demo: two contacts that meet"),
+         tr("Two balls that approach each other until they touch, and part")},
+    });
+}
+
+void MainWindow::buildMenus() {
+    menuBar()->clear();
+    QMenu* file = menuBar()->addMenu(tr("&File"));
+    QMenu* open = m_operate->chooser().openMenu();
+    open->setTitle(tr("&Open"));
+    file->addMenu(open);
+    QAction* close = file->addAction(tr("&Close source"), QKeySequence::Close, this, [this] {
+        if (const auto* item = m_sources.active())
+            m_sources.close(item->key);
+    });
+    close->setToolTip(tr("Close the source that is shown"));
+    file->addSeparator();
+    file->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
+
+    QMenu* view = menuBar()->addMenu(tr("&View"));
+    view->addActions(m_operate->dockActions());
+    view->addAction(tr("&Reset layout"), this, [this] { m_operate->resetLayout(); });
+    view->addSeparator();
+    auto* themes = new QActionGroup(view);
+    const QString current = m_settings.theme();
+    const auto addTheme = [&](const QString& text, const QString& theme) {
+        QAction* action = view->addAction(text, this, [this, theme] { setTheme(theme); });
+        action->setCheckable(true);
+        action->setChecked(theme == current);
+        themes->addAction(action);
+    };
+    addTheme(tr("&Light"), QStringLiteral("light"));
+    addTheme(tr("&Dark"), QStringLiteral("dark"));
+    addTheme(tr("As the &desktop"), QStringLiteral("system"));
+    view->addSeparator();
+    view->addAction(tr("&Full screen"), QKeySequence::FullScreen, this,
+                    [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
+
+    QMenu* help = menuBar()->addMenu(tr("&Help"));
+    QAction* what = QWhatsThis::createAction(help);
+    help->addAction(what);
+    help->addAction(tr("&Shortcuts"), this, &MainWindow::showShortcuts);
+    help->addAction(tr("&About TeleTA Console"), this, &MainWindow::showAbout);
+}
+
+void MainWindow::setTheme(const QString& theme) {
+    m_settings.setTheme(theme);
+    base::applyTheme(themeFromName(theme));
+}
+
+void MainWindow::showAbout() {
+    openAbout(this);
+}
+
+void MainWindow::showShortcuts() {
+    openShortcuts(this);
+}
+
+void MainWindow::saveState() {
+    m_settings.setGeometry(saveGeometry());
+    m_settings.setLayout(QLatin1String(kOperate), m_operate->saveLayout());
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    // Whatever moves is stopped before the window that can stop it is gone.
+    m_stop.engage();
+    m_clock.stop();
+    saveState();
+    m_sources.closeAll();
+    QMainWindow::closeEvent(event);
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+    QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        setWindowTitle(tr("TeleTA Console"));
+        m_rail->setTitle(QLatin1String(kOperate), tr("Operate"),
+                         tr("What the arm touches, live or played back"));
+        fillDemos();
+        buildMenus();
+    }
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    for (const QUrl& url : event->mimeData()->urls()) {
+        const QString suffix = QFileInfo(url.toLocalFile()).suffix().toLower();
+        if (suffix == QLatin1String("csv") || suffix == QLatin1String("toml")) {
+            event->acceptProposedAction();
+            return;
+        }
+    }
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    for (const QUrl& url : event->mimeData()->urls()) {
+        if (url.isLocalFile())
+            openFile(url.toLocalFile());
+    }
+    event->acceptProposedAction();
+}
+
+} // namespace teleta::console

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/console_options.h"
+#include "app/console/console_settings.h"
+#include "app/console/gui_clock.h"
+#include "app/console/source_manager.h"
+#include "backend/core/stop_switch.h"
+
+#include <QElapsedTimer>
+#include <QMainWindow>
+
+class QStackedWidget;
+
+namespace teleta::chrome {
+class DeviceStrip;
+class PageRail;
+class StopButton;
+} // namespace teleta::chrome
+
+namespace teleta::console {
+
+class OperatePage;
+
+/// The console's window: rail of pages, status bar with the devices, STOP, menus. Composition only: what a
+/// page shows is the page's business, what is open is the SourceManager's. Thread: GUI.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    MainWindow(const ConsoleOptions& options, ConsoleSettings& settings, core::StopSwitch& stop);
+    ~MainWindow() override;
+
+    /// Opens what the command line asks for. True when there was something to open.
+    void openRequested(const ConsoleOptions& options);
+    void openDemo();
+
+    [[nodiscard]] GuiClock& clock() { return m_clock; }
+    [[nodiscard]] SourceManager& sources() { return m_sources; }
+    [[nodiscard]] OperatePage& operatePage() { return *m_operate; }
+    /// Whether a source failed to open since the start; decides the exit code of --screenshot.
+    [[nodiscard]] bool anyFailure() const { return m_anyFailure; }
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void buildMenus();
+    void fillDemos();
+    void onTick();
+    void onFailed(const QString& name, const core::Error& error);
+    void onEscape(bool down);
+    void showStop();
+    void setTheme(const QString& theme);
+    void openFile(const QString& path);
+    void openRecording(const QString& path);
+    void openList(const QString& path);
+    void askForFile(const QString& title, const QString& filter, void (MainWindow::*open)(const QString&));
+    void openScene(const QString& path);
+    void saveState();
+    void showAbout();
+    void showShortcuts();
+
+    ConsoleSettings& m_settings;
+    core::StopSwitch& m_stop;
+    SourceManager m_sources;
+    GuiClock m_clock;
+    chrome::PageRail* m_rail;
+    QStackedWidget* m_pages;
+    OperatePage* m_operate;
+    chrome::DeviceStrip* m_devices;
+    chrome::StopButton* m_stopButton;
+    std::uint64_t m_seed;
+    QElapsedTimer m_lastEscape;
+    bool m_escapeDown = false;
+    bool m_anyFailure = false;
+};
+
+} // namespace teleta::console

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/source_request.h"
+#include "backend/core/error.h"
+
+#include <string>
+#include <vector>
+
+namespace teleta::console {
+
+/// Reads a source list (TOML): one [[source]] a tactile array, in the order in which they open.
+///   recording = "FILE.csv" with rows, columns, pitch_m, tare, inverted, gain, threshold, unit, rate_Hz,
+///   speed, loop (what is missing is guessed from the file as in guessRecording), or scene = "FILE.toml" with
+///   seed.
+/// Relative paths start at the list's folder. Errors carry file, line and column.
+/// Reads the header of each recording: not on the GUI's thread.
+[[nodiscard]] core::Expected<std::vector<SourceRequest>> readSourceList(const std::string& path);
+
+} // namespace teleta::console

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/source_request.h"
+
+#include "backend/core/frame_file.h"
+#include "backend/scene/scene_reader.h"
+#include "backend/simulation/simulated_array.h"
+#include "devices/replay/replay_config.h"
+#include "devices/replay/replay_device.h"
+#include "devices/simulated/simulated_array_device.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QString>
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace teleta::console {
+
+namespace {
+
+struct KnownArray {
+    int rows;
+    int columns;
+    double pitch_m;
+};
+
+/// Weiss WTS0614; Sensomatt and Tactilus bed arrays of the PoPu recordings (their pitch is not published: 50
+/// and 25 mm are round numbers that give a bed's size).
+constexpr std::array kKnownArrays{KnownArray{6, 14, 0.0034}, KnownArray{12, 6, 0.05},
+                                  KnownArray{64, 27, 0.025}};
+
+core::ArrayLayout layoutFor(std::size_t taxels) {
+    for (const KnownArray& known : kKnownArrays) {
+        if (static_cast<std::size_t>(known.rows) * static_cast<std::size_t>(known.columns) == taxels)
+            return {known.rows, known.columns, known.pitch_m};
+    }
+    int rows = 1;
+    for (int side = 1; static_cast<std::size_t>(side) * static_cast<std::size_t>(side) <= taxels; ++side) {
+        if (taxels % static_cast<std::size_t>(side) == 0)
+            rows = side;
+    }
+    return {rows, static_cast<int>(taxels / static_cast<std::size_t>(rows)), core::ArrayLayout{}.pitch_m};
+}
+
+/// The unloaded recording beside a recording: "array_left1.csv" -> "array_empty*.csv".
+std::string unloadedBeside(const std::string& path) {
+    const QFileInfo file(QString::fromStdString(path));
+    const qsizetype separator = file.completeBaseName().lastIndexOf(QLatin1Char('_'));
+    if (separator <= 0)
+        return {};
+    const QString prefix = file.completeBaseName().left(separator + 1);
+    const QStringList found =
+        file.dir().entryList({prefix + QStringLiteral("empty*.csv")}, QDir::Files, QDir::Name);
+    if (found.isEmpty() || found.front() == file.fileName())
+        return {};
+    return file.dir().filePath(found.front()).toStdString();
+}
+
+pipeline::ChannelSettings settingsFor(double threshold_N, const std::string& unit) {
+    pipeline::ChannelSettings settings;
+    settings.features.threshold_N = threshold_N;
+    settings.segmentation.threshold_N = threshold_N;
+    settings.loadUnit = unit;
+    return settings;
+}
+
+core::Expected<pipeline::OpenedSource> openRecording(const RecordingRequest& request) {
+    pipeline::ChannelSettings settings = settingsFor(request.threshold_N, request.loadUnit);
+    settings.conditioning.gain = request.gain;
+    settings.conditioning.inverted = request.inverted;
+    if (!request.tarePath.empty()) {
+        auto tare = core::readTare(request.tarePath, request.layout);
+        if (!tare)
+            return core::Unexpected(tare.error());
+        settings.conditioning.tare = std::move(*tare);
+    }
+    replay::ReplayConfig config;
+    config.path = request.path;
+    config.layout = request.layout;
+    config.unit = request.loadUnit;
+    if (request.rate_Hz > 0.0)
+        config.rate_Hz = request.rate_Hz;
+    config.speed = request.speed;
+    config.loop = request.loop;
+    auto source = replay::ReplayDevice::open(std::move(config));
+    if (!source)
+        return core::Unexpected(source.error());
+    return pipeline::OpenedSource{std::move(*source), std::move(settings)};
+}
+
+/// A scene file, or one of the scenes in the program's resources, which only Qt can read.
+core::Expected<scene::Scene> readSceneOrResource(const std::string& path) {
+    if (!path.starts_with(":/"))
+        return scene::readScene(path);
+    QFile file(QString::fromStdString(path));
+    if (!file.open(QIODevice::ReadOnly))
+        return core::Unexpected(
+            core::Error{core::ErrorKind::notFound, file.errorString().toStdString(), {}, {path, 0, 0}});
+    return scene::parseScene(file.readAll().toStdString(), path);
+}
+
+core::Expected<pipeline::OpenedSource> openScene(const SceneRequest& request, const core::StopSwitch& stop) {
+    auto scene = readSceneOrResource(request.path);
+    if (!scene)
+        return core::Unexpected(scene.error());
+    const double threshold_N = scene->sensor.firingThreshold_N > 0.0 ? scene->sensor.firingThreshold_N
+                                                                     : contact::FeatureSettings{}.threshold_N;
+    auto array = simulation::makeTactileArray(*scene, request.seed);
+    if (!array)
+        return core::Unexpected(array.error());
+    return pipeline::OpenedSource{std::make_unique<simulated::SimulatedArrayDevice>(std::move(*array), stop),
+                                  settingsFor(threshold_N, "N")};
+}
+
+} // namespace
+
+std::string displayName(const SourceRequest& request) {
+    const auto& path =
+        std::visit([](const auto& known) -> const std::string& { return known.path; }, request);
+    return QFileInfo(QString::fromStdString(path)).completeBaseName().toStdString();
+}
+
+pipeline::SourceFactory makeSourceFactory(SourceRequest request, const core::StopSwitch& stop) {
+    return [request = std::move(request), &stop] {
+        if (const auto* recording = std::get_if<RecordingRequest>(&request))
+            return openRecording(*recording);
+        return openScene(std::get<SceneRequest>(request), stop);
+    };
+}
+
+core::Expected<RecordingRequest> guessRecording(const std::string& path) {
+    const auto taxels = core::FrameFile::countTaxels(path);
+    if (!taxels)
+        return core::Unexpected(taxels.error());
+    RecordingRequest request;
+    request.path = path;
+    request.layout = layoutFor(*taxels);
+    request.tarePath = unloadedBeside(path);
+    return request;
+}
+
+} // namespace teleta::console

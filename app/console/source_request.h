@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/array_layout.h"
+#include "backend/core/error.h"
+#include "backend/core/stop_switch.h"
+#include "backend/pipeline/touch_pipeline.h"
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace teleta::console {
+
+/// A recorded run of tactile frames (CSV) to be played back.
+struct RecordingRequest {
+    std::string path;
+    core::ArrayLayout layout;
+    std::string tarePath; ///< recording of the unloaded array; empty: none
+    bool inverted = false;
+    double gain = 1.0;
+    double threshold_N = 0.2;
+    double rate_Hz = 0.0; ///< play one frame per 1/rate_Hz; 0: at the recorded times
+    double speed = 1.0;
+    bool loop = true;
+    std::string loadUnit = "N";
+};
+
+/// A simulated scene (TOML).
+struct SceneRequest {
+    std::string path; ///< a file, or ":/scenes/NAME.toml" for one that comes with the program
+    std::uint64_t seed = 1;
+};
+
+using SourceRequest = std::variant<RecordingRequest, SceneRequest>;
+
+/// Name under which people know the source: the file name without its folder.
+[[nodiscard]] std::string displayName(const SourceRequest& request);
+
+/// What opens the source on the pipeline's control thread. stop outlives the source.
+[[nodiscard]] pipeline::SourceFactory makeSourceFactory(SourceRequest request, const core::StopSwitch& stop);
+
+/// Fills in what a recording's own file tells: the layout by the number of its taxel columns (known arrays
+/// first, else the most square factorisation), and as tare the file beside it whose name differs by "empty".
+/// Reads the header line only. Thread: any but the GUI's.
+[[nodiscard]] core::Expected<RecordingRequest> guessRecording(const std::string& path);
+
+} // namespace teleta::console

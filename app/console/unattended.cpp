@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/unattended.h"
+
+#include "app/console/main_window.h"
+
+#include <QApplication>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QPixmap>
+#include <QSaveFile>
+#include <QTimer>
+
+#include <cstdio>
+
+namespace teleta::console {
+
+namespace {
+
+/// The first second belongs to start-up: windows are laid out and OpenGL compiles its shaders.
+constexpr double kWarmUp_s = 1.0;
+
+int milliseconds(double time_s) {
+    return static_cast<int>(time_s * 1e3);
+}
+
+} // namespace
+
+Unattended::Unattended(const ConsoleOptions& options, MainWindow& window)
+    : m_options(options)
+    , m_window(window) {
+}
+
+void Unattended::start() {
+    if (!m_options.screenshot.isEmpty())
+        QTimer::singleShot(milliseconds(m_options.after_s), this, &Unattended::takePicture);
+    if (m_options.measure_s) {
+        QTimer::singleShot(milliseconds(kWarmUp_s), this, [this] { m_window.clock().resetReport(); });
+        QTimer::singleShot(milliseconds(kWarmUp_s + *m_options.measure_s), this,
+                           &Unattended::printMeasurement);
+    }
+}
+
+void Unattended::takePicture() {
+    QSaveFile file(m_options.screenshot);
+    const bool saved = file.open(QIODevice::WriteOnly) && m_window.grab().save(&file, "PNG") && file.commit();
+    if (!saved)
+        std::fprintf(stderr, "%s\n",
+                     qPrintable(tr("teleta-console: %1: cannot write the picture: %2")
+                                    .arg(m_options.screenshot, file.errorString())));
+    const int code = !saved ? 1 : m_window.anyFailure() ? 3 : 0;
+    m_window.close();
+    QApplication::exit(code);
+}
+
+void Unattended::printMeasurement() {
+    const GuiClock::Report report = m_window.clock().report();
+    QJsonArray sources;
+    for (const SourceManager::Item& item : m_window.sources().items()) {
+        if (item.channel == nullptr)
+            continue;
+        const core::DeviceStatus status = item.channel->status();
+        sources.append(QJsonObject{{"name", item.name},
+                                   {"rate_hz", status.rate_Hz},
+                                   {"frames_processed", static_cast<qint64>(item.channel->framesProcessed())},
+                                   {"frames_lost", static_cast<qint64>(status.framesLost)},
+                                   {"frames_displayed", static_cast<qint64>(item.displayed)}});
+    }
+    const QJsonObject document{
+        {"measured_s", *m_options.measure_s},           {"ticks", static_cast<qint64>(report.ticks)},
+        {"tick_work_p50_s", report.work_p50_s},         {"tick_work_p99_s", report.work_p99_s},
+        {"tick_work_max_s", report.work_max_s},         {"event_loop_stall_p99_s", report.stall_p99_s},
+        {"event_loop_stall_max_s", report.stall_max_s}, {"sources", sources}};
+    std::printf("%s", QJsonDocument(document).toJson().constData());
+    std::fflush(stdout);
+    const int code = m_window.anyFailure() ? 3 : 0;
+    m_window.close();
+    QApplication::exit(code);
+}
+
+} // namespace teleta::console

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/console_options.h"
+
+#include <QObject>
+
+namespace teleta::console {
+
+class MainWindow;
+
+/// Runs without a person: takes a picture of the window after a while (--screenshot), or measures the event
+/// loop
+/// (--measure), and ends the program with an exit code: 0 done, 1 the picture could not be written, 3 a
+/// source could not be opened. Thread: GUI.
+class Unattended : public QObject {
+    Q_OBJECT
+
+public:
+    Unattended(const ConsoleOptions& options, MainWindow& window);
+
+    void start();
+
+private:
+    void takePicture();
+    void printMeasurement();
+
+    ConsoleOptions m_options;
+    MainWindow& m_window;
+};
+
+} // namespace teleta::console

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/console_options.h"
+
+#include <QTest>
+
+using teleta::console::parseOptions;
+
+/// The command line of teleta-console.
+class ConsoleOptionsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void takesNoArgumentsAsAnEmptyStart() {
+        const auto parsed = parseOptions({"teleta-console"});
+        QVERIFY(parsed.options.has_value());
+        QVERIFY(parsed.options->scenes.isEmpty());
+        QVERIFY(parsed.options->recordings.empty());
+        QCOMPARE(parsed.options->after_s, 3.0);
+    }
+
+    void pairsTheOptionsOfARecordingByTheirOrder() {
+        const auto parsed = parseOptions({"teleta-console", "--replay", "a.csv", "--rows", "64", "--columns",
+                                          "27", "--replay", "b.csv", "--rows", "12", "--columns", "6",
+                                          "--threshold", "10", "--pitch-mm", "25"});
+        QVERIFY(parsed.options.has_value());
+        QCOMPARE(parsed.options->recordings.size(), std::size_t(2));
+        const auto& first = parsed.options->recordings[0];
+        const auto& second = parsed.options->recordings[1];
+        QCOMPARE(first.path, QString("a.csv"));
+        QCOMPARE(*first.rows, 64);
+        QCOMPARE(*second.rows, 12);
+        QCOMPARE(*second.columns, 6);
+        QCOMPARE(*first.threshold_N, 10.0);
+        QVERIFY2(*second.threshold_N == 10.0, "the last value goes on to the recordings that follow");
+        QCOMPARE(*second.pitch_m, 0.025);
+        QVERIFY(!first.tarePath.has_value());
+    }
+
+    void refusesWrongUsageWithTheReason_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QString>("reason");
+        QTest::newRow("unknown option") << QStringList{"--frobnicate"} << "frobnicate";
+        QTest::newRow("stray argument") << QStringList{"run.csv"} << "run.csv";
+        QTest::newRow("rows not a number") << QStringList{"--replay", "a", "--rows", "six"} << "six";
+        QTest::newRow("rows out of range") << QStringList{"--replay", "a", "--rows", "0"} << "1 to 1024";
+        QTest::newRow("rate not finite") << QStringList{"--rate", "nan"} << "nan";
+        QTest::newRow("unknown page") << QStringList{"--page", "nowhere"} << "operate";
+        QTest::newRow("unknown theme") << QStringList{"--theme", "pink"} << "light, dark or system";
+        QTest::newRow("size without x") << QStringList{"--size", "1600"} << "WIDTHxHEIGHT";
+        QTest::newRow("size too small") << QStringList{"--size", "10x10"} << "320x240";
+        QTest::newRow("value missing") << QStringList{"--screenshot"} << "screenshot";
+    }
+    void refusesWrongUsageWithTheReason() {
+        QFETCH(QStringList, arguments);
+        QFETCH(QString, reason);
+        const auto parsed = parseOptions(QStringList{"teleta-console"} + arguments);
+        QVERIFY(!parsed.options.has_value());
+        QCOMPARE(parsed.exitCode, 2);
+        QVERIFY2(parsed.text.contains(reason), qPrintable(parsed.text));
+    }
+
+    void printsHelpAndVersionWithoutFailing() {
+        const auto help = parseOptions({"teleta-console", "--help"});
+        QVERIFY(!help.options.has_value());
+        QCOMPARE(help.exitCode, 0);
+        for (const char* option :
+             {"--scene", "--replay", "--page", "--screenshot", "--after", "--theme", "--tare"})
+            QVERIFY2(help.text.contains(QLatin1String(option)), option);
+        QCOMPARE(parseOptions({"teleta-console", "--version"}).exitCode, 0);
+    }
+};
+
+QTEST_GUILESS_MAIN(ConsoleOptionsTest)
+#include "console_options_test.moc"

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/main_window.h"
+#include "app/console/operate_page.h"
+#include "widgets/base/theme.h"
+#include "widgets/chrome/device_strip.h"
+#include "widgets/chrome/playback_bar.h"
+#include "widgets/chrome/stop_button.h"
+#include "widgets/tactile/heatmap_view.h"
+#include "widgets/view3d/gl_setup.h"
+
+#include <QApplication>
+#include <QDockWidget>
+#include <QFile>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <memory>
+
+using namespace teleta;
+using console::ConsoleOptions;
+using console::ConsoleSettings;
+using console::MainWindow;
+
+/// The window as a whole, on a real display.
+class MainWindowTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+    std::unique_ptr<core::StopSwitch> m_stop;
+    std::unique_ptr<ConsoleSettings> m_settings;
+    std::unique_ptr<MainWindow> m_window;
+
+    void openWindow(const ConsoleOptions& options = {}) {
+        m_window.reset();
+        m_stop = std::make_unique<core::StopSwitch>();
+        m_settings = std::make_unique<ConsoleSettings>(true);
+        m_window = std::make_unique<MainWindow>(options, *m_settings, *m_stop);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        m_window->openRequested(options);
+    }
+
+    QString write(const QString& name, const QByteArray& content) {
+        QFile file(m_folder.filePath(name));
+        if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size())
+            qFatal("cannot write %s", qPrintable(name));
+        return file.fileName();
+    }
+
+    /// 50 frames at 10 Hz of a 2 x 3 array whose last taxel carries the frame's number.
+    QString writeRecording(const QString& name) {
+        QByteArray text = "time_s,t0,t1,t2,t3,t4,t5\n";
+        for (int frame = 0; frame < 50; ++frame)
+            text += QByteArray::number(frame * 0.1, 'f', 1) + ",0,0,0,0,0," + QByteArray::number(frame + 1) +
+                    "\n";
+        return write(name, text);
+    }
+
+    static ConsoleOptions replay(const QString& path) {
+        ConsoleOptions options;
+        ConsoleOptions::Recording recording;
+        recording.path = path;
+        recording.rows = 2;
+        recording.columns = 3;
+        options.recordings.push_back(recording);
+        return options;
+    }
+
+    template <typename Widget>
+    Widget* child() const {
+        return m_window->findChild<Widget*>();
+    }
+
+    bool showsData() const {
+        auto* item = m_window->sources().active();
+        return item != nullptr && item->displayed > 0;
+    }
+
+private slots:
+    void initTestCase() { base::applyTheme(base::ThemeChoice::light); }
+    void cleanup() { m_window.reset(); }
+
+    void startsEmptyAndOffersADemoThatRuns() {
+        openWindow();
+        auto* demo = m_window->findChild<QPushButton*>("openDemo");
+        QVERIFY(demo != nullptr && demo->isVisible());
+        QTest::mouseClick(demo, Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(showsData(), 20'000);
+        QVERIFY(!demo->isVisible());
+        QTRY_VERIFY(child<chrome::DeviceStrip>()->text(0).contains("tactile-indenter"));
+        QVERIFY(!child<chrome::PlaybackBar>()->isVisible());
+    }
+
+    void playsARecordingWithATimeBarAndSteps() {
+        openWindow(replay(writeRecording("run.csv")));
+        QTRY_VERIFY_WITH_TIMEOUT(showsData(), 20'000);
+        auto* bar = child<chrome::PlaybackBar>();
+        QVERIFY(bar->isVisible());
+        auto* item = m_window->sources().active();
+        QTest::keyClick(bar, Qt::Key_Home);
+        QTest::keyClick(bar, Qt::Key_Right);
+        auto* playback = item->channel->playback();
+        QVERIFY(playback != nullptr);
+        QTRY_VERIFY(playback->position().paused);
+        QTRY_COMPARE(item->channel->snapshot().features.force_N, 2.0);
+        QTest::keyClick(bar, Qt::Key_Right);
+        QTRY_COMPARE(item->channel->snapshot().features.force_N, 3.0);
+        QTest::keyClick(bar, Qt::Key_Left);
+        QTRY_COMPARE(item->channel->snapshot().features.force_N, 2.0);
+    }
+
+    void saysWhatIsWrongWithAFileWithoutAModalDialog_data() {
+        QTest::addColumn<QByteArray>("content");
+        QTest::newRow("text instead of a number")
+            << QByteArray("time_s,t0,t1,t2,t3,t4,t5\n0,1,2,3,4,5,six\n");
+        QTest::newRow("row too short") << QByteArray("time_s,t0,t1,t2,t3,t4,t5\n0,1,2\n");
+        QTest::newRow("columns missing") << QByteArray("time_s,t0,t1\n0,1,2\n");
+        QTest::newRow("empty") << QByteArray();
+    }
+    void saysWhatIsWrongWithAFileWithoutAModalDialog() {
+        QFETCH(QByteArray, content);
+        openWindow(replay(write("wrong.csv", content)));
+        auto& messages = m_window->operatePage().messages();
+        QTRY_COMPARE_WITH_TIMEOUT(messages.count(), 1, 20'000);
+        QVERIFY(messages.isVisible());
+        QVERIFY(QApplication::activeModalWidget() == nullptr);
+        QVERIFY(m_window->anyFailure());
+    }
+
+    void keepsWhatCameBeforeADamagedRowAndSaysWhereItIs() {
+        QByteArray text = "time_s,t0,t1,t2,t3,t4,t5\n";
+        for (int frame = 0; frame < 20; ++frame)
+            text += QByteArray::number(frame * 0.01, 'f', 2) + ",0,0,0,0,0,1\n";
+        openWindow(replay(write("damaged.csv", text + "0.2,0,0,oops,0,0,1\n")));
+        auto& messages = m_window->operatePage().messages();
+        QTRY_COMPARE_WITH_TIMEOUT(messages.count(), 1, 20'000);
+        auto* item = m_window->sources().active();
+        QVERIFY(item != nullptr);
+        QTRY_COMPARE(item->channel->framesProcessed(), std::uint64_t(20));
+        QVERIFY(QString::fromStdString(item->channel->status().message).contains("damaged.csv:22"));
+    }
+
+    void anUnknownKeyInASceneIsSaidWithItsPlace() {
+        ConsoleOptions options;
+        options.scenes << write("scene.toml", "name = \"x\"\nfrobnicate = 1\n");
+        openWindow(options);
+        QTRY_COMPARE_WITH_TIMEOUT(m_window->operatePage().messages().count(), 1, 20'000);
+        QVERIFY(QApplication::activeModalWidget() == nullptr);
+    }
+
+    void stopsByButtonByKeyAndByTwoEscapesAndReleasesOnlyByHolding() {
+        openWindow();
+        auto* button = child<chrome::StopButton>();
+        QTest::mouseClick(button, Qt::LeftButton);
+        QVERIFY(m_stop->engaged());
+        QVERIFY(button->engaged());
+        QTest::mouseClick(button, Qt::LeftButton);
+        QVERIFY(m_stop->engaged());
+        QTest::mousePress(button, Qt::LeftButton);
+        QTRY_VERIFY(!m_stop->engaged());
+        QTest::mouseRelease(button, Qt::LeftButton);
+
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        QTest::keyClick(m_window.get(), Qt::Key_Period, Qt::ControlModifier);
+        QVERIFY(m_stop->engaged());
+        m_stop->release();
+        QTest::keyClick(m_window.get(), Qt::Key_Escape);
+        QVERIFY(!m_stop->engaged());
+        QTest::keyClick(m_window.get(), Qt::Key_Escape);
+        QVERIFY(m_stop->engaged());
+    }
+
+    void restoresALayoutAndFallsBackFromADamagedOne() {
+        openWindow();
+        auto& page = m_window->operatePage();
+        auto* charts = m_window->findChild<QDockWidget*>("charts");
+        QVERIFY(charts != nullptr);
+        charts->close();
+        const QByteArray closed = page.saveLayout();
+        page.resetLayout();
+        QVERIFY(!charts->isHidden());
+        QVERIFY(page.restoreLayout(closed));
+        QVERIFY(charts->isHidden());
+        QVERIFY(!page.restoreLayout("damaged"));
+        QVERIFY(!charts->isHidden());
+        for (QAction* action : page.dockActions())
+            QVERIFY(!action->text().isEmpty());
+    }
+
+    void floatsEveryDockAndTakesItBackWhileDataRuns() {
+        openWindow();
+        m_window->openDemo();
+        QTRY_VERIFY_WITH_TIMEOUT(showsData(), 20'000);
+        for (auto* dock : m_window->findChildren<QDockWidget*>()) {
+            dock->setFloating(true);
+            QVERIFY(QTest::qWaitForWindowExposed(dock));
+            const auto before = m_window->sources().active()->displayed;
+            QTRY_VERIFY(m_window->sources().active()->displayed > before);
+            dock->setFloating(false);
+        }
+        QVERIFY(!m_window->grab().isNull());
+    }
+
+    void changesThemeWhileDataRuns() {
+        openWindow();
+        m_window->openDemo();
+        QTRY_VERIFY_WITH_TIMEOUT(showsData(), 20'000);
+        base::applyTheme(base::ThemeChoice::dark);
+        const auto before = m_window->sources().active()->displayed;
+        QTRY_VERIFY(m_window->sources().active()->displayed > before + 2);
+        const QColor dark = m_window->grab().toImage().pixelColor(3, m_window->height() - 3);
+        QVERIFY2(dark.lightness() < 128, qPrintable(dark.name()));
+        base::applyTheme(base::ThemeChoice::light);
+    }
+
+    void showsTwoSourcesInTurnAndClosesThem() {
+        ConsoleOptions options = replay(writeRecording("two.csv"));
+        options.scenes << QStringLiteral(":/scenes/tactile-two-contacts.toml");
+        openWindow(options);
+        QTRY_COMPARE_WITH_TIMEOUT(m_window->sources().items().size(), std::size_t(2), 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            m_window->sources().items()[0].channel && m_window->sources().items()[1].channel, 20'000);
+        const auto first = m_window->sources().items()[0].key;
+        const auto second = m_window->sources().items()[1].key;
+        m_window->sources().activate(first);
+        QTRY_VERIFY(showsData());
+        m_window->sources().activate(second);
+        QTRY_VERIFY(showsData());
+        m_window->sources().close(second);
+        QCOMPARE(m_window->sources().active()->key, first);
+        m_window->sources().close(first);
+        QVERIFY(m_window->sources().active() == nullptr);
+        QVERIFY(m_window->findChild<QPushButton*>("openDemo")->isVisible());
+    }
+
+    void closingTheWindowStopsWhateverMoves() {
+        openWindow();
+        m_window->close();
+        QVERIFY(m_stop->engaged());
+    }
+};
+
+int main(int argc, char* argv[]) {
+    view3d::configureOpenGlBeforeApplication();
+    QApplication application(argc, argv);
+    MainWindowTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "main_window_test.moc"
