@@ -93,7 +93,8 @@ TactileFeatures FeatureExtractor::compute(std::span<const float> load_N, std::sp
     features.force_N = moments.sum;
     features.peak_N = static_cast<double>(moments.peak);
     features.active = static_cast<int>(moments.active);
-    if (moments.sum > 0.0) {
+    // Without a contact the sum is noise, and so would its centre be.
+    if (moments.active > 0) {
         features.copX_m = pitch_m * (moments.sumX / moments.sum);
         features.copY_m = pitch_m * (moments.sumY / moments.sum);
     }
