@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/interruption.h"
 #include "app/cli/program.h"
+#include "app/common/translation.h"
 
 #include <QCoreApplication>
 #include <QLocale>
-#include <QTranslator>
 
 #include <clocale>
 #include <cstdlib>
@@ -26,14 +26,12 @@ void preferUtf8() {
 
 int main(int argc, char** argv) {
     preferUtf8();
-    const QCoreApplication application(argc, argv);
+    QCoreApplication application(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("teleta"));
     QCoreApplication::setApplicationVersion(QStringLiteral(TELETA_VERSION));
     // Qt has set the locale of the environment; numbers in options and files do not depend on it.
     std::setlocale(LC_NUMERIC, "C");
-    QTranslator translator;
-    if (translator.load(QLocale(), QStringLiteral("teleta"), QStringLiteral("_"), QStringLiteral(":/i18n")))
-        QCoreApplication::installTranslator(&translator);
+    teleta::app::installTranslator(application, QLocale::system());
     teleta::cli::catchInterruptions();
     return teleta::cli::runProgram(argc, argv);
 }

@@ -99,6 +99,8 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
         option("tare", tr("Recording of the unloaded array, subtracted from the frames."), tr("FILE"));
     const auto invert = option("invert", tr("The values fall under load."));
     const auto gain = option("gain", tr("Load per raw unit (default 1)."), tr("G"));
+    const auto unit =
+        option("unit", tr("Unit of the loads (default N or counts, by the array)."), tr("NAME"));
     const auto threshold =
         option("threshold", tr("Load from which a taxel is in contact (default 0.2)."), tr("LOAD"));
     const auto rate = option("rate", tr("Play at this rate in Hz instead of the recorded times."), tr("HZ"));
@@ -137,6 +139,8 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
     const auto allRates = numbers(rate, 0.001, 100'000.0);
     const QStringList tareFiles = m_parser.values(tare);
     const std::vector<QString> allTares(tareFiles.begin(), tareFiles.end());
+    const QStringList unitNames = m_parser.values(unit);
+    const std::vector<QString> allUnits(unitNames.begin(), unitNames.end());
     const QStringList replays = m_parser.values(replay);
     for (qsizetype index = 0; index < replays.size(); ++index) {
         const auto nth = static_cast<std::size_t>(index);
@@ -147,6 +151,7 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
         if (const auto pitch_mm = valueFor(allPitches_mm, nth))
             recording.pitch_m = *pitch_mm * 1e-3;
         recording.tarePath = valueFor(allTares, nth);
+        recording.unit = valueFor(allUnits, nth);
         recording.gain = valueFor(allGains, nth);
         recording.threshold_N = valueFor(allThresholds, nth);
         recording.rate_Hz = valueFor(allRates, nth);
@@ -206,6 +211,8 @@ core::Expected<RecordingRequest> completeRecording(const ConsoleOptions::Recordi
     request.layout.pitch_m = recording.pitch_m.value_or(request.layout.pitch_m);
     if (recording.tarePath)
         request.tarePath = recording.tarePath->toStdString();
+    if (recording.unit)
+        request.loadUnit = recording.unit->toStdString();
     request.gain = recording.gain.value_or(request.gain);
     request.threshold_N = recording.threshold_N.value_or(request.threshold_N);
     request.rate_Hz = recording.rate_Hz.value_or(request.rate_Hz);

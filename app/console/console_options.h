@@ -23,6 +23,7 @@ struct ConsoleOptions {
         std::optional<double> gain;
         std::optional<double> threshold_N;
         std::optional<double> rate_Hz;
+        std::optional<QString> unit;
         bool inverted = false;
     };
 

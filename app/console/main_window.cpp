@@ -234,8 +234,7 @@ void MainWindow::onFailed(const QString& name, const core::Error& error) {
     const QString details = QString::fromStdString(core::describe(error));
     std::fprintf(stderr, "teleta-console: %s\n", qPrintable(details));
     m_operate->messages().post({chrome::Message::Severity::error,
-                                tr("%1 could not be opened.", "a file").arg(name),
-                                QString::fromStdString(error.message), details});
+                                tr("%1 could not be opened.", "a file").arg(name), details, QString()});
 }
 
 void MainWindow::showStop() {
@@ -243,8 +242,8 @@ void MainWindow::showStop() {
 }
 
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
-    // Looked at before any widget may use the key up. One press passes several widgets on its way: it counts once,
-    // until the key is let go.
+    // Looked at before any widget may use the key up. One press passes several widgets on its way: it counts
+    // once, until the key is let go.
     if (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress ||
         event->type() == QEvent::KeyRelease) {
         const auto* key = static_cast<QKeyEvent*>(event);

@@ -221,8 +221,11 @@ std::vector<chrome::DeviceReading> OperatePage::readings() const {
             const core::SourceDescription& description = item.channel->description();
             const core::DeviceStatus status = item.channel->status();
             reading.provenance = provenanceOf(description);
-            reading.state = core::observedState(status.state, status.lastData_ns, now_ns,
-                                                core::staleAfter_ns(description.nominalRate_Hz));
+            // A recording may be played as slowly as one likes: its frames are old by nature, not stale.
+            reading.state = description.recorded
+                                ? status.state
+                                : core::observedState(status.state, status.lastData_ns, now_ns,
+                                                      core::staleAfter_ns(description.nominalRate_Hz));
             reading.age_s =
                 status.lastData_ns > 0 ? static_cast<double>(now_ns - status.lastData_ns) * 1e-9 : 0.0;
             reading.rate_Hz = status.rate_Hz;

@@ -16,7 +16,7 @@ SourceManager::SourceManager(core::StopSwitch& stop, QObject* parent)
 
 ChannelKey SourceManager::open(const SourceRequest& request) {
     const ChannelKey key = m_pipeline.open(makeSourceFactory(request, m_stop));
-    m_items.push_back({key, request, QString::fromStdString(displayName(request)), nullptr, 0});
+    m_items.push_back({key, request, displayName(request), nullptr, 0});
     emit itemsChanged();
     return key;
 }
@@ -70,7 +70,7 @@ void SourceManager::poll() {
             activate(event.key);
             break;
         case ChannelEvent::Kind::failed: {
-            const QString name = item != nullptr ? item->name : QString();
+            const QString name = item != nullptr ? fileName(item->request) : QString();
             remove(event.key);
             emit failed(name, event.error);
             break;

@@ -25,24 +25,32 @@ struct KnownArray {
     int rows;
     int columns;
     double pitch_m;
+    const char* unit;
 };
 
 /// Weiss WTS0614; Sensomatt and Tactilus bed arrays of the PoPu recordings (their pitch is not published: 50
 /// and 25 mm are round numbers that give a bed's size).
-constexpr std::array kKnownArrays{KnownArray{6, 14, 0.0034}, KnownArray{12, 6, 0.05},
-                                  KnownArray{64, 27, 0.025}};
+constexpr std::array kKnownArrays{KnownArray{6, 14, 0.0034, "N"}, KnownArray{12, 6, 0.05, "counts"},
+                                  KnownArray{64, 27, 0.025, "counts"}};
 
-core::ArrayLayout layoutFor(std::size_t taxels) {
+/// What an array of so many taxels is likely to be. The values of one that is not known are counts until
+/// somebody says otherwise.
+void guessArray(std::size_t taxels, RecordingRequest& request) {
+    request.loadUnit = "counts";
     for (const KnownArray& known : kKnownArrays) {
-        if (static_cast<std::size_t>(known.rows) * static_cast<std::size_t>(known.columns) == taxels)
-            return {known.rows, known.columns, known.pitch_m};
+        if (static_cast<std::size_t>(known.rows) * static_cast<std::size_t>(known.columns) == taxels) {
+            request.layout = {known.rows, known.columns, known.pitch_m};
+            request.loadUnit = known.unit;
+            return;
+        }
     }
-    int rows = 1;
-    for (int side = 1; static_cast<std::size_t>(side) * static_cast<std::size_t>(side) <= taxels; ++side) {
-        if (taxels % static_cast<std::size_t>(side) == 0)
+    std::size_t rows = 1;
+    for (std::size_t side = 1; side * side <= taxels; ++side) {
+        if (taxels % side == 0)
             rows = side;
     }
-    return {rows, static_cast<int>(taxels / static_cast<std::size_t>(rows)), core::ArrayLayout{}.pitch_m};
+    request.layout.rows = static_cast<int>(rows);
+    request.layout.columns = static_cast<int>(taxels / rows);
 }
 
 /// The unloaded recording beside a recording: "array_left1.csv" -> "array_empty*.csv".
@@ -115,12 +123,18 @@ core::Expected<pipeline::OpenedSource> openScene(const SceneRequest& request, co
                                   settingsFor(threshold_N, "N")};
 }
 
+QString pathOf(const SourceRequest& request) {
+    return std::visit([](const auto& known) { return QString::fromStdString(known.path); }, request);
+}
+
 } // namespace
 
-std::string displayName(const SourceRequest& request) {
-    const auto& path =
-        std::visit([](const auto& known) -> const std::string& { return known.path; }, request);
-    return QFileInfo(QString::fromStdString(path)).completeBaseName().toStdString();
+QString displayName(const SourceRequest& request) {
+    return QFileInfo(pathOf(request)).completeBaseName();
+}
+
+QString fileName(const SourceRequest& request) {
+    return QFileInfo(pathOf(request)).fileName();
 }
 
 pipeline::SourceFactory makeSourceFactory(SourceRequest request, const core::StopSwitch& stop) {
@@ -137,7 +151,7 @@ core::Expected<RecordingRequest> guessRecording(const std::string& path) {
         return core::Unexpected(taxels.error());
     RecordingRequest request;
     request.path = path;
-    request.layout = layoutFor(*taxels);
+    guessArray(*taxels, request);
     request.tarePath = unloadedBeside(path);
     return request;
 }

@@ -6,6 +6,8 @@
 #include "backend/core/stop_switch.h"
 #include "backend/pipeline/touch_pipeline.h"
 
+#include <QString>
+
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -24,7 +26,7 @@ struct RecordingRequest {
     double rate_Hz = 0.0; ///< play one frame per 1/rate_Hz; 0: at the recorded times
     double speed = 1.0;
     bool loop = true;
-    std::string loadUnit = "N";
+    std::string loadUnit = "N"; ///< shown with every load
 };
 
 /// A simulated scene (TOML).
@@ -36,7 +38,10 @@ struct SceneRequest {
 using SourceRequest = std::variant<RecordingRequest, SceneRequest>;
 
 /// Name under which people know the source: the file name without its folder.
-[[nodiscard]] std::string displayName(const SourceRequest& request);
+[[nodiscard]] QString displayName(const SourceRequest& request);
+
+/// The same with its extension, for messages about the file.
+[[nodiscard]] QString fileName(const SourceRequest& request);
 
 /// What opens the source on the pipeline's control thread. stop outlives the source.
 [[nodiscard]] pipeline::SourceFactory makeSourceFactory(SourceRequest request, const core::StopSwitch& stop);

@@ -31,9 +31,9 @@ using stiffness::Refusal;
 using stiffness::Stiffness;
 using stiffness::TouchStiffness;
 
-QString translate(const char* text) {
-    return QCoreApplication::translate("StiffnessCommand", text);
-}
+struct StiffnessText {
+    Q_DECLARE_TR_FUNCTIONS(StiffnessCommand)
+};
 
 nlohmann::ordered_json orNull(const std::optional<double>& value) {
     return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
@@ -57,15 +57,15 @@ nlohmann::ordered_json toJson(const TouchStiffness& touch) {
 QString materialName(Material material) {
     switch (material) {
     case Material::sponge:
-        return translate("sponge");
+        return StiffnessText::tr("sponge");
     case Material::rubberSponge:
-        return translate("rubber sponge");
+        return StiffnessText::tr("rubber sponge");
     case Material::rubber:
-        return translate("rubber");
+        return StiffnessText::tr("rubber");
     case Material::wood:
-        return translate("wood");
+        return StiffnessText::tr("wood");
     case Material::metal:
-        return translate("metal");
+        return StiffnessText::tr("metal");
     }
     return {};
 }
@@ -80,28 +80,28 @@ QString perMetre(double stiffness_NPerM) {
 
 QString inWords(const Stiffness& stiffness) {
     if (!stiffness.value_NPerM)
-        return translate("at least %1 N/m (95 %)").arg(perMetre(*stiffness.lower95_NPerM));
+        return StiffnessText::tr("at least %1 N/m (95 %)").arg(perMetre(*stiffness.lower95_NPerM));
     if (!stiffness.lower95_NPerM)
-        return translate("%1 N/m (uncertainty not available)").arg(perMetre(*stiffness.value_NPerM));
-    return translate("%1 N/m (95 %: %2 to %3)")
+        return StiffnessText::tr("%1 N/m (uncertainty not available)").arg(perMetre(*stiffness.value_NPerM));
+    return StiffnessText::tr("%1 N/m (95 %: %2 to %3)")
         .arg(perMetre(*stiffness.value_NPerM), perMetre(*stiffness.lower95_NPerM),
              perMetre(*stiffness.upper95_NPerM));
 }
 
 core::Expected<void> printTable(const TouchStiffness& touch) {
     const QString method =
-        touch.method == Method::twoPoint ? translate("two-point") : translate("regression");
+        touch.method == Method::twoPoint ? StiffnessText::tr("two-point") : StiffnessText::tr("regression");
     const auto samples = static_cast<int>(touch.samples);
     const std::array<std::pair<QString, QString>, 7> fields{{
-        {translate("Method"), method},
-        {translate("Samples"), QString::number(samples)},
-        {translate("Rotation"), translate("%1 rad").arg(forPeople(touch.deltaTheta_rad))},
-        {translate("Torque rise"), translate("%1 Nm").arg(forPeople(touch.deltaTorque_Nm))},
-        {translate("Total stiffness"), inWords(touch.total)},
-        {translate("Object stiffness"), inWords(touch.object)},
-        {translate("Material"),
-         (stiffness::isSafe(touch.material) ? translate("%1, safe to touch, level %2 of 5")
-                                            : translate("%1, danger, level %2 of 5"))
+        {StiffnessText::tr("Method"), method},
+        {StiffnessText::tr("Samples"), QString::number(samples)},
+        {StiffnessText::tr("Rotation"), StiffnessText::tr("%1 rad").arg(forPeople(touch.deltaTheta_rad))},
+        {StiffnessText::tr("Torque rise"), StiffnessText::tr("%1 Nm").arg(forPeople(touch.deltaTorque_Nm))},
+        {StiffnessText::tr("Total stiffness"), inWords(touch.total)},
+        {StiffnessText::tr("Object stiffness"), inWords(touch.object)},
+        {StiffnessText::tr("Material"),
+         (stiffness::isSafe(touch.material) ? StiffnessText::tr("%1, safe to touch, level %2 of 5")
+                                            : StiffnessText::tr("%1, danger, level %2 of 5"))
              .arg(materialName(touch.material), QString::number(stiffness::level(touch.material)))},
     }};
     return printFields(fields);
@@ -110,7 +110,8 @@ core::Expected<void> printTable(const TouchStiffness& touch) {
 } // namespace
 
 QString StiffnessCommand::summary() const {
-    return translate("Stiffness and material of an object from joint angle and torque during a touch");
+    return StiffnessText::tr(
+        "Stiffness and material of an object from joint angle and torque during a touch");
 }
 
 const char* StiffnessCommand::example() const {
@@ -118,7 +119,7 @@ const char* StiffnessCommand::example() const {
 }
 
 void StiffnessCommand::declare(CLI::App& app) {
-    const auto help = [](const char* text) { return translate(text).toStdString(); };
+    const auto help = [](const char* text) { return StiffnessText::tr(text).toStdString(); };
     app.add_option("log", m_logPath,
                    help(QT_TRANSLATE_NOOP("StiffnessCommand",
                                           "CSV with the columns time_s,joint_angle_rad,joint_torque_nm")))
@@ -163,13 +164,15 @@ void StiffnessCommand::declare(CLI::App& app) {
 
 core::Expected<void> StiffnessCommand::run() {
     if (m_linkHalfThickness_m < 0.0)
-        throw CLI::ValidationError("--link-half-thickness", translate("0 or more is expected").toStdString());
+        throw CLI::ValidationError("--link-half-thickness",
+                                   StiffnessText::tr("0 or more is expected").toStdString());
     if (m_window_Nm.size() == 2) {
         m_settings.window = {m_window_Nm[0], m_window_Nm[1]};
         if (m_window_Nm[0] < 0.0 || m_window_Nm[1] <= m_window_Nm[0])
             throw CLI::ValidationError(
                 "--window",
-                translate("a lower border of 0 or more and a higher upper one are expected").toStdString());
+                StiffnessText::tr("a lower border of 0 or more and a higher upper one are expected")
+                    .toStdString());
     }
     m_settings.method = *stiffness::methodFromString(m_method);
 
@@ -182,7 +185,8 @@ core::Expected<void> StiffnessCommand::run() {
     if (touch->stifferThanLink)
         std::fprintf(
             stderr, "teleta: %s\n",
-            translate("the touch is stiffer than the link allows: check contact distance and link stiffness")
+            StiffnessText::tr(
+                "the touch is stiffer than the link allows: check contact distance and link stiffness")
                 .toUtf8()
                 .constData());
     return m_json ? printDocument(toJson(*touch)) : printTable(*touch);
@@ -229,36 +233,38 @@ core::Error StiffnessCommand::explain(Refusal refusal, const std::vector<JointSa
     switch (refusal) {
     case Refusal::noSamples:
         error.kind = core::ErrorKind::badInput;
-        say(translate("the log has no samples"), translate("a row for each sample of the touch"));
+        say(StiffnessText::tr("the log has no samples"),
+            StiffnessText::tr("a row for each sample of the touch"));
         break;
     case Refusal::windowNotReached:
         if (m_settings.method == Method::twoPoint && largest_Nm >= m_settings.window.low_Nm)
-            say(translate("one half of the torque window has no sample; the largest torque is %1 Nm")
+            say(StiffnessText::tr("one half of the torque window has no sample; the largest torque is %1 Nm")
                     .arg(forPeople(largest_Nm)),
-                translate("samples near %1 Nm and near %2 Nm").arg(low, high));
+                StiffnessText::tr("samples near %1 Nm and near %2 Nm").arg(low, high));
         else
-            say(translate("no sample reaches the torque window; the largest torque is %1 Nm")
+            say(StiffnessText::tr("no sample reaches the torque window; the largest torque is %1 Nm")
                     .arg(forPeople(largest_Nm)),
-                translate("torques from %1 to %2 Nm").arg(low, high));
+                StiffnessText::tr("torques from %1 to %2 Nm").arg(low, high));
         break;
     case Refusal::tooFewSamples:
-        say(translate("only one sample lies in the torque window"),
-            translate("two or more samples from %1 to %2 Nm").arg(low, high));
+        say(StiffnessText::tr("only one sample lies in the torque window"),
+            StiffnessText::tr("two or more samples from %1 to %2 Nm").arg(low, high));
         break;
     case Refusal::torqueUnchanged:
-        say(translate("the torque does not change within the window"),
-            translate("torque that rises from %1 to %2 Nm").arg(low, high));
+        say(StiffnessText::tr("the torque does not change within the window"),
+            StiffnessText::tr("torque that rises from %1 to %2 Nm").arg(low, high));
         break;
     case Refusal::angleOpposesTorque:
-        say(translate("the joint turns against the rising torque"),
-            translate("angle and torque that rise together; the sign of one column may be turned"));
+        say(StiffnessText::tr("the joint turns against the rising torque"),
+            StiffnessText::tr("angle and torque that rise together; the sign of one column may be turned"));
         break;
     case Refusal::notFinite:
     case Refusal::notPositive:
     case Refusal::negativeUncertainty:
     case Refusal::outOfRange:
     case Refusal::badWindow:
-        say(translate("the numbers are too large or too small to compute with"), translate("SI units"));
+        say(StiffnessText::tr("the numbers are too large or too small to compute with"),
+            StiffnessText::tr("SI units"));
         break;
     }
     return error;
