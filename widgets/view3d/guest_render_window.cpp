@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view3d/guest_render_window.h"
 
+#include <QByteArray>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 
@@ -10,6 +11,17 @@
 #include <vtkRendererCollection.h>
 
 namespace teleta::view3d {
+
+namespace {
+
+/// Smoothing edges takes a software renderer longer than all the rest of a frame.
+bool drawsInSoftware(const QOpenGLContext& context) {
+    const auto* name = reinterpret_cast<const char*>(context.functions()->glGetString(GL_RENDERER));
+    const QByteArray renderer = QByteArray(name).toLower();
+    return renderer.contains("llvmpipe") || renderer.contains("softpipe") || renderer.contains("swrast");
+}
+
+} // namespace
 
 vtkStandardNewMacro(GuestRenderWindow);
 
@@ -36,6 +48,7 @@ bool GuestRenderWindow::attach(QOpenGLContext* context, QSurface* surface) {
         m_surface = nullptr;
         return false;
     }
+    SetMultiSamples(drawsInSoftware(*context) ? 0 : kSamples);
     return true;
 }
 

@@ -12,6 +12,8 @@ namespace teleta::view3d {
 /// may go and come back (a floating dock gets a new one); renderers and actors stay.
 class GuestRenderWindow : public vtkGenericOpenGLRenderWindow {
 public:
+    static constexpr int kSamples = 4; ///< of smooth edges
+
     static GuestRenderWindow* New();
 
     /// context must be current. Returns whether VTK can draw in it.

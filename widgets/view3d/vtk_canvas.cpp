@@ -111,6 +111,8 @@ QImage VtkCanvas::picture(double scale, bool withOverlay) {
     const QSize before = m_size;
     const double pixelScaleBefore = m_pixelScale;
     setDeviceSize(device * used, devicePixelRatio() * used);
+    const int samples = m_window->GetMultiSamples();
+    m_window->SetMultiSamples(GuestRenderWindow::kSamples); // a picture may take its time
     m_window->renderGuarded();
 
     const vtkNew<vtkUnsignedCharArray> pixels;
@@ -122,6 +124,7 @@ QImage VtkCanvas::picture(double scale, bool withOverlay) {
                     .mirrored();
         image.setDevicePixelRatio(m_pixelScale);
     }
+    m_window->SetMultiSamples(samples);
     if (!before.isEmpty()) {
         setDeviceSize(before, pixelScaleBefore);
     }
