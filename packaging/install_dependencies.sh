@@ -19,7 +19,7 @@ packages=(
     # files, queues, command line
     libtomlplusplus-dev nlohmann-json3-dev libreaderwriterqueue-dev libcli11-dev libexpected-dev
     # tests and benchmarks
-    libgtest-dev libgmock-dev libbenchmark-dev
+    libgtest-dev libgmock-dev libbenchmark-dev libopencv-dev
     # a screen, OpenGL in software and a font where there are none
     xvfb xauth libgl1-mesa-dri fonts-dejavu-core
 )

@@ -14,19 +14,21 @@ cmake --build "$root/build/release" --target teleta-console
 ensure_runtime_folder
 
 data="$root/tests/data/popu"
-recording=(--replay "$data/tactilus_sequence_excerpt.csv" --tare "$data/tactilus_empty1.csv" --rows 64 --columns 27)
-simulation=(--scene "$root/resources/scenes/tactile-indenter.toml")
+recording=(--replay "$data/tactilus_sequence_excerpt.csv" --tare "$data/tactilus_empty1.csv" --rows 64 --columns 27
+    --threshold 8 --after 5)
+ball=(--scene "$root/resources/scenes/tactile-indenter.toml" --after 6)
+bar=(--scene "$root/resources/scenes/tactile-indenter.toml" --after 14)
 
 # take NAME ARGUMENTS...
 take() {
     local picture="$folder/$1.png"
     shift
     xvfb-run -a -s "-screen 0 ${size}x24" env QT_QPA_PLATFORM=xcb LIBGL_ALWAYS_SOFTWARE=1 \
-        "$root/build/release/app/console/teleta-console" "$@" --size "$size" --screenshot "$picture" --after 3
+        "$root/build/release/app/console/teleta-console" "$@" --size "$size" --screenshot "$picture"
     printf '%s\n' "$picture"
 }
 
-for theme in dark light; do
-    take "operate-recording-$theme" "${recording[@]}" --page operate --theme "$theme"
-    take "operate-simulation-$theme" "${simulation[@]}" --page operate --theme "$theme"
-done
+take operate-recording-dark "${recording[@]}" --theme dark
+take operate-recording-light "${recording[@]}" --theme light
+take operate-ball-light "${ball[@]}" --theme light
+take operate-bar-dark "${bar[@]}" --theme dark

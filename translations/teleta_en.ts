@@ -19,6 +19,16 @@
     </message>
 </context>
 <context>
+    <name>teleta::console::RecordingDialog</name>
+    <message numerus="yes">
+        <source>%n taxel(s), as in the file</source>
+        <translation>
+            <numerusform>%n taxel, as in the file</numerusform>
+            <numerusform>%n taxels, as in the file</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>teleta::tactile::ChannelSettingsPanel</name>
     <message numerus="yes">
         <source>Tared, %n taxel(s) without a reading</source>

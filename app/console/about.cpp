@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/about.h"
 
+#include "widgets/charts/plot_version.h"
 #include "widgets/view3d/vtk_version.h"
 
 #include <QCoreApplication>
-#include <qcustomplot.h>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QHeaderView>
 #include <QLabel>
 #include <QTableWidget>
 #include <QVBoxLayout>
-
-#include <Eigen/Core>
 
 #include <utility>
 #include <vector>
@@ -48,14 +46,11 @@ base::ThemeChoice themeFromName(const QString& name) {
 }
 
 void openAbout(QWidget* parent) {
-    const QString eigen =
-        QStringLiteral("%1.%2.%3").arg(EIGEN_WORLD_VERSION).arg(EIGEN_MAJOR_VERSION).arg(EIGEN_MINOR_VERSION);
     const std::vector<std::pair<QString, QString>> libraries{
         {QStringLiteral("Qt"), QString::fromLatin1(qVersion()) + QStringLiteral(" (LGPL-3.0)")},
         {QStringLiteral("VTK"), view3d::vtkLibraryVersion() + QStringLiteral(" (BSD-3-Clause)")},
-        {QStringLiteral("QCustomPlot"),
-         QStringLiteral(QCUSTOMPLOT_VERSION_STR) + QStringLiteral(" (GPL-3.0)")},
-        {QStringLiteral("Eigen"), eigen + QStringLiteral(" (MPL-2.0)")},
+        {QStringLiteral("QCustomPlot"), charts::plotLibraryVersion() + QStringLiteral(" (GPL-3.0)")},
+        {QStringLiteral("Eigen"), view3d::eigenLibraryVersion() + QStringLiteral(" (MPL-2.0)")},
         {QStringLiteral("toml++"), QStringLiteral("3 (MIT)")},
     };
     QString text =
