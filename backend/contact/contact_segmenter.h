@@ -24,8 +24,10 @@ struct Contact {
 
 struct SegmentationSettings {
     double threshold_N = 0.2; ///< taxels below carry no contact; > 0
-    double noiseHeight = 0.1; ///< h of the h-maxima: a summit that rises less than this above its saddle to a
-                              ///< higher one is merged into it; as a share of the frame's peak load, 0..1
+    double noiseHeight = 0.3; ///< h of the h-maxima: a summit that rises less than this above its saddle to a
+                              ///< higher one is merged into it; as a share of the frame's peak load, 0..1.
+                              ///< An edge that lies obliquely on the grid is a chain of summits that rise
+                              ///< by up to 0.29; two balls that touch 3 taxels apart rise by 0.4
     double noiseHeight_N = 0.0; ///< the same, absolute; the larger of the two acts
     int minimumTaxels = 1;      ///< smaller regions are dropped
 };
