@@ -19,6 +19,7 @@ public:
 
     void add(double time_s, double value) {
         const double bucket = std::floor(time_s / m_bucket_s);
+        m_last = {time_s, value};
         if (m_inBucket && bucket != m_bucket)
             flush();
         if (!m_inBucket) {
@@ -34,12 +35,13 @@ public:
 
     void lift() {
         flush();
-        if (m_inRun == 1) {
-            const PolylinePoint only = m_line.back();
-            m_line.push_back({only.time_s + m_bucket_s, only.value});
-        }
-        if (m_inRun > 0)
-            m_line.push_back({m_line.back().time_s, std::numeric_limits<double>::quiet_NaN()});
+        if (m_inRun == 0)
+            return;
+        if (m_last.time_s > m_line.back().time_s)
+            put(m_last);
+        if (m_inRun == 1)
+            m_line.push_back({m_last.time_s + m_bucket_s, m_last.value});
+        m_line.push_back({m_line.back().time_s, std::numeric_limits<double>::quiet_NaN()});
         m_inRun = 0;
     }
 
@@ -68,7 +70,7 @@ private:
     double m_bucket_s;
     double m_bucket = 0.0;
     bool m_inBucket = false;
-    PolylinePoint m_low, m_high;
+    PolylinePoint m_low, m_high, m_last;
     std::size_t m_inRun = 0;
     std::optional<ValueRange> m_range;
 };

@@ -142,6 +142,7 @@ void StripPlot::colourRow(Row& row, const QPalette& palette) {
     row.rect->axis(QCPAxis::atLeft)->grid()->setZeroLinePen(QPen(base::mixed(text, ground, 0.65), 1.0));
     for (std::size_t i = 0; i < row.graphs.size(); ++i) {
         const Series& series = row.definition->series[i];
+        // 1 px: any wider line goes through Qt's stroker, which costs five to ten times as much.
         QPen pen(seriesColour(series, palette), 1.0);
         if (series.dashed)
             pen.setStyle(Qt::DotLine);
