@@ -15,7 +15,7 @@ ensure_runtime_folder
 
 data="$root/tests/data/popu"
 recording=(--replay "$data/tactilus_sequence_excerpt.csv" --tare "$data/tactilus_empty1.csv" --rows 64 --columns 27
-    --threshold 8 --after 5)
+    --threshold 20 --after 5)
 ball=(--scene "$root/resources/scenes/tactile-indenter.toml" --after 6)
 bar=(--scene "$root/resources/scenes/tactile-indenter.toml" --after 14)
 

@@ -24,6 +24,7 @@ TouchChannel::TouchChannel(std::unique_ptr<core::TactileSource> source, ChannelS
     , m_conditioner(m_source->description().layout.taxels(), m_settings.conditioning)
     , m_features(m_source->description().layout, m_settings.features)
     , m_segmenter(m_source->description().layout, m_settings.segmentation)
+    , m_tracker(contact::trackingFor(m_source->description().layout))
     , m_samples(kHistorySamples) {
     const core::ArrayLayout& layout = m_source->description().layout;
     m_current.layout = layout;

@@ -24,7 +24,7 @@ core::Expected<void> ContactsCommand::run() {
     contact::SegmentationSettings settings = m_options.segmentationSettings();
     contact::ContactSegmenter segmenter(m_options.layout(), settings);
     contact::FeatureExtractor extractor(m_options.layout(), m_options.featureSettings());
-    contact::ContactTracker tracker;
+    contact::ContactTracker tracker(contact::trackingFor(m_options.layout()));
     return processFrames(m_options, kColumns, [&](const ConditionedFrame& frame, RowOutput& rows) {
         if (m_options.automaticThreshold) {
             settings.threshold_N = extractor.compute(frame.load_N, frame.dead).threshold_N;

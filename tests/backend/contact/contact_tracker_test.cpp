@@ -251,3 +251,8 @@ TEST(ContactTracker, assignAllocatesNothingAfterTheFirstFrames) {
     EXPECT_EQ(test::allocationCount(), before);
     EXPECT_EQ(contacts[19].id, 20);
 }
+
+TEST(ContactTracker, theGateFollowsThePitchOfACoarseArray) {
+    EXPECT_DOUBLE_EQ(trackingFor({6, 14, 0.0034}).gate_m, TrackingSettings{}.gate_m);
+    EXPECT_DOUBLE_EQ(trackingFor({64, 27, 0.025}).gate_m, 0.05);
+}
