@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/contour/cubic_spline.h"
 #include "tests/backend/contour/contour_points.h"
-#include "tests/backend/contour/trapped_exceptions.h"
+#include "tests/support/floating_point_traps.h"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ double largestCurvature_perM(const CubicSpline& spline) {
 } // namespace
 
 TEST(CubicSplineStability, refusesNoPointsAndCoordinatesThatAreNotFinite) {
-    const TrappedExceptions trapped;
+    const test::FloatingPointTraps traps;
     for (const auto kind : kKinds)
         for (const bool closed : {false, true}) {
             EXPECT_FALSE(CubicSpline::fit({}, kind, closed).has_value());
@@ -39,7 +39,7 @@ TEST(CubicSplineStability, refusesNoPointsAndCoordinatesThatAreNotFinite) {
 }
 
 TEST(CubicSplineStability, onePointIsACurveThatStaysThere) {
-    const TrappedExceptions trapped;
+    const test::FloatingPointTraps traps;
     const Points points = {{0.3, -0.2}};
     for (const auto kind : kKinds)
         for (const bool closed : {false, true}) {
@@ -53,7 +53,7 @@ TEST(CubicSplineStability, onePointIsACurveThatStaysThere) {
 }
 
 TEST(CubicSplineStability, twoPointsAreASegmentAndClosedTheSegmentThereAndBack) {
-    const TrappedExceptions trapped;
+    const test::FloatingPointTraps traps;
     const Points points = {{0.0, 0.0}, {0.3, 0.4}};
     for (const auto kind : kKinds) {
         const auto open = CubicSpline::fit(points, kind, false);
@@ -66,7 +66,7 @@ TEST(CubicSplineStability, twoPointsAreASegmentAndClosedTheSegmentThereAndBack) 
 }
 
 TEST(CubicSplineStability, threePointsOfAClosedCurveSolveTheCyclicSystem) {
-    const TrappedExceptions trapped;
+    const test::FloatingPointTraps traps;
     // The circulant (1 4 1)/6 of three points on a circle scales them by 3/(2 + cos 120 deg) = 2.
     const Points points = circlePoints(3, 0.04);
     const auto spline = CubicSpline::fit(points, SplineKind::interpolating, true);
@@ -75,7 +75,7 @@ TEST(CubicSplineStability, threePointsOfAClosedCurveSolveTheCyclicSystem) {
 }
 
 TEST(CubicSplineStability, pointsThatRepeatHaveNoCurvatureWhereTheCurveStandsStill) {
-    const TrappedExceptions trapped;
+    const test::FloatingPointTraps traps;
     for (const auto kind : kKinds) {
         const Points same(5, Point(0.1, 0.2));
         const auto standing = CubicSpline::fit(same, kind, true);
@@ -94,7 +94,7 @@ TEST(CubicSplineStability, pointsThatRepeatHaveNoCurvatureWhereTheCurveStandsSti
 }
 
 TEST(CubicSplineStability, collinearPointsHaveNoCurvatureInAnyDirectionAtAnyScale) {
-    const TrappedExceptions trapped;
+    const test::FloatingPointTraps traps;
     std::mt19937_64 engine(11);
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
     for (const double scale : {1e-12, 1e-9, 1e-3, 1.0, 1e3, 1e12})
@@ -113,7 +113,7 @@ TEST(CubicSplineStability, collinearPointsHaveNoCurvatureInAnyDirectionAtAnyScal
 }
 
 TEST(CubicSplineStability, aCuspHasCurvatureZeroAndALength) {
-    const TrappedExceptions trapped;
+    const test::FloatingPointTraps traps;
     // Symmetric about the y axis; with u = v = 1/2 the derivative (c2 - c0)/8 + 3(c2 - c1)/4 + ... vanishes
     // when c3 - c0 = -5 (c2 - c1): the middle of the segment is a cusp.
     const Points control = {{5.0, 0.0}, {-1.0, 1.0}, {1.0, 1.0}, {-5.0, 0.0}};
@@ -135,7 +135,7 @@ TEST(CubicSplineStability, aCuspHasCurvatureZeroAndALength) {
 }
 
 TEST(CubicSplineStability, pointsANanometreAndAKilometreApartInOneContourGiveFiniteCurves) {
-    const TrappedExceptions trapped;
+    const test::FloatingPointTraps traps;
     const Points mixed = {{0.0, 0.0},   {1e-9, 0.0},         {1e-9, 1e-9},
                           {1e3, 0.5e3}, {1e3, 0.5e3 + 1e-9}, {0.0, 1e3}};
     for (const auto kind : kKinds)
@@ -151,7 +151,7 @@ TEST(CubicSplineStability, pointsANanometreAndAKilometreApartInOneContourGiveFin
 }
 
 TEST(CubicSplineStability, resultsScaleFrom1e12ToItsInverse) {
-    const TrappedExceptions trapped;
+    const test::FloatingPointTraps traps;
     for (const double scale : {1e-12, 1e-9, 1e-6, 1e-3, 1.0, 1e3, 1e6, 1e12})
         for (const auto kind : kKinds) {
             const auto unit = CubicSpline::fit(circlePoints(24), kind, true);
@@ -165,7 +165,7 @@ TEST(CubicSplineStability, resultsScaleFrom1e12ToItsInverse) {
 }
 
 TEST(CubicSplineStability, curvatureFarFromTheOriginLosesOnlyWhatTheCoordinatesLost) {
-    const TrappedExceptions trapped;
+    const test::FloatingPointTraps traps;
     // Shifted by s the coordinates keep s * eps; second differences of points 2 pi R/24 apart see it as
     // s * eps / (R (2 pi/24)^2) of the curvature.
     for (double shift_m = 1.0; shift_m < 1e9; shift_m *= 10.0) {
@@ -178,7 +178,7 @@ TEST(CubicSplineStability, curvatureFarFromTheOriginLosesOnlyWhatTheCoordinatesL
 }
 
 TEST(CubicSplineStability, movesAndTurnsWithItsPointsAndKeepsItsCurvature) {
-    const TrappedExceptions trapped;
+    const test::FloatingPointTraps traps;
     const Points points = {{0.0, 0.0}, {0.02, 0.01}, {0.03, 0.04}, {0.01, 0.05}, {-0.02, 0.02}};
     const Points turned = moved(points, 1.0, 0.7, {0.3, -0.1});
     for (const auto kind : kKinds)
@@ -197,7 +197,7 @@ TEST(CubicSplineStability, movesAndTurnsWithItsPointsAndKeepsItsCurvature) {
 }
 
 TEST(CubicSplineStability, aClosedCurveDoesNotDependOnWhereItsPointsBegin) {
-    const TrappedExceptions trapped;
+    const test::FloatingPointTraps traps;
     Points points = {{0.0, 0.0}, {0.02, 0.01}, {0.03, 0.04}, {0.01, 0.05}, {-0.02, 0.02}};
     for (const auto kind : kKinds) {
         const auto one = CubicSpline::fit(points, kind, true);
@@ -217,7 +217,7 @@ TEST(CubicSplineStability, aClosedCurveDoesNotDependOnWhereItsPointsBegin) {
 }
 
 TEST(CubicSplineStability, aContourTraversedTwiceIsTheSameCurveTwice) {
-    const TrappedExceptions trapped;
+    const test::FloatingPointTraps traps;
     const Points once = circlePoints(16, 0.03);
     Points twice = once;
     twice.insert(twice.end(), once.begin(), once.end());
@@ -231,7 +231,7 @@ TEST(CubicSplineStability, aContourTraversedTwiceIsTheSameCurveTwice) {
 }
 
 TEST(CubicSplineStability, aMillionRandomPointsAreInterpolatedToRounding) {
-    const TrappedExceptions trapped;
+    const test::FloatingPointTraps traps;
     std::mt19937_64 engine(12);
     std::uniform_real_distribution<double> coordinate(-1.0, 1.0);
     Points points(1'000'000);

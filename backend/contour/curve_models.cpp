@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/contour/curve_models.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace teleta::contour {
+
+namespace {
+
+constexpr double kSmallestE2 = 1e-6;
+constexpr double kStartScale = 0.1;
+constexpr std::size_t kStartsRefined = 3;
+
+double cross(const Point& a, const Point& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+Point meanOf(std::span<const Point> points) {
+    return std::accumulate(points.begin(), points.end(), Point(Point::Zero())) /
+           static_cast<double>(points.size());
+}
+
+/// parameters (A, D, theta).
+void curvedResiduals(std::span<const Point> points, const Point& reference, const Eigen::VectorXd& parameters,
+                     Eigen::VectorXd& residuals, Eigen::MatrixXd& jacobian) {
+    const auto rows = static_cast<Eigen::Index>(points.size());
+    residuals.resize(rows);
+    jacobian.resize(rows, 3);
+    const double a = parameters[0];
+    const double d = parameters[1];
+    const double e = std::sqrt(std::max(kSmallestE2, 1.0 + 4.0 * a * d));
+    const double c = std::cos(parameters[2]);
+    const double s = std::sin(parameters[2]);
+    for (Eigen::Index i = 0; i < rows; ++i) {
+        const Point p = points[static_cast<std::size_t>(i)] - reference;
+        const double z = p.squaredNorm();
+        const double u = c * p.x() + s * p.y();
+        const double power = a * z + e * u + d;
+        const double q = std::sqrt(std::max(0.0, 1.0 + 4.0 * a * power));
+        const double distance = 2.0 * power / (1.0 + q);
+        // d = P - A d^2 on the circle's side of its centre, hence dd = (dP - d^2 dA) / q.
+        const double inverse = 1.0 / std::max(q, 1e-3);
+        residuals[i] = distance;
+        jacobian(i, 0) = (z + 2.0 * d * u / e - distance * distance) * inverse;
+        jacobian(i, 1) = (1.0 + 2.0 * a * u / e) * inverse;
+        jacobian(i, 2) = e * (c * p.y() - s * p.x()) * inverse;
+    }
+}
+
+/// parameters (D, theta).
+void straightResiduals(std::span<const Point> points, const Point& reference,
+                       const Eigen::VectorXd& parameters, Eigen::VectorXd& residuals,
+                       Eigen::MatrixXd& jacobian) {
+    const auto rows = static_cast<Eigen::Index>(points.size());
+    residuals.resize(rows);
+    jacobian.resize(rows, 2);
+    const double c = std::cos(parameters[1]);
+    const double s = std::sin(parameters[1]);
+    for (Eigen::Index i = 0; i < rows; ++i) {
+        const Point p = points[static_cast<std::size_t>(i)] - reference;
+        residuals[i] = c * p.x() + s * p.y() + parameters[0];
+        jacobian(i, 0) = 1.0;
+        jacobian(i, 1) = c * p.y() - s * p.x();
+    }
+}
+
+std::optional<Eigen::Vector3d> circleThrough(const Point& p, const Point& q, const Point& r) {
+    const Point a = q - p;
+    const Point b = r - p;
+    const double twice = 2.0 * cross(a, b);
+    if (std::abs(twice) < 1e-6)
+        return std::nullopt;
+    const Point centre = Point(b.y() * a.squaredNorm() - a.y() * b.squaredNorm(),
+                               a.x() * b.squaredNorm() - b.x() * a.squaredNorm()) /
+                         twice;
+    return Eigen::Vector3d(p.x() + centre.x(), p.y() + centre.y(), centre.norm());
+}
+
+CurvedLine fromCircle(std::span<const Point> points, const Eigen::Vector3d& circle) {
+    const Point centre = circle.head<2>();
+    const double radius = circle[2];
+    CurvedLine curve;
+    curve.reference = *std::min_element(points.begin(), points.end(), [&](const Point& p, const Point& q) {
+        return std::abs((p - centre).norm() - radius) < std::abs((q - centre).norm() - radius);
+    });
+    const Point o = centre - curve.reference;
+    curve.a = 0.5 / radius;
+    curve.d = (o.norm() - radius) * (o.norm() + radius) * curve.a;
+    curve.theta_rad = std::atan2(-o.y(), -o.x());
+    return curve;
+}
+
+/// (D, theta) of the total-least-squares line, from its points' mean.
+Eigen::Vector2d leastSquaresLine(std::span<const Point> points, const Point& mean) {
+    double xx = 0.0;
+    double xy = 0.0;
+    double yy = 0.0;
+    for (const Point& p : points) {
+        const Point d = p - mean;
+        xx += d.x() * d.x();
+        xy += d.x() * d.y();
+        yy += d.y() * d.y();
+    }
+    return {0.0, 0.5 * std::atan2(2.0 * xy, xx - yy) + 0.5 * std::numbers::pi};
+}
+
+void ellipseDistances(std::span<const Point> points, const Eigen::VectorXd& parameters,
+                      Eigen::VectorXd& residuals) {
+    const double a = std::exp(parameters[2]);
+    const double b = std::exp(parameters[3]);
+    const double c = std::cos(parameters[4]);
+    const double s = std::sin(parameters[4]);
+    residuals.resize(static_cast<Eigen::Index>(points.size()));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Point p = points[i] - Point(parameters.head<2>());
+        const double u = (c * p.x() + s * p.y()) / a;
+        const double v = (c * p.y() - s * p.x()) / b;
+        const double level = std::sqrt(u * u + v * v);
+        const double slope = std::sqrt(u * u / (a * a) + v * v / (b * b));
+        residuals[static_cast<Eigen::Index>(i)] =
+            slope > 1e-9 ? level * (level - 1.0) / slope : -std::min(a, b);
+    }
+}
+
+} // namespace
+
+Point CurvedLine::centre() const {
+    const double e = std::sqrt(std::max(kSmallestE2, 1.0 + 4.0 * a * d));
+    return reference - Point(e * std::cos(theta_rad), e * std::sin(theta_rad)) / (2.0 * a);
+}
+
+Point CurvedLine::foot(const Point& p) const {
+    const Point normal(std::cos(theta_rad), std::sin(theta_rad));
+    return p - ((p - reference).dot(normal) + d) * normal;
+}
+
+std::optional<Eigen::Vector3d> taubinCircle(std::span<const Point> points) {
+    if (points.size() < 3)
+        return std::nullopt;
+    const Point mean = meanOf(points);
+    const auto n = static_cast<double>(points.size());
+    double xx = 0.0, yy = 0.0, xy = 0.0, xz = 0.0, yz = 0.0, zz = 0.0;
+    for (const Point& point : points) {
+        const Point p = point - mean;
+        const double z = p.squaredNorm();
+        xx += p.x() * p.x() / n;
+        yy += p.y() * p.y() / n;
+        xy += p.x() * p.y() / n;
+        xz += p.x() * z / n;
+        yz += p.y() * z / n;
+        zz += z * z / n;
+    }
+    const double z = xx + yy;
+    const double determinant = xx * yy - xy * xy;
+    if (determinant <= 1e-12 * z * z)
+        return std::nullopt;
+    // Newton's iteration for the smallest root of the characteristic polynomial, from 0 (converges from
+    // below).
+    const double variance = zz - z * z;
+    const double a3 = 4.0 * z;
+    const double a2 = -3.0 * z * z - zz;
+    const double a1 = variance * z + 4.0 * determinant * z - xz * xz - yz * yz;
+    const double a0 = xz * (xz * yy - yz * xy) + yz * (yz * xx - xz * xy) - variance * determinant;
+    double root = 0.0;
+    double value = a0;
+    for (int iteration = 0; iteration < 30; ++iteration) {
+        const double slope = a1 + root * (2.0 * a2 + 3.0 * a3 * root);
+        if (slope == 0.0)
+            break;
+        const double next = root - value / slope;
+        const double nextValue = a0 + next * (a1 + next * (a2 + next * a3));
+        if (next == root || std::abs(nextValue) >= std::abs(value))
+            break;
+        root = next;
+        value = nextValue;
+    }
+    const double denominator = 2.0 * (root * root - root * z + determinant);
+    if (std::abs(denominator) <= 1e-12 * z * z)
+        return std::nullopt;
+    const Point centre = Point(xz * (yy - root) - yz * xy, yz * (xx - root) - xz * xy) / denominator;
+    return Eigen::Vector3d(mean.x() + centre.x(), mean.y() + centre.y(), std::sqrt(centre.squaredNorm() + z));
+}
+
+CurvedLineFit fitLine(std::span<const Point> points) {
+    CurvedLineFit best;
+    const auto tryStart = [&](const Point& reference, const Eigen::VectorXd& start) {
+        const Residuals residuals = [&](const Eigen::VectorXd& p, Eigen::VectorXd& r, Eigen::MatrixXd& j) {
+            straightResiduals(points, reference, p, r, j);
+        };
+        RobustFit fit = fitRobustly(residuals, start);
+        if (best.fit.parameters.size() == 0 ||
+            robustLoss(fit.residuals, kStartScale) < robustLoss(best.fit.residuals, kStartScale)) {
+            best.curve = {reference, 0.0, fit.parameters[0], fit.parameters[1]};
+            best.fit = std::move(fit);
+        }
+    };
+    const Point mean = meanOf(points);
+    tryStart(mean, leastSquaresLine(points, mean));
+    // Lines through points that are far apart in the order survive an outlier that turns the least-squares
+    // line.
+    const std::size_t n = points.size();
+    for (std::size_t quarter = 0; quarter < 3 && n >= 4; ++quarter) {
+        const Point& a = points[quarter * n / 4];
+        const Point& b = points[(quarter + 1) * n / 4];
+        const Point along = b - a;
+        if (along.norm() > 0.05)
+            tryStart(a, Eigen::Vector2d(0.0, std::atan2(along.x(), -along.y())));
+    }
+    return best;
+}
+
+CurvedLineFit fitCurvedLine(std::span<const Point> points) {
+    std::vector<CurvedLine> starts;
+    const auto add = [&](const std::optional<Eigen::Vector3d>& circle) {
+        if (circle && (*circle)[2] < 1e3)
+            starts.push_back(fromCircle(points, *circle));
+    };
+    add(taubinCircle(points));
+    const std::size_t n = points.size();
+    const std::size_t step = std::max<std::size_t>(1, n / 8);
+    for (std::size_t i = 0; i + 2 < n; i += step) {
+        add(circleThrough(points[i], points[(i + n / 3) % n], points[(i + 2 * n / 3) % n]));
+        if (i + n / 2 < n)
+            add(circleThrough(points[i], points[i + n / 4], points[i + n / 2]));
+    }
+    const Point mean = meanOf(points);
+    const Eigen::Vector2d line = leastSquaresLine(points, mean);
+    starts.push_back({mean, 0.0, line[0], line[1]});
+
+    Eigen::VectorXd residuals;
+    Eigen::MatrixXd jacobian;
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+        const CurvedLine& s = starts[i];
+        curvedResiduals(points, s.reference, Eigen::Vector3d(s.a, s.d, s.theta_rad), residuals, jacobian);
+        order.emplace_back(robustLoss(residuals, kStartScale), i);
+    }
+    std::sort(order.begin(), order.end());
+
+    CurvedLineFit best;
+    for (std::size_t k = 0; k < std::min(kStartsRefined, order.size()); ++k) {
+        const CurvedLine& s = starts[order[k].second];
+        const Residuals evaluate = [&](const Eigen::VectorXd& p, Eigen::VectorXd& r, Eigen::MatrixXd& j) {
+            curvedResiduals(points, s.reference, p, r, j);
+        };
+        RobustFit fit = fitRobustly(evaluate, Eigen::Vector3d(s.a, s.d, s.theta_rad));
+        if (k == 0 || robustLoss(fit.residuals, kStartScale) < robustLoss(best.fit.residuals, kStartScale)) {
+            best.curve = {s.reference, fit.parameters[0], fit.parameters[1], fit.parameters[2]};
+            best.fit = std::move(fit);
+        }
+    }
+    return best;
+}
+
+RobustFit fitEllipse(std::span<const Point> points, const CurvedLine& circle) {
+    const Residuals evaluate = [&](const Eigen::VectorXd& p, Eigen::VectorXd& r, Eigen::MatrixXd& j) {
+        constexpr double kStep = 1e-6;
+        ellipseDistances(points, p, r);
+        j.resize(r.size(), p.size());
+        Eigen::VectorXd before;
+        Eigen::VectorXd after;
+        for (Eigen::Index k = 0; k < p.size(); ++k) {
+            Eigen::VectorXd moved = p;
+            moved[k] = p[k] + kStep;
+            ellipseDistances(points, moved, after);
+            moved[k] = p[k] - kStep;
+            ellipseDistances(points, moved, before);
+            j.col(k) = (after - before) / (2.0 * kStep);
+        }
+    };
+    const Point mean = meanOf(points);
+    const double angle = leastSquaresLine(points, mean)[1] - 0.5 * std::numbers::pi;
+    const Point axis(std::cos(angle), std::sin(angle));
+    double along = 0.0;
+    double across = 0.0;
+    for (const Point& p : points) {
+        along += std::pow((p - mean).dot(axis), 2) / static_cast<double>(points.size());
+        across += std::pow(cross(axis, p - mean), 2) / static_cast<double>(points.size());
+    }
+    Eigen::VectorXd start(5);
+    start << mean.x(), mean.y(), 0.5 * std::log(std::max(1e-4, 2.0 * along)),
+        0.5 * std::log(std::max(1e-4, 2.0 * across)), angle;
+    RobustFit best = fitRobustly(evaluate, start);
+    if (!circle.straight() && circle.radius() < 2.0) {
+        const double logRadius = std::log(circle.radius());
+        start << circle.centre().x(), circle.centre().y(), logRadius, logRadius, angle;
+        RobustFit other = fitRobustly(evaluate, start);
+        if (robustLoss(other.residuals, kStartScale) < robustLoss(best.residuals, kStartScale))
+            best = std::move(other);
+    }
+    return best;
+}
+
+double ellipseLength(const Eigen::VectorXd& parameters) {
+    // Ramanujan's first approximation; off by less than 0.1 % for a/b up to 3.
+    const double a = std::exp(std::clamp(parameters[2], -20.0, 5.0));
+    const double b = std::exp(std::clamp(parameters[3], -20.0, 5.0));
+    return std::numbers::pi * (3.0 * (a + b) - std::sqrt((3.0 * a + b) * (a + 3.0 * b)));
+}
+
+} // namespace teleta::contour

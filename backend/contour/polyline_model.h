@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/contour/point.h"
+#include "backend/contour/robust_fit.h"
+
+#include <vector>
+
+namespace teleta::contour {
+
+/// Distances of points from a chain of edges, and their Jacobian in the coordinates (x0, y0, x1, y1, ...) of
+/// its vertices; positive to the left of the chain. The end edges of an open chain reach beyond their ends.
+void polylineResiduals(std::span<const Point> points, const Eigen::VectorXd& vertices, bool closed,
+                       Eigen::VectorXd& residuals, Eigen::MatrixXd& jacobian);
+
+/// Edge that each point is nearest to, and where on it: index of the edge plus the share of its length.
+/// Beyond the ends of an open chain the share is below 0 or above 1.
+[[nodiscard]] std::vector<double> placesOnPolyline(std::span<const Point> points,
+                                                   const Eigen::VectorXd& vertices, bool closed);
+
+[[nodiscard]] double polylineLength(const Eigen::VectorXd& vertices, bool closed);
+
+[[nodiscard]] std::vector<Point> toVertices(const Eigen::VectorXd& coordinates);
+
+/// First guesses of the vertices of an ordered contour, by lines through neighbouring points: the contour is
+/// divided into runs so that the sum of squared distances from the runs' total-least-squares lines is least
+/// (dynamic programming, exact), and the lines of neighbouring runs intersect in the vertices.
+class EdgeRuns {
+public:
+    /// maximumEdges: how many edges vertices() may be asked for.
+    EdgeRuns(std::span<const Point> points, bool closed, std::size_t maximumEdges);
+
+    [[nodiscard]] std::size_t maximumEdges() const { return m_maximumEdges; }
+    /// Coordinates of the vertices of a chain of so many edges: as many vertices when closed, one more when
+    /// open. 1 <= edges <= maximumEdges() (3 <= when closed).
+    [[nodiscard]] Eigen::VectorXd vertices(std::size_t edges) const;
+
+private:
+    struct Line {
+        Point middle;
+        Point direction;
+    };
+    struct Division {
+        std::vector<double> cost; ///< (runs, end): least cost of the first `end` points in `runs` runs
+        std::vector<std::size_t> previous; ///< where the last of these runs begins
+    };
+    [[nodiscard]] Line line(std::size_t begin, std::size_t end) const;
+    [[nodiscard]] double cost(std::size_t begin, std::size_t end) const;
+    [[nodiscard]] Division divide(std::size_t first) const;
+    [[nodiscard]] std::vector<std::size_t> starts(const Division& division, std::size_t edges) const;
+
+    std::size_t m_count;
+    bool m_closed;
+    std::size_t m_maximumEdges;
+    std::vector<Point> m_points;                     ///< twice around when closed
+    std::vector<Eigen::Matrix<double, 5, 1>> m_sums; ///< of x, y, x^2, xy, y^2 of the points before
+    Division m_division;
+};
+
+} // namespace teleta::contour
