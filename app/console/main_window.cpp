@@ -275,6 +275,8 @@ void MainWindow::fillDemos() {
          tr("A 6 x 14 array pressed by a ball that wanders, then by a bar that turns")},
         {QStringLiteral(":/scenes/tactile-two-contacts.toml"), tr("Demo: two contacts that meet"),
          tr("Two balls that approach each other until they touch, and part")},
+        {QStringLiteral(":/scenes/tactile-mat.toml"), tr("Demo: a pressure mat"),
+         tr("A 64 x 27 mat that a body rolls over")},
     });
 }
 

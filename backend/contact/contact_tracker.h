@@ -16,8 +16,8 @@ struct TrackingSettings {
                            ///< there in the frame before keeps it in any case
 };
 
-/// The default settings, with a gate that fits an array: a contact may move by two taxels, or by 15 mm on an array
-/// that is finer than 7.5 mm, from one frame to the next.
+/// The default settings, with a gate that fits an array: a contact may move by two taxels, or by 15 mm on an
+/// array that is finer than 7.5 mm, from one frame to the next.
 [[nodiscard]] TrackingSettings trackingFor(const core::ArrayLayout& layout);
 
 /// Gives contacts an identity that is stable from frame to frame: optimal assignment between the contacts of

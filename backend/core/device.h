@@ -23,23 +23,23 @@ enum class DeviceState {
     finished,     ///< a playback that reached its end
 };
 
-/// What a device says of itself. Published by the worker with each block and with each change of state; the age of
-/// the data is the reader's business (now - lastData_ns), so that a stuck worker is seen as well.
+/// What a device says of itself. Published by the worker with each block and with each change of state; the
+/// age of the data is the reader's business (now - lastData_ns), so that a stuck worker is seen as well.
 struct DeviceStatus {
     DeviceState state = DeviceState::closed;
-    std::int64_t since_ns = 0;      ///< steady time at which the state began
-    std::int64_t lastData_ns = 0;   ///< steady time of the newest frame; 0 when there was none
-    double rate_Hz = 0.0;           ///< achieved rate
-    std::uint64_t framesRead = 0;   ///< frames read from the device since it was opened
-    std::uint64_t framesLost = 0;   ///< frames that the device, the link or a full queue lost
-    std::string message;            ///< why the device is lost; UTF-8, translated; empty when all is well
+    std::int64_t since_ns = 0;    ///< steady time at which the state began
+    std::int64_t lastData_ns = 0; ///< steady time of the newest frame; 0 when there was none
+    double rate_Hz = 0.0;         ///< achieved rate
+    std::uint64_t framesRead = 0; ///< frames read from the device since it was opened
+    std::uint64_t framesLost = 0; ///< frames that the device, the link or a full queue lost
+    std::string message;          ///< why the device is lost; UTF-8, translated; empty when all is well
 };
 
 /// Who a source is; constant while it is open.
 struct SourceDescription {
-    std::string name;     ///< shown to people: file name, scene name, serial number
+    std::string name; ///< shown to people: file name, scene name, serial number
     ArrayLayout layout;
-    std::string unit;     ///< unit of the raw values: "N", "counts"
+    std::string unit; ///< unit of the raw values: "N", "counts"
     double nominalRate_Hz = 0.0;
     bool simulated = false; ///< the data is not real and every view must say so
     bool recorded = false;  ///< the data was recorded earlier
@@ -48,7 +48,7 @@ struct SourceDescription {
 /// Where a playback stands. Times are the recording's own, from its first frame, in s.
 struct PlaybackPosition {
     double time_s = 0.0;
-    double duration_s = 0.0;  ///< grows while the file is still being indexed
+    double duration_s = 0.0; ///< grows while the file is still being indexed
     std::uint64_t frame = 0;
     std::uint64_t frames = 0; ///< known so far
     bool indexed = false;     ///< duration and frames are final
@@ -94,14 +94,14 @@ public:
     [[nodiscard]] virtual PlaybackControl* playback() { return nullptr; }
 };
 
-/// Makes the frames of a simulated array, one call a sample period. The device paces the calls and stamps the frames;
-/// the generator knows only simulated time. Deterministic: same seed, same frames.
-/// Thread: one.
+/// Makes the frames of a simulated array, one call a sample period. The device paces the calls and stamps the
+/// frames; the generator knows only simulated time. Deterministic: same seed, same frames. Thread: one.
 class FrameGenerator {
 public:
     virtual ~FrameGenerator() = default;
     [[nodiscard]] virtual SourceDescription description() const = 0;
-    /// Advances by one sample period and writes layout.taxels() values. motionHeld: STOP is engaged, nothing moves.
+    /// Advances by one sample period and writes layout.taxels() values. motionHeld: STOP is engaged, nothing
+    /// moves.
     virtual void next(std::span<float> values, bool motionHeld) = 0;
     [[nodiscard]] virtual double time_s() const = 0;
     virtual void restart() = 0;

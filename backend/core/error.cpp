@@ -5,8 +5,7 @@
 
 namespace teleta::core {
 
-std::string describe(const Error& error)
-{
+std::string describe(const Error& error) {
     std::string text;
     if (!error.where.file.empty()) {
         text += error.where.file;

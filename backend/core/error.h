@@ -7,7 +7,8 @@
 
 namespace teleta::core {
 
-/// What kind of failure an Error reports; decides the exit code of the command line and the icon in the console.
+/// What kind of failure an Error reports; decides the exit code of the command line and the icon in the
+/// console.
 enum class ErrorKind {
     badInput,    ///< a file or a value is wrong; the place is in Error::where
     notFound,    ///< a file, a device or a name does not exist

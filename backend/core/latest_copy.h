@@ -6,19 +6,16 @@
 
 namespace teleta::core {
 
-/// A small value that one thread writes now and then and any thread may copy. The lock is held only while the value
-/// is copied, never around I/O or drawing.
-/// Thread: any.
+/// A small value that one thread writes now and then and any thread may copy. The lock is held only while the
+/// value is copied, never around I/O or drawing. Thread: any.
 template <typename T>
 class LatestCopy {
 public:
-    void set(T value)
-    {
+    void set(T value) {
         const std::scoped_lock lock(m_mutex);
         m_value = std::move(value);
     }
-    [[nodiscard]] T get() const
-    {
+    [[nodiscard]] T get() const {
         const std::scoped_lock lock(m_mutex);
         return m_value;
     }

@@ -7,25 +7,24 @@
 
 namespace teleta::core {
 
-/// Hands the latest value from one writer thread to one reader thread without a lock (triple buffer). The reader
-/// sees either the whole new value or the whole old one, and a generation number that grows by one a publication.
-/// T's storage is recycled between the three slots, so publishing a value of the same size allocates nothing.
-/// Thread: back/publish from the writer, update/front/generation from the reader.
+/// Hands the latest value from one writer thread to one reader thread without a lock (triple buffer). The
+/// reader sees either the whole new value or the whole old one, and a generation number that grows by one a
+/// publication. T's storage is recycled between the three slots, so publishing a value of the same size
+/// allocates nothing. Thread: back/publish from the writer, update/front/generation from the reader.
 template <typename T>
 class LatestExchange {
 public:
     /// The slot that the writer fills. Its content is that of an earlier publication: overwrite all of it.
     [[nodiscard]] T& back() { return m_slots[m_back].value; }
 
-    void publish()
-    {
+    void publish() {
         m_slots[m_back].generation = ++m_published;
-        m_back = m_middle.exchange(static_cast<std::uint8_t>(m_back | kFresh), std::memory_order_acq_rel) & kIndex;
+        m_back =
+            m_middle.exchange(static_cast<std::uint8_t>(m_back | kFresh), std::memory_order_acq_rel) & kIndex;
     }
 
     /// Fetches the newest value if there is one since the last call; true when front() changed.
-    bool update()
-    {
+    bool update() {
         if ((m_middle.load(std::memory_order_relaxed) & kFresh) == 0)
             return false;
         m_front = m_middle.exchange(m_front, std::memory_order_acq_rel) & kIndex;

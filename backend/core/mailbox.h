@@ -8,15 +8,13 @@
 
 namespace teleta::core {
 
-/// A mailbox of size one for commands to a device or to the pipeline: the latest command wins, an older one that
-/// nobody took is replaced and counted. take() empties the box before the command is carried out, so a command that
-/// arrives meanwhile is not lost.
-/// Thread: post and take from any.
+/// A mailbox of size one for commands to a device or to the pipeline: the latest command wins, an older one
+/// that nobody took is replaced and counted. take() empties the box before the command is carried out, so a
+/// command that arrives meanwhile is not lost. Thread: post and take from any.
 template <typename T>
 class Mailbox {
 public:
-    void post(T command)
-    {
+    void post(T command) {
         const std::scoped_lock lock(m_mutex);
         if (m_command)
             ++m_replaced;
@@ -24,8 +22,7 @@ public:
         m_full.store(true, std::memory_order_release);
     }
 
-    [[nodiscard]] std::optional<T> take()
-    {
+    [[nodiscard]] std::optional<T> take() {
         if (!m_full.load(std::memory_order_acquire))
             return std::nullopt;
         const std::scoped_lock lock(m_mutex);
@@ -33,8 +30,7 @@ public:
         return std::exchange(m_command, std::nullopt);
     }
 
-    [[nodiscard]] unsigned long long replaced() const
-    {
+    [[nodiscard]] unsigned long long replaced() const {
         const std::scoped_lock lock(m_mutex);
         return m_replaced;
     }

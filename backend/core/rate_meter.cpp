@@ -6,12 +6,11 @@
 namespace teleta::core {
 
 RateMeter::RateMeter(std::int64_t window_ns, std::size_t maximumSamples)
-    : m_window_ns(std::max<std::int64_t>(window_ns, 1)), m_ring(std::max<std::size_t>(maximumSamples, 2))
-{
+    : m_window_ns(std::max<std::int64_t>(window_ns, 1))
+    , m_ring(std::max<std::size_t>(maximumSamples, 2)) {
 }
 
-void RateMeter::add(std::int64_t time_ns)
-{
+void RateMeter::add(std::int64_t time_ns) {
     if (m_count > 0 && time_ns < m_ring[(m_first + m_count - 1) % m_ring.size()])
         reset();
     dropBefore(time_ns - m_window_ns);
@@ -23,8 +22,7 @@ void RateMeter::add(std::int64_t time_ns)
     ++m_count;
 }
 
-double RateMeter::rate_Hz(std::int64_t now_ns) const
-{
+double RateMeter::rate_Hz(std::int64_t now_ns) const {
     if (m_count < 2)
         return 0.0;
     const std::int64_t first_ns = m_ring[m_first];
@@ -34,14 +32,12 @@ double RateMeter::rate_Hz(std::int64_t now_ns) const
     return static_cast<double>(m_count - 1) * 1e9 / static_cast<double>(last_ns - first_ns);
 }
 
-void RateMeter::reset()
-{
+void RateMeter::reset() {
     m_first = 0;
     m_count = 0;
 }
 
-void RateMeter::dropBefore(std::int64_t time_ns)
-{
+void RateMeter::dropBefore(std::int64_t time_ns) {
     while (m_count > 0 && m_ring[m_first] < time_ns) {
         m_first = (m_first + 1) % m_ring.size();
         --m_count;

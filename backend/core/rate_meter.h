@@ -8,12 +8,12 @@
 namespace teleta::core {
 
 /// Achieved rate of a stream: (n - 1) / (t_last - t_first) over the last samples of a window.
-/// Returns 0 with fewer than two samples, with a window that spans no time, and once the newest sample is older than
-/// the window. Nothing is allocated after construction.
-/// Thread: one.
+/// Returns 0 with fewer than two samples, with a window that spans no time, and once the newest sample is
+/// older than the window. Nothing is allocated after construction. Thread: one.
 class RateMeter {
 public:
-    /// window_ns > 0; at most maximumSamples arrivals are kept (>= 2), so high rates are averaged over less time.
+    /// window_ns > 0; at most maximumSamples arrivals are kept (>= 2), so high rates are averaged over less
+    /// time.
     explicit RateMeter(std::int64_t window_ns = 1'000'000'000, std::size_t maximumSamples = 1024);
 
     /// Registers one arrival. time_ns must not decrease; a decreasing time starts the window anew.

@@ -22,8 +22,7 @@ struct SampleBlock {
     bool discontinuity = false;
 
     [[nodiscard]] std::size_t frames() const { return time_ns.size(); }
-    [[nodiscard]] std::span<const float> frame(std::size_t index) const
-    {
+    [[nodiscard]] std::span<const float> frame(std::size_t index) const {
         return std::span<const float>(values).subspan(index * channels, channels);
     }
 };

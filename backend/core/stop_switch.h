@@ -8,13 +8,11 @@
 
 namespace teleta::core {
 
-/// The STOP of the whole program. Whatever moves or drives an actuator looks at it first, in every cycle, and goes
-/// to zero while it is engaged. It stays engaged until a person releases it.
-/// Thread: any, lock-free.
+/// The STOP of the whole program. Whatever moves or drives an actuator looks at it first, in every cycle, and
+/// goes to zero while it is engaged. It stays engaged until a person releases it. Thread: any, lock-free.
 class StopSwitch {
 public:
-    void engage()
-    {
+    void engage() {
         std::int64_t running = 0;
         m_engagedSince_ns.compare_exchange_strong(running, steadyNow_ns(), std::memory_order_acq_rel);
     }
@@ -22,7 +20,9 @@ public:
 
     [[nodiscard]] bool engaged() const { return m_engagedSince_ns.load(std::memory_order_acquire) != 0; }
     /// Steady time of the press that engaged it; 0 while it is not engaged.
-    [[nodiscard]] std::int64_t engagedSince_ns() const { return m_engagedSince_ns.load(std::memory_order_acquire); }
+    [[nodiscard]] std::int64_t engagedSince_ns() const {
+        return m_engagedSince_ns.load(std::memory_order_acquire);
+    }
 
 private:
     std::atomic<std::int64_t> m_engagedSince_ns{0};

@@ -12,8 +12,7 @@ namespace teleta::core {
 /// Thread: notify from any, wait from one.
 class Wakeup {
 public:
-    void notify()
-    {
+    void notify() {
         {
             const std::scoped_lock lock(m_mutex);
             m_pending = true;
@@ -22,8 +21,7 @@ public:
     }
 
     /// Waits until notified or until the time-out has passed; true when notified.
-    bool waitFor(std::chrono::nanoseconds timeout)
-    {
+    bool waitFor(std::chrono::nanoseconds timeout) {
         std::unique_lock lock(m_mutex);
         const bool notified = m_condition.wait_for(lock, timeout, [this] { return m_pending; });
         m_pending = false;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/bounded_queue.h"
-
 #include "backend/core/wakeup.h"
 
 #include <gtest/gtest.h>
@@ -13,8 +12,7 @@ using teleta::core::BoundedQueue;
 using teleta::core::Wakeup;
 using namespace std::chrono_literals;
 
-TEST(BoundedQueue, countsWhatItCannotHoldAndKeepsTheRestInOrder)
-{
+TEST(BoundedQueue, countsWhatItCannotHoldAndKeepsTheRestInOrder) {
     BoundedQueue<int> queue(3);
     for (int value = 0; value < 5; ++value)
         queue.push(int(value), 10);
@@ -42,8 +40,7 @@ TEST(BoundedQueue, leavesAnItemThatDoesNotFitWithAProducerThatCanWait) {
     EXPECT_TRUE(queue.tryPush(second));
 }
 
-TEST(BoundedQueue, accountsForEveryItemBetweenTwoThreads)
-{
+TEST(BoundedQueue, accountsForEveryItemBetweenTwoThreads) {
     constexpr int kItems = 200'000;
     BoundedQueue<std::vector<int>> queue(64);
     Wakeup wakeup;
@@ -81,8 +78,7 @@ TEST(BoundedQueue, accountsForEveryItemBetweenTwoThreads)
     EXPECT_GT(received, 0);
 }
 
-TEST(Wakeup, keepsANotificationThatComesBeforeTheWait)
-{
+TEST(Wakeup, keepsANotificationThatComesBeforeTheWait) {
     Wakeup wakeup;
     EXPECT_FALSE(wakeup.waitFor(1ms));
     wakeup.notify();

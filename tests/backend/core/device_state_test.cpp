@@ -9,8 +9,7 @@ using teleta::core::DeviceState;
 using teleta::core::observedState;
 using teleta::core::staleAfter_ns;
 
-TEST(DeviceState, aLiveDeviceWhoseDataIsOldIsSeenAsStale)
-{
+TEST(DeviceState, aLiveDeviceWhoseDataIsOldIsSeenAsStale) {
     constexpr std::int64_t kLimit_ns = 100;
     EXPECT_EQ(observedState(DeviceState::live, 1000, 1100, kLimit_ns), DeviceState::live);
     EXPECT_EQ(observedState(DeviceState::live, 1000, 1101, kLimit_ns), DeviceState::stale);
@@ -18,8 +17,7 @@ TEST(DeviceState, aLiveDeviceWhoseDataIsOldIsSeenAsStale)
     EXPECT_EQ(observedState(DeviceState::lost, 1000, 9999, kLimit_ns), DeviceState::lost);
 }
 
-TEST(DeviceState, theStaleLimitFollowsTheRateWithinBounds)
-{
+TEST(DeviceState, theStaleLimitFollowsTheRateWithinBounds) {
     EXPECT_EQ(staleAfter_ns(200.0), 100'000'000);
     EXPECT_EQ(staleAfter_ns(10.0), 500'000'000);
     EXPECT_EQ(staleAfter_ns(0.0), 1'000'000'000);

@@ -7,8 +7,7 @@ using teleta::core::describe;
 using teleta::core::Error;
 using teleta::core::ErrorKind;
 
-TEST(Error, namesThePlaceAsFarAsItIsKnown)
-{
+TEST(Error, namesThePlaceAsFarAsItIsKnown) {
     Error error{ErrorKind::badInput, "not a number: \"abc\"", "a number", {"frames.csv", 12, 7}};
     EXPECT_EQ(describe(error), "frames.csv:12:7: not a number: \"abc\" (expected a number)");
     error.where.column = 0;

@@ -9,8 +9,7 @@
 
 using teleta::core::LatestExchange;
 
-TEST(LatestExchange, givesTheNewestValueOnceAndCountsPublications)
-{
+TEST(LatestExchange, givesTheNewestValueOnceAndCountsPublications) {
     LatestExchange<int> exchange;
     EXPECT_FALSE(exchange.update());
     EXPECT_EQ(exchange.generation(), 0U);
@@ -26,8 +25,7 @@ TEST(LatestExchange, givesTheNewestValueOnceAndCountsPublications)
     EXPECT_EQ(exchange.front(), 5);
 }
 
-TEST(LatestExchange, neverShowsATornValueAndNeverGoesBack)
-{
+TEST(LatestExchange, neverShowsATornValueAndNeverGoesBack) {
     struct Value {
         std::array<std::uint64_t, 64> words{};
     };

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/mailbox.h"
-
 #include "backend/core/stop_switch.h"
 
 #include <gtest/gtest.h>
@@ -10,8 +9,7 @@
 using teleta::core::Mailbox;
 using teleta::core::StopSwitch;
 
-TEST(Mailbox, keepsOnlyTheLatestCommandAndCountsTheReplaced)
-{
+TEST(Mailbox, keepsOnlyTheLatestCommandAndCountsTheReplaced) {
     Mailbox<int> box;
     EXPECT_FALSE(box.take().has_value());
     box.post(1);
@@ -22,8 +20,7 @@ TEST(Mailbox, keepsOnlyTheLatestCommandAndCountsTheReplaced)
     EXPECT_FALSE(box.take().has_value());
 }
 
-TEST(Mailbox, neverLosesTheLastCommandOfABurst)
-{
+TEST(Mailbox, neverLosesTheLastCommandOfABurst) {
     Mailbox<int> box;
     constexpr int kLast = 100'000;
     std::jthread sender([&] {
@@ -42,8 +39,7 @@ TEST(Mailbox, neverLosesTheLastCommandOfABurst)
     EXPECT_EQ(newest, kLast);
 }
 
-TEST(StopSwitch, staysEngagedSinceTheFirstPressUntilItIsReleased)
-{
+TEST(StopSwitch, staysEngagedSinceTheFirstPressUntilItIsReleased) {
     StopSwitch stop;
     EXPECT_FALSE(stop.engaged());
     stop.engage();

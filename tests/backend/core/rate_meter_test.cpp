@@ -9,16 +9,14 @@ namespace {
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
 }
 
-TEST(RateMeter, measuresASteadyStream)
-{
+TEST(RateMeter, measuresASteadyStream) {
     RateMeter meter(kSecond_ns);
     for (int sample = 0; sample <= 200; ++sample)
         meter.add(sample * kSecond_ns / 200);
     EXPECT_DOUBLE_EQ(meter.rate_Hz(kSecond_ns), 200.0);
 }
 
-TEST(RateMeter, isZeroWithoutTwoSamplesAndAfterTheStreamEnded)
-{
+TEST(RateMeter, isZeroWithoutTwoSamplesAndAfterTheStreamEnded) {
     RateMeter meter(kSecond_ns);
     EXPECT_EQ(meter.rate_Hz(0), 0.0);
     meter.add(0);
@@ -30,8 +28,7 @@ TEST(RateMeter, isZeroWithoutTwoSamplesAndAfterTheStreamEnded)
     EXPECT_EQ(meter.rate_Hz(2 * kSecond_ns), 0.0);
 }
 
-TEST(RateMeter, followsAChangeAndSurvivesMoreSamplesThanItKeeps)
-{
+TEST(RateMeter, followsAChangeAndSurvivesMoreSamplesThanItKeeps) {
     RateMeter meter(kSecond_ns, 16);
     std::int64_t time_ns = 0;
     for (int sample = 0; sample < 1000; ++sample, time_ns += kSecond_ns / 1000)
@@ -42,8 +39,7 @@ TEST(RateMeter, followsAChangeAndSurvivesMoreSamplesThanItKeeps)
     EXPECT_NEAR(meter.rate_Hz(time_ns), 20.0, 1e-9);
 }
 
-TEST(RateMeter, startsAnewWhenTimeGoesBack)
-{
+TEST(RateMeter, startsAnewWhenTimeGoesBack) {
     RateMeter meter(kSecond_ns);
     meter.add(10 * kSecond_ns);
     meter.add(9 * kSecond_ns);

@@ -14,16 +14,15 @@ namespace teleta::test {
 /// A source whose frames the test itself puts into the queue.
 class ScriptedSource : public core::TactileSource {
 public:
-    explicit ScriptedSource(const core::ArrayLayout& layout, std::size_t capacity = 64) : m_blocks(capacity)
-    {
+    explicit ScriptedSource(const core::ArrayLayout& layout, std::size_t capacity = 64)
+        : m_blocks(capacity) {
         m_description.name = "scripted";
         m_description.layout = layout;
         m_description.unit = "counts";
     }
 
     [[nodiscard]] const core::SourceDescription& description() const override { return m_description; }
-    void start(core::Wakeup& consumer) override
-    {
+    void start(core::Wakeup& consumer) override {
         m_consumer = &consumer;
         m_started = true;
     }
@@ -32,8 +31,7 @@ public:
     [[nodiscard]] core::DeviceStatus status() const override { return {}; }
 
     /// Queues one frame that was read at source time time_s.
-    bool push(std::vector<float> values, double time_s, bool discontinuity = false)
-    {
+    bool push(std::vector<float> values, double time_s, bool discontinuity = false) {
         core::SampleBlock block;
         block.firstFrame = m_frames++;
         block.channels = values.size();

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pipeline/touch_channel.h"
-
 #include "tests/backend/pipeline/scripted_source.h"
 
 #include <gtest/gtest.h>
@@ -20,8 +19,7 @@ namespace {
 constexpr ArrayLayout kLayout{.rows = 2, .columns = 3, .pitch_m = 0.01};
 
 struct Channel {
-    explicit Channel(ChannelSettings settings = {}, std::size_t capacity = 64)
-    {
+    explicit Channel(ChannelSettings settings = {}, std::size_t capacity = 64) {
         auto owned = std::make_unique<ScriptedSource>(kLayout, capacity);
         source = owned.get();
         channel = std::make_unique<TouchChannel>(std::move(owned), std::move(settings));
@@ -34,16 +32,14 @@ struct Channel {
 
 } // namespace
 
-TEST(TouchChannel, showsNothingBeforeTheFirstFrame)
-{
+TEST(TouchChannel, showsNothingBeforeTheFirstFrame) {
     Channel channel;
     EXPECT_EQ(channel->process(), 0U);
     EXPECT_FALSE(channel->update());
     EXPECT_EQ(channel->generation(), 0U);
 }
 
-TEST(TouchChannel, turnsAFrameIntoContactsAndFeatures)
-{
+TEST(TouchChannel, turnsAFrameIntoContactsAndFeatures) {
     Channel channel;
     channel.source->push({0, 0, 0, 0, 0, 3}, 0.25);
     EXPECT_EQ(channel->process(), 1U);
@@ -62,8 +58,7 @@ TEST(TouchChannel, turnsAFrameIntoContactsAndFeatures)
     EXPECT_EQ(snapshot.labels[0], 0);
 }
 
-TEST(TouchChannel, givesTheViewerEveryFrameAsASampleAndOnlyTheNewestAsASnapshot)
-{
+TEST(TouchChannel, givesTheViewerEveryFrameAsASampleAndOnlyTheNewestAsASnapshot) {
     Channel channel;
     for (int frame = 0; frame < 5; ++frame)
         channel.source->push({float(frame), 0, 0, 0, 0, 0}, 0.1 * frame);
@@ -82,8 +77,7 @@ TEST(TouchChannel, givesTheViewerEveryFrameAsASampleAndOnlyTheNewestAsASnapshot)
     EXPECT_EQ(channel->framesProcessed(), 5U);
 }
 
-TEST(TouchChannel, countsSamplesThatALateViewerMisses)
-{
+TEST(TouchChannel, countsSamplesThatALateViewerMisses) {
     constexpr std::size_t kLate = 10;
     Channel channel({}, TouchChannel::kHistorySamples + kLate);
     for (std::size_t frame = 0; frame < TouchChannel::kHistorySamples + kLate; ++frame)
@@ -93,8 +87,7 @@ TEST(TouchChannel, countsSamplesThatALateViewerMisses)
     EXPECT_EQ(channel->framesProcessed(), TouchChannel::kHistorySamples + kLate);
 }
 
-TEST(TouchChannel, appliesNewSettingsToTheLastFrameOfAPausedSource)
-{
+TEST(TouchChannel, appliesNewSettingsToTheLastFrameOfAPausedSource) {
     Channel channel;
     channel.source->push({2, 0, 0, 0, 0, 0}, 0.0);
     channel->process();
@@ -111,8 +104,7 @@ TEST(TouchChannel, appliesNewSettingsToTheLastFrameOfAPausedSource)
     EXPECT_EQ(channel->framesProcessed(), 1U) << "looking again at a frame is not a new frame";
 }
 
-TEST(TouchChannel, taresWithTheMeanOfTheFramesInTheGivenTime)
-{
+TEST(TouchChannel, taresWithTheMeanOfTheFramesInTheGivenTime) {
     Channel channel;
     channel->requestTare(0.2);
     channel.source->push({10, 20, 0, 0, 0, 0}, 1.0);
@@ -127,8 +119,7 @@ TEST(TouchChannel, taresWithTheMeanOfTheFramesInTheGivenTime)
     EXPECT_DOUBLE_EQ(channel->snapshot().features.force_N, 1.0 + 5.0);
 }
 
-TEST(TouchChannel, keepsTheTareWhenAPanelPostsSettingsWithoutIt)
-{
+TEST(TouchChannel, keepsTheTareWhenAPanelPostsSettingsWithoutIt) {
     Channel channel;
     channel->requestTare(0.0);
     channel.source->push({10, 0, 0, 0, 0, 0}, 0.0);
@@ -147,8 +138,7 @@ TEST(TouchChannel, keepsTheTareWhenAPanelPostsSettingsWithoutIt)
     EXPECT_TRUE(channel->settings().conditioning.tare.empty());
 }
 
-TEST(TouchChannel, marksATaxelThatNeverReadsAsDeadWhenTaring)
-{
+TEST(TouchChannel, marksATaxelThatNeverReadsAsDeadWhenTaring) {
     constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
     Channel channel;
     channel->requestTare(0.0);
@@ -163,8 +153,7 @@ TEST(TouchChannel, marksATaxelThatNeverReadsAsDeadWhenTaring)
     EXPECT_EQ(channel->snapshot().dead[0], 1);
 }
 
-TEST(TouchChannel, startsIdentitiesAnewAfterAJumpInTheStream)
-{
+TEST(TouchChannel, startsIdentitiesAnewAfterAJumpInTheStream) {
     Channel channel;
     channel.source->push({1, 0, 0, 0, 0, 0}, 0.0);
     channel.source->push({0, 0, 0, 0, 0, 1}, 0.01);
@@ -178,8 +167,7 @@ TEST(TouchChannel, startsIdentitiesAnewAfterAJumpInTheStream)
     EXPECT_EQ(channel->snapshot().contacts.front().id, 1);
 }
 
-TEST(TouchChannel, ignoresABlockOfAnotherSize)
-{
+TEST(TouchChannel, ignoresABlockOfAnotherSize) {
     Channel channel;
     channel.source->push({1, 2}, 0.0);
     EXPECT_EQ(channel->process(), 0U);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pipeline/touch_pipeline.h"
-
 #include "tests/backend/pipeline/scripted_source.h"
 
 #include <gtest/gtest.h>
@@ -25,8 +24,7 @@ namespace {
 constexpr ArrayLayout kLayout{.rows = 6, .columns = 14, .pitch_m = 0.0034};
 
 /// Opens a scripted source and hands out the channel and a pointer to the source.
-std::shared_ptr<TouchChannel> openScripted(TouchPipeline& pipeline, ScriptedSource*& source)
-{
+std::shared_ptr<TouchChannel> openScripted(TouchPipeline& pipeline, ScriptedSource*& source) {
     pipeline.open([&]() -> Expected<OpenedSource> {
         auto made = std::make_unique<ScriptedSource>(kLayout);
         source = made.get();
@@ -40,11 +38,11 @@ std::shared_ptr<TouchChannel> openScripted(TouchPipeline& pipeline, ScriptedSour
 
 } // namespace
 
-TEST(TouchPipeline, reportsThatASourceCouldNotBeOpened)
-{
+TEST(TouchPipeline, reportsThatASourceCouldNotBeOpened) {
     TouchPipeline pipeline;
-    const auto key = pipeline.open(
-        []() -> Expected<OpenedSource> { return Unexpected(Error{ErrorKind::notFound, "no such file", "", {}}); });
+    const auto key = pipeline.open([]() -> Expected<OpenedSource> {
+        return Unexpected(Error{ErrorKind::notFound, "no such file", "", {}});
+    });
     pipeline.waitUntilIdle();
     const auto events = pipeline.takeEvents();
     ASSERT_EQ(events.size(), 1U);
@@ -54,8 +52,7 @@ TEST(TouchPipeline, reportsThatASourceCouldNotBeOpened)
     EXPECT_TRUE(pipeline.takeEvents().empty());
 }
 
-TEST(TouchPipeline, processesEveryFrameOfSeveralSourcesInOrder)
-{
+TEST(TouchPipeline, processesEveryFrameOfSeveralSourcesInOrder) {
     constexpr int kFrames = 2000;
     TouchPipeline pipeline;
     ScriptedSource* firstSource = nullptr;
@@ -96,8 +93,7 @@ TEST(TouchPipeline, processesEveryFrameOfSeveralSourcesInOrder)
     EXPECT_EQ(second->samplesNotShown(), 0U);
 }
 
-TEST(TouchPipeline, stopsASourceThatIsClosedAndLeavesItsLastPictureToTheViewer)
-{
+TEST(TouchPipeline, stopsASourceThatIsClosedAndLeavesItsLastPictureToTheViewer) {
     TouchPipeline pipeline;
     ScriptedSource* source = nullptr;
     const auto channel = openScripted(pipeline, source);
@@ -111,16 +107,14 @@ TEST(TouchPipeline, stopsASourceThatIsClosedAndLeavesItsLastPictureToTheViewer)
     EXPECT_EQ(channel->snapshot().frame, 0U);
 }
 
-TEST(TouchPipeline, ignoresTheClosingOfASourceThatIsNotOpen)
-{
+TEST(TouchPipeline, ignoresTheClosingOfASourceThatIsNotOpen) {
     TouchPipeline pipeline;
     pipeline.close(7);
     pipeline.waitUntilIdle();
     EXPECT_TRUE(pipeline.takeEvents().empty());
 }
 
-TEST(TouchPipeline, endsWhileSourcesAreOpenAndRequestsWait)
-{
+TEST(TouchPipeline, endsWhileSourcesAreOpenAndRequestsWait) {
     ScriptedSource* source = nullptr;
     std::shared_ptr<TouchChannel> channel;
     {
