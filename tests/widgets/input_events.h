@@ -2,10 +2,17 @@
 #pragma once
 
 #include <QApplication>
+#include <QTest>
 #include <QWheelEvent>
 #include <QWidget>
 
 namespace teleta::test {
+
+/// Moves the mouse to a point of a widget from somewhere else: no event comes when it is there already.
+inline void hover(QWidget* widget, const QPoint& point) {
+    QTest::mouseMove(widget, QPoint(1, 1));
+    QTest::mouseMove(widget, point);
+}
 
 /// Turns the wheel over a widget by whole notches. True when the widget took the event.
 inline bool turnWheel(QWidget* widget, const QPointF& position, int notches,

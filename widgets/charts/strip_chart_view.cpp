@@ -460,10 +460,11 @@ bool StripChartView::eventFilter(QObject* watched, QEvent* event) {
         setCursorTime(m_keyboardCursor_s);
         return false;
     case QEvent::Wheel:
-        if (onWheel(static_cast<QWheelEvent*>(event)))
-            return true;
-        event->ignore();
-        return false;
+        // Ignored, not passed on: QCustomPlot would take every wheel and a window around the view could not
+        // scroll.
+        if (!onWheel(static_cast<QWheelEvent*>(event)))
+            event->ignore();
+        return true;
     case QEvent::ContextMenu: {
         auto* request = static_cast<QContextMenuEvent*>(event);
         auto* menu = new QMenu(this);

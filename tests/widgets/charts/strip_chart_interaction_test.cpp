@@ -16,6 +16,7 @@
 
 using namespace teleta;
 using namespace teleta::charts;
+using teleta::test::hover;
 using teleta::test::turnWheel;
 
 class StripChartInteractionTest : public QObject {
@@ -69,7 +70,7 @@ private slots:
     }
 
     void theCursorReadsAllStripsAtItsTime() {
-        QTest::mouseMove(m_view->plot(), pointAt(-4.0));
+        hover(m_view->plot(), pointAt(-4.0));
         QVERIFY(m_view->cursorTime_s());
         const double cursor_s = *m_view->cursorTime_s();
         QVERIFY(std::abs(cursor_s + 4.0) < 0.02);
@@ -86,8 +87,9 @@ private slots:
 
     void theCursorIsALineThroughAllStrips() {
         const QImage before = m_view->plot()->grab().toImage();
-        QTest::mouseMove(m_view->plot(), pointAt(-4.0));
+        hover(m_view->plot(), pointAt(-4.0));
         QCoreApplication::processEvents();
+        QVERIFY(m_view->cursorTime_s());
         const QImage after = m_view->plot()->grab().toImage();
         const int x = qRound(m_view->plot()->xOf(*m_view->cursorTime_s()));
         const QRgb ink = m_view->palette().color(QPalette::Text).rgb();
@@ -99,7 +101,7 @@ private slots:
     }
 
     void leavingTheCurvesEndsTheCursor() {
-        QTest::mouseMove(m_view->plot(), pointAt(-4.0));
+        hover(m_view->plot(), pointAt(-4.0));
         QTest::mouseMove(m_view->plot(), QPoint(2, 2));
         QVERIFY(!m_view->cursorTime_s());
     }

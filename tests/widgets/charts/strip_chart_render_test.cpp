@@ -37,19 +37,16 @@ public:
         QCoreApplication::processEvents();
         return view.plot()->grab().toImage();
     }
-    /// Pixels of a colour in the columns of a strip between two times before the right end.
-    [[nodiscard]] int count(const QImage& image, Strip strip, QRgb colour, double from_s, double to_s) const {
+    /// Coloured pixels (curves; axes and grid are grey) of a strip between two times before the right end.
+    [[nodiscard]] int curvePixels(const QImage& image, Strip strip, double from_s, double to_s) const {
         const QRect rect = view.plot()->plotRect(strip);
         int found = 0;
         for (int x = qCeil(view.plot()->xOf(from_s)); x <= qFloor(view.plot()->xOf(to_s)); ++x)
             for (int y = rect.top() + 1; y < rect.bottom(); ++y)
-                found += isNear(image.pixel(x, y), colour) ? 1 : 0;
+                found += isCurve(image.pixel(x, y)) ? 1 : 0;
         return found;
     }
-    static bool isNear(QRgb a, QRgb b) {
-        return std::abs(qRed(a) - qRed(b)) + std::abs(qGreen(a) - qGreen(b)) + std::abs(qBlue(a) - qBlue(b)) <
-               90;
-    }
+    static bool isCurve(QRgb pixel) { return QColor(pixel).hsvSaturation() > 60; }
     [[nodiscard]] QRgb colourOf(Strip strip, std::size_t series) const {
         return view.plot()->graphOf(strip, series)->pen().color().rgb();
     }
@@ -68,12 +65,11 @@ private slots:
         Chart chart;
         chart.feed(0.0, 10.0);
         const QImage image = chart.draw();
-        const QRgb colour = chart.colourOf(Strip::positionX, 0);
-        QVERIFY(chart.count(image, Strip::positionX, colour, -9.9, -6.1) > 100);
-        QCOMPARE(chart.count(image, Strip::positionX, colour, -5.9, -4.1), 0);
-        QVERIFY(chart.count(image, Strip::positionX, colour, -3.9, -0.1) > 100);
+        QVERIFY(chart.curvePixels(image, Strip::positionX, -9.9, -6.1) > 100);
+        QCOMPARE(chart.curvePixels(image, Strip::positionX, -5.9, -4.1), 0);
+        QVERIFY(chart.curvePixels(image, Strip::positionX, -3.9, -0.1) > 100);
         // The force is known all the time: it is zero there.
-        QVERIFY(chart.count(image, Strip::force, chart.colourOf(Strip::force, 0), -5.9, -4.1) > 100);
+        QVERIFY(chart.curvePixels(image, Strip::force, -5.9, -4.1) > 100);
     }
 
     void lostSamplesLeaveAGapInEveryStrip() {
@@ -82,7 +78,7 @@ private slots:
         chart.feed(7.0, 10.0);
         const QImage image = chart.draw();
         for (const Strip strip : {Strip::force, Strip::positionX})
-            QCOMPARE(chart.count(image, strip, chart.colourOf(strip, 0), -7.9, -3.1), 0);
+            QCOMPARE(chart.curvePixels(image, strip, -7.9, -3.1), 0);
     }
 
     void aJumpIsADottedLineThroughAllStrips() {
@@ -111,30 +107,33 @@ private slots:
         for (int i = 0; i < 2000; ++i) {
             pipeline::FeatureSample sample = test::rollingSample(0.005 * i, true);
             sample.features.force_N = 3.0;
-            sample.features.threshold_N = 1.0;
+            sample.features.threshold_N = 1.3;
             chart.view.append(sample);
         }
         const QImage image = chart.draw();
         const QRect rect = chart.view.plot()->plotRect(Strip::force);
         const ValueRange range = chart.view.plot()->rangeOf(Strip::force);
         QCOMPARE(range.low, 0.0);
-        QVERIFY(range.high >= 3.0 && range.high <= 6.0);
+        QVERIFY(range.high >= 5.0 * 1.3 && range.high <= 10.0);
         const double pad = 0.05 * range.high; // of each end
         const auto yOf = [&](double v) {
             return rect.bottom() - rect.height() * (v + pad) / (range.high + 2.0 * pad);
         };
         const int x = rect.center().x() + 7;
-        const QRgb colour = chart.colourOf(Strip::force, 0);
         bool found = false;
         for (int dy = -2; dy <= 2; ++dy)
-            found = found || Chart::isNear(image.pixel(x, qRound(yOf(3.0)) + dy), colour);
+            found = found || Chart::isCurve(image.pixel(x, qRound(yOf(3.0)) + dy));
         QVERIFY(found);
         // The threshold is dotted at its own height.
-        int dots = 0;
-        for (int i = 0; i < 40; ++i)
-            for (int dy = -1; dy <= 1; ++dy)
-                dots += qGray(image.pixel(x + i, qRound(yOf(1.0)) + dy)) < 190 ? 1 : 0;
-        QVERIFY2(dots > 10 && dots < 60, qPrintable(QString::number(dots)));
+        const auto darkNear = [&](double value) {
+            int dark = 0;
+            for (int i = 0; i < 40; ++i)
+                for (int dy = -1; dy <= 1; ++dy)
+                    dark += qGray(image.pixel(x + i, qRound(yOf(value)) + dy)) < 215 ? 1 : 0;
+            return dark;
+        };
+        QVERIFY2(darkNear(1.3) > 10 && darkNear(1.3) < 80, qPrintable(QString::number(darkNear(1.3))));
+        QCOMPARE(darkNear(1.6), 0);
     }
 
     void forceIsShownFromZeroAndAnglesOverTheirWholeRange() {

@@ -13,6 +13,7 @@
 
 using namespace teleta;
 using namespace teleta::tactile;
+using teleta::test::hover;
 using teleta::test::turnWheel;
 
 namespace {
@@ -47,7 +48,7 @@ private slots:
     void cleanup() { m_view.reset(); }
 
     void hoveringReadsTheTaxel() {
-        QTest::mouseMove(m_view.get(), centreOf(3, 7));
+        hover(m_view.get(), centreOf(3, 7));
         QCOMPARE(m_view->cursorTaxel(), std::optional(Taxel{3, 7}));
         const QString text = m_view->readout();
         QVERIFY2(text.contains(QStringLiteral("row 3, column 7")), qPrintable(text));
@@ -58,14 +59,14 @@ private slots:
     }
 
     void hoveringBesideTheArrayReadsNothing() {
-        QTest::mouseMove(m_view.get(), centreOf(3, 7));
+        hover(m_view.get(), centreOf(3, 7));
         QTest::mouseMove(m_view.get(), QPoint(3, 3));
         QVERIFY(!m_view->cursorTaxel());
         QVERIFY(m_view->readout().isEmpty());
     }
 
     void theReadoutFollowsTheData() {
-        QTest::mouseMove(m_view.get(), centreOf(3, 7));
+        hover(m_view.get(), centreOf(3, 7));
         pipeline::TouchSnapshot next = touched();
         next.load_N[static_cast<std::size_t>(3 * kArray.columns + 7)] = 0.75F;
         m_view->setSnapshot(next);
@@ -90,7 +91,7 @@ private slots:
 
     void theKeyboardReadoutStaysWhenTheMouseLeaves() {
         QTest::keyClick(m_view.get(), Qt::Key_Right);
-        QTest::mouseMove(m_view.get(), centreOf(0, 0));
+        hover(m_view.get(), centreOf(0, 0));
         QTest::mouseMove(m_view.get(), QPoint(3, 3));
         QCOMPARE(m_view->cursorTaxel(), std::optional(Taxel{3, 7}));
     }
@@ -274,7 +275,7 @@ private slots:
         pipeline::TouchSnapshot broken = touched();
         broken.load_N.pop_back();
         m_view->setSnapshot(broken);
-        QTest::mouseMove(m_view.get(), centreOf(3, 7));
+        hover(m_view.get(), centreOf(3, 7));
         QVERIFY(m_view->readout().isEmpty());
         QCOMPARE(m_view->figure().csv().count(u'\n'), qsizetype(1));
     }
