@@ -276,7 +276,7 @@ void MainWindow::fillDemos() {
         {QStringLiteral(":/scenes/tactile-two-contacts.toml"), tr("Demo: two contacts that meet"),
          tr("Two balls that approach each other until they touch, and part")},
         {QStringLiteral(":/scenes/tactile-mat.toml"), tr("Demo: a pressure mat"),
-         tr("A 64 x 27 mat that a body rolls over")},
+         tr("A 64 x 27 mat under a body: a head, a trunk that turns, two heels")},
     });
 }
 
