@@ -4,6 +4,7 @@
 #include "app/cli/command.h"
 #include "app/cli/command_io.h"
 #include "app/cli/commands/contacts_command.h"
+#include "app/cli/commands/contour_command.h"
 #include "app/cli/commands/features_command.h"
 #include "app/cli/commands/stiffness_command.h"
 
@@ -25,6 +26,7 @@ std::vector<std::unique_ptr<Command>> makeCommands() {
     commands.push_back(std::make_unique<FeaturesCommand>());
     commands.push_back(std::make_unique<ContactsCommand>());
     commands.push_back(std::make_unique<StiffnessCommand>());
+    commands.push_back(std::make_unique<ContourCommand>());
     return commands;
 }
 
