@@ -101,4 +101,53 @@ std::optional<ValueRange> makePolyline(const FeatureHistory& history, Channel ch
     return builder.range();
 }
 
+void cutPolyline(std::vector<PolylinePoint>& line, const ValueRange& range) {
+    const auto outside = [&range](const PolylinePoint& p) {
+        return p.value < range.low || p.value > range.high;
+    };
+    if (std::ranges::none_of(line, outside))
+        return;
+    std::vector<PolylinePoint> cut;
+    cut.reserve(2 * line.size());
+    const auto lift = [&cut](double time_s) {
+        if (!cut.empty() && !std::isnan(cut.back().value))
+            cut.push_back({time_s, std::numeric_limits<double>::quiet_NaN()});
+    };
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const PolylinePoint& to = line[i];
+        const bool joined = i > 0 && !std::isnan(to.value) && !std::isnan(line[i - 1].value);
+        if (joined && (outside(line[i - 1]) || outside(to))) {
+            // The part of the segment between the two ends of the range, if there is one.
+            const PolylinePoint& from = line[i - 1];
+            const double rise = to.value - from.value;
+            double first = 0.0, last = 1.0;
+            if (rise != 0.0) {
+                const double atLow = (range.low - from.value) / rise;
+                const double atHigh = (range.high - from.value) / rise;
+                first = std::max(first, std::min(atLow, atHigh));
+                last = std::min(last, std::max(atLow, atHigh));
+            } else {
+                last = -1.0; // level and outside
+            }
+            const auto at = [&](double share) {
+                return PolylinePoint{std::lerp(from.time_s, to.time_s, share),
+                                     std::lerp(from.value, to.value, share)};
+            };
+            if (first <= last) {
+                if (outside(from)) {
+                    lift(at(first).time_s);
+                    cut.push_back(at(first));
+                }
+                if (outside(to))
+                    cut.push_back(at(last));
+            }
+        }
+        if (std::isnan(to.value) || outside(to))
+            lift(cut.empty() ? to.time_s : cut.back().time_s);
+        else
+            cut.push_back(to);
+    }
+    line = std::move(cut);
+}
+
 } // namespace teleta::charts

@@ -28,4 +28,8 @@ std::optional<ValueRange> makePolyline(const FeatureHistory& history, Channel ch
                                        double to_s, double bucket_s, double period,
                                        std::vector<PolylinePoint>& line);
 
+/// Cuts away what lies outside of a range of values, exactly at its ends. A stretch outside lifts the pen.
+/// range.low < range.high. A line inside of the range is left as it is. Thread: any (pure).
+void cutPolyline(std::vector<PolylinePoint>& line, const ValueRange& range);
+
 } // namespace teleta::charts

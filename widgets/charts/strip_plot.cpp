@@ -213,31 +213,41 @@ void StripPlot::fitAxis(Row& row, std::optional<ValueRange> extent, double thres
     row.rect->axis(QCPAxis::atLeft)->setRange(shown.low - padding, shown.high + padding);
 }
 
+void StripPlot::fillGraphs(Row& row) {
+    const QCPRange axis = row.rect->axis(QCPAxis::atLeft)->range();
+    QVector<QCPGraphData> points;
+    for (std::size_t i = 0; i < row.graphs.size(); ++i) {
+        // Cut here and not by the painter: pictures in SVG know no clipping.
+        cutPolyline(m_lines[i], {axis.lower, axis.upper});
+        points.resize(static_cast<qsizetype>(m_lines[i].size()));
+        std::ranges::transform(m_lines[i], points.begin(),
+                               [](const PolylinePoint& p) { return QCPGraphData(p.time_s, p.value); });
+        row.graphs[i]->data()->set(points, true);
+    }
+}
+
 void StripPlot::showStretch(const FeatureHistory& history, double end_s, double span_s) {
     m_span_s = span_s;
     const double bucket_s = span_s / std::max(1.0, width() * devicePixelRatioF());
     const double threshold = history.empty() ? 0.0 : history.value(Channel::threshold, history.size() - 1);
-    QVector<QCPGraphData> points;
     for (Row& row : m_rows) {
         std::optional<ValueRange> extent;
+        m_lines.resize(row.graphs.size());
         for (std::size_t i = 0; i < row.graphs.size(); ++i) {
             const Series& series = row.definition->series[i];
-            auto range =
-                makePolyline(history, series.channel, end_s - span_s, end_s, bucket_s, series.period, m_line);
-            points.resize(static_cast<qsizetype>(m_line.size()));
-            std::ranges::transform(m_line, points.begin(), [&](const PolylinePoint& p) {
-                return QCPGraphData(p.time_s - end_s, series.display.of(p.value));
-            });
-            row.graphs[i]->data()->set(points, true);
+            const auto range = makePolyline(history, series.channel, end_s - span_s, end_s, bucket_s,
+                                            series.period, m_lines[i]);
+            for (PolylinePoint& point : m_lines[i])
+                point = {point.time_s - end_s, series.display.of(point.value)};
             if (!range)
                 continue;
-            range = ValueRange{series.display.of(range->low), series.display.of(range->high)};
-            extent = extent
-                         ? ValueRange{std::min(extent->low, range->low), std::max(extent->high, range->high)}
-                         : *range;
+            const ValueRange shown{series.display.of(range->low), series.display.of(range->high)};
+            extent = extent ? ValueRange{std::min(extent->low, shown.low), std::max(extent->high, shown.high)}
+                            : shown;
         }
         fitAxis(row, extent, threshold, end_s);
         row.rect->axis(QCPAxis::atBottom)->setRange(-span_s, 0.0);
+        fillGraphs(row);
     }
     std::vector<TimeLine> jumps;
     for (std::size_t i = std::max<std::size_t>(1, history.firstAt(end_s - span_s)); i < history.size(); ++i) {

@@ -81,6 +81,7 @@ private:
     void arrange();
     void colourRow(Row& row, const QPalette& palette);
     void fitAxis(Row& row, std::optional<ValueRange> extent, double threshold, double time_s);
+    void fillGraphs(Row& row);
     [[nodiscard]] const Row* rowOf(Strip strip) const;
     [[nodiscard]] double em() const;
 
@@ -95,7 +96,7 @@ private:
     TimeLines* m_cursor = nullptr;
     QPalette m_colours;
     double m_span_s = 10.0;
-    std::vector<PolylinePoint> m_line;
+    std::vector<std::vector<PolylinePoint>> m_lines; ///< of one strip; kept so that drawing allocates little
 };
 
 } // namespace teleta::charts

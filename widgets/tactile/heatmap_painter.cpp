@@ -43,6 +43,26 @@ void drawCross(QPainter& painter, const QPointF& centre, double radius) {
     painter.drawLine(centre + QPointF(-radius, radius), centre + QPointF(radius, -radius));
 }
 
+/// The part of a line inside of a rectangle; pictures in SVG know no clipping.
+std::optional<QLineF> cutToRect(const QLineF& line, const QRectF& rect) {
+    double first = 0.0, last = 1.0;
+    const auto cut = [&](double start, double step, double low, double high) {
+        if (step == 0.0) {
+            if (start < low || start > high)
+                last = -1.0;
+            return;
+        }
+        const double a = (low - start) / step, b = (high - start) / step;
+        first = std::max(first, std::min(a, b));
+        last = std::min(last, std::max(a, b));
+    };
+    cut(line.x1(), line.dx(), rect.left(), rect.right());
+    cut(line.y1(), line.dy(), rect.top(), rect.bottom());
+    if (first > last)
+        return std::nullopt;
+    return QLineF(line.pointAt(first), line.pointAt(last));
+}
+
 void drawHatch(QPainter& painter, const QRectF& rect, double spacing) {
     for (double offset = 0.5 * spacing; offset < rect.width() + rect.height(); offset += spacing) {
         const double x0 = std::max(0.0, offset - rect.height());
@@ -89,6 +109,8 @@ void HeatmapPainter::paint(QPainter& painter, const HeatmapLayout& layout, const
     paintColourBar();
     paintHeader();
     paintLegend();
+    if (medium == Medium::screen)
+        paintReadout();
     painter.restore();
 }
 
@@ -267,8 +289,11 @@ void HeatmapPainter::paintAxis() {
         return m_layout->pixelOf(*f.cocX_m + along_m * c - across_m * s,
                                  *f.cocY_m + along_m * s + across_m * c);
     };
+    const std::optional<QLineF> axis =
+        cutToRect(QLineF(at(-long_m, 0.0), at(long_m, 0.0)), m_layout->visible());
     cased(*m_painter, kMark, std::max(1.5, 0.1 * m_em), [&] {
-        m_painter->drawLine(at(-long_m, 0.0), at(long_m, 0.0));
+        if (axis)
+            m_painter->drawLine(*axis);
         if (short_m > 0.2 * pitch_m) {
             const double tick_m = 0.35 * short_m;
             m_painter->drawLine(at(0.0, -tick_m), at(0.0, tick_m));
@@ -522,6 +547,9 @@ void HeatmapPainter::paintLegend() {
 
     m_painter->setBrush(Qt::NoBrush);
     m_painter->setFont(normal);
+}
+
+void HeatmapPainter::paintReadout() {
     m_painter->setPen(m_palette.color(m_content->cursor ? QPalette::Text : QPalette::PlaceholderText));
     const QString text =
         m_content->cursor ? taxelText(*m_content, *m_content->cursor) : tr("Point at a taxel to read it.");

@@ -42,6 +42,7 @@ private:
     void paintColourBar();
     void paintHeader();
     void paintLegend();
+    void paintReadout();
     [[nodiscard]] double markRadius() const;
     [[nodiscard]] int firstColumn(const contact::Contact& contact, int row) const;
 

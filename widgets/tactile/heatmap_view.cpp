@@ -199,6 +199,7 @@ base::Figure HeatmapView::figure() const {
         painter.setFont(font);
         HeatmapContent paper = content;
         paper.cursor.reset();
+        paper.zoom.factor = 1.0; // the whole array, as the data beside it
         const QFontMetricsF metrics(font);
         const HeatmapLayout layout(QRectF(QPointF(), size), metrics, paper.snapshot.layout, paper.zoom, 1.0);
         if (paper.valid)

@@ -65,7 +65,7 @@ public:
     /// What the read-out says; empty without a cursor.
     [[nodiscard]] QString readout() const;
 
-    /// The picture on white with its data, independent of the view from then on.
+    /// The whole array on white with its data, independent of the view from then on.
     [[nodiscard]] base::Figure figure() const;
     /// Fills the menu that a right click opens.
     void populateMenu(QMenu& menu);

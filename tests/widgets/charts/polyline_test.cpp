@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 
 using namespace teleta;
@@ -181,6 +182,33 @@ private slots:
         const FeatureHistory undefined = historyOf(100, 0.01, [](int) { return std::nullopt; });
         QVERIFY(!makePolyline(undefined, Channel::alphaZ, 0.0, 1.0, 0.1, 0.0, line));
         QVERIFY(line.empty());
+    }
+
+    void whatLiesOutsideIsCutExactlyAtTheEnds() {
+        std::vector<PolylinePoint> line{{0.0, 0.0}, {1.0, 10.0}, {2.0, 10.0}, {3.0, -10.0}, {4.0, 0.0}};
+        cutPolyline(line, {-5.0, 5.0});
+        const auto parts = stretches(line);
+        QCOMPARE(parts.size(), std::size_t(3));
+        const auto isAt = [](const PolylinePoint& p, double time_s, double value) {
+            return std::abs(p.time_s - time_s) < 1e-12 && std::abs(p.value - value) < 1e-12;
+        };
+        QVERIFY(isAt(parts[0].front(), 0.0, 0.0) && isAt(parts[0].back(), 0.5, 5.0));
+        QVERIFY(isAt(parts[1].front(), 2.25, 5.0) && isAt(parts[1].back(), 2.75, -5.0)); // right through
+        QVERIFY(isAt(parts[2].front(), 3.5, -5.0) && isAt(parts[2].back(), 4.0, 0.0));
+    }
+
+    void cuttingKeepsGapsAndInnerLines() {
+        const double nan = std::numeric_limits<double>::quiet_NaN();
+        std::vector<PolylinePoint> inner{{0.0, 1.0}, {1.0, 2.0}, {1.0, nan}, {2.0, 3.0}, {3.0, 3.0}};
+        cutPolyline(inner, {0.0, 3.0});
+        QCOMPARE(inner.size(), std::size_t(5));
+        cutPolyline(inner, {0.0, 1.5});
+        const auto parts = stretches(inner);
+        QCOMPARE(parts.size(), std::size_t(1));
+        QCOMPARE(parts[0].back().value, 1.5);
+        std::vector<PolylinePoint> away{{0.0, 9.0}, {1.0, 9.0}, {2.0, 8.0}};
+        cutPolyline(away, {0.0, 1.0});
+        QVERIFY(stretches(away).empty());
     }
 
     void infiniteValuesAreGaps() {

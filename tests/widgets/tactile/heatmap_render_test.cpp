@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/widgets/input_events.h"
 #include "tests/widgets/sample_touch.h"
 #include "tests/widgets/test_registry.h"
 #include "widgets/base/colour_maps.h"
@@ -8,6 +9,8 @@
 #include <QApplication>
 #include <QPainter>
 #include <QSet>
+#include <QSvgRenderer>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <numbers>
@@ -313,6 +316,32 @@ private slots:
         QCOMPARE(picture.at(sensor.topRight() + QPointF(-0.5, 0.5)), base::cividis().back());
         if (side > 1)
             QCOMPARE(picture.at(sensor.bottomLeft() + QPointF(0.5, -0.5)), base::cividis().front());
+    }
+
+    /// SVG files know no clipping: what is drawn on the array must end there by itself.
+    void nothingReachesBeyondTheArrayInAPictureForPaper() {
+        const core::ArrayLayout array = kArray;
+        Picture picture(test::snapshotOf(array, test::hills(array, {{0.0, 0.0, 2.0, 0.02, 0.002}})),
+                        {Overlay::principalAxis, Overlay::centreOfPressure, Overlay::contacts});
+        picture.view.resize(900, 300);
+        const QPointF middle = picture.view.layoutNow().visible().center();
+        test::turnWheel(&picture.view, middle, 5, Qt::ControlModifier);
+        const base::Figure figure = picture.view.figure();
+        QTemporaryDir directory;
+        const QString path = directory.filePath(QStringLiteral("a.svg"));
+        QVERIFY(base::saveSvg(figure, path));
+        QImage paper(figure.size_px.toSize(), QImage::Format_RGB32);
+        paper.fill(Qt::white);
+        QPainter painter(&paper);
+        QSvgRenderer(path).render(&painter, QRectF(QPointF(), figure.size_px));
+        painter.end();
+        picture.view.resetZoom();
+        const HeatmapLayout layout = picture.view.layoutNow();
+        const QRectF sensor = layout.sensor();
+        for (double x = sensor.right() + 4.0; x < layout.colourBar().left() - 12.0; x += 1.0)
+            QCOMPARE(paper.pixel(qRound(x), qRound(sensor.center().y())), qRgb(255, 255, 255));
+        for (double x = layout.readout().left(); x < layout.readout().right(); x += 1.0)
+            QCOMPARE(paper.pixel(qRound(x), qRound(layout.readout().center().y())), qRgb(255, 255, 255));
     }
 
     void aPictureForPaperIsOnWhiteAndHasTheSameColours() {
