@@ -12,6 +12,7 @@ namespace {
 // Vectors of the compiler (GCC, Clang), which any target has or imitates.
 using Floats [[gnu::vector_size(4 * kMomentLanes)]] = float;
 using Words [[gnu::vector_size(4 * kMomentLanes)]] = std::int32_t;
+using UnsignedWords [[gnu::vector_size(4 * kMomentLanes)]] = std::uint32_t;
 using Doubles [[gnu::vector_size(8 * kMomentLanes)]] = double;
 using HalfDoubles [[gnu::vector_size(4 * kMomentLanes)]] = double;
 
@@ -76,7 +77,7 @@ template <bool activeOnly>
             std::memcpy(&bits, row, sizeof(bits));
             bits &= keep;
             // Sets the sign bit of what is negative, or has the exponent of infinity and NaN.
-            unusable |= bits | (bits + 0x00800000);
+            unusable |= bits | reinterpret_cast<Words>(reinterpret_cast<UnsignedWords>(bits) + 0x00800000U);
             const auto value = reinterpret_cast<Floats>(bits);
             const Words active = value >= threshold;
             peak = value > peak ? value : peak;
