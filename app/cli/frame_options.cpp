@@ -151,7 +151,8 @@ core::Expected<void> processFrames(const FrameOptions& options, std::span<const 
     std::vector<float> load_N(taxels);
     std::vector<std::uint8_t> dead(taxels);
     double time_s = 0.0;
-    ProgressBar progress(file->bytesTotal(), rows->onTerminal());
+    const auto total = static_cast<double>(file->bytesTotal());
+    ProgressBar progress(ProgressBar::Unit::bytes, rows->onTerminal());
     bool stopped = false;
     while (!(stopped = interrupted()) && !rows->failed()) {
         const core::Expected<bool> any = file->next(time_s, raw);
@@ -167,7 +168,7 @@ core::Expected<void> processFrames(const FrameOptions& options, std::span<const 
         conditioner.apply(raw, load_N, dead);
         write({time_s, load_N, dead}, *rows);
         rows->flushIfDue();
-        progress.update(file->offset());
+        progress.update(static_cast<double>(file->offset()), total);
     }
     const core::Expected<void> finished = rows->finish();
     if (finished && stopped)

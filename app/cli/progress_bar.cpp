@@ -17,19 +17,20 @@ constexpr std::size_t kWidth = 30;
 
 } // namespace
 
-ProgressBar::ProgressBar(std::uint64_t totalBytes, bool resultsOnTerminal)
-    : m_totalBytes(totalBytes)
+ProgressBar::ProgressBar(Unit unit, bool resultsOnTerminal)
+    : m_unit(unit)
     , m_shown(!resultsOnTerminal && isatty(STDERR_FILENO) != 0)
     , m_start_ns(core::steadyNow_ns())
     , m_next_ns(m_start_ns + kInterval_ns) {
 }
 
-ProgressBar::~ProgressBar() {
+void ProgressBar::erase() {
     if (m_drawn)
         std::fputs("\r\x1b[K", stderr);
+    m_drawn = false;
 }
 
-void ProgressBar::update(std::uint64_t doneBytes) {
+void ProgressBar::update(double done, double total) {
     if (!m_shown)
         return;
     const std::int64_t now_ns = core::steadyNow_ns();
@@ -37,16 +38,19 @@ void ProgressBar::update(std::uint64_t doneBytes) {
         return;
     m_next_ns = now_ns + kInterval_ns;
     m_drawn = true;
-    const double done_MB = static_cast<double>(doneBytes) * 1e-6;
-    const double rate_MBps = done_MB / (static_cast<double>(now_ns - m_start_ns) * 1e-9);
-    if (m_totalBytes == 0) {
-        std::fprintf(stderr, "\r%.0f MB  %.0f MB/s\x1b[K", done_MB, rate_MBps);
+    const bool bytes = m_unit == Unit::bytes;
+    const double scale = bytes ? 1e-6 : 1.0;
+    const char* unit = bytes ? "MB" : "s";
+    const char* rateUnit = bytes ? "MB/s" : "x";
+    const double rate = scale * done / (static_cast<double>(now_ns - m_start_ns) * 1e-9);
+    if (!(total > 0.0)) {
+        std::fprintf(stderr, "\r%.0f %s  %.0f %s\x1b[K", scale * done, unit, rate, rateUnit);
         return;
     }
-    const double share = std::min(1.0, static_cast<double>(doneBytes) / static_cast<double>(m_totalBytes));
+    const double share = std::min(1.0, done / total);
     std::string bar(kWidth, ' ');
     std::fill_n(bar.begin(), static_cast<std::size_t>(share * static_cast<double>(kWidth)), '#');
-    std::fprintf(stderr, "\r[%s] %3.0f %%  %.0f MB/s\x1b[K", bar.c_str(), 100.0 * share, rate_MBps);
+    std::fprintf(stderr, "\r[%s] %3.0f %%  %.0f %s\x1b[K", bar.c_str(), 100.0 * share, rate, rateUnit);
 }
 
 } // namespace teleta::cli

@@ -5,22 +5,28 @@
 
 namespace teleta::cli {
 
-/// A line on standard error that shows how far a file was read: bar, percent, rate. Nothing is shown when
-/// standard error is no terminal, or when results are printed to a terminal. The line is erased with the
-/// object.
+/// A line on standard error that shows how far long work has come: bar, percent, rate. Nothing is shown when
+/// standard error is no terminal, or when results are printed to a terminal meanwhile. The line is erased
+/// with the object.
 class ProgressBar {
 public:
-    /// totalBytes 0: unknown, only amount and rate are shown.
-    explicit ProgressBar(std::uint64_t totalBytes, bool resultsOnTerminal);
-    ~ProgressBar();
+    enum class Unit {
+        bytes,            ///< of a file; the rate is in MB/s
+        simulatedSeconds, ///< the rate is a multiple of real time
+    };
+
+    ProgressBar(Unit unit, bool resultsOnTerminal);
+    ~ProgressBar() { erase(); }
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
-    /// Cheap; draws a few times a second.
-    void update(std::uint64_t doneBytes);
+    /// Cheap; draws a few times a second. total 0: unknown, only amount and rate are shown.
+    void update(double done, double total);
+    /// Before results are printed to the same terminal.
+    void erase();
 
 private:
-    std::uint64_t m_totalBytes;
+    Unit m_unit;
     bool m_shown;
     bool m_drawn = false;
     std::int64_t m_start_ns;

@@ -33,6 +33,13 @@ public:
         else
             raw(NumberText(value).view());
     }
+    /// With the digits of a float, which are fewer than those of the same value as a double.
+    void number(float value) {
+        if (std::isnan(value))
+            raw("NA");
+        else
+            raw(NumberText(value).view());
+    }
     void number(const std::optional<double>& value) {
         if (value)
             number(*value);

@@ -202,7 +202,8 @@ core::Expected<std::vector<Point>> ContourCommand::readPoints() const {
 
     std::vector<Point> points;
     std::vector<double> row;
-    ProgressBar progress(reader->bytesTotal(), isatty(STDOUT_FILENO) != 0);
+    const auto total = static_cast<double>(reader->bytesTotal());
+    ProgressBar progress(ProgressBar::Unit::bytes, isatty(STDOUT_FILENO) != 0);
     for (;;) {
         const core::Expected<bool> more = reader->next(row);
         if (!more)
@@ -212,7 +213,7 @@ core::Expected<std::vector<Point>> ContourCommand::readPoints() const {
         if (interrupted())
             return core::Unexpected(interruption());
         points.emplace_back(row[(*columns)[0]], row[(*columns)[1]]);
-        progress.update(reader->bytesRead());
+        progress.update(static_cast<double>(reader->bytesRead()), total);
     }
 }
 

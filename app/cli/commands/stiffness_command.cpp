@@ -203,7 +203,8 @@ core::Expected<std::vector<JointSample>> StiffnessCommand::readLog() const {
 
     std::vector<JointSample> log;
     std::vector<double> row;
-    ProgressBar progress(reader->bytesTotal(), isatty(STDOUT_FILENO) != 0);
+    const auto total = static_cast<double>(reader->bytesTotal());
+    ProgressBar progress(ProgressBar::Unit::bytes, isatty(STDOUT_FILENO) != 0);
     for (;;) {
         const core::Expected<bool> more = reader->next(row);
         if (!more)
@@ -213,7 +214,7 @@ core::Expected<std::vector<JointSample>> StiffnessCommand::readLog() const {
         if (interrupted())
             return core::Unexpected(interruption());
         log.push_back({row[(*columns)[0]], row[(*columns)[1]], row[(*columns)[2]]});
-        progress.update(reader->bytesRead());
+        progress.update(static_cast<double>(reader->bytesRead()), total);
     }
 }
 

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commands/simulate_command.h"
+
+#include "app/cli/command_io.h"
+#include "app/cli/interruption.h"
+#include "app/cli/progress_bar.h"
+#include "app/cli/validators.h"
+#include "backend/scene/scene_reader.h"
+#include "backend/scene_run/scene_run.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QStringList>
+
+#include <CLI/CLI.hpp>
+
+#include <utility>
+#include <vector>
+
+namespace teleta::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct SimulateText {
+    Q_DECLARE_TR_FUNCTIONS(SimulateCommand)
+};
+
+QString valueText(const ordered_json& value) {
+    if (value.is_null())
+        return QStringLiteral("NA");
+    if (value.is_string())
+        return QString::fromStdString(value.get<std::string>());
+    if (value.is_number_float())
+        return forPeople(value.get<double>());
+    if (value.is_array()) {
+        QStringList parts;
+        for (const ordered_json& part : value)
+            parts << valueText(part);
+        return parts.join(QStringLiteral(", "));
+    }
+    return QString::fromStdString(value.dump());
+}
+
+core::Expected<void> printTable(const scene_run::SceneSummary& summary) {
+    std::vector<std::pair<QString, QString>> fields{
+        {SimulateText::tr("Scene"), QString::fromStdString(summary.scene)},
+        {SimulateText::tr("Seed"), QString::number(summary.seed)},
+        {SimulateText::tr("Simulated"), SimulateText::tr("%1 s").arg(forPeople(summary.simulated_s))},
+        {SimulateText::tr("Computed in"),
+         SimulateText::tr("%1 s (%2 x real time)")
+             .arg(forPeople(summary.wall_s), forPeople(summary.simulated_s / summary.wall_s, 3))}};
+    for (const scene_run::SceneSummary::EffectTime& effect : summary.effects)
+        fields.emplace_back(SimulateText::tr("Effect %1").arg(QString::fromStdString(effect.name)),
+                            SimulateText::tr("%1 s").arg(forPeople(effect.time_s, 3)));
+    for (const auto& [name, value] : summary.measures.items())
+        fields.emplace_back(QString::fromStdString(name), valueText(value));
+    fields.emplace_back(SimulateText::tr("Events"), QString::number(summary.events.size()));
+    return printFields(fields);
+}
+
+} // namespace
+
+QString SimulateCommand::summary() const {
+    return SimulateText::tr("Run a simulated scene as fast as possible and measure what was estimated");
+}
+
+const char* SimulateCommand::example() const {
+    return "teleta simulate resources/scenes/teleta-touch.toml --out run";
+}
+
+void SimulateCommand::declare(CLI::App& app) {
+    const auto help = [](const char* text) { return SimulateText::tr(text).toStdString(); };
+    app.add_option("scene", m_scenePath, help(QT_TRANSLATE_NOOP("SimulateCommand", "Scene file")))
+        ->type_name("SCENE.toml")
+        ->required();
+    app.add_option("--seed", m_seed,
+                   help(QT_TRANSLATE_NOOP("SimulateCommand", "Seed of all random numbers of the scene")))
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(between(0, 1.8e19));
+    app.add_option("--duration", m_duration_s,
+                   help(QT_TRANSLATE_NOOP("SimulateCommand",
+                                          "Simulated time in seconds; otherwise what the scene says")))
+        ->type_name("S")
+        ->check(positive());
+    app.add_option(
+           "--out", m_outFolder,
+           help(QT_TRANSLATE_NOOP("SimulateCommand", "Folder for summary.json and the recorded data as CSV")))
+        ->type_name("DIR");
+    declareJson(app, m_json);
+}
+
+core::Expected<void> SimulateCommand::run() {
+    const core::Expected<scene::Scene> scene = scene::readScene(m_scenePath);
+    if (!scene)
+        return core::Unexpected(scene.error());
+
+    // Nothing is printed before the end, so the bar may share the terminal with the results.
+    ProgressBar progress(ProgressBar::Unit::simulatedSeconds, false);
+    scene_run::RunOptions options;
+    options.name = QFileInfo(QString::fromStdString(m_scenePath)).completeBaseName().toStdString();
+    options.seed = m_seed;
+    options.duration_s = m_duration_s;
+    options.outFolder = m_outFolder;
+    options.goOn = [&progress](double simulated_s, double duration_s) {
+        progress.update(simulated_s, duration_s);
+        return !interrupted();
+    };
+    const core::Expected<scene_run::SceneSummary> summary = scene_run::runScene(*scene, options);
+    progress.erase();
+    if (!summary)
+        return core::Unexpected(summary.error());
+    const core::Expected<void> printed = m_json ? printDocument(summary->toJson()) : printTable(*summary);
+    if (!printed)
+        return printed;
+    if (summary->interrupted)
+        return core::Unexpected(interruption());
+    return {};
+}
+
+} // namespace teleta::cli

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cli/command.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace teleta::cli {
+
+/// `teleta simulate SCENE.toml`: runs a scene as fast as it can and reports its measures.
+class SimulateCommand : public Command {
+public:
+    [[nodiscard]] const char* name() const override { return "simulate"; }
+    [[nodiscard]] QString summary() const override;
+    [[nodiscard]] const char* example() const override;
+    void declare(CLI::App& app) override;
+    [[nodiscard]] core::Expected<void> run() override;
+
+private:
+    std::string m_scenePath;
+    std::uint64_t m_seed = 1;
+    std::optional<double> m_duration_s;
+    std::string m_outFolder;
+    bool m_json = false;
+};
+
+} // namespace teleta::cli

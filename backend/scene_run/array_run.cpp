@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/scene_run/array_run.h"
+
+#include "backend/contact/contact_segmenter.h"
+#include "backend/contact/frame_conditioner.h"
+#include "backend/scene_run/contact_errors.h"
+#include "backend/scene_run/frame_log.h"
+#include "backend/simulation/simulated_array.h"
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace teleta::scene_run {
+
+namespace {
+
+constexpr std::uint64_t kFramesBetweenReports = 256;
+
+} // namespace
+
+core::Expected<SceneSummary> runArrayScene(const scene::Scene& scene, const RunOptions& options) {
+    auto array = simulation::SimulatedArray::make(scene, options.seed);
+    if (!array)
+        return core::Unexpected(array.error());
+    const core::SourceDescription description = (*array)->description();
+    const core::ArrayLayout& layout = description.layout;
+    core::Expected<FrameLog> log = FrameLog::open(options.outFolder, layout.taxels());
+    if (!log)
+        return core::Unexpected(log.error());
+
+    const double duration_s = options.duration_s.value_or(scene.duration_s);
+    const auto frames = static_cast<std::uint64_t>(std::llround(duration_s * description.nominalRate_Hz));
+    const contact::FrameConditioner conditioner(layout.taxels(), {});
+    contact::SegmentationSettings settings;
+    if (scene.sensor.firingThreshold_N > 0.0)
+        settings.threshold_N = scene.sensor.firingThreshold_N;
+    contact::ContactSegmenter segmenter(layout, settings);
+    std::vector<float> values(layout.taxels());
+    std::vector<float> load_N(layout.taxels());
+    std::vector<std::uint8_t> dead(layout.taxels());
+
+    SceneSummary summary;
+    ContactErrors errors;
+    std::optional<double> firstContact_s;
+    std::vector<bool> pressing(scene.indenters.size(), false);
+    std::uint64_t frame = 0;
+    for (; frame < frames && !log->failed(); ++frame) {
+        if (frame % kFramesBetweenReports == 0 && options.goOn &&
+            !options.goOn((*array)->time_s(), duration_s)) {
+            summary.interrupted = true;
+            break;
+        }
+        (*array)->next(values, false);
+        log->add((*array)->time_s(), values);
+        conditioner.apply(values, load_N, dead);
+        const auto found = segmenter.segment(load_N, dead);
+        if (!found.empty() && !firstContact_s)
+            firstContact_s = (*array)->time_s();
+
+        const auto& truths = (*array)->truth().indenters;
+        for (std::size_t i = 0; i < truths.size(); ++i) {
+            const simulation::IndenterTruth& truth = truths[i];
+            const bool presses = truth.load.force_N >= settings.threshold_N && truth.load.copX_m;
+            if (presses)
+                errors.add(*truth.load.copX_m, *truth.load.copY_m, found);
+            if (presses != pressing[i])
+                summary.events.push_back({{"time_s", (*array)->time_s()},
+                                          {"event", presses ? "contact_begins" : "contact_ends"},
+                                          {"object", truth.name}});
+            pressing[i] = presses;
+        }
+    }
+    const core::Expected<void> written = log->finish();
+    if (!written)
+        return core::Unexpected(written.error());
+
+    summary.simulated_s = (*array)->time_s();
+    for (const simulation::EffectTime& effect : (*array)->effectTimes())
+        summary.effects.push_back({std::string(effect.name), effect.time_s});
+    errors.report(summary.measures);
+    summary.measures["first_contact_s"] =
+        firstContact_s ? jsonNumber(*firstContact_s) : nlohmann::ordered_json(nullptr);
+    summary.measures["frames"] = frame;
+    summary.measures["frames_lost"] = 0;
+    return summary;
+}
+
+} // namespace teleta::scene_run

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/scene_run/scene_run.h"
+
+#include "backend/core/steady_time.h"
+#include "backend/scene_run/array_run.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QString>
+
+namespace teleta::scene_run {
+
+namespace {
+
+struct SceneRunText {
+    Q_DECLARE_TR_FUNCTIONS(SceneRun)
+};
+
+core::Expected<void> makeFolder(const std::string& path) {
+    const QString name = QString::fromStdString(path);
+    if (QDir().mkpath(name) && QFileInfo(name).isWritable())
+        return {};
+    core::Error error;
+    error.kind = core::ErrorKind::ioFailed;
+    error.message = SceneRunText::tr("the folder cannot be made or written to").toStdString();
+    error.where.file = path;
+    return core::Unexpected(error);
+}
+
+} // namespace
+
+core::Expected<SceneSummary> runScene(const scene::Scene& scene, const RunOptions& options) {
+    if (!options.outFolder.empty()) {
+        const core::Expected<void> made = makeFolder(options.outFolder);
+        if (!made)
+            return core::Unexpected(made.error());
+    }
+    const std::int64_t start_ns = core::steadyNow_ns();
+    core::Expected<SceneSummary> summary = runArrayScene(scene, options);
+    if (!summary)
+        return summary;
+    summary->wall_s = static_cast<double>(core::steadyNow_ns() - start_ns) * 1e-9;
+    summary->scene = options.name;
+    summary->seed = options.seed;
+    if (!options.outFolder.empty()) {
+        const core::Expected<void> written =
+            writeJson(options.outFolder + "/summary.json", summary->toJson());
+        if (!written)
+            return core::Unexpected(written.error());
+    }
+    return summary;
+}
+
+} // namespace teleta::scene_run

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/error.h"
+#include "backend/scene/scene.h"
+#include "backend/scene_run/scene_summary.h"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace teleta::scene_run {
+
+struct RunOptions {
+    std::string name; ///< of the scene in the summary: its file without folder and extension
+    std::uint64_t seed = 1;
+    std::optional<double> duration_s; ///< > 0; empty: the scene's own
+    std::string outFolder;            ///< made when it is missing; empty: no files
+    /// Called now and then with the simulated time; false ends the run early and completes its files.
+    std::function<bool(double simulated_s, double duration_s)> goOn;
+};
+
+/// Runs a scene as fast as the machine allows, through the same processing as a device's data, and compares
+/// what was estimated with what the simulated world knows. Files in outFolder:
+///   summary.json   see SceneSummary::toJson
+///   frames.csv     time_s,t0,t1,...: the frames of the tactile array, as `teleta features` reads them
+///   of an arm: joints.csv, touches.csv, contour.csv (arm_run.h)
+/// Same scene and seed: same bytes, but for the computing times. Thread: any; keeps one core busy.
+/// Error: badInput (the scene is not valid), ioFailed (a file cannot be written).
+[[nodiscard]] core::Expected<SceneSummary> runScene(const scene::Scene& scene, const RunOptions& options);
+
+} // namespace teleta::scene_run

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/scene_run/scene_summary.h"
+
+#include "backend/core/output_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace teleta::scene_run {
+
+using nlohmann::ordered_json;
+
+ordered_json SceneSummary::toJson() const {
+    ordered_json effectTimes = ordered_json::array();
+    for (const EffectTime& effect : effects)
+        effectTimes.push_back({{"name", effect.name}, {"time_s", effect.time_s}});
+    return {{"scene", scene},
+            {"seed", seed},
+            {"simulated_s", simulated_s},
+            {"wall_s", wall_s},
+            {"effects", std::move(effectTimes)},
+            {"measures", measures},
+            {"events", events}};
+}
+
+ordered_json jsonNumber(double value) {
+    return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+}
+
+ErrorStatistics errorStatistics(std::vector<double>& errors) {
+    if (errors.empty())
+        return {nullptr, nullptr};
+    const double mean =
+        std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size());
+    const double position = 0.95 * static_cast<double>(errors.size() - 1);
+    const auto below = errors.begin() + static_cast<std::ptrdiff_t>(position);
+    std::nth_element(errors.begin(), below, errors.end());
+    double p95 = *below;
+    if (std::next(below) != errors.end()) {
+        const double next = *std::min_element(std::next(below), errors.end());
+        p95 += (position - std::floor(position)) * (next - p95);
+    }
+    return {jsonNumber(mean), jsonNumber(p95)};
+}
+
+core::Expected<void> writeJson(const std::string& path, const ordered_json& document) {
+    core::Expected<core::OutputFile> file = core::OutputFile::create(path);
+    if (!file)
+        return core::Unexpected(file.error());
+    file->write(document.dump(2));
+    file->write("\n");
+    return file->finish();
+}
+
+} // namespace teleta::scene_run

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/error.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace teleta::scene_run {
+
+/// What a simulated scene has shown: the content of summary.json.
+struct SceneSummary {
+    struct EffectTime {
+        std::string name;
+        double time_s = 0.0; ///< computing time that the effect took
+    };
+
+    std::string scene;
+    std::uint64_t seed = 1;
+    double simulated_s = 0.0;
+    double wall_s = 0.0;
+    std::vector<EffectTime> effects; ///< those that were built
+    /// Name -> number, text or list. What a scene has nothing to say about is missing; what it could not
+    /// determine is null.
+    nlohmann::ordered_json measures = nlohmann::ordered_json::object();
+    nlohmann::ordered_json events = nlohmann::ordered_json::array();
+    bool interrupted = false; ///< it was ended before its time; not in the file
+
+    /// {"scene","seed","simulated_s","wall_s","effects":[{"name","time_s"}],"measures":{...},"events":[...]}
+    [[nodiscard]] nlohmann::ordered_json toJson() const;
+};
+
+/// A number for a JSON document; what is not finite becomes null.
+[[nodiscard]] nlohmann::ordered_json jsonNumber(double value);
+
+/// Mean and 95 % quantile (linear between order statistics, type 7 of Hyndman and Fan) of errors; both null
+/// without any. errors is reordered.
+struct ErrorStatistics {
+    nlohmann::ordered_json mean;
+    nlohmann::ordered_json p95;
+};
+[[nodiscard]] ErrorStatistics errorStatistics(std::vector<double>& errors);
+
+/// Writes a JSON document as a file that appears when it is complete.
+[[nodiscard]] core::Expected<void> writeJson(const std::string& path, const nlohmann::ordered_json& document);
+
+} // namespace teleta::scene_run

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/cli/program_run.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <csignal>
+
+using nlohmann::ordered_json;
+using teleta::test::ProgramResult;
+using teleta::test::readAll;
+using teleta::test::run;
+using teleta::test::splitCsv;
+using teleta::test::TemporaryFolder;
+
+namespace {
+
+const std::string kScenes = TELETA_SOURCE_DIR "/resources/scenes/";
+
+ordered_json withoutComputingTimes(ordered_json summary) {
+    summary.erase("wall_s");
+    for (ordered_json& effect : summary["effects"])
+        effect.erase("time_s");
+    return summary;
+}
+
+class SimulateCommand : public testing::Test {
+protected:
+    ordered_json simulate(const std::string& scene, std::vector<std::string> options = {}) {
+        options.insert(options.begin(), {"simulate", kScenes + scene, "--json"});
+        const ProgramResult result = run(options);
+        EXPECT_EQ(result.exitCode, 0) << result.err;
+        return ordered_json::parse(result.out, nullptr, false);
+    }
+
+    TemporaryFolder m_folder;
+};
+
+} // namespace
+
+TEST_F(SimulateCommand, writesTheSummaryThatItPrintsAndTheFrames) {
+    const std::string folder = m_folder.path("runs/first");
+    const ordered_json printed = simulate("tactile-indenter.toml", {"--duration", "2", "--out", folder});
+    EXPECT_EQ(ordered_json::parse(readAll(folder + "/summary.json")), printed);
+    EXPECT_EQ(printed["scene"], "tactile-indenter");
+    EXPECT_EQ(printed["simulated_s"], 2.0);
+    EXPECT_EQ(printed["seed"], 1);
+    EXPECT_EQ(printed["measures"]["frames"], 400);
+    EXPECT_EQ(printed["measures"]["frames_lost"], 0);
+
+    const auto rows = splitCsv(readAll(folder + "/frames.csv"));
+    ASSERT_EQ(rows.size(), 401U);
+    EXPECT_EQ(rows[0].size(), 85U);
+    EXPECT_EQ(rows[0][84], "t83");
+    EXPECT_EQ(rows[400][0], "2");
+}
+
+TEST_F(SimulateCommand, findsTheContactsOfTheIndentersWithinAFractionOfATaxel) {
+    // Taxels of 3.4 mm; the ball touches at the scene's keyframe of depth 0 at 0.8 s.
+    const ordered_json measures = simulate("tactile-indenter.toml")["measures"];
+    EXPECT_LT(measures["contact_error_mean_m"].get<double>(), 0.0005);
+    EXPECT_LE(measures["contact_error_mean_m"], measures["contact_error_p95_m"]);
+    EXPECT_GT(measures["first_contact_s"].get<double>(), 0.8);
+    EXPECT_LT(measures["first_contact_s"].get<double>(), 1.0);
+}
+
+TEST_F(SimulateCommand, listsTheEffectsThatTheSceneLists) {
+    const ordered_json summary = simulate("tactile-mat.toml", {"--duration", "0.1"});
+    std::vector<std::string> names;
+    for (const ordered_json& effect : summary["effects"])
+        names.push_back(effect["name"]);
+    std::sort(names.begin(), names.end());
+    EXPECT_EQ(names, (std::vector<std::string>{"dead_taxels", "drift", "hysteresis", "noise"}));
+}
+
+TEST_F(SimulateCommand, givesTheSameBytesForTheSameSeedAndOthersForAnother) {
+    const auto frames = [&](const std::string& seed, const std::string& name) {
+        const ordered_json summary = simulate(
+            "tactile-two-contacts.toml", {"--duration", "2", "--seed", seed, "--out", m_folder.path(name)});
+        return std::pair(withoutComputingTimes(summary), readAll(m_folder.path(name + "/frames.csv")));
+    };
+    const auto first = frames("7", "a");
+    EXPECT_EQ(frames("7", "b"), first);
+    EXPECT_NE(frames("8", "c").second, first.second);
+}
+
+TEST_F(SimulateCommand, makesFramesThatTheOtherCommandsRead) {
+    const std::string folder = m_folder.path("run");
+    simulate("tactile-indenter.toml", {"--duration", "1.7", "--out", folder});
+    const ProgramResult result = run({"features", folder + "/frames.csv"});
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const auto rows = splitCsv(result.out);
+    ASSERT_EQ(rows.size(), 341U);
+    EXPECT_EQ(rows[1][1], "none");
+    EXPECT_EQ(rows[340][1], "point");
+}
+
+TEST_F(SimulateCommand, printsATableForPeople) {
+    const ProgramResult result = run({"simulate", kScenes + "tactile-indenter.toml", "--duration", "0.5"});
+    EXPECT_EQ(result.exitCode, 0);
+    EXPECT_NE(result.out.find("Simulated"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("frames"), std::string::npos);
+    EXPECT_NE(result.out.find("NA"), std::string::npos) << "no contact yet: errors are not defined";
+}
+
+TEST_F(SimulateCommand, completesItsFilesWhenItIsInterrupted) {
+    teleta::test::RunningProgram program({"simulate", kScenes + "tactile-indenter.toml", "--duration", "1e6",
+                                          "--json", "--out", m_folder.path("run")});
+    while (!program.hasWritten("time_s,t0") && !program.ended()) {
+    }
+    program.send(SIGINT);
+    const ProgramResult result = program.wait();
+    EXPECT_EQ(result.exitCode, 1) << result.err;
+    const ordered_json summary = ordered_json::parse(readAll(m_folder.path("run/summary.json")));
+    const auto rows = splitCsv(readAll(m_folder.path("run/frames.csv")));
+    EXPECT_EQ(rows.size() - 1, summary["measures"]["frames"].get<std::size_t>());
+    EXPECT_LT(summary["simulated_s"].get<double>(), 1e6);
+}
+
+TEST_F(SimulateCommand, refusesAMissingSceneAWrongOneAndAFolderThatCannotBeMade) {
+    EXPECT_EQ(run({"simulate", m_folder.path("none.toml")}).exitCode, 3);
+
+    const std::string wrong = m_folder.write("wrong.toml", "name = \"x\"\nduration_s = -1\n");
+    const ProgramResult refused = run({"simulate", wrong});
+    EXPECT_EQ(refused.exitCode, 3);
+    EXPECT_NE(refused.err.find("wrong.toml:2:"), std::string::npos) << refused.err;
+
+    const std::string file = m_folder.write("file", "");
+    const ProgramResult blocked =
+        run({"simulate", kScenes + "tactile-indenter.toml", "--duration", "0.1", "--out", file + "/run"});
+    EXPECT_EQ(blocked.exitCode, 1);
+    EXPECT_NE(blocked.err.find("file/run"), std::string::npos) << blocked.err;
+
+    EXPECT_EQ(run({"simulate", kScenes + "tactile-indenter.toml", "--duration", "0"}).exitCode, 2);
+    EXPECT_EQ(run({"simulate", kScenes + "tactile-indenter.toml", "--seed", "-1"}).exitCode, 2);
+}
