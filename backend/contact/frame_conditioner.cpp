@@ -2,7 +2,7 @@
 #include "backend/contact/frame_conditioner.h"
 
 #include <algorithm>
-#include <limits>
+#include <bit>
 #include <utility>
 
 namespace teleta::contact {
@@ -23,15 +23,19 @@ std::size_t FrameConditioner::apply(std::span<const float> raw, std::span<float>
                                     std::span<std::uint8_t> dead) const {
     const std::size_t taxels = std::min({m_tare.size(), raw.size(), load_N.size(), dead.size()});
     const double gain = m_settings.inverted ? -m_settings.gain : m_settings.gain;
-    constexpr float kLargest = std::numeric_limits<float>::max();
+    constexpr std::uint32_t kMagnitude = 0x7fffffffU;
+    constexpr std::uint32_t kInfinity = 0x7f800000U;
 
     std::size_t count = 0;
     for (std::size_t i = 0; i < taxels; ++i) {
         const auto load =
             static_cast<float>(gain * (static_cast<double>(raw[i]) - static_cast<double>(m_tare[i])));
-        // A value or a tare that is not finite makes a load that is not finite; NaN fails every comparison.
-        const bool usable = m_dead[i] == 0 && load >= -kLargest && load <= kLargest;
-        load_N[i] = usable && load > 0.0F ? load : 0.0F;
+        // A value or a tare that is not finite makes a load that is not finite. By its bits, since comparing
+        // NaN raises the floating-point exception "invalid".
+        const bool finite = (std::bit_cast<std::uint32_t>(load) & kMagnitude) < kInfinity;
+        const bool usable = m_dead[i] == 0 && finite;
+        const float clean = usable ? load : 0.0F;
+        load_N[i] = clean > 0.0F ? clean : 0.0F;
         dead[i] = usable ? 0 : 1;
         count += dead[i];
     }

@@ -52,7 +52,7 @@ struct Recognition {
 /// Defined for any number of points: none is unknown with confidence 0; all in one place a point; two in
 /// different places a line with confidence 0.5, since two points are always on a line; a model needs more
 /// points than parameters. Points beyond three sizes of the contour are left out. More than 360 points are
-/// thinned evenly. Empty when a coordinate is not usable. Thread: any (pure), about a millisecond for 60
+/// thinned evenly. Empty when a coordinate is not usable. Thread: any (pure), a few milliseconds for 60
 /// points. Source: TeleTA, section 3.
 [[nodiscard]] std::optional<Recognition> recogniseShape(std::span<const Point> points_m,
                                                         const RecognitionSettings& settings = {});

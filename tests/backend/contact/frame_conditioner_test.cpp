@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/contact/frame_conditioner.h"
 #include "tests/backend/contact/allocation_count.h"
+#include "tests/support/floating_point_traps.h"
 
 #include <gtest/gtest.h>
 
@@ -107,6 +108,15 @@ TEST(FrameConditioner, aDeadTaxelComesBackWhenItReadsAgain) {
     EXPECT_EQ(conditioner.apply(std::vector<float>{2.0F}, load_N, dead), 0U);
     EXPECT_EQ(load_N[0], 2.0F);
     EXPECT_EQ(dead[0], 0);
+}
+
+TEST(FrameConditioner, valuesThatAreNotFiniteRaiseNoFloatingPointException) {
+    const FrameConditioner conditioner(1, {});
+    std::vector<float> load_N(1);
+    std::vector<std::uint8_t> dead(1);
+    const std::vector<float> raw{kNan};
+    const teleta::test::FloatingPointTraps traps;
+    EXPECT_EQ(conditioner.apply(raw, load_N, dead), 1U);
 }
 
 TEST(FrameConditioner, anEmptyArrayHasNothingToDo) {
