@@ -29,13 +29,19 @@ struct JointSample {
 };
 
 /// How the sheet of the tactile skin lies around the forearm, a cylinder about its x axis. A taxel at (x, y)
-/// of the sheet's frame {s} is at
-///   distance from the elbow  centreDistance_m + x,   side  centreSide_rad + y / radius_m
-/// with the side as in arm::Arm4Kinematics::p_Link_Skin.
+/// of the sheet's frame {s}, z out of the skin, is at
+///   distance from the elbow  centreDistance_m + x,   side  centreSide_rad - y / radius_m
+/// with the side as in arm::Arm4Kinematics::p_Link_Skin. The minus keeps {s} right-handed.
 struct SkinPlacement {
     double centreDistance_m = 0.0;
     double centreSide_rad = 0.0;
     double radius_m = 0.0; ///< > 0
+
+    [[nodiscard]] double distance_m(double x_m) const { return centreDistance_m + x_m; }
+    [[nodiscard]] double side_rad(double y_m) const { return centreSide_rad - y_m / radius_m; }
+    [[nodiscard]] double x_m(double distance) const { return distance - centreDistance_m; }
+    /// side: within pi of centreSide_rad.
+    [[nodiscard]] double y_m(double side) const { return (centreSide_rad - side) * radius_m; }
 };
 
 /// What a remote arm is; constant while it is open.
