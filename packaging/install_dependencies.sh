@@ -24,7 +24,7 @@ packages=(
     xvfb xauth libgl1-mesa-dri fonts-dejavu-core
 )
 # What only the checks use.
-test_packages=(clang-format clang-tidy desktop-file-utils appstream)
+test_packages=(clang-format clang-tidy desktop-file-utils appstream r-base-core)
 
 fail() {
     printf 'install_dependencies: %s\n' "$*" >&2

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/study/information_transfer.h"
+
+#include "backend/study/portable_random.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace teleta::study {
+
+namespace {
+
+/// Sample quantile with linear interpolation between order statistics (type 7 of R).
+double quantile(const std::vector<double>& sorted, double probability) {
+    const double position = probability * static_cast<double>(sorted.size() - 1);
+    const auto below = static_cast<std::size_t>(position);
+    const std::size_t above = std::min(below + 1, sorted.size() - 1);
+    return std::lerp(sorted[below], sorted[above], position - static_cast<double>(below));
+}
+
+} // namespace
+
+std::optional<InformationTransfer> informationTransfer(const ConfusionMatrix& matrix) {
+    const std::int64_t trials = matrix.total();
+    if (trials == 0)
+        return std::nullopt;
+    const auto n = static_cast<double>(trials);
+    std::vector<double> columnShares(matrix.columns());
+    int columns = 0;
+    for (std::size_t j = 0; j < matrix.columns(); ++j) {
+        columnShares[j] = static_cast<double>(matrix.columnTotal(j)) / n;
+        columns += columnShares[j] > 0.0 ? 1 : 0;
+    }
+    int rows = 0;
+    double sum_bit = 0.0;
+    for (std::size_t i = 0; i < matrix.patterns(); ++i) {
+        const double rowShare = static_cast<double>(matrix.rowTotal(i)) / n;
+        rows += rowShare > 0.0 ? 1 : 0;
+        for (std::size_t j = 0; j < matrix.columns(); ++j) {
+            const double share = static_cast<double>(matrix.count(i, j)) / n;
+            if (share > 0.0)
+                sum_bit += share * std::log2(share / rowShare / columnShares[j]);
+        }
+    }
+    InformationTransfer transfer;
+    transfer.measured_bit = std::max(0.0, sum_bit);
+    transfer.bias_bit = (rows - 1.0) * (columns - 1.0) / (2.0 * n * std::numbers::ln2);
+    transfer.corrected_bit = transfer.measured_bit - transfer.bias_bit;
+    const auto k = static_cast<double>(matrix.patterns());
+    transfer.fewTrials = n < 5.0 * k * k;
+    return transfer;
+}
+
+std::optional<Interval> bootstrapTransfer(std::span<const ConfusionMatrix> participants,
+                                          std::size_t resamples, std::uint64_t seed, double confidence) {
+    if (participants.size() < 2 || resamples == 0 || !(confidence > 0.0 && confidence < 1.0))
+        return std::nullopt;
+    PortableRandom random(seed);
+    std::vector<double> values_bit;
+    values_bit.reserve(resamples);
+    for (std::size_t i = 0; i < resamples; ++i) {
+        ConfusionMatrix pooled(participants.front().patterns());
+        for (std::size_t j = 0; j < participants.size(); ++j)
+            pooled.add(participants[static_cast<std::size_t>(random.below(participants.size()))]);
+        if (const std::optional<InformationTransfer> transfer = informationTransfer(pooled))
+            values_bit.push_back(transfer->measured_bit);
+    }
+    if (values_bit.empty())
+        return std::nullopt;
+    std::sort(values_bit.begin(), values_bit.end());
+    const double tail = (1.0 - confidence) / 2.0;
+    return Interval{quantile(values_bit, tail), quantile(values_bit, 1.0 - tail)};
+}
+
+} // namespace teleta::study
