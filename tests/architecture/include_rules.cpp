@@ -32,7 +32,7 @@ const std::vector<Rule> kRules = {
     {"backend/pattern", {"backend/core"}, {"QtCore", "expected", "nlohmann_json"}},
     {"backend/playback", {"backend/core", "backend/pattern"}, {"QtCore", "expected"}},
     {"backend/study",
-     {"backend/core", "backend/pattern"},
+     {"backend/core", "backend/pattern", "backend/scene"},
      {"QtCore", "QtSql", "expected", "toml++", "nlohmann_json", "Eigen", "Boost.Math"}},
     // Services.
     {"backend/scene", {"backend/core"}, {"QtCore", "expected", "toml++"}},

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/study/protocol.h"
+
+#include "backend/scene/toml_table.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QString>
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+
+namespace teleta::study {
+
+namespace {
+
+using scene::NumberRange;
+using scene::TomlTable;
+
+struct ProtocolText {
+    Q_DECLARE_TR_FUNCTIONS(StudyProtocol)
+};
+
+constexpr long long kMostRepetitions = 1000;
+
+/// Letters, digits, - and _: what may stand in file names and identifiers of every export.
+bool isIdentifier(const std::string& text) {
+    return std::all_of(text.begin(), text.end(), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+               c == '_';
+    });
+}
+
+std::string identifier(TomlTable& table, std::string_view key, std::set<std::string>& used) {
+    std::string text = table.text(key);
+    if (!isIdentifier(text))
+        table.fail(key,
+                   ProtocolText::tr("\"%1\" cannot be part of a file name").arg(text.c_str()).toStdString(),
+                   ProtocolText::tr("letters, digits, - and _").toStdString());
+    else if (!text.empty() && !used.insert(text).second)
+        table.fail(key, ProtocolText::tr("\"%1\" is there twice").arg(text.c_str()).toStdString(),
+                   ProtocolText::tr("each one once").toStdString());
+    return text;
+}
+
+PhaseSettings readPhase(TomlTable table) {
+    PhaseSettings phase;
+    phase.repetitions = static_cast<std::size_t>(table.integer("repetitions", 0, kMostRepetitions));
+    phase.feedback = table.boolean("feedback", false);
+    phase.diagram = table.boolean("diagram", false);
+    table.finish();
+    return phase;
+}
+
+StudyTask readTask(TomlTable& table, std::set<std::string>& usedIds) {
+    StudyTask task;
+    task.id = identifier(table, "id", usedIds);
+    task.name = table.text("name", task.id);
+    std::set<std::string> letters;
+    for (TomlTable& entry : table.tables("pattern", 2)) {
+        StudyPattern pattern;
+        pattern.letter = identifier(entry, "letter", letters);
+        // These words stand for something else in the columns stimulus and response.
+        if (pattern.letter == "NA" || pattern.letter == "NONE")
+            entry.fail("letter",
+                       ProtocolText::tr("\"%1\" means no answer").arg(pattern.letter.c_str()).toStdString(),
+                       ProtocolText::tr("another letter").toStdString());
+        pattern.name = entry.text("name", pattern.letter);
+        entry.finish();
+        task.patterns.push_back(std::move(pattern));
+    }
+    std::set<std::string> conditions;
+    for (TomlTable& entry : table.tables("condition", 1)) {
+        task.conditions.push_back(identifier(entry, "id", conditions));
+        entry.finish();
+    }
+    table.finish();
+    return task;
+}
+
+core::Expected<Protocol> readDocument(const scene::TomlDocument& document) {
+    TomlTable root = document.root();
+    Protocol protocol;
+    protocol.name = root.text("name");
+    protocol.description = root.text("description", "-");
+    protocol.stimulus_s = root.number("stimulus_s", {.low = 0.0, .high = 3600.0, .lowOpen = true});
+    protocol.responseLimit_s = root.number("response_limit_s", {.low = 0.0, .high = 3600.0, .lowOpen = true});
+    protocol.window = root.choice("response_window", {"from_onset", "from_end"}) == 0
+                          ? ResponseWindow::fromOnset
+                          : ResponseWindow::fromEnd;
+    protocol.replays = static_cast<std::size_t>(root.integer("replays", 0, kMostRepetitions, 0));
+    protocol.order = root.choice("order", {"full_random", "blocked_random"}) == 0
+                         ? OrderMethod::fullRandom
+                         : OrderMethod::blockedRandom;
+    protocol.practice = readPhase(root.table("practice"));
+    protocol.test = readPhase(root.table("test"));
+    TomlTable noise = root.table("masking_noise");
+    protocol.noiseColour = noise.choice("colour", {"pink", "none"}) == 0 ? "pink" : "none";
+    protocol.noise_dBA = noise.number("level_dBA", NumberRange::between(0.0, 85.0), 0.0);
+    noise.finish();
+    std::set<std::string> ids;
+    for (TomlTable& task : root.tables("task", 1))
+        protocol.tasks.push_back(readTask(task, ids));
+    root.finish();
+    if (const std::optional<core::Error>& error = document.firstError())
+        return core::Unexpected(*error);
+    return protocol;
+}
+
+} // namespace
+
+std::size_t Protocol::testTrials() const {
+    std::size_t trials = 0;
+    for (const StudyTask& task : tasks)
+        trials += task.patterns.size() * task.conditions.size() * test.repetitions;
+    return trials;
+}
+
+core::Expected<Protocol> parseProtocol(std::string_view text, const std::string& file) {
+    const core::Expected<scene::TomlDocument> document = scene::TomlDocument::parse(text, file);
+    if (!document)
+        return core::Unexpected(document.error());
+    core::Expected<Protocol> protocol = readDocument(*document);
+    if (protocol)
+        protocol->source = text;
+    return protocol;
+}
+
+core::Expected<Protocol> readProtocol(const std::string& path) {
+    QFile file(QString::fromStdString(path));
+    if (!file.open(QIODevice::ReadOnly))
+        return core::Unexpected(core::Error{
+            file.exists() ? core::ErrorKind::ioFailed : core::ErrorKind::notFound,
+            ProtocolText::tr("cannot open the protocol: %1").arg(file.errorString()).toStdString(),
+            {},
+            {path}});
+    return parseProtocol(file.readAll().toStdString(), path);
+}
+
+core::Expected<Protocol> paperProtocol() {
+    return readProtocol(":/studies/teleta.toml");
+}
+
+std::vector<PlannedSession> planSessions(const Protocol& protocol, std::uint64_t studySeed,
+                                         std::size_t enrolment) {
+    const std::uint64_t participantSeed = derivedSeed(studySeed, enrolment);
+    std::vector<PlannedSession> sessions;
+    for (std::size_t t = 0; t < protocol.tasks.size(); ++t) {
+        const StudyTask& task = protocol.tasks[t];
+        const auto square = williamsSquare(task.conditions.size());
+        const std::size_t row = enrolment % square.size();
+        for (std::size_t position = 0; position < task.conditions.size(); ++position) {
+            PlannedSession session;
+            session.task = t;
+            session.condition = square[row][position];
+            session.conditionPosition = position;
+            session.sequenceRow = row;
+            session.seed = derivedSeed(participantSeed, sessions.size());
+            const auto order = [&](std::size_t repetitions, std::uint64_t part) {
+                return trialOrder(protocol.order, task.patterns.size(), repetitions,
+                                  derivedSeed(session.seed, part));
+            };
+            session.practice = order(protocol.practice.repetitions, 0);
+            session.test = order(protocol.test.repetitions, 1);
+            sessions.push_back(std::move(session));
+        }
+    }
+    return sessions;
+}
+
+} // namespace teleta::study
