@@ -4,7 +4,7 @@
 #   format      clang-format of every C++ file
 #   ci          the whole project: all tests, those with OpenGL on a screen in memory
 #   headless    backend and command line without any GUI library
-#   tsan        threads: core, pipeline and devices under the thread sanitizer
+#   tsan        threads: core, pipeline, playback and devices under the thread sanitizer
 #   asan        the backend under the address and undefined-behaviour sanitizers
 # Names as arguments choose among them. Every check runs, whatever the others found; the summary is last.
 set -uo pipefail
@@ -96,7 +96,7 @@ for name in "${checks[@]}"; do
             fi
             ;;
         tsan)
-            mapfile -t parts < <(parts_with_tests backend/core backend/pipeline 'devices/*')
+            mapfile -t parts < <(parts_with_tests backend/core backend/pipeline backend/playback 'devices/*')
             check_build tsan "${parts[@]}"
             ;;
         asan)

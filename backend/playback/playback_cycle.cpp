@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/playback/playback_cycle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <utility>
+
+namespace teleta::playback {
+
+namespace {
+
+constexpr double kNsPerS = 1e9;
+
+} // namespace
+
+PlaybackCycle::PlaybackCycle(core::BraceletSource& bracelet, const core::StopSwitch& stopSwitch,
+                             PlayerConfig config)
+    : m_bracelet(bracelet)
+    , m_stopSwitch(stopSwitch)
+    , m_config(std::move(config))
+    , m_rate_Hz(std::min(m_config.rate_Hz, bracelet.description().maximumRate_Hz))
+    , m_limiter(m_config.limits, 1.0 / m_rate_Hz)
+    , m_lastFrame_ns(now_ns()) {
+}
+
+std::int64_t PlaybackCycle::run(PlayerCommands commands) {
+    if (m_stopSwitch.engaged()) {
+        if (m_mode != PlayerMode::idle || commands.start)
+            end(PlayerEnding::stopSwitch);
+        if (commands.limits)
+            m_limiter.setLimits(*commands.limits);
+        return core::PacingClock::kNever_ns;
+    }
+    if (commands.stop && m_mode != PlayerMode::idle)
+        end(PlayerEnding::stopped);
+    if (commands.limits)
+        m_limiter.setLimits(*commands.limits);
+    if (commands.start)
+        std::visit([this](auto& request) { begin(std::move(request)); }, *commands.start);
+    if (commands.loop)
+        m_status.loop = *commands.loop;
+    if (commands.seek_s)
+        seek(*commands.seek_s);
+    if (m_mode == PlayerMode::idle)
+        return core::PacingClock::kNever_ns;
+
+    const bool outOfTurn = takeSetpoint() && !m_extraWritten;
+    const std::int64_t now = now_ns();
+    if (outOfTurn || now >= deadline_ns(m_cycle))
+        writeDue(now);
+    return m_mode == PlayerMode::idle ? core::PacingClock::kNever_ns : deadline_ns(m_cycle);
+}
+
+void PlaybackCycle::close() {
+    if (m_mode != PlayerMode::idle)
+        end(PlayerEnding::stopped);
+}
+
+PlayerCounters PlaybackCycle::counters() const {
+    const std::uint64_t lost = m_bracelet.telemetry().framesLost;
+    const std::scoped_lock lock(m_countersMutex);
+    PlayerCounters counters = m_counters;
+    // A bracelet that was started anew counts from 0.
+    counters.framesLost = lost >= m_lostBefore ? lost - m_lostBefore : lost;
+    counters.setpointsReplaced = m_setpoints.replaced() - m_replacedBefore;
+    counters.writeMedian_ns = m_writeTimes.median_ns();
+    counters.writeLongest_ns = m_writeTimes.longest_ns();
+    counters.latencyMedian_ns = m_latencies.median_ns();
+    counters.latencyLongest_ns = m_latencies.longest_ns();
+    return counters;
+}
+
+void PlaybackCycle::begin(ProgramRequest request) {
+    m_program = std::move(request.program);
+    m_status.position_s = 0.0;
+    m_status.duration_s = m_program.duration_s > 0.0 && m_program.evaluate ? m_program.duration_s : 0.0;
+    m_status.loop = request.loop;
+    beginAny(PlayerMode::program);
+    if (m_mode == PlayerMode::program)
+        seek(request.from_s);
+}
+
+void PlaybackCycle::begin(LiveRequest) {
+    m_anySetpoint = false;
+    m_freshSetpoint = false;
+    m_status.position_s = m_status.duration_s = 0.0;
+    m_status.loop = false;
+    m_status.silent = true;
+    beginAny(PlayerMode::live);
+}
+
+void PlaybackCycle::beginAny(PlayerMode mode) {
+    const std::int64_t now = now_ns();
+    m_mode = mode;
+    m_status.mode = mode;
+    m_status.ending = PlayerEnding::none;
+    m_status.message.clear();
+    m_epoch_ns = now;
+    m_cycle = 0;
+    m_extraWritten = false;
+    m_connection = m_bracelet.connection();
+    {
+        const std::uint64_t lost = m_bracelet.telemetry().framesLost;
+        const std::scoped_lock lock(m_countersMutex);
+        m_counters = {};
+        m_counters.begun_ns = now;
+        m_writeTimes.clear();
+        m_latencies.clear();
+        m_rate.reset();
+        m_lostBefore = lost;
+        m_replacedBefore = m_setpoints.replaced();
+    }
+    if (m_connection == 0)
+        end(PlayerEnding::deviceLost);
+    else
+        publish();
+}
+
+void PlaybackCycle::seek(double time_s) {
+    if (m_mode != PlayerMode::program || std::isnan(time_s))
+        return;
+    m_anchor_ns = now_ns();
+    m_anchorPosition_s = std::clamp(time_s, 0.0, m_status.duration_s);
+}
+
+void PlaybackCycle::end(PlayerEnding ending, std::string message) {
+    m_limiter.off(sinceLastFrame_s(now_ns()));
+    m_mode = PlayerMode::idle;
+    // A bracelet that is gone is told by its own time-out, and again when it comes back.
+    m_bracelet.write({.drive = {}, .timeout_ms = m_config.boardTimeout_ms, .connection = m_connection});
+    m_program = {};
+    m_status.mode = PlayerMode::idle;
+    m_status.ending = ending;
+    m_status.message = std::move(message);
+    m_status.silent = false;
+    publish();
+}
+
+bool PlaybackCycle::takeSetpoint() {
+    std::optional<Setpoint> setpoint = m_setpoints.take();
+    if (!setpoint)
+        return false;
+    m_setpoint = *setpoint;
+    m_anySetpoint = true;
+    m_freshSetpoint = true;
+    return m_mode == PlayerMode::live;
+}
+
+void PlaybackCycle::writeDue(std::int64_t now) {
+    const std::int64_t due_ns = deadline_ns(m_cycle);
+    const bool regular = now >= due_ns;
+    if (now - due_ns > boardTimeout_ns()) {
+        end(PlayerEnding::stalled);
+        return;
+    }
+    core::Intensities wanted{};
+    if (!evaluate(now, wanted))
+        return;
+    const core::Drive drive = m_limiter.step(wanted, sinceLastFrame_s(now));
+    const std::int64_t begun_ns = now_ns();
+    // The program may have taken its time.
+    if (m_stopSwitch.engaged()) {
+        end(PlayerEnding::stopSwitch);
+        return;
+    }
+    const core::WriteResult result = m_bracelet.write(
+        {.drive = drive, .timeout_ms = m_config.boardTimeout_ms, .connection = m_connection});
+    if (result.outcome != core::WriteOutcome::written) {
+        end(PlayerEnding::deviceLost);
+        return;
+    }
+    account(drive, begun_ns, result.time_ns);
+    if (result.time_ns - begun_ns > boardTimeout_ns()) {
+        end(PlayerEnding::stalled);
+        return;
+    }
+    schedule(regular, std::max(now, result.time_ns));
+    publish();
+}
+
+/// False when the playing ended instead.
+bool PlaybackCycle::evaluate(std::int64_t now, core::Intensities& wanted) {
+    if (m_mode == PlayerMode::program)
+        return programAt(now, wanted);
+    liveAt(now, wanted);
+    return true;
+}
+
+bool PlaybackCycle::programAt(std::int64_t now, core::Intensities& wanted) {
+    const double duration_s = m_status.duration_s;
+    double position_s = m_anchorPosition_s + static_cast<double>(now - m_anchor_ns) / kNsPerS;
+    if (position_s >= duration_s) {
+        if (!m_status.loop || !(duration_s > 0.0)) {
+            m_status.position_s = duration_s;
+            end(PlayerEnding::finished);
+            return false;
+        }
+        position_s = std::fmod(position_s, duration_s);
+    }
+    m_status.position_s = position_s;
+    try {
+        wanted = m_program.evaluate(position_s);
+    } catch (const std::exception& exception) {
+        end(PlayerEnding::sourceFailed, exception.what());
+        return false;
+    } catch (...) {
+        end(PlayerEnding::sourceFailed);
+        return false;
+    }
+    return true;
+}
+
+void PlaybackCycle::liveAt(std::int64_t now, core::Intensities& wanted) {
+    const bool silent = !m_anySetpoint || now - m_setpoint.made_ns > m_config.setpointLifetime_ns;
+    if (silent && !m_status.silent) {
+        const std::scoped_lock lock(m_countersMutex);
+        ++m_counters.watchdogTrips;
+    }
+    m_status.silent = silent;
+    if (!silent)
+        wanted = m_setpoint.intensities;
+}
+
+void PlaybackCycle::account(const core::Drive& drive, std::int64_t begun_ns, std::int64_t written_ns) {
+    m_status.given = m_limiter.output();
+    const std::scoped_lock lock(m_countersMutex);
+    ++m_counters.framesWritten;
+    if (m_counters.onset_ns == 0 && !core::isOff(drive))
+        m_counters.onset_ns = written_ns;
+    m_writeTimes.add(written_ns - begun_ns);
+    if (std::exchange(m_freshSetpoint, false) && m_mode == PlayerMode::live && !m_status.silent)
+        m_latencies.add(written_ns - m_setpoint.made_ns);
+    m_rate.add(written_ns);
+    m_counters.rate_Hz = m_rate.rate_Hz(written_ns);
+}
+
+void PlaybackCycle::schedule(bool regular, std::int64_t now) {
+    m_extraWritten = !regular;
+    if (!regular)
+        return;
+    // To the next deadline that has not passed: frames are never written in a row to catch up.
+    const double periods = std::floor(static_cast<double>(now - m_epoch_ns) * m_rate_Hz / kNsPerS);
+    std::int64_t next = std::max(m_cycle, static_cast<std::int64_t>(periods)) + 1;
+    while (deadline_ns(next) <= now)
+        ++next;
+    const std::int64_t missed = next - m_cycle - 1;
+    m_cycle = next;
+    if (missed > 0) {
+        const std::scoped_lock lock(m_countersMutex);
+        m_counters.deadlineMisses += static_cast<std::uint64_t>(missed);
+    }
+}
+
+double PlaybackCycle::sinceLastFrame_s(std::int64_t now) {
+    return static_cast<double>(now - std::exchange(m_lastFrame_ns, now)) / kNsPerS;
+}
+
+std::int64_t PlaybackCycle::deadline_ns(std::int64_t cycle) const {
+    return m_epoch_ns +
+           static_cast<std::int64_t>(std::llround(static_cast<double>(cycle) * kNsPerS / m_rate_Hz));
+}
+
+void PlaybackCycle::publish() {
+    m_status.given = m_limiter.output();
+    m_published.set(m_status);
+}
+
+} // namespace teleta::playback

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/stop_switch.h"
+#include "backend/playback/playback_cycle.h"
+#include "backend/playback/player_types.h"
+
+#include <condition_variable>
+#include <mutex>
+#include <stop_token>
+#include <thread>
+
+namespace teleta::playback {
+
+/// Drives a bracelet from one playback thread: plays programs, or follows live setpoints, below the safety
+/// limits. Whatever ends a playing writes a zero frame; nothing plays again unless asked:
+///   idle -> program -> idle (finished, stopped, stopSwitch, deviceLost, sourceFailed, stalled)
+///   idle -> live    -> idle (the same but finished)
+/// Without a setpoint for PlayerConfig::setpointLifetime_ns all is off; live goes on with the next one.
+/// Thread: any for every call; each returns at once and is carried out in the next cycle, the latest one
+/// wins. The destructor, from one controlling thread, waits for the thread.
+class Player {
+public:
+    /// bracelet and stopSwitch must outlive the player; the bracelet is started and stopped by its owner.
+    Player(core::BraceletSource& bracelet, const core::StopSwitch& stopSwitch, PlayerConfig config = {});
+    ~Player();
+    Player(const Player&) = delete;
+    Player& operator=(const Player&) = delete;
+
+    /// Replaces what is played.
+    void play(Program program, bool loop = false, double from_s = 0.0);
+    /// Follows setpoints from now on.
+    void startLive();
+    void stop();
+    /// Clamped to the program; NaN and anything but a program that plays: ignored.
+    void seek(double time_s);
+    void setLoop(bool loop);
+    void setLimits(const SafetyLimits& limits);
+
+    /// made_ns: steady time of what it was made from, by which its age counts. Ignored while not live.
+    void post(const core::Intensities& intensities, std::int64_t made_ns);
+
+    [[nodiscard]] PlayerStatus status() const { return m_cycle.status(); }
+    [[nodiscard]] PlayerCounters counters() const { return m_cycle.counters(); }
+    /// Of the frames: the configured one, or the highest of the bracelet.
+    [[nodiscard]] double rate_Hz() const { return m_cycle.rate_Hz(); }
+
+private:
+    template <typename Change>
+    void command(const Change& change);
+    void run(const std::stop_token& stop);
+
+    std::shared_ptr<core::PacingClock> m_clock;
+    PlaybackCycle m_cycle;
+
+    std::mutex m_mutex;
+    std::condition_variable m_condition;
+    PlayerCommands m_commands;    ///< guarded by m_mutex
+    bool m_commanded = false;     ///< guarded by m_mutex
+    bool m_takesSetpoint = false; ///< guarded by m_mutex: a setpoint ends the wait
+
+    std::jthread m_thread;
+};
+
+} // namespace teleta::playback

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/bracelet_device.h"
+#include "backend/core/pacing_clock.h"
+#include "backend/core/tactors.h"
+#include "backend/playback/safety_limiter.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace teleta::playback {
+
+/// Something that can be played. evaluate is called on the playback thread with times from 0 to duration_s;
+/// it must be fast. An exception from it ends the playing.
+struct Program {
+    std::function<core::Intensities(double t_s)> evaluate;
+    double duration_s = 0.0; ///< infinity: without an end
+};
+
+struct PlayerConfig {
+    double rate_Hz = 200.0; ///< of the frames; at most what the bracelet can take
+    /// A live setpoint counts for so long.
+    std::int64_t setpointLifetime_ns = 100'000'000;
+    /// After so long without a frame the board stops by itself; a cycle that is later than this ends the
+    /// playing, since the bracelet stood still meanwhile.
+    std::uint16_t boardTimeout_ms = 100;
+    SafetyLimits limits{};
+    std::shared_ptr<core::PacingClock> clock = std::make_shared<core::PacingClock>();
+};
+
+enum class PlayerMode {
+    idle,    ///< the bracelet was told to be off
+    program, ///< a program is played
+    live,    ///< setpoints are followed
+};
+
+/// Why the last playing ended.
+enum class PlayerEnding {
+    none,         ///< nothing was played yet, or something is
+    finished,     ///< the program came to its end
+    stopped,      ///< stop() or the end of the player
+    stopSwitch,   ///< STOP is, or was, engaged
+    deviceLost,   ///< there is no bracelet, or it was unplugged
+    sourceFailed, ///< the program threw an exception; PlayerStatus::message has its text
+    stalled,      ///< a cycle was later, or a write took longer, than the board's time-out
+};
+
+struct PlayerStatus {
+    PlayerMode mode = PlayerMode::idle;
+    PlayerEnding ending = PlayerEnding::none;
+    std::string message;       ///< with sourceFailed: text of the exception, not translated
+    double position_s = 0.0;   ///< in the program, of the newest frame
+    double duration_s = 0.0;   ///< of the program
+    bool loop = false;         ///< the program begins anew at its end
+    bool silent = false;       ///< live, but the last setpoint is too old: all is off
+    core::Intensities given{}; ///< after the safety limits
+};
+
+/// Of the playing that runs, or of the last one.
+struct PlayerCounters {
+    std::uint64_t framesWritten = 0;
+    std::uint64_t deadlineMisses = 0;    ///< deadlines that passed without a frame of their own
+    std::uint64_t framesLost = 0;        ///< not confirmed by the board
+    std::uint64_t watchdogTrips = 0;     ///< times that setpoints stayed away
+    std::uint64_t setpointsReplaced = 0; ///< by a newer one before a frame took them
+    double rate_Hz = 0.0;                ///< achieved
+    std::int64_t writeMedian_ns = 0;
+    std::int64_t writeLongest_ns = 0;
+    std::int64_t latencyMedian_ns = 0; ///< from the making of a setpoint to its first frame written
+    std::int64_t latencyLongest_ns = 0;
+    std::int64_t begun_ns = 0; ///< steady time at which the playing began
+    std::int64_t onset_ns = 0; ///< steady time at which the first frame other than zero was written; 0: none
+};
+
+struct Setpoint {
+    core::Intensities intensities{};
+    std::int64_t made_ns = 0; ///< steady time of what it was made from
+};
+
+struct ProgramRequest {
+    Program program;
+    bool loop = false;
+    double from_s = 0.0;
+};
+struct LiveRequest {};
+
+/// What was asked since the last cycle, carried out in the order of the members.
+struct PlayerCommands {
+    bool stop = false;
+    std::optional<SafetyLimits> limits;
+    std::optional<std::variant<ProgramRequest, LiveRequest>> start;
+    std::optional<bool> loop;
+    std::optional<double> seek_s;
+};
+
+} // namespace teleta::playback

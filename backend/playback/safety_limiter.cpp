@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/playback/safety_limiter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace teleta::playback {
+
+namespace {
+
+/// NaN becomes the lowest value.
+double clamped(double value, double lowest, double highest) {
+    return value > lowest ? std::min(value, highest) : lowest;
+}
+
+SafetyLimits sane(SafetyLimits limits) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    for (double& limit : limits.userLimit)
+        limit = clamped(limit, 0.0, 1.0);
+    limits.rise_perS = clamped(limits.rise_perS, 0.0, kInfinity);
+    // What cannot be told falls at once.
+    limits.fall_perS = limits.fall_perS > 0.0 ? limits.fall_perS : kInfinity;
+    limits.heatBudget = clamped(limits.heatBudget, 0.0, 1.0);
+    if (!(limits.heatTime_s > 0.0) || std::isinf(limits.heatTime_s)) {
+        limits.heatTime_s = 1.0;
+        limits.heatBudget = 0.0;
+    }
+    return limits;
+}
+
+/// Without a limit also in no time.
+double way(double speed_perS, double time_s) {
+    return std::isinf(speed_perS) ? speed_perS : speed_perS * time_s;
+}
+
+std::uint16_t toDrive(double intensity) {
+    // A count that went through a division comes back as the same count.
+    constexpr double kRounding = 1e-9;
+    return static_cast<std::uint16_t>(std::min(intensity, 1.0) * core::kFullDrive + kRounding);
+}
+
+} // namespace
+
+SafetyLimiter::SafetyLimiter(const SafetyLimits& limits, double period_s)
+    : m_limits(sane(limits))
+    , m_period_s(period_s) {
+}
+
+void SafetyLimiter::setLimits(const SafetyLimits& limits) {
+    m_limits = sane(limits);
+}
+
+core::Drive SafetyLimiter::step(const core::Intensities& wanted, double elapsed_s) {
+    const double passed_s = elapsed_s > 0.0 ? elapsed_s : 0.0;
+    warm(passed_s);
+    const double slewTime_s = std::min(passed_s, 2.0 * m_period_s);
+    const double rise = way(m_limits.rise_perS, slewTime_s);
+    const double fall = way(m_limits.fall_perS, slewTime_s);
+    const double share = -std::expm1(-m_period_s / m_limits.heatTime_s);
+
+    core::Drive drive{};
+    for (std::size_t i = 0; i < core::kTactors; ++i) {
+        double intensity = clamped(wanted[i], 0.0, 1.0);
+        intensity = std::min(intensity, m_limits.userLimit[i]);
+        if (!std::isnan(wanted[i]))
+            intensity = std::max(intensity, m_output[i] - fall);
+        // A fall is eased, but not above a limit that was lowered.
+        intensity = std::min({intensity, m_output[i] + rise, m_limits.userLimit[i]});
+        const double highestPower = m_heat[i] + (m_limits.heatBudget - m_heat[i]) / share;
+        intensity = std::min(intensity, std::sqrt(std::max(highestPower, 0.0)));
+        drive[i] = toDrive(intensity);
+        // The slew goes on from what was asked for: whole counts would hold a slow rise at 0 for ever.
+        m_output[i] = intensity;
+    }
+    return drive;
+}
+
+void SafetyLimiter::off(double elapsed_s) {
+    warm(elapsed_s > 0.0 ? elapsed_s : 0.0);
+    m_output = {};
+}
+
+void SafetyLimiter::warm(double elapsed_s) {
+    const double share = -std::expm1(-elapsed_s / m_limits.heatTime_s);
+    for (std::size_t i = 0; i < core::kTactors; ++i)
+        m_heat[i] += (m_output[i] * m_output[i] - m_heat[i]) * share;
+}
+
+} // namespace teleta::playback

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/bracelet_device.h"
+#include "backend/core/tactors.h"
+
+#include <limits>
+
+namespace teleta::playback {
+
+/// How much a tactor may be driven. A value out of its range, or NaN, is taken as the nearest one on the safe
+/// side: NaN allows nothing.
+struct SafetyLimits {
+    /// Highest intensity of each tactor that the wearer wants, 0 .. 1.
+    core::Intensities userLimit{1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
+    /// Fastest rise of the intensity, > 0: full strength takes 1/rise. Falling is not limited by default,
+    /// since less is never unsafe.
+    double rise_perS = 50.0;
+    double fall_perS = std::numeric_limits<double>::infinity();
+    /// Heat of a motor: h' = (u^2 - h) / heatTime_s with the intensity u. h never exceeds heatBudget, the
+    /// share of the full power that a motor bears for ever, 0 .. 1.
+    double heatTime_s = 30.0;
+    double heatBudget = 0.5;
+
+    bool operator==(const SafetyLimits&) const = default;
+};
+
+/// The last thing before a frame, below every source of intensities. In this order:
+///   clamp to 0 .. 1 (NaN is off) -> user's limit -> slew limit -> heat budget -> integer, rounded down
+/// Heat is that of the intensity that was really given, over the time that it was given. From rest at full
+/// intensity the budget is reached after t = -heatTime ln(1 - heatBudget); then the intensity is
+/// sqrt(heatBudget). Pure, nothing is allocated. Thread: one.
+class SafetyLimiter {
+public:
+    /// period_s: time for which an output is expected to hold, > 0.
+    SafetyLimiter(const SafetyLimits& limits, double period_s);
+
+    void setLimits(const SafetyLimits& limits);
+
+    /// What the tactors may be told now.
+    /// elapsed_s: since the last call; the last output held for so long. The slew limit counts no more than
+    /// two periods of it: after a pause tactors rise from rest. Not above 0, or NaN: no time has passed.
+    /// NaN among the intensities is off at once, however slow a fall may be.
+    [[nodiscard]] core::Drive step(const core::Intensities& wanted, double elapsed_s);
+
+    /// All off, at once, whatever the limits are.
+    void off(double elapsed_s);
+
+    /// Intensities of the last output.
+    [[nodiscard]] const core::Intensities& output() const { return m_output; }
+    /// Heat of each motor, 0 .. heatBudget while calls come on time.
+    [[nodiscard]] const core::Intensities& heat() const { return m_heat; }
+
+private:
+    void warm(double elapsed_s);
+
+    SafetyLimits m_limits;
+    double m_period_s;
+    core::Intensities m_output{};
+    core::Intensities m_heat{};
+};
+
+} // namespace teleta::playback

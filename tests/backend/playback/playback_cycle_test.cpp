@@ -1,0 +1,481 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/playback/playback_cycle.h"
+#include "tests/backend/playback/scripted_bracelet.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+using namespace teleta;
+using core::Intensities;
+using core::isOff;
+using core::kFullDrive;
+using core::PacingClock;
+using playback::LiveRequest;
+using playback::PlaybackCycle;
+using playback::PlayerCommands;
+using playback::PlayerConfig;
+using playback::PlayerEnding;
+using playback::PlayerMode;
+using playback::Program;
+using playback::ProgramRequest;
+using test::all;
+using test::ScriptedBracelet;
+using test::SetClock;
+
+namespace {
+
+constexpr std::int64_t kMs_ns = 1'000'000;
+constexpr std::int64_t kPeriod_ns = 5 * kMs_ns;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+class PlaybackCycleTest : public testing::Test {
+protected:
+    void make(PlayerConfig config = {}) {
+        config.clock = m_clock;
+        // Limits have tests of their own.
+        config.limits = {.rise_perS = kInfinity, .heatBudget = 1.0};
+        m_cycle = std::make_unique<PlaybackCycle>(m_bracelet, m_stop, std::move(config));
+    }
+
+    std::int64_t run(PlayerCommands commands = {}) { return m_cycle->run(std::move(commands)); }
+
+    std::int64_t play(Program program, bool loop = false, double from_s = 0.0) {
+        PlayerCommands commands;
+        commands.start = ProgramRequest{std::move(program), loop, from_s};
+        return run(std::move(commands));
+    }
+
+    std::int64_t startLive() {
+        PlayerCommands commands;
+        commands.start = LiveRequest{};
+        return run(std::move(commands));
+    }
+
+    /// Runs every cycle at its deadline for so long.
+    void runOnTime(std::int64_t duration_ns) {
+        const std::int64_t end_ns = m_clock->now_ns() + duration_ns;
+        for (std::int64_t next_ns = run(); next_ns <= end_ns; next_ns = run())
+            m_clock->add(next_ns - m_clock->now_ns());
+        m_clock->add(end_ns - m_clock->now_ns());
+    }
+
+    [[nodiscard]] std::vector<ScriptedBracelet::Written> written() const { return m_bracelet.written(); }
+    [[nodiscard]] bool lastIsOff() const { return isOff(written().back().frame.drive); }
+
+    std::shared_ptr<SetClock> m_clock = std::make_shared<SetClock>();
+    core::StopSwitch m_stop;
+    ScriptedBracelet m_bracelet{m_clock};
+    std::unique_ptr<PlaybackCycle> m_cycle;
+};
+
+Program steady(double intensity, double duration_s = kInfinity) {
+    return {[intensity](double) { return all(intensity); }, duration_s};
+}
+
+/// The first tactor tells the time: 1 is 1 s.
+Program clockOf1s() {
+    return {[](double t_s) { return Intensities{t_s}; }, 1.0};
+}
+
+} // namespace
+
+TEST_F(PlaybackCycleTest, writesNothingUnasked) {
+    make();
+    EXPECT_EQ(run(), PacingClock::kNever_ns);
+    m_clock->add(1000 * kMs_ns);
+    EXPECT_EQ(run(), PacingClock::kNever_ns);
+    EXPECT_TRUE(written().empty());
+    EXPECT_EQ(m_cycle->status().mode, PlayerMode::idle);
+    EXPECT_EQ(m_cycle->status().ending, PlayerEnding::none);
+}
+
+TEST_F(PlaybackCycleTest, writesAProgramAtAbsoluteDeadlinesInOneFrameEach) {
+    make();
+    const std::int64_t begin_ns = m_clock->now_ns();
+    EXPECT_EQ(play(clockOf1s()), begin_ns + kPeriod_ns);
+    runOnTime(995 * kMs_ns);
+    const auto frames = written();
+    ASSERT_EQ(frames.size(), 200U);
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+        EXPECT_EQ(frames[k].time_ns, begin_ns + static_cast<std::int64_t>(k) * kPeriod_ns);
+        EXPECT_NEAR(frames[k].frame.drive[0], 0.005 * static_cast<double>(k) * kFullDrive, 1.0);
+        EXPECT_EQ(frames[k].frame.timeout_ms, 100) << "in every frame, so that the board stops by itself";
+    }
+    const auto counters = m_cycle->counters();
+    EXPECT_EQ(counters.framesWritten, 200U);
+    EXPECT_EQ(counters.deadlineMisses, 0U);
+    EXPECT_NEAR(counters.rate_Hz, 200.0, 1e-6);
+    EXPECT_EQ(counters.begun_ns, begin_ns);
+    EXPECT_EQ(counters.onset_ns, begin_ns + kPeriod_ns) << "the first frame is at intensity 0";
+    EXPECT_NEAR(m_cycle->status().position_s, 0.995, 1e-12);
+}
+
+TEST_F(PlaybackCycleTest, endsAProgramWithAZeroFrame) {
+    make();
+    play(steady(1.0, 0.1));
+    runOnTime(500 * kMs_ns);
+    const auto frames = written();
+    ASSERT_EQ(frames.size(), 21U);
+    EXPECT_TRUE(isOff(frames[20].frame.drive));
+    EXPECT_EQ(frames[20].time_ns - frames[0].time_ns, 100 * kMs_ns);
+    EXPECT_FALSE(isOff(frames[19].frame.drive));
+    EXPECT_EQ(m_cycle->status().ending, PlayerEnding::finished);
+    EXPECT_EQ(m_cycle->status().position_s, 0.1);
+    EXPECT_EQ(m_cycle->status().given, all(0.0));
+}
+
+TEST_F(PlaybackCycleTest, endsProgramsWithoutLengthOrContentAtOnce) {
+    make();
+    for (const double duration_s : {0.0, -1.0, std::nan("")}) {
+        EXPECT_EQ(play(steady(1.0, duration_s), true), PacingClock::kNever_ns) << duration_s;
+        EXPECT_EQ(m_cycle->status().ending, PlayerEnding::finished);
+        EXPECT_TRUE(lastIsOff());
+    }
+    EXPECT_EQ(play({{}, 1.0}), PacingClock::kNever_ns);
+    for (const auto& frame : written())
+        EXPECT_TRUE(isOff(frame.frame.drive));
+}
+
+TEST_F(PlaybackCycleTest, beginsALoopAnewWithoutAGap) {
+    make();
+    play(clockOf1s(), true);
+    runOnTime(2500 * kMs_ns);
+    const auto frames = written();
+    ASSERT_EQ(frames.size(), 501U);
+    EXPECT_NEAR(frames[200].frame.drive[0], 0.0, 1.0);
+    EXPECT_NEAR(frames[300].frame.drive[0], 0.5 * kFullDrive, 1.0);
+    PlayerCommands commands;
+    commands.loop = false;
+    run(std::move(commands));
+    runOnTime(600 * kMs_ns);
+    EXPECT_EQ(m_cycle->status().ending, PlayerEnding::finished)
+        << "after the loop was taken away, the position goes on in the present turn";
+}
+
+TEST_F(PlaybackCycleTest, seeksWithinTheProgramAndStartsWhereAsked) {
+    make();
+    play(clockOf1s(), false, 0.25);
+    EXPECT_NEAR(written().back().frame.drive[0], 0.25 * kFullDrive, 1.0);
+    PlayerCommands commands;
+    commands.seek_s = 0.75;
+    run(std::move(commands));
+    m_clock->add(kPeriod_ns);
+    run();
+    EXPECT_NEAR(written().back().frame.drive[0], 0.755 * kFullDrive, 1.0);
+    PlayerCommands nowhere;
+    nowhere.seek_s = std::nan("");
+    run(std::move(nowhere));
+    m_clock->add(kPeriod_ns);
+    run();
+    EXPECT_NEAR(written().back().frame.drive[0], 0.76 * kFullDrive, 1.0);
+    PlayerCommands beyond;
+    beyond.seek_s = 9.0;
+    run(std::move(beyond));
+    m_clock->add(kPeriod_ns);
+    run();
+    EXPECT_EQ(m_cycle->status().ending, PlayerEnding::finished);
+}
+
+TEST_F(PlaybackCycleTest, evaluatesALateCycleAtTheTrueTimeAndCatchesNothingUp) {
+    make();
+    const std::int64_t begin_ns = m_clock->now_ns();
+    play(clockOf1s());
+    m_clock->add(kPeriod_ns + 13 * kMs_ns); // deadlines 1, 2 and 3 have passed
+    EXPECT_EQ(run(), begin_ns + 4 * kPeriod_ns) << "the grid stays";
+    const auto frames = written();
+    ASSERT_EQ(frames.size(), 2U);
+    EXPECT_NEAR(frames[1].frame.drive[0], 0.018 * kFullDrive, 1.0);
+    EXPECT_EQ(m_cycle->counters().deadlineMisses, 2U);
+    m_clock->add(2 * kMs_ns);
+    EXPECT_EQ(run(), begin_ns + 5 * kPeriod_ns);
+    EXPECT_EQ(written().size(), 3U);
+    EXPECT_EQ(m_cycle->counters().deadlineMisses, 2U);
+}
+
+TEST_F(PlaybackCycleTest, countsSlowWritesAndTheDeadlinesTheyCost) {
+    make();
+    const std::int64_t begin_ns = m_clock->now_ns();
+    m_bracelet.whileWriting([this] { m_clock->add(8 * kMs_ns); });
+    EXPECT_EQ(play(steady(1.0)), begin_ns + 2 * kPeriod_ns);
+    EXPECT_EQ(m_cycle->counters().deadlineMisses, 1U);
+    EXPECT_EQ(m_cycle->counters().writeMedian_ns, 8 * kMs_ns);
+    m_bracelet.whileWriting([this] { m_clock->add(1 * kMs_ns); });
+    runOnTime(100 * kMs_ns);
+    EXPECT_EQ(m_cycle->counters().deadlineMisses, 1U);
+    EXPECT_EQ(m_cycle->counters().writeMedian_ns, 1 * kMs_ns);
+    EXPECT_EQ(m_cycle->counters().writeLongest_ns, 8 * kMs_ns);
+    EXPECT_EQ(m_cycle->counters().onset_ns, begin_ns + 8 * kMs_ns) << "when the write returned";
+}
+
+TEST_F(PlaybackCycleTest, endsWhenItStoodStillLongerThanTheBoardsTimeout) {
+    make();
+    play(steady(1.0));
+    m_clock->add(kPeriod_ns + 100 * kMs_ns);
+    run();
+    EXPECT_EQ(m_cycle->status().mode, PlayerMode::program);
+    m_clock->add(200 * kMs_ns);
+    EXPECT_EQ(run(), PacingClock::kNever_ns);
+    EXPECT_EQ(m_cycle->status().ending, PlayerEnding::stalled);
+    EXPECT_TRUE(lastIsOff());
+
+    play(steady(1.0));
+    m_bracelet.whileWriting([this] { m_clock->add(101 * kMs_ns); });
+    m_clock->add(kPeriod_ns);
+    EXPECT_EQ(run(), PacingClock::kNever_ns);
+    EXPECT_EQ(m_cycle->status().ending, PlayerEnding::stalled) << "a write that takes that long";
+    EXPECT_TRUE(lastIsOff());
+}
+
+TEST_F(PlaybackCycleTest, stopsInTheCycleInWhichItSeesSTOP) {
+    make();
+    play(steady(1.0));
+    runOnTime(50 * kMs_ns);
+    m_stop.engage();
+    m_clock->add(kPeriod_ns);
+    EXPECT_EQ(run(), PacingClock::kNever_ns);
+    EXPECT_TRUE(lastIsOff());
+    EXPECT_EQ(written().back().time_ns, m_clock->now_ns()) << "in the very next cycle";
+    EXPECT_EQ(m_cycle->status().ending, PlayerEnding::stopSwitch);
+}
+
+TEST_F(PlaybackCycleTest, looksAtSTOPBeforeCommandsAndPlaysOnlyWhenAskedAgain) {
+    make();
+    m_stop.engage();
+    EXPECT_EQ(play(steady(1.0)), PacingClock::kNever_ns);
+    EXPECT_EQ(m_cycle->status().ending, PlayerEnding::stopSwitch);
+    for (const auto& frame : written())
+        EXPECT_TRUE(isOff(frame.frame.drive));
+    m_stop.release();
+    m_bracelet.forget();
+    m_clock->add(1000 * kMs_ns);
+    EXPECT_EQ(run(), PacingClock::kNever_ns);
+    EXPECT_TRUE(written().empty()) << "releasing STOP moves nothing";
+    play(steady(1.0));
+    EXPECT_FALSE(lastIsOff());
+}
+
+TEST_F(PlaybackCycleTest, writesNothingOfAProgramDuringWhichSTOPWasEngaged) {
+    make();
+    play({[this](double) {
+              m_stop.engage();
+              return all(1.0);
+          },
+          1.0});
+    ASSERT_EQ(written().size(), 1U);
+    EXPECT_TRUE(lastIsOff());
+    EXPECT_EQ(m_cycle->status().ending, PlayerEnding::stopSwitch);
+}
+
+TEST_F(PlaybackCycleTest, zeroesWhenStoppedAndWhenClosed) {
+    make();
+    play(steady(1.0));
+    PlayerCommands commands;
+    commands.stop = true;
+    m_clock->add(1 * kMs_ns);
+    EXPECT_EQ(run(std::move(commands)), PacingClock::kNever_ns);
+    EXPECT_TRUE(lastIsOff());
+    EXPECT_EQ(m_cycle->status().ending, PlayerEnding::stopped);
+    play(steady(1.0));
+    EXPECT_FALSE(lastIsOff());
+    m_cycle->close();
+    EXPECT_TRUE(lastIsOff());
+}
+
+TEST_F(PlaybackCycleTest, zeroesWhenTheProgramThrows) {
+    make();
+    const auto failAt = [](double fail_s, auto what) {
+        return Program{[=](double t_s) {
+                           if (t_s >= fail_s)
+                               throw what;
+                           return all(1.0);
+                       },
+                       1.0};
+    };
+    play(failAt(0.05, std::runtime_error("no such breakpoint")));
+    runOnTime(200 * kMs_ns);
+    EXPECT_EQ(written().size(), 11U);
+    EXPECT_TRUE(lastIsOff());
+    EXPECT_EQ(m_cycle->status().ending, PlayerEnding::sourceFailed);
+    EXPECT_EQ(m_cycle->status().message, "no such breakpoint");
+    play(failAt(0.0, 7));
+    EXPECT_TRUE(lastIsOff());
+    EXPECT_EQ(m_cycle->status().ending, PlayerEnding::sourceFailed);
+    EXPECT_TRUE(m_cycle->status().message.empty());
+}
+
+TEST_F(PlaybackCycleTest, endsWhenTheBraceletIsUnpluggedAndDoesNotGoOnByItself) {
+    make();
+    play(steady(1.0));
+    runOnTime(20 * kMs_ns);
+    m_bracelet.connect(0);
+    m_clock->add(kPeriod_ns);
+    EXPECT_EQ(run(), PacingClock::kNever_ns);
+    EXPECT_EQ(m_cycle->status().ending, PlayerEnding::deviceLost);
+    m_bracelet.connect(2);
+    m_bracelet.forget();
+    m_clock->add(1000 * kMs_ns);
+    EXPECT_EQ(run(), PacingClock::kNever_ns);
+    EXPECT_TRUE(written().empty());
+    play(steady(1.0));
+    EXPECT_FALSE(lastIsOff());
+    EXPECT_EQ(written().back().frame.connection, 2U);
+}
+
+TEST_F(PlaybackCycleTest, endsAlsoWhenTheBraceletCameBackBetweenTwoCycles) {
+    make();
+    play(steady(1.0));
+    runOnTime(20 * kMs_ns);
+    m_bracelet.forget();
+    m_bracelet.connect(2);
+    m_clock->add(kPeriod_ns);
+    EXPECT_EQ(run(), PacingClock::kNever_ns);
+    EXPECT_EQ(m_cycle->status().ending, PlayerEnding::deviceLost);
+    for (const auto& frame : written())
+        EXPECT_TRUE(isOff(frame.frame.drive));
+}
+
+TEST_F(PlaybackCycleTest, refusesToPlayWithoutABracelet) {
+    make();
+    m_bracelet.connect(0);
+    EXPECT_EQ(play(steady(1.0)), PacingClock::kNever_ns);
+    EXPECT_EQ(m_cycle->status().ending, PlayerEnding::deviceLost);
+    EXPECT_EQ(startLive(), PacingClock::kNever_ns);
+    EXPECT_EQ(m_cycle->status().ending, PlayerEnding::deviceLost);
+}
+
+TEST_F(PlaybackCycleTest, followsSetpointsAtOnceButOncePerPeriod) {
+    make();
+    startLive();
+    EXPECT_TRUE(lastIsOff()) << "zero before anything was posted";
+    ASSERT_EQ(written().size(), 1U);
+    m_clock->add(1 * kMs_ns);
+    EXPECT_TRUE(m_cycle->takesSetpointAtOnce());
+    m_cycle->setpoints().post({all(0.5), m_clock->now_ns()});
+    run();
+    ASSERT_EQ(written().size(), 2U);
+    EXPECT_EQ(written().back().frame.drive[0], 2047);
+    EXPECT_FALSE(m_cycle->takesSetpointAtOnce());
+    m_cycle->setpoints().post({all(0.25), m_clock->now_ns()});
+    run();
+    EXPECT_EQ(written().size(), 2U) << "the next one waits for the deadline";
+    m_clock->add(4 * kMs_ns);
+    run();
+    ASSERT_EQ(written().size(), 3U);
+    EXPECT_EQ(written().back().frame.drive[0], 1023);
+    EXPECT_TRUE(m_cycle->takesSetpointAtOnce());
+    EXPECT_EQ(m_cycle->counters().latencyLongest_ns, 4 * kMs_ns);
+    EXPECT_EQ(m_cycle->counters().deadlineMisses, 0U);
+}
+
+TEST_F(PlaybackCycleTest, keepsItsRateUnder10000SetpointsASecond) {
+    make();
+    startLive();
+    const std::int64_t begin_ns = m_clock->now_ns();
+    for (int i = 0; i < 10'000; ++i) {
+        m_clock->add(100'000);
+        m_cycle->setpoints().post({all(i % 2 == 0 ? 5.0 : 0.5), m_clock->now_ns()});
+        m_cycle->setpoints().post({all(0.5), m_clock->now_ns()});
+        run();
+    }
+    EXPECT_EQ(m_clock->now_ns() - begin_ns, 1000 * kMs_ns);
+    const auto frames = written();
+    EXPECT_GE(frames.size(), 200U);
+    EXPECT_LE(frames.size(), 402U) << "one at each deadline and one between two";
+    for (const auto& frame : frames)
+        EXPECT_LE(frame.frame.drive[0], 2047) << "the latest setpoint wins";
+    EXPECT_GE(m_cycle->counters().setpointsReplaced, 10'000U);
+    EXPECT_EQ(m_cycle->counters().deadlineMisses, 0U);
+}
+
+TEST_F(PlaybackCycleTest, zeroesWhenTheLastSetpointIsOlderThan100ms) {
+    make();
+    startLive();
+    const std::int64_t made_ns = m_clock->now_ns();
+    m_cycle->setpoints().post({all(1.0), made_ns});
+    runOnTime(300 * kMs_ns);
+    for (const auto& frame : written()) {
+        if (frame.time_ns - made_ns > 100 * kMs_ns) {
+            EXPECT_TRUE(isOff(frame.frame.drive));
+        } else if (frame.time_ns > made_ns) {
+            EXPECT_FALSE(isOff(frame.frame.drive));
+        }
+    }
+    EXPECT_TRUE(lastIsOff());
+    EXPECT_TRUE(m_cycle->status().silent);
+    EXPECT_EQ(m_cycle->status().mode, PlayerMode::live);
+    EXPECT_EQ(m_cycle->counters().watchdogTrips, 1U);
+    m_cycle->setpoints().post({all(1.0), m_clock->now_ns()});
+    run();
+    EXPECT_FALSE(lastIsOff());
+    EXPECT_FALSE(m_cycle->status().silent);
+}
+
+TEST_F(PlaybackCycleTest, doesNotFollowASetpointThatIsOldWhenItComes) {
+    make();
+    startLive();
+    m_clock->add(1 * kMs_ns);
+    m_cycle->setpoints().post({all(1.0), m_clock->now_ns() - 101 * kMs_ns});
+    run();
+    EXPECT_TRUE(lastIsOff());
+    EXPECT_TRUE(m_cycle->status().silent);
+}
+
+TEST_F(PlaybackCycleTest, takesSetpointsThatAreNoNumbersAsOff) {
+    make();
+    startLive();
+    m_clock->add(1 * kMs_ns);
+    m_cycle->setpoints().post({{std::nan(""), -1.0, 7.0, 0.5, kInfinity, -kInfinity}, m_clock->now_ns()});
+    run();
+    EXPECT_EQ(written().back().frame.drive, (core::Drive{0, 0, kFullDrive, 2047, kFullDrive, 0}));
+}
+
+TEST_F(PlaybackCycleTest, endsLiveOnSTOPAndFollowsNoSetpointAfterItsRelease) {
+    make();
+    startLive();
+    m_stop.engage();
+    m_cycle->setpoints().post({all(1.0), m_clock->now_ns()});
+    run();
+    m_stop.release();
+    m_bracelet.forget();
+    m_cycle->setpoints().post({all(1.0), m_clock->now_ns()});
+    EXPECT_EQ(run(), PacingClock::kNever_ns);
+    EXPECT_TRUE(written().empty());
+    EXPECT_EQ(m_cycle->status().ending, PlayerEnding::stopSwitch);
+}
+
+TEST_F(PlaybackCycleTest, runsNoFasterThanTheBraceletCan) {
+    m_bracelet.setMaximumRate_Hz(50.0);
+    make();
+    EXPECT_EQ(m_cycle->rate_Hz(), 50.0);
+    play(steady(1.0));
+    runOnTime(1000 * kMs_ns);
+    EXPECT_EQ(written().size(), 51U);
+}
+
+TEST_F(PlaybackCycleTest, countsTheFramesLostSinceItBegan) {
+    make();
+    m_bracelet.setFramesLost(7);
+    play(steady(1.0));
+    m_bracelet.setFramesLost(10);
+    EXPECT_EQ(m_cycle->counters().framesLost, 3U);
+    play(steady(1.0));
+    EXPECT_EQ(m_cycle->counters().framesLost, 0U);
+    EXPECT_EQ(m_cycle->counters().framesWritten, 1U);
+}
+
+TEST_F(PlaybackCycleTest, keepsTheHeatOfTheMotorsFromOneProgramToTheNext) {
+    PlayerConfig config;
+    config.clock = m_clock;
+    config.limits = {.rise_perS = kInfinity, .heatTime_s = 1.0, .heatBudget = 0.25};
+    m_cycle = std::make_unique<PlaybackCycle>(m_bracelet, m_stop, std::move(config));
+    play(steady(1.0));
+    runOnTime(2000 * kMs_ns);
+    EXPECT_NEAR(written().back().frame.drive[0], 0.5 * kFullDrive, 1.0);
+    play(steady(1.0));
+    m_clock->add(kPeriod_ns);
+    run();
+    EXPECT_LT(written().back().frame.drive[0], 0.6 * kFullDrive) << "starting anew does not cool a motor";
+}

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/playback/safety_limiter.h"
+#include "tests/backend/playback/scripted_bracelet.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+using namespace teleta;
+using core::Drive;
+using core::Intensities;
+using core::kFullDrive;
+using playback::SafetyLimiter;
+using playback::SafetyLimits;
+using test::all;
+
+namespace {
+
+constexpr double kPeriod_s = 0.005;
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Nothing limits but the range.
+SafetyLimits free() {
+    return {.rise_perS = kInfinity, .heatBudget = 1.0};
+}
+
+Drive allDrive(std::uint16_t value) {
+    Drive drive;
+    drive.fill(value);
+    return drive;
+}
+
+} // namespace
+
+TEST(SafetyLimiter, clampsToTheRangeAndTakesNanAsOff) {
+    SafetyLimiter limiter(free(), kPeriod_s);
+    const Drive drive = limiter.step({-0.5, 0.0, 1.0, 1.5, kInfinity, -kInfinity}, kPeriod_s);
+    EXPECT_EQ(drive, (Drive{0, 0, kFullDrive, kFullDrive, kFullDrive, 0}));
+    EXPECT_EQ(limiter.step(all(kNan), kPeriod_s), allDrive(0));
+}
+
+TEST(SafetyLimiter, turnsNanOffAtOnceHoweverSlowAFallIs) {
+    SafetyLimits limits = free();
+    limits.fall_perS = 0.1;
+    SafetyLimiter limiter(limits, kPeriod_s);
+    ASSERT_EQ(limiter.step(all(1.0), kPeriod_s), allDrive(kFullDrive));
+    const Drive drive = limiter.step({kNan, 0.0, 1.0, 1.0, 1.0, 1.0}, kPeriod_s);
+    EXPECT_EQ(drive[0], 0);
+    EXPECT_EQ(drive[1], 4092) << "4095 (1 - 0.1 * 0.005) rounded down";
+    EXPECT_EQ(drive[2], kFullDrive);
+}
+
+TEST(SafetyLimiter, roundsDownSoThatNoLimitIsExceeded) {
+    SafetyLimiter limiter(free(), kPeriod_s);
+    EXPECT_EQ(limiter.step(all(0.5), kPeriod_s), allDrive(2047)) << "4095 / 2 = 2047.5";
+    EXPECT_EQ(limiter.step(all(0.99999), kPeriod_s), allDrive(4094));
+    for (int count = 0; count <= kFullDrive; ++count) {
+        SafetyLimiter fresh(free(), kPeriod_s);
+        ASSERT_EQ(fresh.step(all(static_cast<double>(count) / kFullDrive), kPeriod_s)[0], count);
+    }
+}
+
+TEST(SafetyLimiter, keepsTheUsersLimitOfEachTactor) {
+    SafetyLimits limits = free();
+    limits.userLimit = {0.2, 0.4, 0.0, 1.0, kNan, 7.0};
+    limits.fall_perS = 0.001;
+    SafetyLimiter limiter(limits, kPeriod_s);
+    EXPECT_EQ(limiter.step(all(1.0), kPeriod_s), (Drive{819, 1638, 0, kFullDrive, 0, kFullDrive}));
+    limits.userLimit.fill(0.1);
+    limiter.setLimits(limits);
+    const Drive drive = limiter.step(all(1.0), kPeriod_s);
+    for (const std::uint16_t value : drive)
+        EXPECT_LE(value, 409) << "a limit that is lowered holds at once, also where a fall is slow";
+}
+
+TEST(SafetyLimiter, risesNoFasterThanTheSlewLimit) {
+    SafetyLimits limits = free();
+    limits.rise_perS = 20.0;
+    SafetyLimiter limiter(limits, kPeriod_s);
+    // 20 / s in steps of 5 ms: a tenth each.
+    for (int k = 1; k <= 10; ++k)
+        EXPECT_NEAR(limiter.step(all(1.0), kPeriod_s)[3], std::min(0.1 * k, 1.0) * kFullDrive, 1.0) << k;
+    EXPECT_EQ(limiter.step(all(0.0), kPeriod_s), allDrive(0)) << "falling is not limited by default";
+    EXPECT_NEAR(limiter.step(all(1.0), 3600.0)[0], 0.2 * kFullDrive, 1.0)
+        << "a pause counts as two periods: tactors do not jump";
+}
+
+TEST(SafetyLimiter, risesSlowlyAlsoBelowOneCountAStep) {
+    SafetyLimits limits = free();
+    limits.rise_perS = 0.01;
+    SafetyLimiter limiter(limits, kPeriod_s);
+    Drive drive{};
+    for (int k = 0; k < 2000; ++k)
+        drive = limiter.step(all(1.0), kPeriod_s);
+    EXPECT_NEAR(drive[0], 0.01 * 10.0 * kFullDrive, 1.0) << "10 s at 0.01 / s";
+}
+
+TEST(SafetyLimiter, doesNothingInNoTime) {
+    SafetyLimiter limiter({}, kPeriod_s);
+    for (const double elapsed_s : {0.0, -1.0, kNan})
+        EXPECT_EQ(limiter.step(all(1.0), elapsed_s), allDrive(0)) << elapsed_s;
+    EXPECT_EQ(limiter.heat(), all(0.0));
+}
+
+// h' = (1 - h) / tau from 0: h = 1 - exp(-t / tau) reaches B at t = -tau ln(1 - B).
+TEST(SafetyLimiter, givesFullStrengthUntilTheHeatBudgetIsReachedAndItsRootAfterwards) {
+    SafetyLimits limits = free();
+    limits.heatTime_s = 2.0;
+    limits.heatBudget = 0.36;
+    SafetyLimiter limiter(limits, kPeriod_s);
+    const double full_s = -2.0 * std::log(1.0 - 0.36);
+    for (int k = 0; k < 2000; ++k) {
+        const double t_s = k * kPeriod_s;
+        const Drive drive = limiter.step(all(1.0), kPeriod_s);
+        if (t_s < full_s - kPeriod_s) {
+            EXPECT_EQ(drive, allDrive(kFullDrive)) << t_s;
+        } else if (t_s > full_s + kPeriod_s) {
+            EXPECT_NEAR(drive[0], 0.6 * kFullDrive, 1.0) << t_s;
+        }
+        for (const double heat : limiter.heat())
+            EXPECT_LE(heat, 0.36 * (1.0 + 1e-12));
+    }
+}
+
+TEST(SafetyLimiter, coolsWhileOff) {
+    SafetyLimits limits = free();
+    limits.heatTime_s = 2.0;
+    SafetyLimiter limiter(limits, kPeriod_s);
+    for (int k = 0; k < 4000; ++k)
+        (void)limiter.step(all(1.0), kPeriod_s);
+    const double hot = limiter.heat()[0];
+    limiter.off(0.0);
+    EXPECT_EQ(limiter.output(), all(0.0));
+    limiter.off(2.0);
+    EXPECT_NEAR(limiter.heat()[0], hot * std::exp(-1.0), 1e-12);
+}
+
+TEST(SafetyLimiter, allowsNothingWithLimitsThatAreNoNumbers) {
+    for (const SafetyLimits& limits :
+         {SafetyLimits{.rise_perS = kNan}, SafetyLimits{.rise_perS = -1.0}, SafetyLimits{.heatTime_s = kNan},
+          SafetyLimits{.heatTime_s = 0.0}, SafetyLimits{.heatTime_s = kInfinity},
+          SafetyLimits{.heatBudget = kNan}, SafetyLimits{.heatBudget = -1.0}}) {
+        SafetyLimiter limiter(limits, kPeriod_s);
+        for (int k = 0; k < 100; ++k)
+            ASSERT_EQ(limiter.step(all(1.0), kPeriod_s), allDrive(0));
+    }
+}
+
+// Whatever is wanted, and however irregular the calls are.
+TEST(SafetyLimiter, holdsEveryLimitUnderRandomInput) {
+    const SafetyLimits limits{
+        .userLimit = {0.9, 0.8, 0.7, 0.6, 0.5, 0.4}, .rise_perS = 30.0, .heatTime_s = 0.5, .heatBudget = 0.2};
+    SafetyLimiter limiter(limits, kPeriod_s);
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> value(-2.0, 3.0);
+    std::uniform_real_distribution<double> time(0.0, kPeriod_s);
+    Intensities before{};
+    for (int k = 0; k < 100'000; ++k) {
+        Intensities wanted;
+        for (double& intensity : wanted) {
+            intensity = value(random);
+            if (intensity > 2.9)
+                intensity = kNan;
+        }
+        const double elapsed_s = time(random);
+        const Drive drive = limiter.step(wanted, elapsed_s);
+        for (std::size_t i = 0; i < core::kTactors; ++i) {
+            ASSERT_LE(drive[i], limits.userLimit[i] * kFullDrive);
+            ASSERT_LE(limiter.output()[i] - before[i], 30.0 * elapsed_s + 1e-12);
+            ASSERT_LE(limiter.heat()[i], 0.2 * (1.0 + 1e-9));
+            if (!(wanted[i] > 0.0)) {
+                ASSERT_EQ(drive[i], 0);
+            }
+        }
+        before = limiter.output();
+    }
+}
