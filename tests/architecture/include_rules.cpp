@@ -46,6 +46,7 @@ const std::vector<Rule> kRules = {
 
     {"devices/replay", {"backend/core"}, {"QtCore", "posix", "expected"}},
     {"devices/simulated", {"backend/core"}, {"QtCore", "posix", "expected"}},
+    {"devices/wts", {"backend/core"}, {"QtCore", "posix", "expected"}},
     {"devices/bracelet", {"backend/core"}, {"QtCore", "posix", "expected", "hidapi"}},
 
     {"widgets/base", {"backend"}, {"QtCore", "QtGui", "QtWidgets", "QtSvg", "QtPrintSupport"}},
