@@ -114,11 +114,12 @@ core::Expected<pipeline::OpenedSource> openScene(const SceneRequest& request, co
     auto scene = readSceneOrResource(request.path);
     if (!scene)
         return core::Unexpected(scene.error());
-    const double threshold_N = scene->sensor.firingThreshold_N > 0.0 ? scene->sensor.firingThreshold_N
-                                                                     : contact::FeatureSettings{}.threshold_N;
     auto array = simulation::makeTactileArray(*scene, request.seed);
     if (!array)
         return core::Unexpected(array.error());
+    const double threshold_N = scene->array().sensor.firingThreshold_N > 0.0
+                                   ? scene->array().sensor.firingThreshold_N
+                                   : contact::FeatureSettings{}.threshold_N;
     return pipeline::OpenedSource{std::make_unique<simulated::SimulatedArrayDevice>(std::move(*array), stop),
                                   settingsFor(threshold_N, "N")};
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/scene/scene.h"
 
+#include "backend/scene/arm_world_check.h"
+
 #include <QCoreApplication>
 #include <QString>
 
@@ -69,6 +71,13 @@ struct EffectIsValid {
     bool operator()(const DriftSpec& spec) const {
         return isNotNegative(spec.sd_N) && isPositive(spec.timeConstant_s);
     }
+    bool operator()(const TorqueNoiseSpec& spec) const { return isNotNegative(spec.sd_Nm); }
+    bool operator()(const EncoderQuantizationSpec& spec) const { return isPositive(spec.step_rad); }
+    bool operator()(const GravityErrorSpec& spec) const { return std::isfinite(spec.share); }
+    bool operator()(const GearRippleSpec& spec) const {
+        return isNotNegative(spec.amplitude_Nm) && isPositive(spec.wavesPerTurn);
+    }
+    bool operator()(const NonlinearObjectSpec& spec) const { return isPositive(spec.doublingDepth_m); }
 };
 
 struct EffectName {
@@ -79,10 +88,53 @@ struct EffectName {
     std::string_view operator()(const CrosstalkSpec&) const { return "crosstalk"; }
     std::string_view operator()(const HysteresisSpec&) const { return "hysteresis"; }
     std::string_view operator()(const DriftSpec&) const { return "drift"; }
+    std::string_view operator()(const TorqueNoiseSpec&) const { return "torque_noise"; }
+    std::string_view operator()(const EncoderQuantizationSpec&) const { return "encoder_quantization"; }
+    std::string_view operator()(const GravityErrorSpec&) const { return "gravity_error"; }
+    std::string_view operator()(const GearRippleSpec&) const { return "gear_ripple"; }
+    std::string_view operator()(const NonlinearObjectSpec&) const { return "nonlinear_object"; }
 };
 
 core::Expected<void> refused(const QString& message) {
     return core::Unexpected(core::Error{core::ErrorKind::badInput, message.toStdString(), {}, {}});
+}
+
+core::Expected<void> checkWorld(const ArrayWorld& world) {
+    const ArraySensor& sensor = world.sensor;
+    if (!isValid(sensor.layout))
+        return refused(SceneCheck::tr("the size of the tactile array is out of range"));
+    if (!isPositive(sensor.stiffness_NPerM) || !isPositive(sensor.fullScale_N) ||
+        !isNotNegative(sensor.firingThreshold_N))
+        return refused(SceneCheck::tr("a property of the tactile array is out of range"));
+    for (const Indenter& indenter : world.indenters) {
+        const QString name = QString::fromStdString(indenter.name);
+        if (!std::visit(ShapeIsValid(), indenter.shape))
+            return refused(SceneCheck::tr("the size of indenter \"%1\" is out of range").arg(name));
+        if (!isValid(indenter.keyframes))
+            return refused(
+                SceneCheck::tr("the motion of indenter \"%1\" is not a series of rising times").arg(name));
+    }
+    return {};
+}
+
+core::Expected<void> checkWorld(const ArmWorld& world) {
+    const ArmWorldCheck check = checkArmWorld(world);
+    switch (check.fault) {
+    case ArmWorldFault::none:
+        return {};
+    case ArmWorldFault::body:
+        return refused(SceneCheck::tr("a property of the arm is out of range"));
+    case ArmWorldFault::control:
+        return refused(SceneCheck::tr("a property of the joint controllers is out of range"));
+    case ArmWorldFault::skin:
+        return refused(SceneCheck::tr("a property of the arm's skin is out of range"));
+    case ArmWorldFault::object:
+        return refused(SceneCheck::tr("a property of object \"%1\" is out of range")
+                           .arg(QString::fromStdString(world.objects[check.object].name)));
+    case ArmWorldFault::program:
+        break;
+    }
+    return refused(SceneCheck::tr("the program of the arm is out of range"));
 }
 
 } // namespace
@@ -92,26 +144,18 @@ std::string_view nameOf(const Effect& effect) {
 }
 
 core::Expected<void> checkScene(const Scene& scene) {
-    const ArraySensor& sensor = scene.sensor;
     if (!isPositive(scene.rate_Hz))
         return refused(SceneCheck::tr("the frame rate of the scene is not a positive number"));
-    if (!isValid(sensor.layout))
-        return refused(SceneCheck::tr("the size of the tactile array is out of range"));
-    if (!isPositive(sensor.stiffness_NPerM) || !isPositive(sensor.fullScale_N) ||
-        !isNotNegative(sensor.firingThreshold_N))
-        return refused(SceneCheck::tr("a property of the tactile array is out of range"));
-    for (const Indenter& indenter : scene.indenters) {
-        const QString name = QString::fromStdString(indenter.name);
-        if (!std::visit(ShapeIsValid(), indenter.shape))
-            return refused(SceneCheck::tr("the size of indenter \"%1\" is out of range").arg(name));
-        if (!isValid(indenter.keyframes))
-            return refused(
-                SceneCheck::tr("the motion of indenter \"%1\" is not a series of rising times").arg(name));
-    }
+    const core::Expected<void> world =
+        std::visit([](const auto& known) { return checkWorld(known); }, scene.world);
+    if (!world)
+        return world;
     for (auto effect = scene.effects.begin(); effect != scene.effects.end(); ++effect) {
         const QString name = QString::fromUtf8(nameOf(*effect).data());
-        if (!std::visit(EffectIsValid{sensor.layout}, effect->parameters))
+        if (!std::visit(EffectIsValid{scene.taxels()}, effect->parameters))
             return refused(SceneCheck::tr("a parameter of effect \"%1\" is out of range").arg(name));
+        if (!scene.isArm() && effect->parameters.index() >= kTaxelEffectKinds)
+            return refused(SceneCheck::tr("effect \"%1\" needs an arm").arg(name));
         const bool again = std::any_of(scene.effects.begin(), effect, [&](const Effect& earlier) {
             return earlier.parameters.index() == effect->parameters.index();
         });
@@ -119,6 +163,18 @@ core::Expected<void> checkScene(const Scene& scene) {
             return refused(SceneCheck::tr("effect \"%1\" is listed twice").arg(name));
     }
     return {};
+}
+
+core::Expected<void> checkArrayScene(const Scene& scene) {
+    if (scene.isArm())
+        return refused(SceneCheck::tr("the scene is that of an arm, not of a tactile array"));
+    return checkScene(scene);
+}
+
+core::Expected<void> checkArmScene(const Scene& scene) {
+    if (!scene.isArm())
+        return refused(SceneCheck::tr("the scene is that of a tactile array, not of an arm"));
+    return checkScene(scene);
 }
 
 } // namespace teleta::scene

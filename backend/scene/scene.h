@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/array_layout.h"
 #include "backend/core/error.h"
+#include "backend/scene/arm_world.h"
+#include "backend/scene/array_world.h"
 
 #include <cstddef>
 #include <string>
@@ -11,57 +12,6 @@
 #include <vector>
 
 namespace teleta::scene {
-
-/// The tactile array of a scene: a plane of taxels, each a spring normal to the surface.
-struct ArraySensor {
-    core::ArrayLayout layout;
-    double stiffness_NPerM = 1200.0; ///< of one taxel; > 0
-    double fullScale_N = 2.89; ///< load at which a taxel saturates, when the scene lists that effect; > 0
-    double firingThreshold_N = 0.0; ///< a taxel whose load is below this reads 0; >= 0
-};
-
-/// A rigid ball.
-struct Sphere {
-    double radius_m = 0.0; ///< > 0
-};
-
-/// A rigid round bar that lies on the surface; its axis is along x at angle 0.
-struct Cylinder {
-    double radius_m = 0.0; ///< > 0
-    double length_m = 0.0; ///< > 0
-};
-
-/// The sharp edge of a rigid box, its two faces at 45 degrees to the surface; the edge is along x at angle 0.
-struct BoxEdge {
-    double length_m = 0.0; ///< > 0
-};
-
-/// A rigid rectangular face that is parallel to the surface; its length is along x at angle 0.
-struct FlatPunch {
-    double length_m = 0.0; ///< > 0
-    double width_m = 0.0;  ///< > 0
-};
-
-using IndenterShape = std::variant<Sphere, Cylinder, BoxEdge, FlatPunch>;
-
-/// Where an indenter is at a time. Frame {s} of the array.
-struct Keyframe {
-    double time_s = 0.0;
-    double x_m = 0.0;
-    double y_m = 0.0;
-    double depth_m = 0.0;   ///< of the lowest point under the free surface; negative: above it
-    double angle_rad = 0.0; ///< about z
-};
-
-/// A rigid body and its motion. Between keyframes it moves along monotone cubics: through every keyframe, at
-/// rest where the motion turns back, never beyond the two keyframes on either side. It rests before the first
-/// keyframe and after the last one, or goes on with the first one when the motion is a loop.
-struct Indenter {
-    std::string name;
-    IndenterShape shape;
-    std::vector<Keyframe> keyframes; ///< at least one, times strictly increasing
-    bool loop = false;
-};
 
 /// Gaussian noise on each taxel, independent from frame to frame.
 struct NoiseSpec {
@@ -105,13 +55,45 @@ struct DriftSpec {
     double timeConstant_s = 0.0;
 };
 
-/// One imperfection that the scene calls for. What is not listed is not simulated.
+/// Gaussian noise of each joint torque, independent from sample to sample.
+struct TorqueNoiseSpec {
+    double sd_Nm = 0.0;
+};
+
+/// Joint angles are multiples of a step.
+struct EncoderQuantizationSpec {
+    double step_rad = 0.0;
+};
+
+/// The weight that is taken off the torques is wrong by this share of the links' true weight.
+struct GravityErrorSpec {
+    double share = 0.0;
+};
+
+/// The torque sensors sit at harmonic drives: their reading waves with the angle of the joint.
+struct GearRippleSpec {
+    double amplitude_Nm = 0.0;
+    double wavesPerTurn = 0.0;
+};
+
+/// Objects that grow stiffer while they are pressed, as foams do.
+///   F = k d (1 + d / doublingDepth_m)
+struct NonlinearObjectSpec {
+    double doublingDepth_m = 0.0; ///< depth at which the secant stiffness is twice k; > 0
+};
+
+/// One imperfection that the scene calls for. What is not listed is not simulated. The first seven are of
+/// taxels, the others of an arm.
 struct Effect {
     std::string why; ///< what the scene would lose without it
     std::variant<NoiseSpec, QuantizationSpec, SaturationSpec, DeadTaxelsSpec, CrosstalkSpec, HysteresisSpec,
-                 DriftSpec>
+                 DriftSpec, TorqueNoiseSpec, EncoderQuantizationSpec, GravityErrorSpec, GearRippleSpec,
+                 NonlinearObjectSpec>
         parameters;
 };
+
+/// Kinds of effects that a tactile array can have; those after them need an arm.
+inline constexpr std::size_t kTaxelEffectKinds = 7;
 
 /// Name of an effect in files, in summaries and of its random stream: "noise", "dead_taxels".
 [[nodiscard]] std::string_view nameOf(const Effect& effect);
@@ -121,15 +103,29 @@ struct Scene {
     std::string name;
     std::string description;
     double duration_s = 0.0;
-    double rate_Hz = 0.0; ///< frames a second
-    ArraySensor sensor;
-    std::vector<Indenter> indenters;
+    double rate_Hz = 0.0; ///< frames of an array, or joint samples of an arm, a second
+    std::variant<ArrayWorld, ArmWorld> world;
     std::vector<Effect> effects; ///< each kind at most once
+
+    [[nodiscard]] bool isArm() const { return std::holds_alternative<ArmWorld>(world); }
+    /// The world of a scene of that kind; throws std::bad_variant_access with the other.
+    [[nodiscard]] const ArrayWorld& array() const { return std::get<ArrayWorld>(world); }
+    [[nodiscard]] ArrayWorld& array() { return std::get<ArrayWorld>(world); }
+    [[nodiscard]] const ArmWorld& arm() const { return std::get<ArmWorld>(world); }
+    [[nodiscard]] ArmWorld& arm() { return std::get<ArmWorld>(world); }
+    /// Taxels of the array, or of the arm's skin.
+    [[nodiscard]] const core::ArrayLayout& taxels() const {
+        return isArm() ? arm().skin.layout : array().sensor.layout;
+    }
 };
 
 /// Checks a scene that was made by a program rather than read from a file: sizes, signs, keyframes, dead
-/// taxels.
+/// taxels, the arm, its objects and its program, effects that the world cannot have.
 /// Error: badInput, without a place.
 [[nodiscard]] core::Expected<void> checkScene(const Scene& scene);
+
+/// The same, and that the scene is of this kind.
+[[nodiscard]] core::Expected<void> checkArrayScene(const Scene& scene);
+[[nodiscard]] core::Expected<void> checkArmScene(const Scene& scene);
 
 } // namespace teleta::scene

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/scene/scene_reader.h"
 
+#include "backend/scene/arm_world_reader.h"
 #include "backend/scene/toml_table.h"
 
 #include <QCoreApplication>
@@ -106,10 +107,14 @@ DeadTaxelsSpec readDeadTaxels(TomlTable& table, const core::ArrayLayout& layout)
     return spec;
 }
 
-Effect readEffect(TomlTable table, const core::ArrayLayout& layout, std::set<std::size_t>& listed) {
+Effect readEffect(TomlTable table, const Scene& scene, std::set<std::size_t>& listed) {
     Effect effect;
-    const std::size_t kind = table.choice(
-        "name", {"noise", "quantization", "saturation", "dead_taxels", "crosstalk", "hysteresis", "drift"});
+    std::vector<std::string_view> names{"noise",     "quantization", "saturation", "dead_taxels",
+                                        "crosstalk", "hysteresis",   "drift"};
+    if (scene.isArm())
+        names.insert(names.end(), {"torque_noise", "encoder_quantization", "gravity_error", "gear_ripple",
+                                   "nonlinear_object"});
+    const std::size_t kind = table.choice("name", names);
     if (!listed.insert(kind).second)
         table.fail("name", SceneReader::tr("the effect is listed twice").toStdString(),
                    SceneReader::tr("each effect at most once").toStdString());
@@ -122,7 +127,7 @@ Effect readEffect(TomlTable table, const core::ArrayLayout& layout, std::set<std
         effect.parameters = SaturationSpec{};
         break;
     case 3:
-        effect.parameters = readDeadTaxels(table, layout);
+        effect.parameters = readDeadTaxels(table, scene.taxels());
         break;
     case 4:
         effect.parameters = CrosstalkSpec{.share = table.number("share", NumberRange::between(0.0, 1.0))};
@@ -134,6 +139,25 @@ Effect readEffect(TomlTable table, const core::ArrayLayout& layout, std::set<std
         effect.parameters =
             DriftSpec{.sd_N = table.number("sd_N", NumberRange::notNegative()),
                       .timeConstant_s = table.number("time_constant_s", NumberRange::positive())};
+        break;
+    case 7:
+        effect.parameters = TorqueNoiseSpec{.sd_Nm = table.number("sd_Nm", NumberRange::notNegative())};
+        break;
+    case 8:
+        effect.parameters =
+            EncoderQuantizationSpec{.step_rad = table.number("step_rad", NumberRange::positive())};
+        break;
+    case 9:
+        effect.parameters = GravityErrorSpec{.share = table.number("share", NumberRange::between(-1.0, 1.0))};
+        break;
+    case 10:
+        effect.parameters =
+            GearRippleSpec{.amplitude_Nm = table.number("amplitude_Nm", NumberRange::notNegative()),
+                           .wavesPerTurn = table.number("waves_per_turn", NumberRange::positive())};
+        break;
+    case 11:
+        effect.parameters =
+            NonlinearObjectSpec{.doublingDepth_m = table.number("doubling_depth_m", NumberRange::positive())};
         break;
     default:
         effect.parameters = NoiseSpec{.sd_N = table.number("sd_N", NumberRange::notNegative())};
@@ -149,18 +173,28 @@ core::Expected<Scene> readDocument(const TomlDocument& document) {
     scene.description = root.text("description");
     scene.duration_s = root.number("duration_s", NumberRange::positive());
     scene.rate_Hz = root.number("rate_Hz", {.low = 0.0, .high = kHighestRate_Hz, .lowOpen = true});
-    const TomlTable sensor = root.table("sensor");
-    const std::vector<TomlTable> indenters = root.tables("indenter", 1);
-    const std::vector<TomlTable> effects = root.tables("effects", 0);
-    // Before the tables are read: the effects depend on the sensor, and its misspelt name is the error to
-    // show.
-    root.finish();
-    scene.sensor = readSensor(sensor);
-    for (const TomlTable& table : indenters)
-        scene.indenters.push_back(readIndenter(table));
+    std::vector<TomlTable> effects;
+    // The root is finished before the tables are read: a misspelt name among them is the error to show.
+    if (root.has("arm")) {
+        const TomlTable arm = root.table("arm");
+        const TomlTable skin = root.table("skin");
+        const TomlTable program = root.table("program");
+        const std::vector<TomlTable> objects = root.tables("object", 0);
+        effects = root.tables("effects", 0);
+        root.finish();
+        scene.world = readArmWorld(arm, skin, program, objects);
+    } else {
+        const TomlTable sensor = root.table("sensor");
+        const std::vector<TomlTable> indenters = root.tables("indenter", 1);
+        effects = root.tables("effects", 0);
+        root.finish();
+        scene.array().sensor = readSensor(sensor);
+        for (const TomlTable& table : indenters)
+            scene.array().indenters.push_back(readIndenter(table));
+    }
     std::set<std::size_t> listed;
     for (const TomlTable& table : effects)
-        scene.effects.push_back(readEffect(table, scene.sensor.layout, listed));
+        scene.effects.push_back(readEffect(table, scene, listed));
     if (document.firstError())
         return core::Unexpected(*document.firstError());
     return scene;

@@ -34,8 +34,8 @@ core::Expected<SceneSummary> runArrayScene(const scene::Scene& scene, const RunO
     const auto frames = static_cast<std::uint64_t>(std::llround(duration_s * description.nominalRate_Hz));
     const contact::FrameConditioner conditioner(layout.taxels(), {});
     contact::SegmentationSettings settings;
-    if (scene.sensor.firingThreshold_N > 0.0)
-        settings.threshold_N = scene.sensor.firingThreshold_N;
+    if (scene.array().sensor.firingThreshold_N > 0.0)
+        settings.threshold_N = scene.array().sensor.firingThreshold_N;
     contact::ContactSegmenter segmenter(layout, settings);
     std::vector<float> values(layout.taxels());
     std::vector<float> load_N(layout.taxels());
@@ -44,7 +44,7 @@ core::Expected<SceneSummary> runArrayScene(const scene::Scene& scene, const RunO
     SceneSummary summary;
     ContactErrors errors;
     std::optional<double> firstContact_s;
-    std::vector<bool> pressing(scene.indenters.size(), false);
+    std::vector<bool> pressing(scene.array().indenters.size(), false);
     std::uint64_t frame = 0;
     for (; frame < frames && !log->failed(); ++frame) {
         if (frame % kFramesBetweenReports == 0 && options.goOn &&

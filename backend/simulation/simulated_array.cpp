@@ -10,27 +10,27 @@ namespace teleta::simulation {
 
 core::Expected<std::unique_ptr<SimulatedArray>> SimulatedArray::make(const scene::Scene& scene,
                                                                      std::uint64_t seed) {
-    if (const auto valid = checkScene(scene); !valid)
+    if (const auto valid = checkArrayScene(scene); !valid)
         return core::Unexpected(valid.error());
     return std::unique_ptr<SimulatedArray>(new SimulatedArray(scene, seed));
 }
 
 SimulatedArray::SimulatedArray(const scene::Scene& scene, std::uint64_t seed)
     : m_description{.name = scene.name,
-                    .layout = scene.sensor.layout,
+                    .layout = scene.array().sensor.layout,
                     .unit = "N",
                     .nominalRate_Hz = scene.rate_Hz,
                     .simulated = true}
-    , m_firingThreshold_N(scene.sensor.firingThreshold_N)
-    , m_contact(scene.sensor.layout, scene.sensor.stiffness_NPerM)
-    , m_load_N(scene.sensor.layout.taxels())
-    , m_loads(scene.indenters.size()) {
-    for (const scene::Indenter& indenter : scene.indenters) {
+    , m_firingThreshold_N(scene.array().sensor.firingThreshold_N)
+    , m_contact(scene.array().sensor.layout, scene.array().sensor.stiffness_NPerM)
+    , m_load_N(scene.array().sensor.layout.taxels())
+    , m_loads(scene.array().indenters.size()) {
+    for (const scene::Indenter& indenter : scene.array().indenters) {
         m_motions.emplace_back(indenter.keyframes, indenter.loop);
         m_indenters.emplace_back(indenter.shape);
         m_truth.indenters.push_back({.name = indenter.name, .pose = m_motions.back().at(0.0), .load = {}});
     }
-    for (std::unique_ptr<Effect>& effect : makeEffects(scene, seed))
+    for (std::unique_ptr<Effect>& effect : makeEffects(scene, scene.rate_Hz, seed))
         m_effects.push_back({.effect = std::move(effect)});
 }
 

@@ -45,7 +45,7 @@ struct EffectTime {
 /// Thread: one.
 class SimulatedArray : public core::FrameGenerator {
 public:
-    /// Error: badInput when the scene is not valid (scene::checkScene).
+    /// Error: badInput when the scene is not valid (scene::checkArrayScene).
     [[nodiscard]] static core::Expected<std::unique_ptr<SimulatedArray>> make(const scene::Scene& scene,
                                                                               std::uint64_t seed);
 
@@ -80,7 +80,7 @@ private:
 };
 
 /// The frames of a scene's tactile array for a simulated device.
-/// Error: badInput when the scene is not valid (scene::checkScene).
+/// Error: badInput when the scene is not valid (scene::checkArrayScene).
 [[nodiscard]] core::Expected<std::unique_ptr<core::FrameGenerator>>
 makeTactileArray(const scene::Scene& scene, std::uint64_t seed);
 

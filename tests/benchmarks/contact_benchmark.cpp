@@ -98,7 +98,7 @@ FrameSet framesOf(const scene::Scene& scene) {
     auto array = simulation::SimulatedArray::make(scene, 1);
     if (!array)
         fail("The scene " + scene.name + " is not valid.");
-    FrameSet all{.layout = scene.sensor.layout, .load_N = {}, .dead = {}};
+    FrameSet all{.layout = scene.array().sensor.layout, .load_N = {}, .dead = {}};
     const std::size_t taxels = all.layout.taxels();
     const contact::FrameConditioner conditioner(taxels, {});
     contact::FeatureExtractor features(all.layout);
@@ -542,7 +542,7 @@ int main(int argc, char** argv) {
         static WatershedRuns small(framesOf(shippedScene("tactile-two-contacts.toml")));
         compareContacts("6 x 14", small, comparisons);
         scene::Scene mat = shippedScene("tactile-mat.toml");
-        mat.sensor.layout.columns = 64;
+        mat.array().sensor.layout.columns = 64;
         static WatershedRuns large(framesOf(mat));
         compareContacts("64 x 64", large, comparisons);
     } catch (const std::exception& error) {

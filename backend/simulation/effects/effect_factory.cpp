@@ -24,9 +24,12 @@ void addListed(const scene::Scene& scene, std::vector<std::unique_ptr<Effect>>& 
 
 } // namespace
 
-std::vector<std::unique_ptr<Effect>> makeEffects(const scene::Scene& scene, std::uint64_t seed) {
+std::vector<std::unique_ptr<Effect>> makeEffects(const scene::Scene& scene, double frameRate_Hz,
+                                                 std::uint64_t seed) {
     using Name = std::string_view;
-    const core::ArrayLayout& layout = scene.sensor.layout;
+    const core::ArrayLayout& layout = scene.taxels();
+    const double fullScale_N =
+        scene.isArm() ? scene.arm().skin.fullScale_N : scene.array().sensor.fullScale_N;
     std::vector<std::unique_ptr<Effect>> effects;
     addListed<scene::CrosstalkSpec>(scene, effects, [&](Name name, const scene::CrosstalkSpec& spec) {
         return std::make_unique<Crosstalk>(name, spec, layout);
@@ -35,13 +38,13 @@ std::vector<std::unique_ptr<Effect>> makeEffects(const scene::Scene& scene, std:
         return std::make_unique<Hysteresis>(name, spec, layout);
     });
     addListed<scene::DriftSpec>(scene, effects, [&](Name name, const scene::DriftSpec& spec) {
-        return std::make_unique<Drift>(name, spec, layout, 1.0 / scene.rate_Hz, RandomStream(seed, name));
+        return std::make_unique<Drift>(name, spec, layout, 1.0 / frameRate_Hz, RandomStream(seed, name));
     });
     addListed<scene::NoiseSpec>(scene, effects, [&](Name name, const scene::NoiseSpec& spec) {
         return std::make_unique<Noise>(name, spec, RandomStream(seed, name));
     });
     addListed<scene::SaturationSpec>(scene, effects, [&](Name name, const scene::SaturationSpec&) {
-        return std::make_unique<Saturation>(name, scene.sensor.fullScale_N);
+        return std::make_unique<Saturation>(name, fullScale_N);
     });
     addListed<scene::QuantizationSpec>(scene, effects, [&](Name name, const scene::QuantizationSpec& spec) {
         return std::make_unique<Quantization>(name, spec);

@@ -10,8 +10,9 @@
 
 namespace teleta::simulation {
 
-/// The effects that a valid scene lists, and no others, in the order in which they act:
+/// The effects on taxels that a valid scene lists, and no others, in the order in which they act:
 /// crosstalk, hysteresis; drift, noise, saturation, quantization, dead_taxels.
-[[nodiscard]] std::vector<std::unique_ptr<Effect>> makeEffects(const scene::Scene& scene, std::uint64_t seed);
+[[nodiscard]] std::vector<std::unique_ptr<Effect>> makeEffects(const scene::Scene& scene, double frameRate_Hz,
+                                                               std::uint64_t seed);
 
 } // namespace teleta::simulation

@@ -335,9 +335,9 @@ TEST(ContactSegmenter, aBarThatTurnsStaysOneContact) {
     const scene::Scene scene = shipped("tactile-indenter.toml");
     const auto array = simulation::SimulatedArray::make(scene, 1);
     ASSERT_TRUE(array);
-    ContactSegmenter segmenter(scene.sensor.layout);
-    ContactSegmenter fine(scene.sensor.layout, noise(0.1));
-    std::vector<float> load_N(scene.sensor.layout.taxels());
+    ContactSegmenter segmenter(scene.array().sensor.layout);
+    ContactSegmenter fine(scene.array().sensor.layout, noise(0.1));
+    std::vector<float> load_N(scene.array().sensor.layout.taxels());
     int frames = 0;
     std::size_t most = 0;
     for (int i = 0; i < 3720; ++i) {
@@ -360,8 +360,8 @@ TEST(ContactSegmenter, twoBallsStayTwoContactsAlsoWhereTheyTouch) {
     const scene::Scene scene = shipped("tactile-two-contacts.toml");
     const auto array = simulation::SimulatedArray::make(scene, 1);
     ASSERT_TRUE(array);
-    ContactSegmenter segmenter(scene.sensor.layout);
-    std::vector<float> load_N(scene.sensor.layout.taxels());
+    ContactSegmenter segmenter(scene.array().sensor.layout);
+    std::vector<float> load_N(scene.array().sensor.layout.taxels());
     double nearest_m = 1.0;
     for (int i = 0; i < 2600; ++i) {
         (*array)->next(load_N, false);

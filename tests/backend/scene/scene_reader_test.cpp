@@ -89,14 +89,14 @@ time_constant_s = 30
     EXPECT_EQ(scene->description, "D");
     EXPECT_EQ(scene->duration_s, 4.0);
     EXPECT_EQ(scene->rate_Hz, 200.0);
-    EXPECT_EQ(scene->sensor.layout, (core::ArrayLayout{6, 14, 0.0034}));
-    EXPECT_EQ(scene->sensor.stiffness_NPerM, 1200.0);
-    EXPECT_EQ(scene->sensor.fullScale_N, 2.89);
-    EXPECT_EQ(scene->sensor.firingThreshold_N, 0.2);
-    ASSERT_EQ(scene->indenters.size(), 4U);
-    EXPECT_EQ(std::get<scene::Sphere>(scene->indenters[0].shape).radius_m, 0.01);
-    EXPECT_FALSE(scene->indenters[0].loop);
-    const scene::Indenter& bar = scene->indenters[1];
+    EXPECT_EQ(scene->array().sensor.layout, (core::ArrayLayout{6, 14, 0.0034}));
+    EXPECT_EQ(scene->array().sensor.stiffness_NPerM, 1200.0);
+    EXPECT_EQ(scene->array().sensor.fullScale_N, 2.89);
+    EXPECT_EQ(scene->array().sensor.firingThreshold_N, 0.2);
+    ASSERT_EQ(scene->array().indenters.size(), 4U);
+    EXPECT_EQ(std::get<scene::Sphere>(scene->array().indenters[0].shape).radius_m, 0.01);
+    EXPECT_FALSE(scene->array().indenters[0].loop);
+    const scene::Indenter& bar = scene->array().indenters[1];
     EXPECT_EQ(bar.name, "bar");
     EXPECT_EQ(std::get<scene::Cylinder>(bar.shape).radius_m, 0.004);
     EXPECT_EQ(std::get<scene::Cylinder>(bar.shape).length_m, 0.03);
@@ -108,8 +108,8 @@ time_constant_s = 30
     EXPECT_EQ(bar.keyframes[0].depth_m, -0.01);
     EXPECT_EQ(bar.keyframes[0].angle_rad, 0.3);
     EXPECT_EQ(bar.keyframes[1].y_m, 0.0);
-    EXPECT_EQ(std::get<scene::BoxEdge>(scene->indenters[2].shape).length_m, 0.05);
-    EXPECT_EQ(std::get<scene::FlatPunch>(scene->indenters[3].shape).width_m, 0.01);
+    EXPECT_EQ(std::get<scene::BoxEdge>(scene->array().indenters[2].shape).length_m, 0.05);
+    EXPECT_EQ(std::get<scene::FlatPunch>(scene->array().indenters[3].shape).width_m, 0.01);
     ASSERT_EQ(scene->effects.size(), 3U);
     EXPECT_EQ(nameOf(scene->effects[0]), "noise");
     EXPECT_EQ(scene->effects[0].why, "w");
@@ -128,7 +128,7 @@ TEST(SceneReader, placesWhatIsWrongInTheSensor) {
                 "[[effects]]\nname = \"dead_taxels\"\nwhy = \"w\"\n"
                 "taxels = [{ row = 3, column = 3 }]\n"),
         "s.toml:5:2: unknown key \"sensr\"; perhaps \"sensor\" is meant (expected one of: name, description, "
-        "duration_s, rate_Hz, sensor, indenter, effects)");
+        "duration_s, rate_Hz, arm, sensor, indenter, effects)");
     EXPECT_EQ(errorOf(kHead + kSensor + "pitch = 1\n" + kIndenter),
               "s.toml:12:1: \"pitch\" has no unit in its name (expected pitch_m)");
     EXPECT_EQ(errorOf(kHead + "[sensor]\nkind = \"aray\"\n" + kIndenter),
@@ -200,17 +200,18 @@ TEST(CheckScene, refusesWhatNoFileCouldSay) {
     };
     EXPECT_TRUE(broken([](scene::Scene& s) { s.rate_Hz = 0.0; }));
     EXPECT_TRUE(broken([](scene::Scene& s) { s.rate_Hz = std::nan(""); }));
-    EXPECT_TRUE(broken([](scene::Scene& s) { s.sensor.layout.rows = 0; }));
-    EXPECT_TRUE(broken([](scene::Scene& s) { s.sensor.layout.columns = 1025; }));
-    EXPECT_TRUE(broken([](scene::Scene& s) { s.sensor.layout.pitch_m = 0.0; }));
-    EXPECT_TRUE(broken([](scene::Scene& s) { s.sensor.stiffness_NPerM = -1.0; }));
-    EXPECT_TRUE(broken([](scene::Scene& s) { s.sensor.firingThreshold_N = -1.0; }));
-    EXPECT_TRUE(broken([](scene::Scene& s) { s.indenters[0].shape = scene::Sphere{0.0}; }));
-    EXPECT_TRUE(broken([](scene::Scene& s) { s.indenters[0].shape = scene::FlatPunch{0.1, -0.1}; }));
-    EXPECT_TRUE(broken([](scene::Scene& s) { s.indenters[0].keyframes.clear(); }));
-    EXPECT_TRUE(broken([](scene::Scene& s) { s.indenters[0].keyframes[0].x_m = std::nan(""); }));
-    EXPECT_TRUE(
-        broken([](scene::Scene& s) { s.indenters[0].keyframes.push_back(s.indenters[0].keyframes[0]); }));
+    EXPECT_TRUE(broken([](scene::Scene& s) { s.array().sensor.layout.rows = 0; }));
+    EXPECT_TRUE(broken([](scene::Scene& s) { s.array().sensor.layout.columns = 1025; }));
+    EXPECT_TRUE(broken([](scene::Scene& s) { s.array().sensor.layout.pitch_m = 0.0; }));
+    EXPECT_TRUE(broken([](scene::Scene& s) { s.array().sensor.stiffness_NPerM = -1.0; }));
+    EXPECT_TRUE(broken([](scene::Scene& s) { s.array().sensor.firingThreshold_N = -1.0; }));
+    EXPECT_TRUE(broken([](scene::Scene& s) { s.array().indenters[0].shape = scene::Sphere{0.0}; }));
+    EXPECT_TRUE(broken([](scene::Scene& s) { s.array().indenters[0].shape = scene::FlatPunch{0.1, -0.1}; }));
+    EXPECT_TRUE(broken([](scene::Scene& s) { s.array().indenters[0].keyframes.clear(); }));
+    EXPECT_TRUE(broken([](scene::Scene& s) { s.array().indenters[0].keyframes[0].x_m = std::nan(""); }));
+    EXPECT_TRUE(broken([](scene::Scene& s) {
+        s.array().indenters[0].keyframes.push_back(s.array().indenters[0].keyframes[0]);
+    }));
     EXPECT_TRUE(broken([](scene::Scene& s) { s.effects.push_back(s.effects[0]); }));
     EXPECT_TRUE(broken([](scene::Scene& s) {
         s.effects[0].parameters = scene::DeadTaxelsSpec{.taxels = {{.row = 0, .column = 14}}};

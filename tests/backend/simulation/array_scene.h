@@ -16,7 +16,7 @@ inline scene::Scene emptyScene() {
     scene.name = "test";
     scene.duration_s = 1.0;
     scene.rate_Hz = 200.0;
-    scene.sensor = {
+    scene.array().sensor = {
         .layout = {6, 14, 0.0034}, .stiffness_NPerM = 1200.0, .fullScale_N = 2.89, .firingThreshold_N = 0.0};
     return scene;
 }
@@ -24,9 +24,10 @@ inline scene::Scene emptyScene() {
 /// The same with a body that stays in one place.
 inline scene::Scene pressedScene(const scene::IndenterShape& shape, const Pose& pose) {
     scene::Scene scene = emptyScene();
-    scene.indenters.push_back({.name = "body",
-                               .shape = shape,
-                               .keyframes = {{0.0, pose.x_m, pose.y_m, pose.depth_m, pose.angle_rad}}});
+    scene.array().indenters.push_back(
+        {.name = "body",
+         .shape = shape,
+         .keyframes = {{0.0, pose.x_m, pose.y_m, pose.depth_m, pose.angle_rad}}});
     return scene;
 }
 

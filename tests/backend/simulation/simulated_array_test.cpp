@@ -90,9 +90,10 @@ TEST(SimulatedArray, advancesByOnePeriodAFrame) {
 
 TEST(SimulatedArray, followsTheMotionAndKnowsTheTruth) {
     scene::Scene scene = emptyScene();
-    scene.indenters = {{.name = "ball",
-                        .shape = scene::Sphere{0.008},
-                        .keyframes = {{0.0, 0.0, 0.0, -0.001, 0.0}, {1.0, 0.004, 0.001, 0.001, 0.0}}}};
+    scene.array().indenters = {
+        {.name = "ball",
+         .shape = scene::Sphere{0.008},
+         .keyframes = {{0.0, 0.0, 0.0, -0.001, 0.0}, {1.0, 0.004, 0.001, 0.001, 0.0}}}};
     const auto array = make(scene);
     frames(*array, 1);
     EXPECT_EQ(array->truth().indenters[0].load.force_N, 0.0);
@@ -134,7 +135,7 @@ TEST(SimulatedArray, holdsTheMotionButNotTheSensorWhileStopIsEngaged) {
 TEST(SimulatedArray, readsNothingBelowTheFiringThreshold) {
     scene::Scene scene = pressedScene(scene::Sphere{0.012}, {0.001, 0.0005, 0.001, 0.0});
     const Frame all = frames(*make(scene), 1)[0];
-    scene.sensor.firingThreshold_N = 0.2;
+    scene.array().sensor.firingThreshold_N = 0.2;
     const Frame fired = frames(*make(scene), 1)[0];
     int silent = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -192,7 +193,7 @@ TEST(SimulatedArray, conservesTheTotalForceThroughCrosstalk) {
 
 TEST(SimulatedArray, refusesASceneThatIsNotValid) {
     scene::Scene scene = emptyScene();
-    scene.sensor.layout.rows = 0;
+    scene.array().sensor.layout.rows = 0;
     EXPECT_FALSE(SimulatedArray::make(scene, 1));
     EXPECT_FALSE(makeTactileArray(scene, 1));
     const auto generator = makeTactileArray(emptyScene(), 1);

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/arm_device.h"
+#include "backend/core/array_layout.h"
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace teleta::scene {
+
+/// The motors follow the reference like a critically damped filter, whatever the load: the controller adds
+/// the measured torque to the motor's (torque feedback).
+struct PositionControl {
+    double bandwidth_radPerS = 60.0; ///< > 0
+};
+
+/// The motors yield to the joint torque like a mass on a damped spring, see arm::JointAdmittance.
+struct AdmittanceControl {
+    double inertia_kgm2 = 0.1;        ///< >= 0
+    double damping_NmsPerRad = 2.0;   ///< >= 0
+    double stiffness_NmPerRad = 10.0; ///< > 0
+};
+
+using JointControl = std::variant<PositionControl, AdmittanceControl>;
+
+/// The arm of arm::Arm4Kinematics: two links, uniform round bars, behind joints that twist.
+struct ArmBody {
+    double upperArmLength_m = 0.30;
+    double forearmLength_m = 0.27;
+    double halfThickness_m = 0.030;
+    double upperArmMass_kg = 1.5;
+    double forearmMass_kg = 1.0;
+    double jointInertia_kgm2 = 0.005;    ///< on the link's side of each joint
+    double jointDamping_NmsPerRad = 0.2; ///< of the twist; takes the ringing from the links
+    /// Between motor and link. The elbow's follows from the paper's k_ri and P_C: k_ri P_C^2.
+    core::JointArray jointStiffness_NmPerRad{2000.0, 2000.0, 2000.0, 3468.6 * 0.175 * 0.175};
+    core::JointArray start_rad{};
+    core::JointArray lowest_rad{-2.0, -1.6, -2.0, -0.2};
+    core::JointArray highest_rad{2.0, 1.6, 2.0, 2.6};
+    core::JointArray fastest_radPerS{1.0, 1.0, 1.0, 1.0};
+    double highestTorque_Nm = 10.0; ///< at which the controller lets no joint go on against its load
+};
+
+/// The tactile skin around the forearm. A sheet that is longer than the forearm's circumference overlaps;
+/// what presses on the overlap is felt by both layers.
+struct ArmSkin {
+    core::ArrayLayout layout{20, 24, 0.0094};
+    double rate_Hz = 200.0; ///< > 0; frames are read at the joint sample that follows
+    double centreDistance_m = 0.14;
+    double centreSide_rad = 0.0;
+    double fullScale_N = 2.0;       ///< load at which a taxel saturates, when the scene lists that effect
+    double firingThreshold_N = 0.0; ///< a taxel whose load is below this reads 0
+};
+
+/// A round object.
+struct RoundOutline {
+    double radius_m = 0.0; ///< > 0
+};
+
+/// A box; its length is along x at angle 0.
+struct RectangleOutline {
+    double length_m = 0.0; ///< > 0
+    double width_m = 0.0;  ///< > 0
+};
+
+/// An equilateral triangle; one corner is on the x axis at angle 0.
+struct TriangleOutline {
+    double side_m = 0.0; ///< > 0
+};
+
+/// A wall without end; its surface faces x at angle 0.
+struct WallOutline {};
+
+using Outline = std::variant<RoundOutline, RectangleOutline, TriangleOutline, WallOutline>;
+
+/// Something upright that the forearm can touch along its rim, an outline in a plane z = z_m of the base. It
+/// yields like a spring, normal to the surface.
+struct ArmObject {
+    std::string name;
+    Outline outline;
+    double x_m = 0.0; ///< centre of the outline, a point of the surface of a wall; in the base
+    double y_m = 0.0;
+    double z_m = 0.0;
+    double angle_rad = 0.0;       ///< about z
+    double stiffness_NPerM = 0.0; ///< > 0
+};
+
+/// One object after the other is touched with the elbow, from below; only the object whose turn it is exists.
+///   to the clearance -> slowly until the torque limit -> hold -> back
+struct TouchProgram {
+    double approach_radPerS = 0.006;
+    double travel_radPerS = 0.5;
+    double clearance_rad = 0.01; ///< before the first contact, where the slow approach begins
+    double retract_rad = 0.1;    ///< before the first contact, where the next object takes its place
+    double torqueLimit_Nm = 0.08;
+    double hold_s = 0.2;
+};
+
+/// The forearm hangs down beside the first object and touches it from directions all around.
+struct ContourProgram {
+    int directions = 24;         ///< 3 .. 360, evenly spaced
+    double startAngle_rad = 0.0; ///< of the first direction, about z
+    double approach_mPerS = 0.004;
+    double travel_mPerS = 0.1;
+    double clearance_m = 0.004; ///< of the surface, where the slow approach begins
+    double retract_m = 0.02;    ///< of the surface, on the way around
+    double torqueLimit_Nm = 0.08;
+    double hold_s = 0.1;
+};
+
+/// Somebody pushes the forearm: half a sine of force over the duration.
+struct Push {
+    double time_s = 0.0;
+    double duration_s = 0.0; ///< > 0
+    double distance_m = 0.0; ///< from the elbow along the forearm
+    double forceX_N = 0.0;   ///< in the base
+    double forceY_N = 0.0;
+    double forceZ_N = 0.0;
+};
+
+/// Where the references are at a time; between two waypoints they move smoothly and rest at both.
+struct Waypoint {
+    double time_s = 0.0;
+    core::JointArray reference_rad{};
+};
+
+/// The arm follows waypoints while it is pushed.
+struct YieldProgram {
+    std::vector<Waypoint> waypoints{}; ///< times strictly increasing; empty: the arm stays
+    std::vector<Push> pushes{};
+};
+
+using ArmProgram = std::variant<TouchProgram, ContourProgram, YieldProgram>;
+
+/// A remote arm among objects.
+struct ArmWorld {
+    ArmBody body;
+    JointControl control;
+    ArmSkin skin;
+    std::vector<ArmObject> objects;
+    ArmProgram program;
+};
+
+} // namespace teleta::scene

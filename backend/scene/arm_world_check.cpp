@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/scene/arm_world_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+namespace teleta::scene {
+
+namespace {
+
+bool arePositive(std::initializer_list<double> values) {
+    return std::ranges::all_of(values, [](double value) { return std::isfinite(value) && value > 0.0; });
+}
+
+bool areNotNegative(std::initializer_list<double> values) {
+    return std::ranges::all_of(values, [](double value) { return std::isfinite(value) && value >= 0.0; });
+}
+
+bool areFinite(std::initializer_list<double> values) {
+    return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+}
+
+bool isFinite(const core::JointArray& values) {
+    return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+}
+
+bool isValid(const ArmBody& body) {
+    for (std::size_t j = 0; j < core::kArmJoints; ++j) {
+        if (!arePositive({body.jointStiffness_NmPerRad[j], body.fastest_radPerS[j]}) ||
+            !areFinite({body.lowest_rad[j], body.highest_rad[j]}) ||
+            !(body.start_rad[j] >= body.lowest_rad[j] && body.start_rad[j] <= body.highest_rad[j]))
+            return false;
+    }
+    return arePositive({body.upperArmLength_m, body.forearmLength_m, body.halfThickness_m,
+                        body.upperArmMass_kg, body.forearmMass_kg, body.jointInertia_kgm2,
+                        body.highestTorque_Nm}) &&
+           areNotNegative({body.jointDamping_NmsPerRad});
+}
+
+struct ControlIsValid {
+    bool operator()(const PositionControl& control) const { return arePositive({control.bandwidth_radPerS}); }
+    bool operator()(const AdmittanceControl& control) const {
+        return areNotNegative({control.inertia_kgm2, control.damping_NmsPerRad}) &&
+               arePositive({control.stiffness_NmPerRad});
+    }
+};
+
+bool isValid(const ArmSkin& skin) {
+    const auto side = [](int taxels) { return taxels >= 1 && taxels <= core::ArrayLayout::kMaximumSide; };
+    return side(skin.layout.rows) && side(skin.layout.columns) &&
+           arePositive({skin.layout.pitch_m, skin.rate_Hz, skin.fullScale_N}) &&
+           areFinite({skin.centreDistance_m, skin.centreSide_rad}) &&
+           areNotNegative({skin.firingThreshold_N});
+}
+
+struct OutlineIsValid {
+    bool operator()(const RoundOutline& outline) const { return arePositive({outline.radius_m}); }
+    bool operator()(const RectangleOutline& outline) const {
+        return arePositive({outline.length_m, outline.width_m});
+    }
+    bool operator()(const TriangleOutline& outline) const { return arePositive({outline.side_m}); }
+    bool operator()(const WallOutline&) const { return true; }
+};
+
+bool isValid(const ArmObject& object) {
+    return std::visit(OutlineIsValid(), object.outline) &&
+           areFinite({object.x_m, object.y_m, object.z_m, object.angle_rad}) &&
+           arePositive({object.stiffness_NPerM});
+}
+
+struct ProgramIsValid {
+    std::size_t objects;
+
+    bool operator()(const TouchProgram& program) const {
+        return objects > 0 &&
+               arePositive({program.approach_radPerS, program.travel_radPerS, program.clearance_rad,
+                            program.retract_rad, program.torqueLimit_Nm}) &&
+               areNotNegative({program.hold_s});
+    }
+    bool operator()(const ContourProgram& program) const {
+        return objects > 0 && program.directions >= 3 && program.directions <= 360 &&
+               std::isfinite(program.startAngle_rad) &&
+               arePositive({program.approach_mPerS, program.travel_mPerS, program.clearance_m,
+                            program.retract_m, program.torqueLimit_Nm}) &&
+               areNotNegative({program.hold_s});
+    }
+    bool operator()(const YieldProgram& program) const {
+        const bool waypoints =
+            std::ranges::all_of(program.waypoints,
+                                [](const Waypoint& waypoint) {
+                                    return std::isfinite(waypoint.time_s) && isFinite(waypoint.reference_rad);
+                                }) &&
+            std::ranges::adjacent_find(program.waypoints, std::ranges::greater_equal{}, &Waypoint::time_s) ==
+                program.waypoints.end();
+        return waypoints && std::ranges::all_of(program.pushes, [](const Push& push) {
+                   return arePositive({push.duration_s}) && areNotNegative({push.time_s, push.distance_m}) &&
+                          areFinite({push.forceX_N, push.forceY_N, push.forceZ_N});
+               });
+    }
+};
+
+} // namespace
+
+ArmWorldCheck checkArmWorld(const ArmWorld& world) {
+    if (!isValid(world.body))
+        return {ArmWorldFault::body};
+    if (!std::visit(ControlIsValid(), world.control))
+        return {ArmWorldFault::control};
+    if (!isValid(world.skin))
+        return {ArmWorldFault::skin};
+    for (std::size_t i = 0; i < world.objects.size(); ++i) {
+        if (!isValid(world.objects[i]))
+            return {ArmWorldFault::object, i};
+    }
+    if (!std::visit(ProgramIsValid{world.objects.size()}, world.program))
+        return {ArmWorldFault::program};
+    return {};
+}
+
+} // namespace teleta::scene
