@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/tactors.h"
+#include "widgets/base/badge.h"
+
+#include <QPointF>
+#include <QRectF>
+#include <QString>
+#include <QWidget>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+namespace teleta::bracelet {
+
+/// Where the parts of the view lie. Thread: any (pure).
+struct BraceletLayout {
+    BraceletLayout(const QRectF& rect, const QFont& font);
+
+    double em = 16.0;
+    QRectF title, arm, note;
+    double radius = 0.0; ///< of a tactor
+    std::array<QPointF, core::kTactors> centre;
+
+    [[nodiscard]] std::optional<std::size_t> tactorAt(const QPointF& point) const;
+};
+
+/// The six tactors on the forearm, unrolled: from left to right around the arm (0 to 300 degrees), every
+/// other one shifted along it. Each is filled as much as it vibrates. Where holding is allowed, a tactor
+/// vibrates while the mouse or its key 1..6 is held on it; losing the focus or the window ends it. Thread:
+/// GUI.
+class BraceletView : public QWidget {
+    Q_OBJECT
+public:
+    explicit BraceletView(QWidget* parent = nullptr);
+
+    /// What each tactor does now; clamped to 0..1, NaN is off.
+    void setIntensities(const core::Intensities& intensities);
+    [[nodiscard]] const core::Intensities& intensities() const { return m_intensities; }
+    /// What is played, in a line.
+    void setTitle(const QString& title);
+    /// What there is to know of the bracelet: that there is none, that STOP is engaged.
+    void setNote(const QString& note);
+    void setProvenance(base::Provenance provenance);
+    /// Whether a person may feel single tactors by holding them; off at first.
+    void setHoldable(bool holdable);
+
+    [[nodiscard]] BraceletLayout layoutNow() const;
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+signals:
+    /// A tactor, 0..5, is held from now on; empty: none is.
+    void held(std::optional<std::size_t> tactor);
+
+protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void retranslate();
+    void describe();
+    void hold(std::optional<std::size_t> tactor);
+
+    core::Intensities m_intensities{};
+    QString m_title;
+    QString m_note;
+    base::Provenance m_provenance = base::Provenance::live;
+    bool m_holdable = false;
+    std::optional<std::size_t> m_held;
+};
+
+} // namespace teleta::bracelet
