@@ -38,4 +38,34 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>GaugeTexts</name>
+    <message numerus="yes">
+        <source>%n sample(s)</source>
+        <translation>
+            <numerusform>%n sample</numerusform>
+            <numerusform>%n samples</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>teleta::touch::TouchModel</name>
+    <message numerus="yes">
+        <source>95 % interval in brackets; %1, %n sample(s)</source>
+        <translation>
+            <numerusform>95 % interval in brackets; %1, %n sample</numerusform>
+            <numerusform>95 % interval in brackets; %1, %n samples</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>teleta::touch::TouchTable</name>
+    <message numerus="yes">
+        <source>%n touch(es)</source>
+        <translation>
+            <numerusform>%n touch</numerusform>
+            <numerusform>%n touches</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

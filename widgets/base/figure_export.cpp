@@ -154,6 +154,11 @@ void FigureExport::addActions(QMenu& menu) {
     menu.addAction(tr("Save Da&ta…"), this, [this] { askAndSave(false); });
 }
 
+void FigureExport::addDataActions(QMenu& menu) {
+    menu.addAction(tr("Copy &Data"), this, [this] { copyData(m_make()); });
+    menu.addAction(tr("Save Da&ta…"), this, [this] { askAndSave(false); });
+}
+
 void FigureExport::askAndSave(bool picture) {
     // Made now: what is saved is what was on the screen when the user asked.
     const Figure figure = m_make();

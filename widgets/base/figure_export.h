@@ -48,6 +48,8 @@ public:
 
     /// Appends Copy Picture, Copy Data, Save Picture, Save Data.
     void addActions(QMenu& menu);
+    /// Only Copy Data and Save Data, for what is no picture.
+    void addDataActions(QMenu& menu);
 
 signals:
     void saved(const QString& path);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/sample_touch.h"
+#include "tests/widgets/touch/sample_records.h"
 #include "widgets/base/theme.h"
 #include "widgets/charts/strip_chart_view.h"
 #include "widgets/tactile/heatmap_view.h"
+#include "widgets/touch/stiffness_gauge.h"
+#include "widgets/touch/touch_table.h"
 
 #include <QApplication>
 #include <QDir>
@@ -80,8 +83,52 @@ std::unique_ptr<QWidget> pausedCharts() {
     return view;
 }
 
+std::unique_ptr<QWidget> gauge(const std::optional<stiffness::TouchStiffness>& touch) {
+    auto view = std::make_unique<touch::StiffnessGauge>();
+    view->setProvenance(base::Provenance::simulated);
+    view->setTouch(touch);
+    return view;
+}
+
+std::unique_ptr<QWidget> refusedGauge() {
+    auto view = std::make_unique<touch::StiffnessGauge>();
+    view->setRefusal(stiffness::Refusal::windowNotReached);
+    return view;
+}
+
+std::unique_ptr<QWidget> touches(bool some) {
+    auto view = std::make_unique<touch::TouchTable>();
+    view->setProvenance(base::Provenance::simulated);
+    if (!some)
+        return view;
+    view->append(test::recordOf(1, test::estimateOf(282.0, 270.0, 295.0)));
+    view->append(test::recordOf(2, test::estimateOf(1325.9, 1290.0, 1360.0)));
+    view->append(test::recordOf(3, test::estimateOf(7223.9, 6100.0, 9300.0)));
+    view->append(test::recordOf(4, test::boundOf(21000.0)));
+    pipeline::TouchRecord light = test::recordOf(5, std::nullopt);
+    light.refusal = stiffness::Refusal::windowNotReached;
+    view->append(light);
+    pipeline::TouchRecord unfelt = test::recordOf(6, std::nullopt);
+    unfelt.located = false;
+    unfelt.force.reset();
+    view->append(unfelt);
+    view->select(3);
+    return view;
+}
+
 std::vector<Exhibit> exhibits() {
     return {
+        {QStringLiteral("gauge"), QSize(400, 220),
+         [] { return gauge(test::estimateOf(1325.9, 1290.0, 1360.0)); }},
+        {QStringLiteral("gauge_bound"), QSize(400, 220), [] { return gauge(test::boundOf(21000.0)); }},
+        {QStringLiteral("gauge_wide"), QSize(560, 320),
+         [] { return gauge(test::estimateOf(7223.9, 5100.0, 12300.0)); }},
+        {QStringLiteral("gauge_small"), QSize(290, 190),
+         [] { return gauge(test::estimateOf(9000.0, 5000.0, std::nullopt)); }},
+        {QStringLiteral("gauge_empty"), QSize(400, 220), [] { return gauge(std::nullopt); }},
+        {QStringLiteral("gauge_refused"), QSize(400, 220), refusedGauge},
+        {QStringLiteral("touches"), QSize(1120, 240), [] { return touches(true); }},
+        {QStringLiteral("touches_empty"), QSize(700, 160), [] { return touches(false); }},
         {QStringLiteral("charts"), QSize(820, 560), [] { return charts(false); }},
         {QStringLiteral("charts_all"), QSize(820, 760), [] { return charts(true); }},
         {QStringLiteral("charts_paused"), QSize(560, 440), pausedCharts},

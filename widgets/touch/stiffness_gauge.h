@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/base/figure_export.h"
+#include "widgets/touch/gauge_content.h"
+#include "widgets/touch/gauge_painter.h"
+
+#include <QWidget>
+
+#include <optional>
+
+class QMenu;
+
+namespace teleta::touch {
+
+/// Stiffness of the object that was touched last, on a logarithmic scale with the classes of the paper's
+/// objects: the estimate with its 95 % interval, or the bound when only that is known, and whether the object
+/// is safe, by colour, word and shape. Ctrl+C copies the picture. Thread: GUI.
+class StiffnessGauge : public QWidget {
+    Q_OBJECT
+public:
+    explicit StiffnessGauge(QWidget* parent = nullptr);
+
+    /// Shows an estimate; empty: nothing was touched yet.
+    void setTouch(const std::optional<stiffness::TouchStiffness>& touch);
+    /// Shows why the last touch has no estimate.
+    void setRefusal(stiffness::Refusal refusal);
+    void setProvenance(base::Provenance provenance);
+    /// What to do while nothing was touched.
+    void setEmptyText(const QString& text);
+
+    [[nodiscard]] const GaugeContent& content() const { return m_content; }
+    /// Where the parts are now.
+    [[nodiscard]] GaugeLayout layoutNow() const;
+    /// What the tool tip says at a point.
+    [[nodiscard]] QString toolTipAt(const QPointF& point) const;
+    [[nodiscard]] base::Figure figure() const;
+    void populateMenu(QMenu& menu);
+
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+signals:
+    void exported(const QString& path);
+    void exportFailed(const QString& message);
+
+protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void retranslate();
+    void shown();
+
+    GaugeContent m_content;
+    bool m_defaultEmptyText = true;
+    base::FigureExport* m_export;
+};
+
+} // namespace teleta::touch

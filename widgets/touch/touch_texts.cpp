@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/touch/touch_texts.h"
+
+#include "widgets/base/number_format.h"
+
+namespace teleta::touch {
+
+using contour::Shape;
+using core::ArmDrive;
+using stiffness::Material;
+using stiffness::Method;
+using stiffness::Refusal;
+
+namespace {
+constexpr QChar kFigureSpace(0x2007);
+constexpr QChar kNoBreakSpace(0x00a0);
+} // namespace
+
+QString TouchTexts::material(Material material) {
+    switch (material) {
+    case Material::sponge:
+        return tr("sponge");
+    case Material::rubberSponge:
+        return tr("rubber sponge");
+    case Material::rubber:
+        return tr("rubber");
+    case Material::wood:
+        return tr("wood");
+    case Material::metal:
+        return tr("metal");
+    }
+    return {};
+}
+
+QString TouchTexts::shape(Shape shape) {
+    switch (shape) {
+    case Shape::circle:
+        return tr("circle");
+    case Shape::rectangle:
+        return tr("rectangle");
+    case Shape::triangle:
+        return tr("triangle");
+    case Shape::arc:
+        return tr("arc");
+    case Shape::line:
+        return tr("line");
+    case Shape::point:
+        return tr("point");
+    case Shape::unknown:
+        return tr("unknown shape");
+    }
+    return {};
+}
+
+QString TouchTexts::safety(bool safe) {
+    return safe ? tr("SAFE") : tr("DANGER");
+}
+
+QString TouchTexts::method(Method method) {
+    return method == Method::twoPoint ? tr("two points") : tr("regression");
+}
+
+QString TouchTexts::refusal(Refusal refusal) {
+    switch (refusal) {
+    case Refusal::notFinite:
+    case Refusal::outOfRange:
+        return tr("The readings of angle or torque are not usable numbers. Check the arm's sensors.");
+    case Refusal::notPositive:
+        return tr("The contact lies on the joint's axis, or the link's stiffness is not set: nothing to "
+                  "divide by.");
+    case Refusal::negativeUncertainty:
+        return tr("The noise of the arm's readings is set below zero.");
+    case Refusal::badWindow:
+        return tr("The torque window is empty: its upper end must lie above its lower end.");
+    case Refusal::noSamples:
+        return tr("No joint samples came in during the touch.");
+    case Refusal::windowNotReached:
+        return tr("The touch was too light: the torque did not reach the torque window. Press harder.");
+    case Refusal::tooFewSamples:
+        return tr("The touch was too quick: fewer than two samples lie in the torque window. Press slower.");
+    case Refusal::torqueUnchanged:
+        return tr("The torque did not change within the torque window. Press with rising force.");
+    case Refusal::angleOpposesTorque:
+        return tr("The joint turned against the rising torque: the object moved, or a sign is wrong.");
+    }
+    return {};
+}
+
+QString TouchTexts::joint(std::size_t joint) {
+    switch (joint) {
+    case 0:
+        return tr("shoulder roll");
+    case 1:
+        return tr("shoulder pitch");
+    case 2:
+        return tr("shoulder yaw");
+    case 3:
+        return tr("elbow pitch");
+    default:
+        return {};
+    }
+}
+
+QString TouchTexts::drive(ArmDrive drive) {
+    switch (drive) {
+    case ArmDrive::stopped:
+        return tr("stopped");
+    case ArmDrive::held:
+        return tr("held");
+    case ArmDrive::program:
+        return tr("program");
+    case ArmDrive::jog:
+        return tr("jog");
+    }
+    return {};
+}
+
+QString TouchTexts::newtonPerMetre(double stiffness_NPerM) {
+    return base::siQuantity(stiffness_NPerM, tr("N/m")).remove(kFigureSpace);
+}
+
+QString TouchTexts::estimate(const stiffness::Stiffness& stiffness) {
+    if (stiffness.value_NPerM)
+        return newtonPerMetre(*stiffness.value_NPerM);
+    if (stiffness.lower95_NPerM)
+        return tr("at least %1 (95 %)").arg(newtonPerMetre(*stiffness.lower95_NPerM));
+    return QString(QChar(0x2014));
+}
+
+QString TouchTexts::interval(const stiffness::Stiffness& stiffness) {
+    if (stiffness.onlyBound() || !stiffness.lower95_NPerM)
+        return {};
+    const QString low = newtonPerMetre(*stiffness.lower95_NPerM);
+    if (!stiffness.upper95_NPerM)
+        return tr("%1 … rigid").arg(low);
+    const QString high = newtonPerMetre(*stiffness.upper95_NPerM);
+    const auto unitOf = [](const QString& text) { return text.section(kNoBreakSpace, 1); };
+    return tr("%1 … %2").arg(unitOf(low) == unitOf(high) ? low.section(kNoBreakSpace, 0, 0) : low, high);
+}
+
+} // namespace teleta::touch

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/contour/shape_recogniser.h"
+#include "backend/core/arm_device.h"
+#include "backend/stiffness/material.h"
+#include "backend/stiffness/refusal.h"
+#include "backend/stiffness/stiffness_estimator.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+#include <cstddef>
+
+namespace teleta::touch {
+
+/// Words for what a touch tells, translated when they are asked for.
+class TouchTexts {
+    Q_DECLARE_TR_FUNCTIONS(TouchTexts)
+
+public:
+    [[nodiscard]] static QString material(stiffness::Material material);
+    [[nodiscard]] static QString shape(contour::Shape shape);
+    /// "SAFE", "DANGER".
+    [[nodiscard]] static QString safety(bool safe);
+    [[nodiscard]] static QString method(stiffness::Method method);
+    /// Why a touch has no stiffness, and what helps; a sentence.
+    [[nodiscard]] static QString refusal(stiffness::Refusal refusal);
+    /// "shoulder roll" ... "elbow pitch"; joint < core::kArmJoints.
+    [[nodiscard]] static QString joint(std::size_t joint);
+    [[nodiscard]] static QString drive(core::ArmDrive drive);
+
+    /// Three significant digits with unit: "282 N/m", "7.22 kN/m".
+    [[nodiscard]] static QString newtonPerMetre(double stiffness_NPerM);
+    /// "1.25 kN/m", or "at least 34.7 kN/m (95 %)" when only a bound is known; a dash for neither.
+    [[nodiscard]] static QString estimate(const stiffness::Stiffness& stiffness);
+    /// The 95 % interval, "1.20 … 1.31 kN/m"; "1.20 kN/m … rigid" when rigid is not excluded; empty without
+    /// one, or when only a bound is known.
+    [[nodiscard]] static QString interval(const stiffness::Stiffness& stiffness);
+};
+
+} // namespace teleta::touch
