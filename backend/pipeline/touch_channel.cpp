@@ -51,7 +51,7 @@ void TouchChannel::clearTare() {
     m_tareRequests.post({.clear = true});
 }
 
-std::size_t TouchChannel::process() {
+std::size_t TouchChannel::process(std::vector<SkinContact>* contacts) {
     const bool changed = takeCommands();
     std::size_t frames = 0;
     while (m_source->blocks().pop(m_block)) {
@@ -63,8 +63,11 @@ std::size_t TouchChannel::process() {
             m_tracker.reset();
             m_features.reset();
         }
-        for (std::size_t index = 0; index < m_block.frames(); ++index)
+        for (std::size_t index = 0; index < m_block.frames(); ++index) {
             processFrame(m_block, index);
+            if (contacts != nullptr)
+                contacts->push_back(strongestContact());
+        }
         frames += m_block.frames();
     }
     if (frames > 0) {
@@ -119,6 +122,20 @@ void TouchChannel::processFrame(const core::SampleBlock& block, std::size_t inde
                     .sourceTime_s = m_current.sourceTime_s,
                     .discontinuity = block.discontinuity && index == 0,
                     .features = m_current.features});
+}
+
+SkinContact TouchChannel::strongestContact() const {
+    SkinContact strongest;
+    strongest.time_ns = m_current.time_ns;
+    strongest.sourceTime_s = m_current.sourceTime_s;
+    if (!m_current.contacts.empty()) {
+        const contact::Contact& first = m_current.contacts.front(); // in order of falling force
+        strongest.touching = true;
+        strongest.x_m = first.x_m;
+        strongest.y_m = first.y_m;
+        strongest.force_N = first.force_N;
+    }
+    return strongest;
 }
 
 void TouchChannel::analyse(const core::SampleBlock& block, std::size_t index) {

@@ -7,6 +7,7 @@
 #include "backend/core/latest_copy.h"
 #include "backend/core/latest_exchange.h"
 #include "backend/core/mailbox.h"
+#include "backend/pipeline/touch_record.h"
 #include "backend/pipeline/touch_snapshot.h"
 
 #include <atomic>
@@ -62,8 +63,9 @@ public:
         return m_framesProcessed.load(std::memory_order_relaxed);
     }
 
-    /// Processes all blocks that wait. Pipeline thread. Returns the number of frames.
-    std::size_t process();
+    /// Processes all blocks that wait. Pipeline thread. Returns the number of frames. contacts: gets the
+    /// strongest contact of each frame, for the arm that wears this array.
+    std::size_t process(std::vector<SkinContact>* contacts = nullptr);
 
 private:
     struct Change {
@@ -85,6 +87,7 @@ private:
     void applySettings(ChannelSettings settings);
     bool takeCommands(); ///< true when the settings changed
     void processFrame(const core::SampleBlock& block, std::size_t index);
+    [[nodiscard]] SkinContact strongestContact() const;
     void analyse(const core::SampleBlock& block, std::size_t index);
     void accumulateTare(const core::SampleBlock& block, std::size_t index);
     void publish();

@@ -21,7 +21,26 @@ TouchPipeline::~TouchPipeline() {
     m_data.notify();
     m_computeThread.join();
     for (const Entry& entry : m_channels)
-        entry.channel->source().stop();
+        entry.stop();
+}
+
+void TouchPipeline::Entry::start(core::Wakeup& data) const {
+    channel->source().start(data);
+    if (arm)
+        arm->device().start(data);
+}
+
+void TouchPipeline::Entry::stop() const {
+    if (arm)
+        arm->device().stop();
+    channel->source().stop();
+}
+
+void TouchPipeline::Entry::process() const {
+    if (arm)
+        arm->process(); // and its skin with it
+    else
+        channel->process();
 }
 
 ChannelKey TouchPipeline::open(SourceFactory factory) {
@@ -77,30 +96,34 @@ void TouchPipeline::carryOut(Request& request) {
         if (opened) {
             event.channel =
                 std::make_shared<TouchChannel>(std::move(opened->source), std::move(opened->settings));
+            if (opened->arm)
+                event.arm =
+                    std::make_shared<ArmChannel>(std::move(opened->arm), event.channel, opened->armSettings);
+            const Entry entry{request.key, event.channel, event.arm};
             {
                 const std::scoped_lock lock(m_channelMutex);
-                m_channels.push_back({request.key, event.channel});
+                m_channels.push_back(entry);
                 ++m_channelRevision;
             }
-            event.channel->source().start(m_data);
+            entry.start(m_data);
         } else {
             event.kind = ChannelEvent::Kind::failed;
             event.error = std::move(opened.error());
         }
     } else {
         event.kind = ChannelEvent::Kind::closed;
-        std::shared_ptr<TouchChannel> channel;
+        Entry entry;
         {
             const std::scoped_lock lock(m_channelMutex);
             const auto found = std::find_if(m_channels.begin(), m_channels.end(),
-                                            [&](const Entry& entry) { return entry.key == request.key; });
+                                            [&](const Entry& open) { return open.key == request.key; });
             if (found == m_channels.end())
                 return;
-            channel = std::move(found->channel);
+            entry = std::move(*found);
             m_channels.erase(found);
             ++m_channelRevision;
         }
-        channel->source().stop();
+        entry.stop();
         m_data.notify();
     }
     const std::scoped_lock lock(m_eventMutex);
@@ -122,7 +145,7 @@ void TouchPipeline::compute(const std::stop_token& stop) {
             }
         }
         for (const Entry& entry : channels)
-            entry.channel->process();
+            entry.process();
     }
 }
 

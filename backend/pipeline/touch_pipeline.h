@@ -3,6 +3,7 @@
 
 #include "backend/core/error.h"
 #include "backend/core/wakeup.h"
+#include "backend/pipeline/arm_channel.h"
 #include "backend/pipeline/touch_channel.h"
 
 #include <condition_variable>
@@ -17,10 +18,13 @@ namespace teleta::pipeline {
 
 using ChannelKey = std::uint64_t;
 
-/// A source that was opened, with the settings that its frames start with.
+/// A source that was opened, with the settings that its frames start with. With an arm, the source is the
+/// arm's skin.
 struct OpenedSource {
     std::unique_ptr<core::TactileSource> source;
     ChannelSettings settings;
+    std::unique_ptr<core::ArmSource> arm = nullptr; ///< null for an array on its own
+    ArmSettings armSettings = {};
 };
 
 /// Opens a source: reads files, connects to a device. Runs on the pipeline's control thread and may take its
@@ -33,6 +37,7 @@ struct ChannelEvent {
     Kind kind = Kind::opened;
     ChannelKey key = 0;
     std::shared_ptr<TouchChannel> channel; ///< with opened
+    std::shared_ptr<ArmChannel> arm;       ///< with opened, when the source is the skin of an arm
     core::Error error;                     ///< with failed
 };
 
@@ -65,6 +70,11 @@ private:
     struct Entry {
         ChannelKey key = 0;
         std::shared_ptr<TouchChannel> channel;
+        std::shared_ptr<ArmChannel> arm; ///< null for an array on its own
+
+        void start(core::Wakeup& data) const;
+        void stop() const;
+        void process() const;
     };
 
     void control(const std::stop_token& stop);

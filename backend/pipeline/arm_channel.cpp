@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/pipeline/arm_channel.h"
+
+#include "backend/core/steady_time.h"
+
+#include <limits>
+#include <utility>
+
+namespace teleta::pipeline {
+
+namespace {
+
+double seconds(std::int64_t from_ns, std::int64_t to_ns) {
+    return static_cast<double>(to_ns - from_ns) * 1e-9;
+}
+
+} // namespace
+
+ArmChannel::ArmChannel(std::unique_ptr<core::ArmSource> arm, std::shared_ptr<TouchChannel> skin,
+                       const ArmSettings& settings)
+    : m_arm(std::move(arm))
+    , m_skin(std::move(skin))
+    , m_estimator(m_arm->description(), settings.touch)
+    , m_explorer(settings.contour)
+    , m_samples(kHistorySamples)
+    , m_touches(kHistoryTouches) {
+    m_settingsInUse.set(settings);
+}
+
+ArmChannel::~ArmChannel() {
+    m_arm->stop();
+}
+
+std::size_t ArmChannel::process() {
+    bool changed = takeCommands();
+
+    // Joints first: a skin frame that was read before them is then there, too.
+    m_joints.clear();
+    core::JointSample sample;
+    while (m_arm->joints().pop(sample))
+        m_joints.push_back(sample);
+    m_contacts.clear();
+    m_skin->process(&m_contacts);
+
+    const std::int64_t start_ns = core::steadyNow_ns();
+    const double contourBefore_s = std::exchange(m_stages.contour_s, 0.0);
+    auto contact = m_contacts.begin();
+    const auto feedContactsUntil = [&](std::int64_t time_ns) {
+        for (; contact != m_contacts.end() && contact->time_ns <= time_ns; ++contact) {
+            if (auto touch = m_estimator.update(*contact))
+                take(std::move(*touch));
+        }
+    };
+    for (const core::JointSample& joints : m_joints) {
+        feedContactsUntil(joints.time_ns - 1);
+        if (auto touch = m_estimator.update(joints))
+            take(std::move(*touch));
+        m_samples.push(core::JointSample(joints));
+    }
+    feedContactsUntil(std::numeric_limits<std::int64_t>::max());
+
+    changed = changed || !m_joints.empty() || !m_contacts.empty();
+    if (!m_joints.empty()) {
+        m_newest = m_joints.back();
+        m_stages.queue_s = seconds(m_joints.front().time_ns, start_ns);
+        m_stages.touch_s = seconds(start_ns, core::steadyNow_ns()) - m_stages.contour_s;
+        m_samplesProcessed.fetch_add(m_joints.size(), std::memory_order_relaxed);
+    }
+    if (m_stages.contour_s == 0.0)
+        m_stages.contour_s = contourBefore_s;
+    if (changed)
+        publish();
+    return m_joints.size();
+}
+
+bool ArmChannel::takeCommands() {
+    bool changed = false;
+    if (const auto settings = m_changes.take()) {
+        m_estimator.setSettings(settings->touch);
+        m_explorer.setSettings(settings->contour);
+        m_settingsInUse.set(*settings);
+        changed = true;
+    }
+    if (m_contourReset.exchange(false, std::memory_order_acq_rel)) {
+        m_explorer.reset();
+        changed = true;
+    }
+    return changed;
+}
+
+void ArmChannel::take(TouchRecord&& touch) {
+    if (touch.located) {
+        const std::int64_t start_ns = core::steadyNow_ns();
+        m_explorer.add(touch.p_Base_Contact_m);
+        m_stages.contour_s += seconds(start_ns, core::steadyNow_ns());
+    }
+    m_lastTouch = touch;
+    m_touches.push(std::move(touch));
+}
+
+void ArmChannel::publish() {
+    ArmSnapshot& snapshot = m_snapshots.back();
+    snapshot.newest = m_newest;
+    snapshot.drive = m_arm->drive();
+    snapshot.phases = m_estimator.phases();
+    snapshot.reference_Nm = m_estimator.reference_Nm();
+    snapshot.contact = m_estimator.liveContact();
+    snapshot.lastTouch = m_lastTouch;
+    // The slot may hold this contour already: it is large and seldom new.
+    if (snapshot.contour.revision != m_explorer.contour().revision)
+        snapshot.contour = m_explorer.contour();
+    snapshot.stages = m_stages;
+    snapshot.samplesProcessed = samplesProcessed();
+    snapshot.samplesLeftOut = m_estimator.samplesLeftOut();
+    snapshot.touches = m_estimator.touches();
+    snapshot.touchesTooGentle = m_estimator.touchesTooGentle();
+    m_snapshots.publish();
+}
+
+} // namespace teleta::pipeline

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/arm_device.h"
+#include "backend/core/bounded_queue.h"
+#include "backend/core/latest_copy.h"
+#include "backend/core/latest_exchange.h"
+#include "backend/core/mailbox.h"
+#include "backend/pipeline/arm_snapshot.h"
+#include "backend/pipeline/contour_explorer.h"
+#include "backend/pipeline/touch_channel.h"
+#include "backend/pipeline/touch_estimator.h"
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace teleta::pipeline {
+
+/// One remote arm with its skin in the running system: evaluates its touches and the contour that they
+/// outline, and says what views may see of it. The skin's own picture is that of its TouchChannel.
+///
+/// Three sides, one thread each:
+/// - pipeline thread: process() drains skin and joints and publishes a snapshot, joint samples and touches;
+/// - viewer (one thread, the GUI's): update(), snapshot(), popSample(), popTouch(), post(), resetContour(),
+///   and the commands of device();
+/// - any thread: description(), status(), settings(), counters.
+class ArmChannel {
+public:
+    /// Joint samples kept for a viewer that is late: 16 s at 1 kHz. What does not fit is counted.
+    static constexpr std::size_t kHistorySamples = 16'384;
+    /// Touches kept for a viewer that is late; counted as well.
+    static constexpr std::size_t kHistoryTouches = 1024;
+
+    /// arm: not null. skin: of the same arm, not null.
+    ArmChannel(std::unique_ptr<core::ArmSource> arm, std::shared_ptr<TouchChannel> skin,
+               const ArmSettings& settings = {});
+    ~ArmChannel();
+    ArmChannel(const ArmChannel&) = delete;
+    ArmChannel& operator=(const ArmChannel&) = delete;
+
+    [[nodiscard]] const core::ArmDescription& description() const { return m_arm->description(); }
+    [[nodiscard]] core::DeviceStatus status() const { return m_arm->status(); }
+    /// Moves the arm: post(), setProgramRunning(), restartProgram() by the viewer thread.
+    [[nodiscard]] core::ArmSource& device() { return *m_arm; }
+    [[nodiscard]] TouchChannel& skin() { return *m_skin; }
+
+    /// Fetches the newest snapshot; true when it changed. Viewer thread.
+    bool update() { return m_snapshots.update(); }
+    [[nodiscard]] const ArmSnapshot& snapshot() const { return m_snapshots.front(); }
+    /// 0 until the first sample or skin frame has been processed.
+    [[nodiscard]] std::uint64_t generation() const { return m_snapshots.generation(); }
+
+    /// Takes the oldest joint sample that the viewer has not seen; every one comes. Viewer thread.
+    bool popSample(core::JointSample& sample) { return m_samples.pop(sample); }
+    [[nodiscard]] std::uint64_t samplesNotShown() const { return m_samples.overflow(); }
+    /// Takes the oldest touch that the viewer has not seen. Viewer thread.
+    bool popTouch(TouchRecord& touch) { return m_touches.pop(touch); }
+    [[nodiscard]] std::uint64_t touchesNotShown() const { return m_touches.overflow(); }
+
+    /// New settings, used from the next samples on; the latest wins.
+    void post(const ArmSettings& settings) { m_changes.post(settings); }
+    /// Forgets the explored points before the next samples are processed.
+    void resetContour() { m_contourReset.store(true, std::memory_order_release); }
+    /// The settings in use.
+    [[nodiscard]] ArmSettings settings() const { return m_settingsInUse.get(); }
+
+    [[nodiscard]] std::uint64_t samplesProcessed() const {
+        return m_samplesProcessed.load(std::memory_order_relaxed);
+    }
+
+    /// Processes all joint samples and skin frames that wait, in order of time. Pipeline thread. Returns the
+    /// number of joint samples.
+    std::size_t process();
+
+private:
+    bool takeCommands(); ///< true when a view may see a change
+    void take(TouchRecord&& touch);
+    void publish();
+
+    std::unique_ptr<core::ArmSource> m_arm;
+    std::shared_ptr<TouchChannel> m_skin;
+    TouchEstimator m_estimator;
+    ContourExplorer m_explorer;
+
+    core::Mailbox<ArmSettings> m_changes;
+    core::LatestCopy<ArmSettings> m_settingsInUse;
+    std::atomic<bool> m_contourReset{false};
+
+    std::vector<core::JointSample> m_joints;
+    std::vector<SkinContact> m_contacts;
+    core::JointSample m_newest;
+    std::optional<TouchRecord> m_lastTouch;
+    ArmStageTimes m_stages;
+    core::LatestExchange<ArmSnapshot> m_snapshots;
+    core::BoundedQueue<core::JointSample> m_samples;
+    core::BoundedQueue<TouchRecord> m_touches;
+    std::atomic<std::uint64_t> m_samplesProcessed{0};
+};
+
+} // namespace teleta::pipeline

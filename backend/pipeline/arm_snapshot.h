@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/arm_device.h"
+#include "backend/pipeline/contour_explorer.h"
+#include "backend/pipeline/touch_estimator.h"
+#include "backend/pipeline/touch_record.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+namespace teleta::pipeline {
+
+/// How one arm's samples are turned into touches and a contour; changed while it runs.
+struct ArmSettings {
+    TouchEstimatorSettings touch;
+    ContourSettings contour;
+};
+
+/// Time that the stages of the newest batch of samples took, in s.
+struct ArmStageTimes {
+    double touch_s = 0.0;   ///< the estimator, all samples of the batch
+    double contour_s = 0.0; ///< spline and shape, of the newest batch with a located touch
+    double queue_s = 0.0;   ///< from the read of the batch's oldest sample to the start of its processing
+};
+
+/// What the pipeline knows of one arm after its newest sample. Views get it as a constant and own no truth.
+struct ArmSnapshot {
+    core::JointSample newest;
+    core::ArmDrive drive = core::ArmDrive::held;
+    std::array<stiffness::ContactPhase, core::kArmJoints> phases{};
+    core::JointArray reference_Nm{}; ///< torque of each joint without contact
+    std::optional<LiveContact> contact;
+    std::optional<TouchRecord> lastTouch;
+    ExploredContour contour;
+    ArmStageTimes stages;
+    std::uint64_t samplesProcessed = 0;
+    std::uint64_t samplesLeftOut = 0; ///< not finite
+    std::uint64_t touches = 0;
+    std::uint64_t touchesTooGentle = 0;
+};
+
+} // namespace teleta::pipeline
