@@ -37,7 +37,8 @@ const std::vector<Rule> kRules = {
     // Services.
     {"backend/scene", {"backend/core"}, {"QtCore", "expected", "toml++"}},
     {"backend/pipeline",
-     {"backend/core", "backend/contact", "backend/stiffness", "backend/contour", "backend/arm"},
+     {"backend/core", "backend/contact", "backend/stiffness", "backend/contour", "backend/arm",
+      "backend/pattern", "backend/playback"},
      {"QtCore", "expected", "Eigen"}},
     {"backend/scene_run",
      {"backend/core", "backend/contact", "backend/stiffness", "backend/contour", "backend/arm",

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/contour/shape_recogniser.h"
+#include "backend/core/bounded_queue.h"
+#include "backend/core/latest_copy.h"
+#include "backend/pattern/pattern.h"
+#include "backend/pattern/pattern_map.h"
+#include "backend/pipeline/touch_record.h"
+#include "backend/playback/player_types.h"
+#include "backend/stiffness/material.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace teleta::pipeline {
+
+/// What a touch tells on the bracelet.
+enum class FeedbackMode { off, stiffness, shape, both };
+
+/// One thing that was recognised, and the pattern that was sent for it.
+struct FeedbackSent {
+    std::uint64_t touch = 0; ///< TouchRecord::number
+    std::optional<stiffness::Material> material;
+    std::optional<contour::Shape> shape;
+    std::string patternId;    ///< empty: the map has none for it, nothing was sent
+    std::int64_t felt_ns = 0; ///< steady time of the sample that completed the touch
+    std::int64_t sent_ns = 0; ///< steady time at which the player had it
+};
+
+/// Turns what was recognised into patterns on the bracelet: the material of every touch that has a stiffness,
+/// and the shape whenever it becomes another one with a confidence of at least kLeastConfidence from at least
+/// kLeastPoints touches. Both at one touch are played one after the other, kPause_s apart.
+/// Thread: onTouch() by the pipeline's, popSent() and settings by one viewer (the GUI's).
+class TactileFeedback {
+public:
+    static constexpr double kLeastConfidence = 0.9;
+    static constexpr std::size_t kLeastPoints = 3;
+    static constexpr double kPause_s = 0.3;
+    static constexpr std::size_t kSentKept = 256;
+
+    /// Hands a program to the player; returns at once.
+    using Play = std::function<void(playback::Program)>;
+    /// Pattern of an id, or nullptr.
+    using Library = std::function<const pattern::Pattern*(const std::string& id)>;
+
+    explicit TactileFeedback(Play play);
+
+    /// Looks the patterns of the map up and prepares them. An id that the library does not know plays
+    /// nothing.
+    void setMap(const pattern::PatternMap& map, const Library& library);
+    void setMode(FeedbackMode mode);
+
+    void onTouch(const TouchRecord& record, const ExploredContour& contour);
+
+    /// Takes the oldest message that the viewer has not seen.
+    bool popSent(FeedbackSent& sent) { return m_sent.pop(sent); }
+
+private:
+    struct Entry {
+        std::string id;
+        std::shared_ptr<const pattern::CompiledPattern> pattern; ///< null: nothing is played
+    };
+    struct Settings {
+        FeedbackMode mode = FeedbackMode::both;
+        std::array<Entry, pattern::kStiffnessLevels> stiffness;
+        std::array<Entry, pattern::kRecognisedShapes.size()> shape;
+    };
+
+    [[nodiscard]] std::optional<contour::Shape> newShape(const ExploredContour& contour);
+
+    Play m_play;
+    core::LatestCopy<std::shared_ptr<const Settings>> m_settings;
+    std::optional<contour::Shape> m_lastShape;
+    core::BoundedQueue<FeedbackSent> m_sent{kSentKept};
+};
+
+} // namespace teleta::pipeline
