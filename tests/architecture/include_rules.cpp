@@ -45,6 +45,8 @@ const std::vector<Rule> kRules = {
       "backend/scene", "backend/simulation", "backend/pipeline"},
      {"QtCore", "expected", "Eigen", "nlohmann_json"}},
 
+    {"devices/modbus", {"backend/core", "backend/scene"}, {"QtCore", "posix", "expected", "libmodbus"}},
+    {"devices/mouse3d", {"backend/core"}, {"QtCore", "posix", "expected", "hidapi"}},
     {"devices/replay", {"backend/core"}, {"QtCore", "posix", "expected"}},
     {"devices/simulated", {"backend/core"}, {"QtCore", "posix", "expected"}},
     {"devices/wts", {"backend/core"}, {"QtCore", "posix", "expected"}},
@@ -93,6 +95,7 @@ constexpr std::array kLibraries = {
     Library{"opencv2/", "OpenCV"},
     Library{"ceres/", "Ceres"},
     Library{"hidapi/", "hidapi"},
+    Library{"modbus/", "libmodbus"},
 };
 
 const std::set<std::string_view> kPosixHeaders = {"fcntl.h",    "poll.h",     "pthread.h",   "sched.h",
