@@ -89,10 +89,15 @@ bool ArmChannel::takeCommands() {
 }
 
 void ArmChannel::take(TouchRecord&& touch) {
+    const std::shared_ptr<TactileFeedback> feedback = m_feedback.get();
+    if (feedback)
+        feedback->onTouch(touch);
     if (touch.located) {
         const std::int64_t start_ns = core::steadyNow_ns();
         m_explorer.add(touch.p_Base_Contact_m);
         m_stages.contour_s += seconds(start_ns, core::steadyNow_ns());
+        if (feedback)
+            feedback->onContour(touch, m_explorer.contour());
     }
     m_lastTouch = touch;
     m_touches.push(std::move(touch));

@@ -8,12 +8,15 @@
 #include "backend/core/mailbox.h"
 #include "backend/pipeline/arm_snapshot.h"
 #include "backend/pipeline/contour_explorer.h"
+#include "backend/pipeline/tactile_feedback.h"
 #include "backend/pipeline/touch_channel.h"
 #include "backend/pipeline/touch_estimator.h"
 
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace teleta::pipeline {
@@ -61,6 +64,8 @@ public:
 
     /// New settings, used from the next samples on; the latest wins.
     void post(const ArmSettings& settings) { m_changes.post(settings); }
+    /// Who is told of every touch on the pipeline thread, from the next touch on; null for nobody.
+    void setFeedback(std::shared_ptr<TactileFeedback> feedback) { m_feedback.set(std::move(feedback)); }
     /// Forgets the explored points before the next samples are processed.
     void resetContour() { m_contourReset.store(true, std::memory_order_release); }
     /// The settings in use.
@@ -87,6 +92,7 @@ private:
     core::Mailbox<ArmSettings> m_changes;
     core::LatestCopy<ArmSettings> m_settingsInUse;
     std::atomic<bool> m_contourReset{false};
+    core::LatestCopy<std::shared_ptr<TactileFeedback>> m_feedback;
 
     std::vector<core::JointSample> m_joints;
     std::vector<SkinContact> m_contacts;

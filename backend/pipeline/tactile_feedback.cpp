@@ -65,40 +65,50 @@ std::optional<contour::Shape> TactileFeedback::newShape(const ExploredContour& c
     return m_lastShape;
 }
 
-void TactileFeedback::onTouch(const TouchRecord& record, const ExploredContour& contour) {
+const TactileFeedback::Entry* TactileFeedback::ofStiffness(const Settings& settings,
+                                                           const TouchRecord& record) {
+    const bool tells = settings.mode == FeedbackMode::stiffness || settings.mode == FeedbackMode::both;
+    if (!tells || !record.stiffness)
+        return nullptr;
+    return &settings.stiffness[static_cast<std::size_t>(stiffness::level(record.stiffness->material)) - 1];
+}
+
+void TactileFeedback::onTouch(const TouchRecord& record) {
+    const std::shared_ptr<const Settings> settings = m_settings.get();
+    const Entry* entry = ofStiffness(*settings, record);
+    if (entry == nullptr)
+        return;
+    if (entry->pattern)
+        m_play(programOf(entry->pattern));
+    FeedbackSent sent = messageOf(record, *entry);
+    sent.material = record.stiffness->material;
+    m_sent.push(std::move(sent));
+}
+
+void TactileFeedback::onContour(const TouchRecord& record, const ExploredContour& contour) {
     const std::optional<contour::Shape> shape = newShape(contour);
     const std::shared_ptr<const Settings> settings = m_settings.get();
-    Compiled first;
-    Compiled second;
-    FeedbackSent ofMaterial;
-    ofMaterial.touch = record.number;
-    ofMaterial.felt_ns = record.ready_ns;
-    FeedbackSent ofShape = ofMaterial;
-    const bool tellsStiffness =
-        settings->mode == FeedbackMode::stiffness || settings->mode == FeedbackMode::both;
-    if (tellsStiffness && record.stiffness) {
-        ofMaterial.material = record.stiffness->material;
-        const auto level = static_cast<std::size_t>(stiffness::level(record.stiffness->material));
-        first = settings->stiffness[level - 1].pattern;
-        ofMaterial.patternId = settings->stiffness[level - 1].id;
+    if (!shape || (settings->mode != FeedbackMode::shape && settings->mode != FeedbackMode::both))
+        return;
+    const Entry& entry = settings->shape[static_cast<std::size_t>(*shape)];
+    const Entry* before = ofStiffness(*settings, record);
+    if (entry.pattern) {
+        // The pattern of the stiffness has begun a moment ago: it begins again, with the shape behind it.
+        m_play(before != nullptr && before->pattern ? oneAfterTheOther(before->pattern, entry.pattern)
+                                                    : programOf(entry.pattern));
     }
-    const bool tellsShape = settings->mode == FeedbackMode::shape || settings->mode == FeedbackMode::both;
-    if (tellsShape && shape) {
-        ofShape.shape = shape;
-        second = settings->shape[static_cast<std::size_t>(*shape)].pattern;
-        ofShape.patternId = settings->shape[static_cast<std::size_t>(*shape)].id;
-    }
-    if (first && second)
-        m_play(oneAfterTheOther(std::move(first), std::move(second)));
-    else if (first || second)
-        m_play(programOf(first ? std::move(first) : std::move(second)));
-    const std::int64_t now_ns = core::steadyNow_ns();
-    for (FeedbackSent* sent : {&ofMaterial, &ofShape}) {
-        if (!sent->material && !sent->shape)
-            continue;
-        sent->sent_ns = now_ns;
-        m_sent.push(std::move(*sent));
-    }
+    FeedbackSent sent = messageOf(record, entry);
+    sent.shape = shape;
+    m_sent.push(std::move(sent));
+}
+
+FeedbackSent TactileFeedback::messageOf(const TouchRecord& record, const Entry& entry) {
+    FeedbackSent sent;
+    sent.touch = record.number;
+    sent.patternId = entry.id;
+    sent.felt_ns = record.ready_ns;
+    sent.sent_ns = core::steadyNow_ns();
+    return sent;
 }
 
 } // namespace teleta::pipeline

@@ -35,7 +35,7 @@ struct FeedbackSent {
 /// Turns what was recognised into patterns on the bracelet: the material of every touch that has a stiffness,
 /// and the shape whenever it becomes another one with a confidence of at least kLeastConfidence from at least
 /// kLeastPoints touches. Both at one touch are played one after the other, kPause_s apart.
-/// Thread: onTouch() by the pipeline's, popSent() and settings by one viewer (the GUI's).
+/// Thread: onTouch() and onContour() by the pipeline's, popSent() and settings by one viewer (the GUI's).
 class TactileFeedback {
 public:
     static constexpr double kLeastConfidence = 0.9;
@@ -55,7 +55,10 @@ public:
     void setMap(const pattern::PatternMap& map, const Library& library);
     void setMode(FeedbackMode mode);
 
-    void onTouch(const TouchRecord& record, const ExploredContour& contour);
+    /// As soon as a touch is evaluated.
+    void onTouch(const TouchRecord& record);
+    /// When the same touch has been added to the contour, which takes its time.
+    void onContour(const TouchRecord& record, const ExploredContour& contour);
 
     /// Takes the oldest message that the viewer has not seen.
     bool popSent(FeedbackSent& sent) { return m_sent.pop(sent); }
@@ -72,6 +75,9 @@ private:
     };
 
     [[nodiscard]] std::optional<contour::Shape> newShape(const ExploredContour& contour);
+    /// Null when the stiffness of this touch is not to be told.
+    [[nodiscard]] static const Entry* ofStiffness(const Settings& settings, const TouchRecord& record);
+    [[nodiscard]] static FeedbackSent messageOf(const TouchRecord& record, const Entry& entry);
 
     Play m_play;
     core::LatestCopy<std::shared_ptr<const Settings>> m_settings;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/pattern/built_in_patterns.h"
 #include "backend/pipeline/arm_channel.h"
 #include "backend/pipeline/touch_pipeline.h"
 #include "tests/backend/pipeline/scripted_arm_source.h"
@@ -173,6 +174,29 @@ TEST_F(ArmChannelTest, usesNewSettingsFromTheNextSamplesOn) {
     EXPECT_EQ(record.stiffness->method, stiffness::Method::twoPoint);
     m_channel.update();
     EXPECT_EQ(m_channel.snapshot().contour.curve_m.size(), 4U);
+}
+
+TEST_F(ArmChannelTest, tellsTheFeedbackOfEveryTouch) {
+    int played = 0;
+    const auto feedback =
+        std::make_shared<pipeline::TactileFeedback>([&played](const playback::Program&) { ++played; });
+    feedback->setMap(pattern::PatternMap::defaults(),
+                     [](const std::string& id) { return pattern::findBuiltIn(id); });
+    touch();
+    m_channel.process();
+    EXPECT_EQ(played, 0);
+    m_channel.setFeedback(feedback);
+    touch();
+    m_channel.process();
+    EXPECT_EQ(played, 1);
+    pipeline::FeedbackSent sent;
+    ASSERT_TRUE(feedback->popSent(sent));
+    EXPECT_EQ(sent.touch, 2U);
+    EXPECT_EQ(sent.material, stiffness::Material::rubberSponge); // 1325.9 N/m
+    m_channel.setFeedback(nullptr);
+    touch();
+    m_channel.process();
+    EXPECT_EQ(played, 1);
 }
 
 TEST_F(ArmChannelTest, forgetsTheContourOnCommandAlsoWhileNoSampleComes) {

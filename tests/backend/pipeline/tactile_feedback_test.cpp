@@ -39,6 +39,11 @@ protected:
                           [](const std::string& id) { return pattern::findBuiltIn(id); });
     }
 
+    void felt(const TouchRecord& record, const ExploredContour& contour) {
+        m_feedback.onTouch(record);
+        m_feedback.onContour(record, contour);
+    }
+
     std::vector<FeedbackSent> sent() {
         std::vector<FeedbackSent> all;
         for (FeedbackSent one; m_feedback.popSent(one);)
@@ -53,7 +58,7 @@ protected:
 } // namespace
 
 TEST_F(TactileFeedbackTest, aTouchPlaysThePatternOfItsLevel) {
-    m_feedback.onTouch(touchOf(1, Material::rubber), {});
+    m_feedback.onTouch(touchOf(1, Material::rubber));
     const pattern::Pattern& expected = *pattern::findBuiltIn("stiffness.C.dynamic");
     ASSERT_EQ(m_played.size(), 1U);
     EXPECT_EQ(m_played[0].duration_s, expected.duration_s);
@@ -69,53 +74,54 @@ TEST_F(TactileFeedbackTest, aTouchPlaysThePatternOfItsLevel) {
 }
 
 TEST_F(TactileFeedbackTest, aTouchWithoutStiffnessPlaysNothing) {
-    m_feedback.onTouch(touchOf(1, std::nullopt), {});
+    m_feedback.onTouch(touchOf(1, std::nullopt));
     EXPECT_TRUE(m_played.empty());
     EXPECT_TRUE(sent().empty());
 }
 
 TEST_F(TactileFeedbackTest, aNewShapeFollowsTheStiffnessAfterAPause) {
-    m_feedback.onTouch(touchOf(9, Material::metal), contourOf(9, Shape::circle, 0.95));
+    felt(touchOf(9, Material::metal), contourOf(9, Shape::circle, 0.95));
     const pattern::Pattern& level = *pattern::findBuiltIn("stiffness.E.dynamic");
     const pattern::Pattern& shape = *pattern::findBuiltIn("shape.A.dynamic");
-    ASSERT_EQ(m_played.size(), 1U);
+    ASSERT_EQ(m_played.size(), 2U) << "the stiffness at once, then both";
+    EXPECT_DOUBLE_EQ(m_played[0].duration_s, level.duration_s);
     const double begin_s = level.duration_s + TactileFeedback::kPause_s;
-    EXPECT_DOUBLE_EQ(m_played[0].duration_s, begin_s + shape.duration_s);
-    EXPECT_EQ(m_played[0].evaluate(0.1), pattern::evaluate(level, 0.1));
-    EXPECT_EQ(m_played[0].evaluate(begin_s - 0.1), core::Intensities{});
-    EXPECT_EQ(m_played[0].evaluate(begin_s + 0.25), pattern::evaluate(shape, begin_s + 0.25 - begin_s));
+    EXPECT_DOUBLE_EQ(m_played[1].duration_s, begin_s + shape.duration_s);
+    EXPECT_EQ(m_played[1].evaluate(0.1), pattern::evaluate(level, 0.1));
+    EXPECT_EQ(m_played[1].evaluate(begin_s - 0.1), core::Intensities{});
+    EXPECT_EQ(m_played[1].evaluate(begin_s + 0.25), pattern::evaluate(shape, begin_s + 0.25 - begin_s));
     EXPECT_EQ(sent().size(), 2U);
 }
 
 TEST_F(TactileFeedbackTest, theSameShapeIsToldOnce) {
     m_feedback.setMode(FeedbackMode::shape);
     for (std::uint64_t touch = 8; touch < 12; ++touch)
-        m_feedback.onTouch(touchOf(touch, Material::wood), contourOf(touch, Shape::rectangle, 0.97));
+        felt(touchOf(touch, Material::wood), contourOf(touch, Shape::rectangle, 0.97));
     EXPECT_EQ(m_played.size(), 1U);
-    m_feedback.onTouch(touchOf(12, Material::wood), contourOf(12, Shape::triangle, 0.97));
+    felt(touchOf(12, Material::wood), contourOf(12, Shape::triangle, 0.97));
     EXPECT_EQ(m_played.size(), 2U);
 }
 
 TEST_F(TactileFeedbackTest, aNewObjectIsToldAgainAfterTheContourBeganAnew) {
     m_feedback.setMode(FeedbackMode::shape);
-    m_feedback.onTouch(touchOf(8, Material::wood), contourOf(8, Shape::circle, 0.97));
-    m_feedback.onTouch(touchOf(9, Material::wood), contourOf(1, Shape::point, 1.0));
-    m_feedback.onTouch(touchOf(17, Material::wood), contourOf(8, Shape::circle, 0.97));
+    felt(touchOf(8, Material::wood), contourOf(8, Shape::circle, 0.97));
+    felt(touchOf(9, Material::wood), contourOf(1, Shape::point, 1.0));
+    felt(touchOf(17, Material::wood), contourOf(8, Shape::circle, 0.97));
     EXPECT_EQ(m_played.size(), 2U);
 }
 
 TEST_F(TactileFeedbackTest, aShapeThatIsNotSureOrRestsOnTwoTouchesIsNotTold) {
     m_feedback.setMode(FeedbackMode::shape);
-    m_feedback.onTouch(touchOf(1, Material::wood), contourOf(1, Shape::point, 1.0));
-    m_feedback.onTouch(touchOf(2, Material::wood), contourOf(2, Shape::line, 1.0));
-    m_feedback.onTouch(touchOf(9, Material::wood), contourOf(9, Shape::circle, 0.6));
+    felt(touchOf(1, Material::wood), contourOf(1, Shape::point, 1.0));
+    felt(touchOf(2, Material::wood), contourOf(2, Shape::line, 1.0));
+    felt(touchOf(9, Material::wood), contourOf(9, Shape::circle, 0.6));
     EXPECT_TRUE(m_played.empty());
     EXPECT_TRUE(sent().empty());
 }
 
 TEST_F(TactileFeedbackTest, whatTheMapHasNothingForIsReportedButNotPlayed) {
     m_feedback.setMode(FeedbackMode::shape);
-    m_feedback.onTouch(touchOf(9, Material::wood), contourOf(9, Shape::unknown, 0.95));
+    felt(touchOf(9, Material::wood), contourOf(9, Shape::unknown, 0.95));
     EXPECT_TRUE(m_played.empty());
     const auto messages = sent();
     ASSERT_EQ(messages.size(), 1U);
@@ -127,13 +133,13 @@ TEST_F(TactileFeedbackTest, anIdThatTheLibraryDoesNotKnowPlaysNothing) {
     pattern::PatternMap map = pattern::PatternMap::defaults();
     map.stiffness[0] = "no.such.pattern";
     m_feedback.setMap(map, [](const std::string& id) { return pattern::findBuiltIn(id); });
-    m_feedback.onTouch(touchOf(1, Material::sponge), {});
+    m_feedback.onTouch(touchOf(1, Material::sponge));
     EXPECT_TRUE(m_played.empty());
 }
 
 TEST_F(TactileFeedbackTest, offPlaysNothing) {
     m_feedback.setMode(FeedbackMode::off);
-    m_feedback.onTouch(touchOf(9, Material::metal), contourOf(9, Shape::circle, 0.95));
+    felt(touchOf(9, Material::metal), contourOf(9, Shape::circle, 0.95));
     EXPECT_TRUE(m_played.empty());
     EXPECT_TRUE(sent().empty());
 }
