@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/simulated/simulated_arm_device.h"
+
+#include <utility>
+
+namespace teleta::simulated {
+
+namespace {
+
+class SimulatedArmSkin : public core::TactileSource {
+public:
+    explicit SimulatedArmSkin(std::shared_ptr<SimulatedArmWorker> worker)
+        : m_worker(std::move(worker)) {}
+
+    [[nodiscard]] const core::SourceDescription& description() const override {
+        return m_worker->skinDescription();
+    }
+    void start(core::Wakeup&) override {}
+    void stop() override {}
+    [[nodiscard]] core::BoundedQueue<core::SampleBlock>& blocks() override {
+        return m_worker->skin().blocks();
+    }
+    [[nodiscard]] core::DeviceStatus status() const override { return m_worker->skin().status(); }
+
+private:
+    std::shared_ptr<SimulatedArmWorker> m_worker;
+};
+
+} // namespace
+
+SimulatedArmDevice::SimulatedArmDevice(std::unique_ptr<core::ArmGenerator> generator,
+                                       const core::StopSwitch& stopSwitch, SimulatedArmConfig config)
+    : m_worker(std::make_shared<SimulatedArmWorker>(std::move(generator), stopSwitch, std::move(config))) {
+}
+
+SimulatedArmDevice::~SimulatedArmDevice() {
+    stop();
+}
+
+std::unique_ptr<core::TactileSource> SimulatedArmDevice::makeSkin() {
+    return std::make_unique<SimulatedArmSkin>(m_worker);
+}
+
+void SimulatedArmDevice::start(core::Wakeup& consumer) {
+    if (m_thread.joinable())
+        return;
+    m_worker->open(consumer);
+    m_thread = std::jthread([this](const std::stop_token& stop) { m_worker->run(stop); });
+}
+
+void SimulatedArmDevice::stop() {
+    if (!m_thread.joinable())
+        return;
+    m_thread.request_stop();
+    m_worker->wake();
+    m_thread.join();
+}
+
+} // namespace teleta::simulated
