@@ -6,6 +6,7 @@
 #include "app/cli/commands/contacts_command.h"
 #include "app/cli/commands/contour_command.h"
 #include "app/cli/commands/features_command.h"
+#include "app/cli/commands/pattern_command.h"
 #include "app/cli/commands/simulate_command.h"
 #include "app/cli/commands/stiffness_command.h"
 
@@ -29,6 +30,7 @@ std::vector<std::unique_ptr<Command>> makeCommands() {
     commands.push_back(std::make_unique<StiffnessCommand>());
     commands.push_back(std::make_unique<ContourCommand>());
     commands.push_back(std::make_unique<SimulateCommand>());
+    commands.push_back(std::make_unique<PatternCommand>());
     return commands;
 }
 

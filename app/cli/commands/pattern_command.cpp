@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commands/pattern_command.h"
+
+#include "app/cli/command_io.h"
+#include "app/cli/interruption.h"
+#include "app/cli/validators.h"
+#include "backend/core/output_file.h"
+#include "backend/pattern/built_in_patterns.h"
+#include "backend/pattern/pattern_file.h"
+#include "backend/pattern/pattern_format.h"
+#include "backend/pattern/pattern_json.h"
+#include "backend/pattern/sampled_output.h"
+
+#include <QCoreApplication>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace teleta::cli {
+
+namespace {
+
+using pattern::Pattern;
+
+struct PatternText {
+    Q_DECLARE_TR_FUNCTIONS(PatternCommand)
+};
+
+QString taskText(pattern::Task task) {
+    switch (task) {
+    case pattern::Task::shape:
+        return PatternText::tr("shape");
+    case pattern::Task::stiffness:
+        return PatternText::tr("stiffness");
+    case pattern::Task::other:
+        return PatternText::tr("other");
+    }
+    return {};
+}
+
+QString conditionText(pattern::Condition condition) {
+    switch (condition) {
+    case pattern::Condition::none:
+        return PatternText::tr("-");
+    case pattern::Condition::constant:
+        return PatternText::tr("static");
+    case pattern::Condition::dynamic:
+        return PatternText::tr("dynamic");
+    }
+    return {};
+}
+
+core::Expected<void> printPattern(const Pattern& pattern) {
+    QStringList tags;
+    for (const std::string& tag : pattern.tags)
+        tags << QString::fromStdString(tag);
+    std::vector<std::pair<QString, QString>> fields{
+        {PatternText::tr("Id"), QString::fromStdString(pattern.id)},
+        {PatternText::tr("Name"), QString::fromStdString(pattern.name)},
+        {PatternText::tr("Task"), taskText(pattern.task)},
+        {PatternText::tr("Condition"), conditionText(pattern.condition)},
+        {PatternText::tr("Duration"), PatternText::tr("%1 s").arg(forPeople(pattern.duration_s))},
+        {PatternText::tr("Tags"), tags.join(QStringLiteral(", "))},
+        {PatternText::tr("Objects"), QString::number(pattern.objects.size())}};
+    constexpr std::size_t kMostShown = 6;
+    for (std::size_t i = 0; i < core::kTactors; ++i) {
+        const pattern::Track& track = pattern.tracks[i];
+        QStringList points;
+        for (std::size_t k = 0; k < std::min(track.size(), kMostShown); ++k)
+            points
+                << PatternText::tr("%1 s: %2").arg(forPeople(track[k].time_s), forPeople(track[k].intensity));
+        if (track.size() > kMostShown)
+            points << PatternText::tr("... (%1 breakpoints)").arg(track.size());
+        fields.emplace_back(PatternText::tr("Tactor %1").arg(i + 1),
+                            track.empty() ? PatternText::tr("-") : points.join(QStringLiteral(", ")));
+    }
+    if (!pattern.notes.empty())
+        fields.emplace_back(PatternText::tr("Notes"), QString::fromStdString(pattern.notes));
+    return printFields(fields);
+}
+
+} // namespace
+
+QString PatternCommand::summary() const {
+    return PatternText::tr("List, show, sample and convert the patterns of the bracelet");
+}
+
+const char* PatternCommand::example() const {
+    return "teleta pattern render shape.A.dynamic --rate 200 --csv circle.csv";
+}
+
+void PatternCommand::declare(CLI::App& app) {
+    const auto help = [](const char* text) { return PatternText::tr(text).toStdString(); };
+    const auto part = [&](const char* name, const char* summary) {
+        return app.add_subcommand(name, help(summary));
+    };
+    const auto takesPattern = [&](CLI::App* command) {
+        command
+            ->add_option(
+                "pattern", m_pattern,
+                help(QT_TRANSLATE_NOOP("PatternCommand", "Pattern file or id of a built-in pattern")))
+            ->type_name("P")
+            ->required();
+    };
+    app.require_subcommand(1);
+
+    m_list = part("list", QT_TRANSLATE_NOOP("PatternCommand", "List the built-in patterns"));
+    declareJson(*m_list, m_json);
+
+    m_show = part("show", QT_TRANSLATE_NOOP("PatternCommand", "Show what a pattern consists of"));
+    takesPattern(m_show);
+    declareJson(*m_show, m_json);
+
+    m_render = part("render", QT_TRANSLATE_NOOP("PatternCommand",
+                                                "Sample a pattern: rows time_s,t1..t6 over its duration"));
+    takesPattern(m_render);
+    m_render->add_option("--rate", m_rate_Hz, help(QT_TRANSLATE_NOOP("PatternCommand", "Samples a second")))
+        ->type_name("HZ")
+        ->capture_default_str()
+        ->check(between(pattern::kLowestRate_Hz, pattern::kHighestRate_Hz));
+    m_render
+        ->add_option("--csv,--out", m_outPath,
+                     help(QT_TRANSLATE_NOOP("PatternCommand",
+                                            "Write the CSV to this file, which appears when it is complete")))
+        ->type_name("OUT");
+    declareJson(*m_render, m_json);
+
+    m_convert = part("convert", QT_TRANSLATE_NOOP("PatternCommand",
+                                                  "Write a pattern in another format, told by the ending"));
+    takesPattern(m_convert);
+    m_convert
+        ->add_option("out", m_outPath,
+                     help(QT_TRANSLATE_NOOP("PatternCommand", "File to write")) + ": " +
+                         pattern::allEndings())
+        ->type_name("OUT")
+        ->required();
+}
+
+core::Expected<void> PatternCommand::run() {
+    if (m_list->parsed())
+        return list();
+    if (m_show->parsed())
+        return show();
+    if (m_render->parsed())
+        return render();
+    return convert();
+}
+
+core::Expected<void> PatternCommand::list() const {
+    if (m_json) {
+        nlohmann::ordered_json all = nlohmann::ordered_json::array();
+        for (const Pattern& pattern : pattern::builtInPatterns())
+            all.push_back({{"id", pattern.id},
+                           {"name", pattern.name},
+                           {"task", pattern::toString(pattern.task)},
+                           {"condition", pattern::toString(pattern.condition)},
+                           {"duration_s", pattern.duration_s}});
+        return printDocument(all);
+    }
+    core::OutputFile output = core::OutputFile::standardOutput();
+    const auto row = [&output](const QString& id, const QString& task, const QString& condition,
+                               const QString& duration, const QString& name) {
+        output.write((id.leftJustified(21) + task.leftJustified(11) + condition.leftJustified(10) +
+                      duration.rightJustified(6) + QStringLiteral("  ") + name + QLatin1Char('\n'))
+                         .toStdString());
+    };
+    row(PatternText::tr("Id"), PatternText::tr("Task"), PatternText::tr("Condition"), PatternText::tr("s"),
+        PatternText::tr("Name"));
+    for (const Pattern& pattern : pattern::builtInPatterns())
+        row(QString::fromStdString(pattern.id), taskText(pattern.task), conditionText(pattern.condition),
+            forPeople(pattern.duration_s), QString::fromStdString(pattern.name));
+    return output.finish();
+}
+
+core::Expected<void> PatternCommand::show() const {
+    const core::Expected<Pattern> pattern = pattern::findPattern(m_pattern);
+    if (!pattern)
+        return core::Unexpected(pattern.error());
+    if (!m_json)
+        return printPattern(*pattern);
+    const core::Expected<std::string> text = pattern::patternToJson(*pattern);
+    if (!text)
+        return core::Unexpected(text.error());
+    core::OutputFile output = core::OutputFile::standardOutput();
+    output.write(*text);
+    return output.finish();
+}
+
+core::Expected<void> PatternCommand::render() const {
+    const core::Expected<Pattern> pattern = pattern::findPattern(m_pattern);
+    if (!pattern)
+        return core::Unexpected(pattern.error());
+    constexpr std::array<std::string_view, 7> kColumns{"time_s", "t1", "t2", "t3", "t4", "t5", "t6"};
+    core::Expected<RowOutput> rows = RowOutput::open(kColumns, {m_json, m_outPath});
+    if (!rows)
+        return core::Unexpected(rows.error());
+    pattern::forEachSample(*pattern, m_rate_Hz, [&](double t_s, const core::Intensities& intensities) {
+        rows->number(t_s);
+        for (const double intensity : intensities)
+            rows->number(intensity);
+        rows->endRow();
+        return !rows->failed() && !interrupted();
+    });
+    const core::Expected<void> done = rows->finish();
+    if (done && interrupted())
+        return core::Unexpected(interruption());
+    return done;
+}
+
+core::Expected<void> PatternCommand::convert() const {
+    const core::Expected<Pattern> pattern = pattern::findPattern(m_pattern);
+    if (!pattern)
+        return core::Unexpected(pattern.error());
+    if (!pattern::formatOf(m_outPath))
+        throw CLI::ValidationError(
+            "OUT", PatternText::tr("the ending of %1 tells no format; expected one of %2")
+                       .arg(QString::fromStdString(m_outPath), QString::fromStdString(pattern::allEndings()))
+                       .toStdString());
+    return pattern::savePattern(*pattern, m_outPath);
+}
+
+} // namespace teleta::cli

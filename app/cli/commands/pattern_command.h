@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cli/command.h"
+
+#include <string>
+
+namespace teleta::cli {
+
+/// teleta pattern: lists, shows, samples, converts and checks patterns of the bracelet.
+class PatternCommand : public Command {
+public:
+    [[nodiscard]] const char* name() const override { return "pattern"; }
+    [[nodiscard]] QString summary() const override;
+    [[nodiscard]] const char* example() const override;
+    void declare(CLI::App& app) override;
+    [[nodiscard]] core::Expected<void> run() override;
+
+private:
+    CLI::App* m_list = nullptr;
+    CLI::App* m_show = nullptr;
+    CLI::App* m_render = nullptr;
+    CLI::App* m_convert = nullptr;
+
+    [[nodiscard]] core::Expected<void> list() const;
+    [[nodiscard]] core::Expected<void> show() const;
+    [[nodiscard]] core::Expected<void> render() const;
+    [[nodiscard]] core::Expected<void> convert() const;
+
+    std::string m_pattern;
+    std::string m_outPath;
+    double m_rate_Hz = 200.0;
+    bool m_json = false;
+};
+
+} // namespace teleta::cli

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/cli/program_run.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <set>
+
+using nlohmann::ordered_json;
+using teleta::test::ProgramResult;
+using teleta::test::readAll;
+using teleta::test::run;
+using teleta::test::splitCsv;
+using teleta::test::TemporaryFolder;
+
+TEST(PatternCommand, listsThe22StimuliWithTheKeysOfTheFormat) {
+    const ProgramResult result = run({"pattern", "list", "--json"});
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const ordered_json all = ordered_json::parse(result.out, nullptr, false);
+    ASSERT_EQ(all.size(), 22U);
+    std::set<std::string> ids;
+    for (const ordered_json& entry : all) {
+        std::vector<std::string> keys;
+        for (const auto& [key, value] : entry.items())
+            keys.push_back(key);
+        EXPECT_EQ(keys, (std::vector<std::string>{"id", "name", "task", "condition", "duration_s"}));
+        ids.insert(entry["id"]);
+    }
+    EXPECT_EQ(ids.size(), 22U);
+    EXPECT_TRUE(ids.contains("stiffness.E.dynamic"));
+    const ProgramResult table = run({"pattern", "list"});
+    EXPECT_EQ(table.exitCode, 0);
+    for (const std::string& id : ids)
+        EXPECT_NE(table.out.find(id), std::string::npos);
+}
+
+TEST(PatternCommand, rendersTheRampOfThePointShape) {
+    const ProgramResult result = run({"pattern", "render", "shape.F.dynamic", "--rate", "4"});
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_EQ(result.out,
+              "time_s,t1,t2,t3,t4,t5,t6\n0,0,0,0,0,0,0\n0.25,0.125,0,0,0,0,0\n0.5,0.25,0,0,0,0,0\n"
+              "0.75,0.375,0,0,0,0,0\n1,0.5,0,0,0,0,0\n1.25,0.625,0,0,0,0,0\n1.5,0.75,0,0,0,0,0\n"
+              "1.75,0.875,0,0,0,0,0\n");
+}
+
+TEST(PatternCommand, rendersIntoAFileAndConvertsToTheSameRows) {
+    const TemporaryFolder folder;
+    const std::string rendered = folder.path("a.csv");
+    const std::string converted = folder.path("b.csv");
+    ASSERT_EQ(run({"pattern", "render", "shape.A.dynamic", "--rate", "200", "--csv", rendered}).exitCode, 0);
+    ASSERT_EQ(run({"pattern", "convert", "shape.A.dynamic", converted}).exitCode, 0);
+    EXPECT_EQ(readAll(rendered), readAll(converted));
+    EXPECT_EQ(splitCsv(readAll(rendered)).size(), 401U);
+}
+
+TEST(PatternCommand, showPrintsAFileThatCanBeReadAgain) {
+    const ProgramResult shown = run({"pattern", "show", "shape.B.static", "--json"});
+    ASSERT_EQ(shown.exitCode, 0) << shown.err;
+    EXPECT_EQ(ordered_json::parse(shown.out, nullptr, false)["id"], "shape.B.static");
+    const TemporaryFolder folder;
+    const std::string path = folder.write("again.json", shown.out);
+    EXPECT_EQ(run({"pattern", "show", path, "--json"}).out, shown.out);
+    const ProgramResult table = run({"pattern", "show", path});
+    EXPECT_EQ(table.exitCode, 0);
+    EXPECT_NE(table.out.find("shape.B.static"), std::string::npos);
+}
+
+TEST(PatternCommand, refusesABadFileWithThePlaceAndAWrongCommandLine) {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("bad.json", "{\n\"format\": \"other\"}");
+    const ProgramResult bad = run({"pattern", "show", path});
+    EXPECT_EQ(bad.exitCode, 3);
+    EXPECT_EQ(bad.out, "");
+    EXPECT_NE(bad.err.find("bad.json:2:11: "), std::string::npos) << bad.err;
+    EXPECT_EQ(run({"pattern", "render", "nothing"}).exitCode, 3);
+    EXPECT_EQ(run({"pattern"}).exitCode, 2);
+    EXPECT_EQ(run({"pattern", "dance"}).exitCode, 2);
+    EXPECT_EQ(run({"pattern", "render", "shape.A.static", "--rate", "0"}).exitCode, 2);
+    EXPECT_EQ(run({"pattern", "convert", "shape.A.static", folder.path("p.txt")}).exitCode, 2);
+    EXPECT_EQ(run({"pattern", "convert", "shape.A.static", folder.path("no/p.json")}).exitCode, 1);
+}
