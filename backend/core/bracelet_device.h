@@ -76,6 +76,7 @@ struct BraceletTelemetry {
     std::uint64_t framesEchoed = 0;   ///< confirmed by the board
     std::uint64_t framesLost = 0;     ///< never confirmed although a later one was, or in flight at a loss
     std::uint64_t strayEchoes = 0;    ///< answers to no frame that waits for one
+    std::uint64_t damagedReports = 0; ///< reports that were not understood
     std::uint64_t zeroedByDevice = 0; ///< times the device turned the motors off because no frame came
 };
 

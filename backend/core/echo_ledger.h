@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+namespace teleta::core {
+
+/// Numbers the frames to a board and finds out from its echoes which of them were lost. A write that succeeds
+/// says only that the kernel took the frame. A frame is lost when the echo of a later one comes first, when
+/// its connection ends, or when kLongestFlight later ones were sent without any echo. Thread: one.
+class EchoLedger {
+public:
+    static constexpr std::uint64_t kLongestFlight = 256;
+
+    /// Number of the frame that is sent now; counts on from 1 and wraps.
+    [[nodiscard]] std::uint16_t send();
+    /// An echo that nothing waits for (a second one, an old one, one of another program) is counted as stray.
+    void echo(std::uint16_t sequence);
+    /// What is in flight will not be answered any more.
+    void endConnection();
+
+    [[nodiscard]] std::uint64_t sent() const { return m_sent; }
+    [[nodiscard]] std::uint64_t echoed() const { return m_echoed; }
+    [[nodiscard]] std::uint64_t lost() const { return m_lost; }
+    [[nodiscard]] std::uint64_t stray() const { return m_stray; }
+    [[nodiscard]] std::uint64_t inFlight() const { return m_sent - m_settled; }
+
+private:
+    std::uint64_t m_sent = 0;
+    std::uint64_t m_settled = 0; ///< newest frame that was echoed or given up
+    std::uint64_t m_echoed = 0;
+    std::uint64_t m_lost = 0;
+    std::uint64_t m_stray = 0;
+};
+
+} // namespace teleta::core
