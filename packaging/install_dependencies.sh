@@ -18,6 +18,8 @@ packages=(
     libeigen3-dev libboost-math-dev
     # files, queues, command line
     libtomlplusplus-dev nlohmann-json3-dev libreaderwriterqueue-dev libcli11-dev libexpected-dev
+    # the bracelet over USB HID
+    libhidapi-dev
     # tests and benchmarks
     libgtest-dev libgmock-dev libbenchmark-dev libopencv-dev
     # a screen, OpenGL in software and a font where there are none

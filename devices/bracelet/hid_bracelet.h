@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/bracelet_link.h"
+#include "backend/core/error.h"
+#include "backend/core/stop_switch.h"
+#include "devices/bracelet/hid_bracelet_config.h"
+#include "devices/bracelet/hid_transport.h"
+
+#include <memory>
+#include <vector>
+
+namespace teleta::bracelet {
+
+/// The bracelets that are plugged in. Thread: any, one at a time.
+[[nodiscard]] std::vector<HidDeviceInfo> listHidBracelets(const HidBraceletConfig& config = {});
+
+/// Opens a bracelet over USB HID, which keeps itself connected to the same board. stopSwitch must outlive it.
+/// Error: none is plugged in, it may not be opened, or it speaks another layout.
+[[nodiscard]] core::Expected<std::unique_ptr<core::BraceletLink>>
+openHidBracelet(const HidBraceletConfig& config, const core::StopSwitch& stopSwitch);
+
+} // namespace teleta::bracelet

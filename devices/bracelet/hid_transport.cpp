@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/bracelet/hid_transport.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+#include <algorithm>
+#include <hidapi/hidapi.h>
+#include <unistd.h>
+
+namespace teleta::bracelet {
+
+namespace {
+
+std::string toUtf8(const wchar_t* text) {
+    return text == nullptr ? std::string() : QString::fromWCharArray(text).toStdString();
+}
+
+class HidapiTransport : public HidTransport {
+public:
+    explicit HidapiTransport(hid_device* device)
+        : m_device(device) {}
+    ~HidapiTransport() override { hid_close(m_device); }
+
+    [[nodiscard]] bool write(std::span<const std::uint8_t> report) override {
+        return hid_write(m_device, report.data(), report.size()) == static_cast<int>(report.size());
+    }
+    [[nodiscard]] int read(std::span<std::uint8_t> report) override {
+        return hid_read_timeout(m_device, report.data(), report.size(), 0);
+    }
+    [[nodiscard]] int getFeature(std::span<std::uint8_t> report) override {
+        return hid_get_feature_report(m_device, report.data(), report.size());
+    }
+
+private:
+    hid_device* m_device;
+};
+
+} // namespace
+
+std::vector<HidDeviceInfo> listHidDevices(std::uint16_t vendorId, std::uint16_t productId) {
+    std::vector<HidDeviceInfo> devices;
+    const std::unique_ptr<hid_device_info, decltype(&hid_free_enumeration)> list(
+        hid_enumerate(vendorId, productId), hid_free_enumeration);
+    for (const hid_device_info* info = list.get(); info != nullptr; info = info->next)
+        devices.push_back(
+            {info->path, toUtf8(info->serial_number), toUtf8(info->product_string), info->usage_page});
+    std::sort(devices.begin(), devices.end(),
+              [](const HidDeviceInfo& a, const HidDeviceInfo& b) { return a.path < b.path; });
+    return devices;
+}
+
+core::Expected<std::unique_ptr<HidTransport>> openHidTransport(const std::string& path) {
+    if (hid_device* device = hid_open_path(path.c_str()))
+        return std::make_unique<HidapiTransport>(device);
+    const QString name = QString::fromStdString(path);
+    if (access(path.c_str(), F_OK) == 0 && access(path.c_str(), R_OK | W_OK) != 0)
+        return core::Unexpected(core::Error{
+            core::ErrorKind::ioFailed,
+            QCoreApplication::translate("Bracelet", "The bracelet at %1 may not be opened.")
+                .arg(name)
+                .toStdString(),
+            QCoreApplication::translate("Bracelet", "read and write access to it, which the udev rule gives")
+                .toStdString(),
+            {}});
+    return core::Unexpected(
+        core::Error{core::ErrorKind::unavailable,
+                    QCoreApplication::translate("Bracelet", "The bracelet at %1 cannot be opened.")
+                        .arg(name)
+                        .toStdString(),
+                    {},
+                    {}});
+}
+
+} // namespace teleta::bracelet

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/error.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace teleta::bracelet {
+
+/// One open HID device, report by report. A test puts one in its place that it plays itself. Thread: one at a
+/// time.
+class HidTransport {
+public:
+    virtual ~HidTransport() = default;
+    HidTransport() = default;
+    HidTransport(const HidTransport&) = delete;
+    HidTransport& operator=(const HidTransport&) = delete;
+
+    /// Hands an output report, with its id, to the kernel; false: the device is gone.
+    [[nodiscard]] virtual bool write(std::span<const std::uint8_t> report) = 0;
+    /// The next input report, with its id: number of bytes, 0 when none has come, -1 when the device is gone.
+    /// Does not wait.
+    [[nodiscard]] virtual int read(std::span<std::uint8_t> report) = 0;
+    /// Asks for the feature report whose id is the first byte: number of bytes with the id, -1 on failure.
+    [[nodiscard]] virtual int getFeature(std::span<std::uint8_t> report) = 0;
+};
+
+struct HidDeviceInfo {
+    std::string path; ///< "/dev/hidraw3"
+    std::string serial;
+    std::string product;
+    std::uint16_t usagePage = 0; ///< 0 when the system does not tell
+};
+
+/// The devices with these ids that the system lists, by path. Thread: any, one at a time.
+[[nodiscard]] std::vector<HidDeviceInfo> listHidDevices(std::uint16_t vendorId, std::uint16_t productId);
+
+/// Opens a listed device by hidapi. Error: it is gone, or may not be opened.
+[[nodiscard]] core::Expected<std::unique_ptr<HidTransport>> openHidTransport(const std::string& path);
+
+} // namespace teleta::bracelet
