@@ -9,6 +9,7 @@
 #include "app/cli/commands/pattern_command.h"
 #include "app/cli/commands/simulate_command.h"
 #include "app/cli/commands/stiffness_command.h"
+#include "app/cli/commands/study_command.h"
 
 #include <QCoreApplication>
 
@@ -31,6 +32,7 @@ std::vector<std::unique_ptr<Command>> makeCommands() {
     commands.push_back(std::make_unique<ContourCommand>());
     commands.push_back(std::make_unique<SimulateCommand>());
     commands.push_back(std::make_unique<PatternCommand>());
+    commands.push_back(std::make_unique<StudyCommand>());
     return commands;
 }
 

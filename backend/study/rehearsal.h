@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/study/study_store.h"
+
+#include <cstddef>
+#include <functional>
+
+namespace teleta::study {
+
+struct RehearsalProgress {
+    std::size_t participants = 0; ///< with all their sessions
+    std::size_t trials = 0;       ///< kept in this run
+    std::size_t trialsBefore = 0; ///< kept before it
+    bool interrupted = false;
+};
+
+/// Lets simulated participants P01, P02 .. go through all sessions of a study that is still to be done, with
+/// the session code of real ones and a clock of its own, as fast as the store keeps the trials. Every answer
+/// depends on the seed and the trial alone: a rehearsal that was interrupted and goes on has the same trials
+/// as one that was not, and so are its times of day, which count from the creation of the study.
+/// goOn: asked before each trial; false stops. Error: refused unless the study is simulated; what the store
+/// reports. Thread: that of the store.
+[[nodiscard]] core::Expected<RehearsalProgress> rehearse(StudyStore& store,
+                                                         const std::function<bool(std::size_t trials)>& goOn);
+
+} // namespace teleta::study

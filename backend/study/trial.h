@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace teleta::study {
+
+enum class Phase { practice, test };
+
+/// How a trial ended. Only correct, incorrect and timeout complete it; the others show it again.
+enum class Outcome { correct, incorrect, timeout, aborted, deviceError };
+
+/// What a study is for; data of different modes are never merged by default.
+enum class Mode { run, pilot, simulated };
+
+/// The words of the columns phase, outcome and mode.
+[[nodiscard]] const char* toString(Phase phase);
+[[nodiscard]] const char* toString(Outcome outcome);
+[[nodiscard]] const char* toString(Mode mode);
+
+/// The inverse; empty for another word.
+[[nodiscard]] std::optional<Phase> phaseOf(const std::string& word);
+[[nodiscard]] std::optional<Outcome> outcomeOf(const std::string& word);
+[[nodiscard]] std::optional<Mode> modeOf(const std::string& word);
+
+/// A trial that is to be shown.
+struct PlannedTrial {
+    Phase phase = Phase::practice;
+    std::size_t trial = 1;      ///< number in its phase, from 1; stays the same when it is shown again
+    std::size_t repetition = 1; ///< how often its pattern was planned up to it, from 1
+    std::size_t attempt = 1;    ///< from 1; more after device faults and interruptions
+    std::size_t stimulus = 0;   ///< index of the pattern
+};
+
+/// A trial that was shown, and what came of it.
+struct TrialResult {
+    PlannedTrial planned;
+    std::size_t trialInBlock = 1; ///< how many trials of the phase were shown up to it, from 1
+    std::optional<std::size_t> response;
+    Outcome outcome = Outcome::timeout;
+    std::optional<double> responseTime_s;       ///< from the onset of the stimulus; empty without an answer
+    std::optional<double> responseTimeOffset_s; ///< from its end, below 0 when answered before
+    std::string responseDevice;                 ///< mouse, touch, keyboard, keypad, simulated; empty: none
+    std::string responseKey;                    ///< physical key or button; empty: none
+    std::size_t replays = 0;
+    std::size_t earlyPresses = 0;
+    double onset_s = 0.0;                   ///< since the session began; of the last replay
+    double duration_s = 0.0;                ///< of the stimulus
+    std::optional<double> deviceLatency_ms; ///< from the request to the stimulus
+    std::size_t deviceFaults = 0;
+
+    [[nodiscard]] bool isComplete() const {
+        return outcome != Outcome::aborted && outcome != Outcome::deviceError;
+    }
+};
+
+} // namespace teleta::study

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/cli/program_run.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+
+using nlohmann::ordered_json;
+using teleta::test::ProgramResult;
+using teleta::test::run;
+using teleta::test::TemporaryFolder;
+
+namespace {
+
+class StudyCommand : public testing::Test {
+protected:
+    [[nodiscard]] std::string folder() const { return m_folder.path("study"); }
+
+    TemporaryFolder m_folder;
+};
+
+} // namespace
+
+// 6 participants: 110 test and 66 practice trials each (TeleTA, 5.3).
+TEST_F(StudyCommand, rehearsesTheStudyOfThePaper) {
+    const ProgramResult result =
+        run({"study", "rehearse", "--participants", "6", "--out", folder(), "--json"});
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const ordered_json answer = ordered_json::parse(result.out);
+    EXPECT_EQ(answer["participants"], 6);
+    EXPECT_EQ(answer["trials"], 6 * (110 + 66));
+    EXPECT_EQ(answer["mode"], "simulated");
+    EXPECT_TRUE(std::filesystem::exists(folder() + "/study.sqlite"));
+}
+
+TEST_F(StudyCommand, doesNotBeginAStudyTwice) {
+    ASSERT_EQ(run({"study", "rehearse", "--participants", "1", "--out", folder()}).exitCode, 0);
+    const ProgramResult again = run({"study", "rehearse", "--participants", "1", "--out", folder()});
+    EXPECT_EQ(again.exitCode, 1);
+    EXPECT_NE(again.err.find("study"), std::string::npos);
+}
+
+TEST_F(StudyCommand, resumingAFinishedRehearsalAddsNothing) {
+    ASSERT_EQ(run({"study", "rehearse", "--participants", "1", "--out", folder()}).exitCode, 0);
+    const ProgramResult resumed = run({"study", "resume", folder(), "--json"});
+    ASSERT_EQ(resumed.exitCode, 0) << resumed.err;
+    const ordered_json answer = ordered_json::parse(resumed.out);
+    EXPECT_EQ(answer["trials"], 176);
+    EXPECT_EQ(answer["trials_before"], 176);
+}
+
+TEST_F(StudyCommand, aMistakeInTheProtocolIsShownWithItsPlace) {
+    const std::string path = m_folder.write("p.toml", "name = \"x\"\nstimulus_s = 0.0\n");
+    const ProgramResult result = run({"study", "rehearse", path, "--out", folder()});
+    EXPECT_EQ(result.exitCode, 3);
+    EXPECT_NE(result.err.find("p.toml:2:"), std::string::npos) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(folder()));
+}
+
+TEST_F(StudyCommand, aFolderWithoutStudyIsBadInput) {
+    EXPECT_EQ(run({"study", "resume", folder()}).exitCode, 3);
+}
+
+TEST_F(StudyCommand, wrongUsageIsTold) {
+    EXPECT_EQ(run({"study"}).exitCode, 2);
+    EXPECT_EQ(run({"study", "rehearse"}).exitCode, 2);
+    EXPECT_EQ(run({"study", "rehearse", "--participants", "0", "--out", folder()}).exitCode, 2);
+}

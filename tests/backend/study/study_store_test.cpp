@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/study/study_store.h"
+#include "tests/backend/core/temporary_folder.h"
+#include "tests/backend/study/small_protocol.h"
+
+#include <QCoreApplication>
+#include <QSqlDatabase>
+#include <QSqlQuery>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <clocale>
+#include <csignal>
+#include <filesystem>
+#include <sys/resource.h>
+
+namespace teleta::study {
+
+namespace {
+
+using test::TemporaryFolder;
+
+/// Qt finds its database drivers through the application.
+const struct Application {
+    int argc = 1;
+    std::array<char, 5> name{"test"};
+    std::array<char*, 2> argv{name.data(), nullptr};
+    QCoreApplication application{argc, argv.data()};
+} kApplication;
+
+const QDateTime kNow(QDate(2026, 11, 3), QTime(14, 22, 33), Qt::UTC);
+
+class StudyStoreTest : public testing::Test {
+protected:
+    StudyHead head() {
+        StudyHead head;
+        head.protocol = smallProtocol();
+        head.seed = 18'000'000'000'000'000'001U;
+        head.mode = Mode::pilot;
+        head.created = kNow;
+        head.appVersion = "0.1.0";
+        return head;
+    }
+
+    StudyStore create() {
+        auto store = StudyStore::create(folder(), head());
+        EXPECT_TRUE(store) << core::describe(store.error());
+        return std::move(*store);
+    }
+
+    [[nodiscard]] std::string folder() const { return m_folder.path("study"); }
+
+    /// Runs a statement on the file beside the store.
+    void runSql(const QString& sql) {
+        {
+            QSqlDatabase database =
+                QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), QStringLiteral("beside"));
+            database.setDatabaseName(QString::fromStdString(folder() + "/study.sqlite"));
+            ASSERT_TRUE(database.open());
+            ASSERT_TRUE(QSqlQuery(database).exec(sql));
+        }
+        QSqlDatabase::removeDatabase(QStringLiteral("beside"));
+    }
+
+    static TrialResult answered() {
+        TrialResult result;
+        result.planned = {Phase::test, 3, 2, 1, 1};
+        result.trialInBlock = 4;
+        result.response = 2;
+        result.outcome = Outcome::incorrect;
+        result.responseTime_s = 0.1 + 0.2;
+        result.responseTimeOffset_s = -1.75;
+        result.responseDevice = "keyboard";
+        result.responseKey = "3";
+        result.replays = 1;
+        result.earlyPresses = 2;
+        result.onset_s = 12.5;
+        result.duration_s = 2.0;
+        result.deviceLatency_ms = 4.25;
+        result.deviceFaults = 1;
+        return result;
+    }
+
+    TemporaryFolder m_folder;
+};
+
+} // namespace
+
+TEST_F(StudyStoreTest, keepsWhatTheStudyIs) {
+    (void)create();
+    const auto store = StudyStore::open(folder());
+    ASSERT_TRUE(store) << core::describe(store.error());
+    EXPECT_EQ(store->head().seed, 18'000'000'000'000'000'001U);
+    EXPECT_EQ(store->head().mode, Mode::pilot);
+    EXPECT_EQ(store->head().created, kNow);
+    EXPECT_EQ(store->head().protocol.tasks[0].patterns.size(), 3U);
+    EXPECT_EQ(store->head().protocol.source, smallProtocol().source);
+}
+
+TEST_F(StudyStoreTest, neverOverwritesAStudy) {
+    (void)create();
+    const auto again = StudyStore::create(folder(), head());
+    ASSERT_FALSE(again);
+    EXPECT_EQ(again.error().kind, core::ErrorKind::refused);
+}
+
+TEST_F(StudyStoreTest, givesATrialBackAsItWas) {
+    StudyStore store = create();
+    const Participant participant = store.enrol("P07").value();
+    const PlannedSession plan = planSessions(store.head().protocol, store.head().seed, 0)[0];
+    const SessionRecord session = store.beginSession(participant, 0, plan, kNow).value();
+    TrialResult silent;
+    silent.planned = {Phase::test, 4, 1, 1, 0};
+    silent.trialInBlock = 5;
+    ASSERT_TRUE(store.keepTrial(session, answered(), kNow));
+    ASSERT_TRUE(store.keepTrial(session, silent, kNow.addSecs(20)));
+    const auto trials = StudyStore::open(folder())->trials(session);
+    ASSERT_TRUE(trials);
+    ASSERT_EQ(trials->size(), 2U);
+    const TrialResult& first = trials->front().result;
+    EXPECT_EQ(first.planned.phase, Phase::test);
+    EXPECT_EQ(first.planned.trial, 3U);
+    EXPECT_EQ(first.planned.repetition, 2U);
+    EXPECT_EQ(first.planned.attempt, 1U);
+    EXPECT_EQ(first.planned.stimulus, 1U);
+    EXPECT_EQ(first.trialInBlock, 4U);
+    EXPECT_EQ(first.response, 2U);
+    EXPECT_EQ(first.outcome, Outcome::incorrect);
+    EXPECT_EQ(first.responseTime_s, 0.1 + 0.2);
+    EXPECT_EQ(first.responseTimeOffset_s, -1.75);
+    EXPECT_EQ(first.responseDevice, "keyboard");
+    EXPECT_EQ(first.responseKey, "3");
+    EXPECT_EQ(first.replays, 1U);
+    EXPECT_EQ(first.earlyPresses, 2U);
+    EXPECT_EQ(first.onset_s, 12.5);
+    EXPECT_EQ(first.duration_s, 2.0);
+    EXPECT_EQ(first.deviceLatency_ms, 4.25);
+    EXPECT_EQ(first.deviceFaults, 1U);
+    EXPECT_EQ(trials->front().time, kNow);
+    const TrialResult& second = trials->back().result;
+    EXPECT_FALSE(second.response);
+    EXPECT_FALSE(second.responseTime_s);
+    EXPECT_FALSE(second.deviceLatency_ms);
+    EXPECT_EQ(second.outcome, Outcome::timeout);
+}
+
+TEST_F(StudyStoreTest, refusesTheSameAttemptOfATrialTwice) {
+    StudyStore store = create();
+    const PlannedSession plan = planSessions(store.head().protocol, store.head().seed, 0)[0];
+    const SessionRecord session = store.beginSession(store.enrol("P07").value(), 0, plan, kNow).value();
+    ASSERT_TRUE(store.keepTrial(session, answered(), kNow));
+    TrialResult other = answered();
+    other.response = 0;
+    const auto again = store.keepTrial(session, other, kNow);
+    ASSERT_FALSE(again);
+    EXPECT_EQ(again.error().kind, core::ErrorKind::refused);
+    EXPECT_EQ(store.trials(session)->size(), 1U);
+    EXPECT_EQ(store.trials(session)->front().result.response, 2U);
+}
+
+TEST_F(StudyStoreTest, takesAnyNameOfAParticipantButEachOnce) {
+    StudyStore store = create();
+    const std::vector<std::string> names = {"P07",        "O'Neil", "a,b",  "two\nlines",
+                                            "\"quoted\"", "参加者", "Иван", "'; DROP TABLE trial; --"};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const auto participant = store.enrol(names[i]);
+        ASSERT_TRUE(participant) << names[i];
+        EXPECT_EQ(participant->enrolment, i);
+    }
+    const auto again = store.enrol("参加者");
+    ASSERT_FALSE(again);
+    EXPECT_EQ(again.error().kind, core::ErrorKind::refused);
+    EXPECT_FALSE(store.enrol(""));
+    EXPECT_FALSE(store.enrol("  "));
+    EXPECT_FALSE(store.enrol(std::string(65, 'x')));
+    const auto participants = StudyStore::open(folder())->participants();
+    ASSERT_EQ(participants->size(), names.size());
+    for (std::size_t i = 0; i < names.size(); ++i)
+        EXPECT_EQ((*participants)[i].id, names[i]);
+}
+
+TEST_F(StudyStoreTest, sessionsOfOneParticipantInTheSameSecondGetNamesOfTheirOwn) {
+    StudyStore store = create();
+    const Participant participant = store.enrol("P07").value();
+    const auto plan = planSessions(store.head().protocol, store.head().seed, 0);
+    EXPECT_EQ(store.beginSession(participant, 0, plan[0], kNow)->id, "20261103T142233");
+    EXPECT_EQ(store.beginSession(participant, 1, plan[1], kNow)->id, "20261103T142233x2");
+    const Participant other = store.enrol("P08").value();
+    EXPECT_EQ(store.beginSession(other, 0, plan[0], kNow)->id, "20261103T142233");
+}
+
+TEST_F(StudyStoreTest, aSessionThatBeganIsTheSameAgainEvenIfTheClockWasSetBack) {
+    StudyStore store = create();
+    const Participant participant = store.enrol("P07").value();
+    const auto plan = planSessions(store.head().protocol, store.head().seed, 0);
+    const SessionRecord first = store.beginSession(participant, 0, plan[0], kNow).value();
+    ASSERT_TRUE(store.keepTrial(first, answered(), kNow));
+    TrialResult next = answered();
+    next.planned.trial = 4;
+    next.trialInBlock = 5;
+    ASSERT_TRUE(store.keepTrial(first, next, kNow.addDays(-1)));
+    const SessionRecord again = store.beginSession(participant, 0, plan[0], kNow.addDays(-1)).value();
+    EXPECT_EQ(again.key, first.key);
+    EXPECT_EQ(again.id, first.id);
+    const auto trials = store.trials(again).value();
+    ASSERT_EQ(trials.size(), 2U);
+    EXPECT_EQ(trials[1].result.planned.trial, 4U);
+}
+
+TEST_F(StudyStoreTest, twoStationsSeeEachOther) {
+    StudyStore one = create();
+    StudyStore two = StudyStore::open(folder()).value();
+    ASSERT_TRUE(one.enrol("P07"));
+    EXPECT_FALSE(two.enrol("P07"));
+    EXPECT_EQ(two.enrol("P08")->enrolment, 1U);
+    const auto plan = planSessions(one.head().protocol, one.head().seed, 0);
+    const SessionRecord first = one.beginSession(one.participants()->front(), 0, plan[0], kNow).value();
+    const SessionRecord second = two.beginSession(two.participants()->front(), 0, plan[0], kNow).value();
+    EXPECT_EQ(first.key, second.key);
+    ASSERT_TRUE(one.keepTrial(first, answered(), kNow));
+    EXPECT_EQ(two.keepTrial(second, answered(), kNow).error().kind, core::ErrorKind::refused);
+}
+
+TEST_F(StudyStoreTest, finishedSessionsStayFinished) {
+    StudyStore store = create();
+    const Participant participant = store.enrol("P07").value();
+    const auto plan = planSessions(store.head().protocol, store.head().seed, 0);
+    const SessionRecord session = store.beginSession(participant, 0, plan[0], kNow).value();
+    EXPECT_FALSE(session.finished);
+    ASSERT_TRUE(store.finishSession(session));
+    EXPECT_TRUE(StudyStore::open(folder())->sessions(participant)->front().finished);
+}
+
+TEST_F(StudyStoreTest, tellsAFolderWithoutStudyFromADamagedOneAndANewerOne) {
+    EXPECT_EQ(StudyStore::open(folder()).error().kind, core::ErrorKind::notFound);
+    std::filesystem::create_directory(folder());
+    m_folder.write("study/study.sqlite", "this is no database, but it is long enough to look at");
+    EXPECT_EQ(StudyStore::open(folder()).error().kind, core::ErrorKind::badInput);
+    std::filesystem::remove_all(folder());
+    (void)create();
+    runSql(QStringLiteral("PRAGMA user_version = 1000"));
+    EXPECT_EQ(StudyStore::open(folder()).error().kind, core::ErrorKind::refused);
+}
+
+TEST_F(StudyStoreTest, aFolderThatCannotBeMadeIsAnError) {
+    m_folder.write("study", "a file stands in the way");
+    EXPECT_EQ(StudyStore::create(folder(), head()).error().kind, core::ErrorKind::ioFailed);
+}
+
+// A limit on the size of files stands for a disk that is full: the write-ahead log cannot grow.
+TEST_F(StudyStoreTest, aFullDiskLosesNothingThatWasKept) {
+    StudyStore store = create();
+    const PlannedSession plan = planSessions(store.head().protocol, store.head().seed, 0)[0];
+    const SessionRecord session = store.beginSession(store.enrol("P07").value(), 0, plan, kNow).value();
+    TrialResult result = answered();
+    ASSERT_TRUE(store.keepTrial(session, result, kNow));
+    result.planned.trial = 9;
+    result.trialInBlock = 9;
+
+    const auto ignored = std::signal(SIGXFSZ, SIG_IGN);
+    rlimit before{};
+    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+    rlimit full = before;
+    full.rlim_cur = std::filesystem::file_size(folder() + "/study.sqlite-wal");
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &full), 0);
+    const auto kept = store.keepTrial(session, result, kNow);
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+    std::signal(SIGXFSZ, ignored);
+
+    ASSERT_FALSE(kept);
+    EXPECT_EQ(kept.error().kind, core::ErrorKind::ioFailed) << core::describe(kept.error());
+    EXPECT_EQ(store.trials(session)->size(), 1U);
+    EXPECT_TRUE(store.keepTrial(session, result, kNow));
+    EXPECT_EQ(StudyStore::open(folder())->trials(session)->size(), 2U);
+}
+
+TEST_F(StudyStoreTest, numbersDoNotDependOnTheLocale) {
+    const std::string before = std::setlocale(LC_ALL, nullptr);
+    if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr)
+        GTEST_SKIP() << "the locale de_DE.UTF-8 is not installed";
+    StudyStore store = create();
+    const PlannedSession plan = planSessions(store.head().protocol, store.head().seed, 0)[0];
+    const SessionRecord session = store.beginSession(store.enrol("P07").value(), 0, plan, kNow).value();
+    ASSERT_TRUE(store.keepTrial(session, answered(), kNow));
+    EXPECT_EQ(store.trials(session)->front().result.responseTimeOffset_s, -1.75);
+    std::setlocale(LC_ALL, before.c_str());
+}
+
+} // namespace teleta::study
