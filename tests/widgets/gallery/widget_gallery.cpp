@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/sample_touch.h"
+#include "tests/widgets/touch/sample_arm.h"
 #include "tests/widgets/touch/sample_records.h"
 #include "widgets/base/theme.h"
 #include "widgets/charts/strip_chart_view.h"
 #include "widgets/tactile/heatmap_view.h"
+#include "widgets/touch/jog_panel.h"
 #include "widgets/touch/stiffness_gauge.h"
 #include "widgets/touch/touch_table.h"
 
@@ -116,6 +118,19 @@ std::unique_ptr<QWidget> touches(bool some) {
     return view;
 }
 
+std::unique_ptr<QWidget> jog(std::optional<core::ArmDrive> drive) {
+    auto view = std::make_unique<touch::JogPanel>();
+    if (!drive)
+        return view;
+    view->setArm(test::sampleArm());
+    core::JointSample sample;
+    sample.angle_rad = {0.21, -0.62, 1.996, 1.2};
+    view->setSample(sample);
+    view->setDrive(*drive);
+    view->setStopEngaged(*drive == core::ArmDrive::stopped);
+    return view;
+}
+
 std::vector<Exhibit> exhibits() {
     return {
         {QStringLiteral("gauge"), QSize(400, 220),
@@ -127,6 +142,9 @@ std::vector<Exhibit> exhibits() {
          [] { return gauge(test::estimateOf(9000.0, 5000.0, std::nullopt)); }},
         {QStringLiteral("gauge_empty"), QSize(400, 220), [] { return gauge(std::nullopt); }},
         {QStringLiteral("gauge_refused"), QSize(400, 220), refusedGauge},
+        {QStringLiteral("jog"), QSize(520, 330), [] { return jog(core::ArmDrive::program); }},
+        {QStringLiteral("jog_stopped"), QSize(400, 330), [] { return jog(core::ArmDrive::stopped); }},
+        {QStringLiteral("jog_none"), QSize(400, 330), [] { return jog(std::nullopt); }},
         {QStringLiteral("touches"), QSize(1120, 240), [] { return touches(true); }},
         {QStringLiteral("touches_empty"), QSize(700, 160), [] { return touches(false); }},
         {QStringLiteral("charts"), QSize(820, 560), [] { return charts(false); }},

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/widgets/test_registry.h"
+#include "tests/widgets/touch/sample_arm.h"
+#include "widgets/touch/drive_sign.h"
+#include "widgets/touch/hold_button.h"
+#include "widgets/touch/jog_panel.h"
+#include "widgets/touch/joint_range.h"
+
+#include <QApplication>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+#include <QVBoxLayout>
+
+using namespace teleta;
+using namespace teleta::touch;
+using core::JointArray;
+
+namespace {
+
+/// A panel with an arm in an active window, beside a line that can take the focus from it.
+struct Desk {
+    Desk() {
+        auto* layout = new QVBoxLayout(&window);
+        layout->addWidget(panel);
+        layout->addWidget(line);
+        panel->setArm(test::sampleArm());
+        core::JointSample sample;
+        sample.angle_rad = {0.1, -0.2, 0.3, 1.5};
+        panel->setSample(sample);
+        panel->setDrive(core::ArmDrive::held);
+        window.show();
+        active = QTest::qWaitForWindowActive(&window);
+        panel->setFocus();
+    }
+    void press(int key, Qt::KeyboardModifiers modifiers = {}) {
+        QTest::keyPress(panel, static_cast<Qt::Key>(key), modifiers);
+    }
+    void release(int key, Qt::KeyboardModifiers modifiers = {}) {
+        QTest::keyRelease(panel, static_cast<Qt::Key>(key), modifiers);
+    }
+    /// Shift and Q: the first joint turns up.
+    void move() {
+        press(Qt::Key_Shift);
+        press(Qt::Key_Q, Qt::ShiftModifier);
+    }
+    [[nodiscard]] JointArray last() const { return requests.last()[0].value<JointArray>(); }
+    [[nodiscard]] bool sentOneZeroAtTheEnd() const {
+        return requests.size() >= 2 && last() == JointArray{} &&
+               requests[requests.size() - 2][0].value<JointArray>() != JointArray{};
+    }
+
+    QWidget window;
+    JogPanel* panel = new JogPanel(&window);
+    QLineEdit* line = new QLineEdit(&window);
+    QSignalSpy requests{panel, &JogPanel::jogRequested};
+    bool active = false;
+};
+
+} // namespace
+
+/// Moving the arm by hand, and above all not moving it.
+class JogPanelTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aDirectionWithoutTheDeadManDoesNothing() {
+        Desk desk;
+        desk.press(Qt::Key_Q);
+        QTest::mousePress(desk.panel->directionButton(1, true), Qt::LeftButton);
+        QVERIFY(!desk.panel->isMoving());
+        QCOMPARE(desk.requests.size(), 0);
+    }
+
+    void theDeadManWithoutADirectionDoesNothing() {
+        Desk desk;
+        desk.press(Qt::Key_Shift);
+        QTest::mousePress(desk.panel->deadManButton(), Qt::LeftButton);
+        QVERIFY(!desk.panel->isMoving());
+        QCOMPARE(desk.requests.size(), 0);
+    }
+
+    void bothTogetherTurnTheJointWithTheChosenShareOfItsSpeed() {
+        Desk desk;
+        desk.panel->setSpeed(50);
+        desk.press(Qt::Key_Shift);
+        desk.press(Qt::Key_F, Qt::ShiftModifier); // elbow down
+        QCOMPARE(desk.last(), (JointArray{0.0, 0.0, 0.0, -0.8}));
+        desk.press(Qt::Key_W, Qt::ShiftModifier); // and shoulder pitch up
+        QCOMPARE(desk.last(), (JointArray{0.0, 0.6, 0.0, -0.8}));
+    }
+
+    void shiftAndAButtonMoveToo() {
+        Desk desk;
+        desk.panel->setSpeed(100);
+        QTest::mousePress(desk.panel->directionButton(2, true), Qt::LeftButton, Qt::ShiftModifier);
+        QCOMPARE(desk.last(), (JointArray{0.0, 0.0, 1.4, 0.0}));
+        QVERIFY(desk.panel->hasFocus());
+        QTest::keyRelease(desk.panel, Qt::Key_Shift);
+        QVERIFY(desk.sentOneZeroAtTheEnd());
+    }
+
+    void theButtonOnTheScreenIsADeadManForTheKeys() {
+        Desk desk;
+        QTest::mousePress(desk.panel->deadManButton(), Qt::LeftButton);
+        desk.press(Qt::Key_Q);
+        QVERIFY(desk.panel->isMoving());
+        QTest::mouseRelease(desk.panel->deadManButton(), Qt::LeftButton);
+        QVERIFY(desk.sentOneZeroAtTheEnd());
+    }
+
+    void lettingGoOfEitherSendsOneZeroAtOnce() {
+        for (const int released : {int(Qt::Key_Shift), int(Qt::Key_Q)}) {
+            Desk desk;
+            desk.move();
+            QCOMPARE(desk.requests.size(), 1);
+            desk.release(released, released == Qt::Key_Q ? Qt::ShiftModifier : Qt::NoModifier);
+            QCOMPARE(desk.requests.size(), 2);
+            QVERIFY(desk.sentOneZeroAtTheEnd());
+        }
+    }
+
+    void theRequestIsRepeatedWhileHeldAndNotAfterwards() {
+        Desk desk;
+        desk.move();
+        QTRY_VERIFY(desk.requests.size() >= 4);
+        for (const auto& request : desk.requests)
+            QCOMPARE(request[0].value<JointArray>(), (JointArray{0.2, 0.0, 0.0, 0.0}));
+        desk.release(Qt::Key_Shift);
+        const auto sent = desk.requests.size();
+        QVERIFY(!desk.requests.wait(4 * JogPanel::kPeriod_ms));
+        QCOMPARE(desk.requests.size(), sent);
+    }
+
+    void repeatedKeysOfTheKeyboardChangeNothing() {
+        Desk desk;
+        desk.move();
+        QKeyEvent up(QEvent::KeyRelease, Qt::Key_Q, Qt::ShiftModifier, QString(), true);
+        QKeyEvent down(QEvent::KeyPress, Qt::Key_Q, Qt::ShiftModifier, QString(), true);
+        QApplication::sendEvent(desk.panel, &up);
+        QApplication::sendEvent(desk.panel, &down);
+        QCOMPARE(desk.requests.size(), 1);
+        QVERIFY(desk.panel->isMoving());
+    }
+
+    void losingTheFocusStops() {
+        Desk desk;
+        QVERIFY(desk.active);
+        desk.move();
+        desk.line->setFocus();
+        QVERIFY(desk.sentOneZeroAtTheEnd());
+        desk.panel->setFocus();
+        QVERIFY(!desk.panel->isMoving());
+    }
+
+    void anotherWindowStops() {
+        Desk desk;
+        desk.move();
+        QWidget other;
+        other.show();
+        QApplication::setActiveWindow(&other);
+        QVERIFY(QTest::qWaitForWindowActive(&other));
+        QVERIFY(desk.sentOneZeroAtTheEnd());
+    }
+
+    void hidingStops() {
+        Desk desk;
+        desk.move();
+        desk.panel->hide();
+        QVERIFY(desk.sentOneZeroAtTheEnd());
+    }
+
+    void destroyingStops() {
+        Desk desk;
+        desk.move();
+        delete desk.panel;
+        QVERIFY(desk.sentOneZeroAtTheEnd());
+    }
+
+    void aMouseThatLeavesTheButtonStopsAndItsReturnMovesNothing() {
+        Desk desk;
+        HoldButton* button = desk.panel->directionButton(0, true);
+        QTest::mousePress(button, Qt::LeftButton, Qt::ShiftModifier, button->rect().center());
+        QVERIFY(desk.panel->isMoving());
+        const auto dragTo = [&](const QPoint& point) {
+            QMouseEvent event(QEvent::MouseMove, point, button->mapToGlobal(point), Qt::NoButton,
+                              Qt::LeftButton, Qt::ShiftModifier);
+            QApplication::sendEvent(button, &event);
+        };
+        dragTo(QPoint(-5, 5));
+        QVERIFY(desk.sentOneZeroAtTheEnd());
+        dragTo(button->rect().center());
+        QVERIFY(!desk.panel->isMoving());
+    }
+
+    void stopTakesEverythingBackAndSaysWhy() {
+        Desk desk;
+        desk.move();
+        desk.panel->setStopEngaged(true);
+        QVERIFY(desk.sentOneZeroAtTheEnd());
+        QVERIFY(desk.panel->refusal().contains("STOP"));
+        QVERIFY(!desk.panel->deadManButton()->isEnabled());
+        desk.move();
+        QVERIFY(!desk.panel->isMoving());
+        desk.panel->setStopEngaged(false);
+        QVERIFY(desk.panel->refusal().isEmpty());
+        QVERIFY(!desk.panel->isMoving());
+    }
+
+    void withoutAnArmItSaysWhyItCannot() {
+        Desk desk;
+        desk.move();
+        desk.panel->setArm(std::nullopt);
+        QVERIFY(desk.sentOneZeroAtTheEnd());
+        QVERIFY(desk.panel->refusal().contains("No arm"));
+        QVERIFY(!desk.panel->directionButton(0, true)->isEnabled());
+        desk.move();
+        QVERIFY(!desk.panel->isMoving());
+    }
+
+    void theTipMovesAlongTheAxesOfTheBase() {
+        Desk desk;
+        desk.panel->setMode(JogPanel::Mode::tip);
+        QVERIFY(!desk.panel->directionButton(3, true)->isVisible());
+        desk.press(Qt::Key_Shift);
+        desk.press(Qt::Key_E, Qt::ShiftModifier); // z
+        QVERIFY(desk.panel->isMoving());
+        QVERIFY(std::abs(desk.last()[1]) + std::abs(desk.last()[3]) > 0.01);
+        desk.panel->setMode(JogPanel::Mode::joints);
+        QVERIFY(desk.sentOneZeroAtTheEnd());
+    }
+
+    void theProgramIsRunHeldAndRestarted() {
+        Desk desk;
+        QSignalSpy runs(desk.panel, &JogPanel::programRunRequested);
+        QSignalSpy restarts(desk.panel, &JogPanel::programRestartRequested);
+        QTest::mouseClick(desk.panel->runButton(), Qt::LeftButton);
+        QTest::mouseClick(desk.panel->holdButton(), Qt::LeftButton);
+        QTest::mouseClick(desk.panel->restartButton(), Qt::LeftButton);
+        QCOMPARE(runs.size(), 2);
+        QCOMPARE(runs[0][0].toBool(), true);
+        QCOMPARE(runs[1][0].toBool(), false);
+        QCOMPARE(restarts.size(), 1);
+        core::ArmDescription plain = test::sampleArm();
+        plain.hasProgram = false;
+        desk.panel->setArm(plain);
+        QVERIFY(!desk.panel->runButton()->isEnabled());
+    }
+
+    void anglesAreInDegreesAndTheEndOfTheRangeIsNamed() {
+        Desk desk;
+        QVERIFY2(desk.panel->range(0)->text().contains("5.7"), qPrintable(desk.panel->range(0)->text()));
+        QVERIFY(!desk.panel->range(0)->atLimit());
+        core::JointSample sample;
+        sample.angle_rad = {1.5, 0.0, 0.0, 1.0};
+        desk.panel->setSample(sample);
+        QVERIFY(desk.panel->range(0)->text().endsWith("limit"));
+    }
+
+    void theDriveIsAWord() {
+        Desk desk;
+        auto* sign = desk.panel->findChild<DriveSign*>();
+        QCOMPARE(sign->text(), QString("held"));
+        desk.panel->setDrive(core::ArmDrive::stopped);
+        QCOMPARE(sign->text(), QString("stopped"));
+        desk.panel->setArm(std::nullopt);
+        QCOMPARE(sign->text(), QString("no arm"));
+    }
+};
+
+namespace {
+const test::Registration<JogPanelTest> registration;
+}
+#include "jog_panel_test.moc"

@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/touch/jog_panel.h"
+
+#include "widgets/base/icons.h"
+#include "widgets/base/theme.h"
+#include "widgets/touch/drive_sign.h"
+#include "widgets/touch/hold_button.h"
+#include "widgets/touch/jog_rates.h"
+#include "widgets/touch/joint_range.h"
+#include "widgets/touch/touch_texts.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QSlider>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <limits>
+
+namespace teleta::touch {
+
+using core::JointArray;
+
+namespace {
+
+constexpr int kFirstSpeed_percent = 20;
+constexpr double kTouchTarget_em = 2.2;
+
+constexpr Qt::KeyboardModifiers kShortcutModifiers = Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier;
+
+struct KeyPair {
+    int down, up;
+};
+constexpr std::array<KeyPair, core::kArmJoints> kJointKeys{
+    {{Qt::Key_A, Qt::Key_Q}, {Qt::Key_S, Qt::Key_W}, {Qt::Key_D, Qt::Key_E}, {Qt::Key_F, Qt::Key_R}}};
+constexpr std::array<KeyPair, 3> kTipKeys{
+    {{Qt::Key_A, Qt::Key_D}, {Qt::Key_S, Qt::Key_W}, {Qt::Key_Q, Qt::Key_E}}};
+
+KeyPair keysOf(JogPanel::Mode mode, std::size_t axis) {
+    return mode == JogPanel::Mode::joints ? kJointKeys[axis] : kTipKeys[axis];
+}
+
+} // namespace
+
+JogPanel::JogPanel(QWidget* parent)
+    : QWidget(parent)
+    , m_message(new QLabel(this))
+    , m_driveSign(new DriveSign(this))
+    , m_run(new QPushButton(base::themeIcon(base::Icon::play), {}, this))
+    , m_hold(new QPushButton(base::themeIcon(base::Icon::pause), {}, this))
+    , m_restart(new QPushButton(base::themeIcon(base::Icon::toStart), {}, this))
+    , m_modeBox(new QComboBox(this))
+    , m_speed(new QSlider(Qt::Horizontal, this))
+    , m_speedLabel(new QLabel(this))
+    , m_speedText(new QLabel(this))
+    , m_deadMan(new HoldButton(this)) {
+    setFocusPolicy(Qt::StrongFocus);
+    m_message->setWordWrap(true);
+    m_modeBox->addItems({QString(), QString()});
+    m_speed->setRange(1, 100);
+    m_speed->setValue(kFirstSpeed_percent);
+    m_speedLabel->setBuddy(m_speed);
+    m_speedText->setMinimumWidth(base::em(this, 3.2));
+    m_deadMan->setMinimumHeight(base::em(this, kTouchTarget_em));
+
+    auto* program = new QHBoxLayout;
+    program->addWidget(m_driveSign, 1);
+    for (QPushButton* button : {m_run, m_hold, m_restart}) {
+        button->setAutoDefault(false);
+        program->addWidget(button);
+    }
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(base::grid(this));
+    grid->setVerticalSpacing(base::grid(this, 0.5));
+    grid->setColumnStretch(1, 1);
+    for (std::size_t axis = 0; axis < core::kArmJoints; ++axis) {
+        const int row = static_cast<int>(axis);
+        m_names[axis] = new QLabel(this);
+        m_ranges[axis] = new JointRange(this);
+        grid->addWidget(m_names[axis], row, 0);
+        grid->addWidget(m_ranges[axis], row, 1);
+        for (const int side : {0, 1}) {
+            auto* button = new HoldButton(this);
+            button->setFixedSize(base::em(this, 3.4), base::em(this, kTouchTarget_em));
+            connect(button, &HoldButton::heldChanged, this, &JogPanel::onDirectionHeld);
+            m_buttons[axis][static_cast<std::size_t>(side)] = button;
+            grid->addWidget(button, row, 2 + side);
+        }
+    }
+    auto* speed = new QHBoxLayout;
+    speed->addWidget(m_modeBox);
+    speed->addSpacing(base::grid(this));
+    speed->addWidget(m_speedLabel);
+    speed->addWidget(m_speed, 1);
+    speed->addWidget(m_speedText);
+    auto* layout = new QVBoxLayout(this);
+    layout->addLayout(program);
+    layout->addWidget(m_message);
+    layout->addLayout(grid);
+    layout->addLayout(speed);
+    layout->addWidget(m_deadMan);
+    layout->addStretch(1);
+
+    for (QWidget* child : findChildren<QWidget*>())
+        child->installEventFilter(this);
+    m_timer.setInterval(kPeriod_ms);
+    m_timer.setTimerType(Qt::PreciseTimer);
+    connect(&m_timer, &QTimer::timeout, this, [this] {
+        take();
+        if (isMoving())
+            emit jogRequested(m_rate);
+    });
+    connect(m_deadMan, &HoldButton::heldChanged, this, [this] {
+        setFocus(Qt::MouseFocusReason);
+        take();
+    });
+    connect(m_speed, &QSlider::valueChanged, this, [this](int percent) {
+        m_speedText->setText(tr("%1 %").arg(percent));
+        take();
+    });
+    connect(m_modeBox, &QComboBox::currentIndexChanged, this,
+            [this](int index) { setMode(index == 1 ? Mode::tip : Mode::joints); });
+    connect(m_run, &QPushButton::clicked, this, [this] { emit programRunRequested(true); });
+    connect(m_hold, &QPushButton::clicked, this, [this] { emit programRunRequested(false); });
+    connect(m_restart, &QPushButton::clicked, this, &JogPanel::programRestartRequested);
+    connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
+        if (now != this && !(now && isAncestorOf(now)))
+            releaseAll();
+    });
+    retranslate();
+    enableParts();
+}
+
+JogPanel::~JogPanel() {
+    releaseAll();
+}
+
+void JogPanel::retranslate() {
+    setAccessibleName(tr("Jog the arm"));
+    setWhatsThis(tr("<p>Moves the arm by hand. It moves only while you hold Shift, or the wide button, "
+                    "together with a direction. Let go of either and it stands still.</p>"));
+    m_run->setText(tr("&Run"));
+    m_run->setToolTip(tr("Let the arm's program go on"));
+    m_hold->setText(tr("&Hold"));
+    m_hold->setToolTip(tr("Hold the arm where it is"));
+    m_restart->setText(tr("R&estart"));
+    m_restart->setToolTip(tr("Begin the arm's program anew"));
+    m_modeBox->setItemText(0, tr("Joints"));
+    m_modeBox->setItemText(1, tr("Tip, x y z"));
+    m_modeBox->setAccessibleName(tr("What is moved"));
+    m_modeBox->setToolTip(tr("Turn single joints, or move the tip of the forearm along the base's axes"));
+    m_speedLabel->setText(tr("&Speed"));
+    m_speed->setToolTip(tr("Share of the fastest speed"));
+    m_speed->setAccessibleName(tr("Jog speed"));
+    m_speedText->setText(tr("%1 %").arg(m_speed->value()));
+    m_deadMan->setText(tr("Hold to enable (or Shift)"));
+    m_deadMan->setToolTip(tr("Dead-man switch: the arm moves only while this button or Shift is held"));
+    m_deadMan->setAccessibleName(tr("Dead-man switch"));
+    constexpr std::array<char16_t, 3> kAxes{u'x', u'y', u'z'};
+    for (std::size_t axis = 0; axis < core::kArmJoints; ++axis) {
+        const QString joint = TouchTexts::joint(axis);
+        m_names[axis]->setText(joint);
+        m_ranges[axis]->setAccessibleName(tr("Angle of %1").arg(joint));
+        if (axis >= axes())
+            continue;
+        const bool tip = m_mode == Mode::tip;
+        const QString name = tip ? tr("tip along %1").arg(QChar(kAxes[axis])) : joint;
+        const KeyPair keys = keysOf(m_mode, axis);
+        const auto describe = [&](bool up, int key) {
+            HoldButton* button = directionButton(axis, up);
+            const QString sign = up ? QStringLiteral("+") : QString(QChar(0x2212));
+            button->setText(tip ? QChar(kAxes[axis]) + sign : sign);
+            button->setAccessibleName(up ? tr("%1 up").arg(name) : tr("%1 down").arg(name));
+            button->setToolTip(tr("Hold with Shift to move; key Shift+%1").arg(QChar(key)));
+        };
+        describe(false, keys.down);
+        describe(true, keys.up);
+    }
+    enableParts();
+}
+
+std::size_t JogPanel::axes() const {
+    return m_mode == Mode::joints ? core::kArmJoints : kTipKeys.size();
+}
+
+HoldButton* JogPanel::directionButton(std::size_t axis, bool up) const {
+    return m_buttons[axis][up ? 1 : 0];
+}
+
+QString JogPanel::refusal() const {
+    if (!m_arm)
+        return tr("No arm is connected. Open a scene or a device with an arm.");
+    if (m_stopEngaged)
+        return tr("STOP is engaged. Hold the STOP button to release it, then jog.");
+    return {};
+}
+
+void JogPanel::enableParts() {
+    const QString reason = refusal();
+    const bool able = reason.isEmpty();
+    if (!able)
+        releaseAll();
+    const bool tip = m_mode == Mode::tip;
+    m_message->setText(!able ? reason
+                       : tip ? tr("Hold Shift and a button, or Shift with D A (x), W S (y), E Q (z).")
+                             : tr("Hold Shift and a button, or Shift with Q W E R (up), A S D F (down)."));
+    QPalette colours = palette();
+    colours.setColor(QPalette::WindowText,
+                     able ? palette().color(QPalette::PlaceholderText) : base::statusColours(palette()).lost);
+    m_message->setPalette(colours);
+    m_deadMan->setEnabled(able);
+    for (std::size_t axis = 0; axis < core::kArmJoints; ++axis) {
+        m_ranges[axis]->setEnabled(m_arm.has_value());
+        for (HoldButton* button : m_buttons[axis]) {
+            button->setEnabled(able);
+            button->setVisible(axis < axes());
+        }
+    }
+    for (QPushButton* button : {m_run, m_hold, m_restart})
+        button->setEnabled(able && m_arm->hasProgram);
+}
+
+void JogPanel::setArm(const std::optional<core::ArmDescription>& arm) {
+    releaseAll();
+    m_arm = arm;
+    m_hasSample = false;
+    for (std::size_t joint = 0; joint < core::kArmJoints; ++joint) {
+        m_ranges[joint]->setRange(arm ? arm->lowest_rad[joint] : 0.0, arm ? arm->highest_rad[joint] : 0.0);
+        m_ranges[joint]->setAngle(std::numeric_limits<double>::quiet_NaN());
+    }
+    if (!arm)
+        m_driveSign->setDrive(std::nullopt);
+    enableParts();
+}
+
+void JogPanel::setSample(const core::JointSample& sample) {
+    if (!m_arm)
+        return;
+    m_sample = sample;
+    m_hasSample = true;
+    for (std::size_t joint = 0; joint < core::kArmJoints; ++joint)
+        m_ranges[joint]->setAngle(sample.angle_rad[joint]);
+}
+
+void JogPanel::setDrive(core::ArmDrive drive) {
+    if (m_arm)
+        m_driveSign->setDrive(drive);
+}
+
+void JogPanel::setStopEngaged(bool engaged) {
+    if (engaged == m_stopEngaged)
+        return;
+    m_stopEngaged = engaged;
+    enableParts();
+}
+
+void JogPanel::setMode(Mode mode) {
+    if (mode == m_mode)
+        return;
+    releaseAll();
+    m_mode = mode;
+    m_modeBox->setCurrentIndex(mode == Mode::tip ? 1 : 0);
+    retranslate();
+}
+
+void JogPanel::setSpeed(int percent) {
+    m_speed->setValue(percent);
+}
+
+int JogPanel::speed() const {
+    return m_speed->value();
+}
+
+bool JogPanel::isMoving() const {
+    return std::ranges::any_of(m_rate, [](double rate) { return rate != 0.0; });
+}
+
+JointArray JogPanel::wanted() const {
+    if (!m_arm || m_stopEngaged || !(m_shift || m_deadMan->isHeld()))
+        return {};
+    std::array<double, core::kArmJoints> direction{};
+    for (std::size_t axis = 0; axis < axes(); ++axis)
+        for (const std::size_t side : {0U, 1U})
+            if (m_keys[axis][side] || m_buttons[axis][side]->isHeld())
+                direction[axis] += side == 1 ? 1.0 : -1.0;
+    const double share = 0.01 * m_speed->value();
+    JointArray rate{};
+    if (m_mode == Mode::joints) {
+        for (std::size_t joint = 0; joint < core::kArmJoints; ++joint)
+            rate[joint] = share * direction[joint] * m_arm->fastest_radPerS[joint];
+        return rate;
+    }
+    if (!m_hasSample)
+        return rate;
+    const Eigen::Vector3d velocity =
+        share * kFullTipSpeed_mPerS * Eigen::Vector3d(direction[0], direction[1], direction[2]);
+    return velocity.isZero() ? rate : tipRates(*m_arm, m_sample.angle_rad, velocity);
+}
+
+void JogPanel::take() {
+    const JointArray rate = wanted();
+    if (rate == m_rate)
+        return;
+    m_rate = rate;
+    if (!isMoving())
+        m_timer.stop();
+    else if (!m_timer.isActive())
+        m_timer.start();
+    emit jogRequested(m_rate);
+}
+
+void JogPanel::releaseAll() {
+    m_shift = false;
+    m_keys = {};
+    m_deadMan->letGo();
+    for (const auto& pair : m_buttons)
+        for (HoldButton* button : pair)
+            button->letGo();
+    take();
+}
+
+void JogPanel::onDirectionHeld(bool held, Qt::KeyboardModifiers modifiers) {
+    if (held) {
+        // The keyboard comes here, so that letting go of Shift is seen.
+        setFocus(Qt::MouseFocusReason);
+        m_shift = modifiers.testFlag(Qt::ShiftModifier);
+    }
+    take();
+}
+
+bool JogPanel::isOwnKey(int key) const {
+    for (std::size_t axis = 0; axis < axes(); ++axis)
+        if (const KeyPair keys = keysOf(m_mode, axis); key == keys.down || key == keys.up)
+            return true;
+    return key == Qt::Key_Shift;
+}
+
+void JogPanel::onKey(const QKeyEvent& event, bool pressed) {
+    if (event.key() == Qt::Key_Shift) {
+        m_shift = pressed;
+    } else {
+        // Shift may have been pressed or let go while the keyboard was elsewhere.
+        m_shift = event.modifiers().testFlag(Qt::ShiftModifier);
+        for (std::size_t axis = 0; axis < axes(); ++axis) {
+            const KeyPair keys = keysOf(m_mode, axis);
+            if (event.key() == keys.down || event.key() == keys.up)
+                m_keys[axis][event.key() == keys.up ? 1 : 0] = pressed && refusal().isEmpty();
+        }
+    }
+    take();
+}
+
+bool JogPanel::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease) {
+        const auto& key = *static_cast<QKeyEvent*>(event);
+        const bool pressed = event->type() == QEvent::KeyPress;
+        if (isOwnKey(key.key()) && !(pressed && (key.modifiers() & kShortcutModifiers))) {
+            if (!key.isAutoRepeat())
+                onKey(key, pressed);
+            return true;
+        }
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+bool JogPanel::event(QEvent* event) {
+    switch (event->type()) {
+    case QEvent::KeyPress:
+    case QEvent::KeyRelease:
+        if (eventFilter(this, event))
+            return true;
+        break;
+    case QEvent::ShortcutOverride:
+        // The letters are the panel's own while it has the focus.
+        if (const auto* key = static_cast<QKeyEvent*>(event);
+            isOwnKey(key->key()) && !(key->modifiers() & kShortcutModifiers)) {
+            event->accept();
+            return true;
+        }
+        break;
+    case QEvent::WindowDeactivate:
+        releaseAll();
+        break;
+    default:
+        break;
+    }
+    return QWidget::event(event);
+}
+
+void JogPanel::hideEvent(QHideEvent* event) {
+    releaseAll();
+    QWidget::hideEvent(event);
+}
+
+void JogPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    else if (event->type() == QEvent::EnabledChange && !isEnabled())
+        releaseAll();
+    else if (event->type() == QEvent::PaletteChange)
+        enableParts();
+}
+
+} // namespace teleta::touch

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/arm_device.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QSlider;
+
+namespace teleta::touch {
+
+class DriveSign;
+class HoldButton;
+class JointRange;
+
+/// Moves the arm by hand, joint by joint or its tip along the axes of the base. The arm moves only while the
+/// dead-man switch (Shift, or the button on the screen) and a direction (a button, or its key) are both held.
+/// Letting go of either, losing the keyboard focus or the window, hiding, STOP, or losing the arm sends zero
+/// at once and takes all holds back, so that nothing goes on by itself.
+///
+/// Keys while the panel has the focus: Q W E R turn the joints 1 to 4 up, A S D F down; with the tip, D A
+/// move along x, W S along y, E Q along z. Thread: GUI.
+class JogPanel : public QWidget {
+    Q_OBJECT
+public:
+    enum class Mode { joints, tip };
+    static constexpr int kPeriod_ms = 33; ///< of jogRequested() while it moves
+
+    explicit JogPanel(QWidget* parent = nullptr);
+    ~JogPanel() override;
+
+    /// The connected arm; empty: none.
+    void setArm(const std::optional<core::ArmDescription>& arm);
+    /// The newest reading of the joints.
+    void setSample(const core::JointSample& sample);
+    void setDrive(core::ArmDrive drive);
+    void setStopEngaged(bool engaged);
+
+    void setMode(Mode mode);
+    [[nodiscard]] Mode mode() const { return m_mode; }
+    /// Share of the full speed, in percent 1..100.
+    void setSpeed(int percent);
+    [[nodiscard]] int speed() const;
+
+    /// What is asked of the arm now.
+    [[nodiscard]] const core::JointArray& rate_radPerS() const { return m_rate; }
+    [[nodiscard]] bool isMoving() const;
+    /// Why it cannot jog; empty when it can.
+    [[nodiscard]] QString refusal() const;
+
+    /// Buttons of an axis (a joint, or x, y, z); up: towards larger values.
+    [[nodiscard]] HoldButton* directionButton(std::size_t axis, bool up) const;
+    [[nodiscard]] HoldButton* deadManButton() const { return m_deadMan; }
+    [[nodiscard]] JointRange* range(std::size_t joint) const { return m_ranges[joint]; }
+    [[nodiscard]] QPushButton* runButton() const { return m_run; }
+    [[nodiscard]] QPushButton* holdButton() const { return m_hold; }
+    [[nodiscard]] QPushButton* restartButton() const { return m_restart; }
+
+public slots:
+    /// Takes all holds back; zero is sent when the arm was moving.
+    void releaseAll();
+
+signals:
+    /// At 30 Hz while the arm shall move and at every change; one zero when it shall stand still.
+    void jogRequested(const core::JointArray& rate_radPerS);
+    void programRunRequested(bool running);
+    void programRestartRequested();
+
+protected:
+    bool event(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    [[nodiscard]] bool isOwnKey(int key) const;
+    void onKey(const QKeyEvent& event, bool pressed);
+    void onDirectionHeld(bool held, Qt::KeyboardModifiers modifiers);
+    void take();
+    [[nodiscard]] core::JointArray wanted() const;
+    [[nodiscard]] std::size_t axes() const;
+    void enableParts();
+    void retranslate();
+
+    std::optional<core::ArmDescription> m_arm;
+    core::JointSample m_sample;
+    bool m_hasSample = false;
+    bool m_stopEngaged = false;
+    Mode m_mode = Mode::joints;
+    core::JointArray m_rate{};
+    bool m_shift = false;
+    std::array<std::array<bool, 2>, core::kArmJoints> m_keys{}; ///< held: [axis][0 down, 1 up]
+    QTimer m_timer;
+
+    QLabel* m_message;
+    DriveSign* m_driveSign;
+    QPushButton* m_run;
+    QPushButton* m_hold;
+    QPushButton* m_restart;
+    QComboBox* m_modeBox;
+    QSlider* m_speed;
+    QLabel* m_speedLabel;
+    QLabel* m_speedText;
+    HoldButton* m_deadMan;
+    std::array<std::array<HoldButton*, 2>, core::kArmJoints> m_buttons{};
+    std::array<QLabel*, core::kArmJoints> m_names{};
+    std::array<JointRange*, core::kArmJoints> m_ranges{};
+};
+
+} // namespace teleta::touch
