@@ -98,9 +98,10 @@ constexpr std::array kLibraries = {
     Library{"modbus/", "libmodbus"},
 };
 
-const std::set<std::string_view> kPosixHeaders = {"fcntl.h",    "poll.h",     "pthread.h",   "sched.h",
-                                                  "stdlib.h",   "termios.h",  "time.h",      "unistd.h",
-                                                  "sys/mman.h", "sys/stat.h", "sys/types.h", "sys/ioctl.h"};
+const std::set<std::string_view> kPosixHeaders = {
+    "fcntl.h",    "netdb.h",      "netinet/tcp.h", "poll.h",      "pthread.h",
+    "sched.h",    "stdlib.h",     "termios.h",     "time.h",      "unistd.h",
+    "sys/mman.h", "sys/socket.h", "sys/stat.h",    "sys/types.h", "sys/ioctl.h"};
 
 bool isStandard(std::string_view header) {
     return !header.empty() && std::all_of(header.begin(), header.end(), [](char c) {

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/error.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+
+namespace teleta::wts {
+
+struct SerialAddress {
+    std::string path;
+    int baud = 115200; ///< one that the system knows: 9600 .. 4000000
+
+    bool operator==(const SerialAddress&) const = default;
+};
+
+struct TcpAddress {
+    std::string host; ///< name or number; IPv6 without brackets
+    std::uint16_t port = 0;
+
+    bool operator==(const TcpAddress&) const = default;
+};
+
+using WtsAddress = std::variant<SerialAddress, TcpAddress>;
+
+/// "tcp://HOST:PORT" (IPv6 as tcp://[::1]:PORT), else the path of a serial port, at this baud rate.
+/// Error: badInput with what was expected; the place is the caller's.
+[[nodiscard]] core::Expected<WtsAddress> parseWtsAddress(std::string_view text, int baud = 115200);
+
+/// "ttyUSB0" or "host:port": the name under which people know the link.
+[[nodiscard]] std::string displayName(const WtsAddress& address);
+
+/// How long the device waits for what, in ms; all > 0.
+struct WtsTimes {
+    int connect_ms = 2000;      ///< TCP connection
+    int answer_ms = 300;        ///< answer to one request; asked up to three times
+    int tare_ms = 3000;         ///< answer to a tare request, which measures first
+    int lineSilence_ms = 200;   ///< the rest of a message is not to be expected after this
+    int noFrames_ms = 2000;     ///< without a good frame for so long the sensor is lost; at least 5 periods
+    int firstRetry_ms = 100;    ///< wait before connecting again; doubles
+    int longestRetry_ms = 2000; ///< up to this
+};
+
+struct WtsConfig {
+    WtsAddress address;
+    bool runLength = false;     ///< the sensor compresses its frames; values are then cut to 12 bits
+    std::uint16_t delay_ms = 0; ///< between frames; 0: as fast as the sensor and the link can
+    bool tare = false;          ///< the sensor tares itself when the source is started (not on reconnecting)
+    double timestampUnit_s = 1e-3;
+    WtsTimes times{};
+    std::size_t queueBlocks = 256;
+};
+
+} // namespace teleta::wts

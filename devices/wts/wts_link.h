@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/error.h"
+#include "devices/wts/wake_pipe.h"
+#include "devices/wts/wts_config.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace teleta::wts {
+
+/// An open byte stream to a sensor, a serial port or a TCP connection. Every wait has a deadline and can be
+/// ended. Plain POSIX: poll() over one descriptor serves both kinds and the wake-up alike, which an event
+/// loop of Qt's serial port and socket would need three ways for, and it sees an unplugged adapter at once.
+/// Thread: one.
+class WtsLink {
+public:
+    enum class Outcome {
+        done,     ///< bytes were read; all bytes were written
+        timedOut, ///< the deadline has passed
+        woken,    ///< the wake pipe ended the wait
+        gone,     ///< unplugged, closed or failed; goneReason() says why
+    };
+
+    /// Opens the port (raw, 8N1, no flow control, for us alone) or connects.
+    /// wake: may be null. Error: notFound, unavailable or refused (not a serial port, unknown baud rate);
+    /// cancelled. The name of a TCP host is looked up with the system's own time-out.
+    [[nodiscard]] static core::Expected<WtsLink> open(const WtsAddress& address, std::int64_t deadline_ns,
+                                                      const WakePipe* wake);
+
+    WtsLink(WtsLink&& other) noexcept;
+    WtsLink& operator=(WtsLink&& other) noexcept;
+    ~WtsLink();
+
+    /// Waits for bytes and reads those that are there; count: how many.
+    [[nodiscard]] Outcome read(std::span<std::uint8_t> buffer, std::size_t& count, std::int64_t deadline_ns,
+                               const WakePipe* wake);
+    [[nodiscard]] Outcome write(std::span<const std::uint8_t> bytes, std::int64_t deadline_ns,
+                                const WakePipe* wake);
+
+    /// Translated; after Outcome::gone.
+    [[nodiscard]] const std::string& goneReason() const { return m_goneReason; }
+
+private:
+    WtsLink(int descriptor, bool socket)
+        : m_descriptor(descriptor)
+        , m_socket(socket) {}
+
+    [[nodiscard]] static core::Expected<WtsLink> openSerial(const SerialAddress& address);
+    [[nodiscard]] static core::Expected<WtsLink> openTcp(const TcpAddress& address, std::int64_t deadline_ns,
+                                                         const WakePipe* wake);
+    [[nodiscard]] Outcome gone(int error);
+
+    int m_descriptor = -1;
+    bool m_socket = false;
+    std::string m_goneReason;
+};
+
+} // namespace teleta::wts

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/wts/wts_session.h"
+
+#include "backend/core/array_layout.h"
+#include "backend/core/steady_time.h"
+#include "devices/wts/wts_text.h"
+
+#include <QString>
+
+#include <algorithm>
+#include <utility>
+
+namespace teleta::wts {
+
+namespace {
+
+using Outcome = WtsLink::Outcome;
+
+constexpr std::size_t kLargestAnswer = 256;
+constexpr std::size_t kLargestPayload = 0xFFFF;
+constexpr int kAttempts = 3;
+constexpr std::int64_t kMs_ns = 1'000'000;
+
+std::int64_t deadlineIn(int time_ms) {
+    return core::steadyNow_ns() + time_ms * kMs_ns;
+}
+
+core::Unexpected error(core::ErrorKind kind, const QString& message, const QString& expected = {}) {
+    return core::Unexpected(core::Error{kind, message.toStdString(), expected.toStdString(), {}});
+}
+
+core::Expected<void> checkMatrix(const MatrixInfo& matrix) {
+    const auto sideFits = [](int side) { return side >= 1 && side <= core::ArrayLayout::kMaximumSide; };
+    if (!sideFits(matrix.rows) || !sideFits(matrix.columns) ||
+        kFrameHeaderBytes + 2 * matrix.cells() > kLargestPayload)
+        return error(core::ErrorKind::refused,
+                     WtsText::tr("the sensor says that it has %1 rows and %2 columns")
+                         .arg(matrix.rows)
+                         .arg(matrix.columns),
+                     WtsText::tr("an array of 1 to %1 rows and columns whose frame fits into one message")
+                         .arg(core::ArrayLayout::kMaximumSide));
+    if (matrix.cellWidth_10um == 0 || matrix.cellWidth_10um != matrix.cellHeight_10um)
+        return error(core::ErrorKind::refused,
+                     WtsText::tr("the sensor's cells are %1 mm wide and %2 mm high")
+                         .arg(matrix.cellWidth_10um / 100.0)
+                         .arg(matrix.cellHeight_10um / 100.0),
+                     WtsText::tr("square cells"));
+    return {};
+}
+
+} // namespace
+
+std::string describe(Status status) {
+    const auto text = [status] {
+        switch (status) {
+        case Status::success:
+            return WtsText::tr("success");
+        case Status::notAvailable:
+            return WtsText::tr("not available");
+        case Status::noSensor:
+            return WtsText::tr("no sensor connected");
+        case Status::notInitialised:
+            return WtsText::tr("not initialised");
+        case Status::alreadyRunning:
+            return WtsText::tr("already running");
+        case Status::notSupported:
+            return WtsText::tr("not supported");
+        case Status::inconsistentData:
+            return WtsText::tr("inconsistent data");
+        case Status::timeOut:
+            return WtsText::tr("time-out in the sensor");
+        case Status::readError:
+            return WtsText::tr("read error in the sensor");
+        case Status::writeError:
+            return WtsText::tr("write error in the sensor");
+        case Status::checksumError:
+            return WtsText::tr("wrong checksum");
+        case Status::unknownCommand:
+            return WtsText::tr("unknown command");
+        case Status::formatError:
+            return WtsText::tr("wrong format");
+        case Status::accessDenied:
+            return WtsText::tr("access denied");
+        }
+        return WtsText::tr("status %1").arg(static_cast<int>(status));
+    };
+    return text().toStdString();
+}
+
+core::Expected<WtsSession> WtsSession::open(const WtsConfig& config, const WakePipe* wake) {
+    auto link = WtsLink::open(config.address, deadlineIn(config.times.connect_ms), wake);
+    if (!link)
+        return core::Unexpected(link.error());
+    WtsSession session(std::move(*link), config);
+    // Whether there was something to stop does not matter, only that the sensor answers.
+    if (auto stopped =
+            session.request(encodeRequest(Command::stopFrames), config.times.answer_ms, kAttempts, wake);
+        !stopped)
+        return core::Unexpected(stopped.error());
+    if (auto matrix = session.readMatrix(wake); !matrix)
+        return core::Unexpected(matrix.error());
+    return session;
+}
+
+core::Expected<void> WtsSession::readMatrix(const WakePipe* wake) {
+    if (auto done = demand(encodeRequest(Command::matrixInfo), m_config.times.answer_ms, kAttempts, wake);
+        !done)
+        return done;
+    const std::optional<MatrixInfo> matrix = readMatrixInfo(m_answer);
+    if (!matrix)
+        return error(core::ErrorKind::refused,
+                     WtsText::tr("the sensor describes its array in %1 bytes").arg(m_answer.size()),
+                     WtsText::tr("the 10 bytes of a WTS array"));
+    if (auto fits = checkMatrix(*matrix); !fits)
+        return fits;
+    m_matrix = *matrix;
+    m_decoder.setMaximumPayload(std::max(kLargestAnswer, kFrameHeaderBytes + 2 * m_matrix.cells()));
+    return {};
+}
+
+core::Expected<void> WtsSession::tare(const WakePipe* wake) {
+    // 1: take the values now as zero; 0 would undo that.
+    const std::array<std::uint8_t, 1> params{1};
+    return demand(encodeRequest(Command::tare, params), m_config.times.tare_ms, 1, wake);
+}
+
+core::Expected<void> WtsSession::startFrames(const WakePipe* wake) {
+    const std::vector<std::uint8_t> start = encodeStartFrames(m_config.runLength, m_config.delay_ms);
+    const auto status = request(start, m_config.times.answer_ms, kAttempts, wake);
+    if (!status)
+        return core::Unexpected(status.error());
+    // It may run because the answer to the first attempt was lost: then with the settings that were asked
+    // for.
+    if (*status == Status::success || *status == Status::alreadyRunning)
+        return {};
+    return error(
+        core::ErrorKind::unavailable,
+        WtsText::tr("the sensor sends no frames: %1").arg(QString::fromStdString(describe(*status))));
+}
+
+void WtsSession::stopFrames() {
+    // Whatever comes of it, the link is closed next.
+    (void)request(encodeRequest(Command::stopFrames), m_config.times.answer_ms, 1, nullptr);
+}
+
+Outcome WtsSession::receive(std::int64_t deadline_ns, const WakePipe* wake) {
+    std::size_t count = 0;
+    const Outcome outcome = m_link.read(m_read, count, deadline_ns, wake);
+    if (outcome == Outcome::done) {
+        m_readTime_ns = core::steadyNow_ns();
+        m_decoder.feed(std::span(m_read).first(count));
+    }
+    return outcome;
+}
+
+core::Expected<Status> WtsSession::request(std::span<const std::uint8_t> bytes, int answer_ms, int attempts,
+                                           const WakePipe* wake) {
+    const std::uint8_t id = bytes[kPreambleBytes];
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+        const std::int64_t deadline_ns = deadlineIn(answer_ms);
+        if (const Outcome sent = m_link.write(bytes, deadline_ns, wake); sent == Outcome::timedOut)
+            continue;
+        else if (sent != Outcome::done)
+            return failure(sent);
+        Outcome outcome = Outcome::done;
+        while (outcome == Outcome::done) {
+            outcome = receive(deadline_ns, wake);
+            // A sensor that only sends frames keeps the line busy beyond any deadline.
+            if (outcome == Outcome::done && m_readTime_ns >= deadline_ns)
+                outcome = Outcome::timedOut;
+            // Behind a message that was cut off, the answer may stand already.
+            const auto rest = outcome == Outcome::timedOut ? MessageDecoder::Rest::willNotCome
+                                                           : MessageDecoder::Rest::mayCome;
+            Message message;
+            while (m_decoder.next(message, rest)) {
+                if (message.id != id)
+                    continue;
+                if (const std::optional<Answer> answer = readAnswer(message)) {
+                    m_answer.assign(answer->params.begin(), answer->params.end());
+                    return answer->status;
+                }
+            }
+        }
+        if (outcome != Outcome::timedOut)
+            return failure(outcome);
+    }
+    return error(core::ErrorKind::unavailable, WtsText::tr("the sensor does not answer"));
+}
+
+core::Expected<void> WtsSession::demand(std::span<const std::uint8_t> bytes, int answer_ms, int attempts,
+                                        const WakePipe* wake) {
+    const auto status = request(bytes, answer_ms, attempts, wake);
+    if (!status)
+        return core::Unexpected(status.error());
+    if (*status != Status::success)
+        return error(
+            core::ErrorKind::unavailable,
+            WtsText::tr("the sensor refused a request: %1").arg(QString::fromStdString(describe(*status))));
+    return {};
+}
+
+core::Unexpected WtsSession::failure(Outcome outcome) const {
+    if (outcome == Outcome::woken)
+        return error(core::ErrorKind::cancelled, WtsText::tr("connecting was cancelled"));
+    return core::Unexpected(core::Error{core::ErrorKind::unavailable, m_link.goneReason(), {}, {}});
+}
+
+} // namespace teleta::wts
