@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/modbus/modbus_joints.h"
+
+#include "devices/modbus/libmodbus_link.h"
+
+#include <QCoreApplication>
+
+#include <utility>
+
+namespace teleta::modbus {
+
+namespace {
+
+core::ArmDescription describeArm(const RegisterMap& map, core::ArmDescription arm) {
+    arm.name = map.name;
+    arm.nominalRate_Hz = map.inputRate_Hz;
+    arm.simulated = false;
+    arm.recorded = false;
+    arm.fastest_radPerS = {};
+    arm.hasProgram = false;
+    return arm;
+}
+
+} // namespace
+
+ModbusJoints::ModbusJoints(const RegisterMap& map, LinkOpener opener, const core::ArmDescription& arm,
+                           ModbusJointsConfig config)
+    : m_description(describeArm(map, arm))
+    , m_worker(map, std::move(opener), std::move(config)) {
+}
+
+ModbusJoints::~ModbusJoints() {
+    stop();
+}
+
+void ModbusJoints::start(core::Wakeup& consumer) {
+    if (m_thread.joinable())
+        return;
+    m_worker.open(consumer);
+    m_thread = std::jthread([this](const std::stop_token& stop) { m_worker.run(stop); });
+}
+
+void ModbusJoints::stop() {
+    if (!m_thread.joinable())
+        return;
+    m_thread.request_stop();
+    m_worker.wake();
+    m_thread.join();
+}
+
+core::Expected<std::unique_ptr<core::ArmSource>>
+makeModbusJoints(const RegisterMap& map, const core::ArmDescription& arm, ModbusJointsConfig config) {
+    if (!map.joints)
+        return core::Unexpected(core::Error{
+            core::ErrorKind::refused,
+            QCoreApplication::translate("Modbus", "The device tells no joints.").toStdString(),
+            QCoreApplication::translate("Modbus", "four tables [[joint]] in its file").toStdString(),
+            {}});
+    return std::make_unique<ModbusJoints>(map, libmodbusOpener(map), arm, std::move(config));
+}
+
+} // namespace teleta::modbus
