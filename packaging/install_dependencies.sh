@@ -20,6 +20,8 @@ packages=(
     libtomlplusplus-dev nlohmann-json3-dev libreaderwriterqueue-dev libcli11-dev libexpected-dev
     # the bracelet over USB HID
     libhidapi-dev
+    # motor drivers and joints over Modbus
+    libmodbus-dev
     # tests and benchmarks
     libgtest-dev libgmock-dev libbenchmark-dev libopencv-dev
     # a screen, OpenGL in software and a font where there are none
@@ -27,6 +29,8 @@ packages=(
 )
 # What only the checks use.
 test_packages=(clang-format clang-tidy desktop-file-utils appstream r-base-core)
+# Servers and lines that somebody else wrote, as peers of the devices.
+test_packages+=(python3-pymodbus python3-serial socat)
 
 fail() {
     printf 'install_dependencies: %s\n' "$*" >&2

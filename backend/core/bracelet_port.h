@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string>
 
 namespace teleta::core {
 
@@ -32,6 +33,8 @@ public:
                                      std::uint16_t timeout_ms) = 0;
     /// The next report that has come. Does not wait.
     [[nodiscard]] virtual Read read(BoardReport& report) = 0;
+    /// Why the connection was lost, a translated sentence; empty when no more is known than that.
+    [[nodiscard]] virtual std::string failure() const { return {}; }
 };
 
 struct OpenedBracelet {

@@ -136,7 +136,8 @@ void BraceletWorker::lose() {
     m_connected = false;
     m_publishedConnection.store(0, std::memory_order_release);
     m_ledger.endConnection();
-    setState(DeviceState::lost, lostMessage());
+    const std::string why = m_port->failure();
+    setState(DeviceState::lost, why.empty() ? lostMessage() : why);
     // The worker closes the port and looks for the bracelet again.
     m_condition.notify_all();
 }

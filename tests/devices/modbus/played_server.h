@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <vector>
@@ -35,11 +36,16 @@ public:
         const std::scoped_lock lock(m_mutex);
         m_reachable = reachable;
     }
+    /// Called in every request, for a clock that moves meanwhile.
+    void onRequest(std::function<void()> action) {
+        const std::scoped_lock lock(m_mutex);
+        m_onRequest = std::move(action);
+    }
     [[nodiscard]] int connections() const {
         const std::scoped_lock lock(m_mutex);
         return m_connections;
     }
-    [[nodiscard]] std::vector<Write> takeWrites() {
+    std::vector<Write> takeWrites() {
         const std::scoped_lock lock(m_mutex);
         return std::exchange(m_writes, {});
     }
@@ -94,6 +100,8 @@ private:
     };
 
     modbus::Answer nextAnswer() {
+        if (m_onRequest)
+            m_onRequest();
         if (m_answers.empty())
             return {};
         const modbus::Answer answer = m_answers.front();
@@ -105,6 +113,7 @@ private:
     std::map<std::uint16_t, std::uint16_t> m_words;
     std::deque<modbus::Answer> m_answers;
     std::vector<Write> m_writes;
+    std::function<void()> m_onRequest;
     bool m_reachable = true;
     int m_connections = 0;
     int m_reads = 0;
