@@ -16,7 +16,7 @@ SourceManager::SourceManager(core::StopSwitch& stop, QObject* parent)
 
 ChannelKey SourceManager::open(const SourceRequest& request) {
     const ChannelKey key = m_pipeline.open(makeSourceFactory(request, m_stop));
-    m_items.push_back({key, request, displayName(request), nullptr, 0});
+    m_items.push_back({key, request, displayName(request), nullptr, nullptr, 0});
     emit itemsChanged();
     return key;
 }
@@ -65,6 +65,7 @@ void SourceManager::poll() {
             if (item == nullptr)
                 break;
             item->channel = std::move(event.channel);
+            item->arm = std::move(event.arm);
             emit opened(event.key);
             emit itemsChanged();
             activate(event.key);

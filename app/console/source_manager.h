@@ -25,6 +25,7 @@ public:
         SourceRequest request;
         QString name;
         std::shared_ptr<pipeline::TouchChannel> channel; ///< null while it is being opened
+        std::shared_ptr<pipeline::ArmChannel> arm;       ///< null unless the channel is an arm's skin
         std::uint64_t displayed = 0;                     ///< snapshots that were painted
     };
 

@@ -119,6 +119,7 @@ void ArmChannel::publish() {
     snapshot.samplesLeftOut = m_estimator.samplesLeftOut();
     snapshot.touches = m_estimator.touches();
     snapshot.touchesTooGentle = m_estimator.touchesTooGentle();
+    snapshot.touchesByInertia = m_estimator.touchesByInertia();
     m_snapshots.publish();
 }
 

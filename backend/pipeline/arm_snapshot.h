@@ -39,6 +39,7 @@ struct ArmSnapshot {
     std::uint64_t samplesLeftOut = 0; ///< not finite
     std::uint64_t touches = 0;
     std::uint64_t touchesTooGentle = 0;
+    std::uint64_t touchesByInertia = 0;
 };
 
 } // namespace teleta::pipeline

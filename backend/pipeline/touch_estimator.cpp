@@ -19,6 +19,12 @@ using stiffness::ContactPhase;
 /// Over which the torque is averaged that becomes a new reference.
 constexpr double kRecentTime_s = 0.05;
 
+/// Between two looks at the references: they may be rounded, so it must be much longer than a sample.
+constexpr double kMotionStep_s = 0.02;
+
+/// For which an arm rings after it was accelerated.
+constexpr double kInertiaMemory_s = 0.1;
+
 /// After which a skin that says nothing any more feels nothing.
 constexpr double kSkinMemory_ns = 0.25e9;
 
@@ -86,6 +92,8 @@ void TouchEstimator::reset() {
     m_skin.reset();
     m_referenceSamples = 0;
     m_raisedUnfelt_s = {};
+    m_motion.clear();
+    m_accelerated_s.reset();
     m_touch = {};
 }
 
@@ -119,6 +127,7 @@ std::optional<TouchRecord> TouchEstimator::update(const JointSample& sample) {
         takeNewReferences(sample);
     }
     followReference(sample);
+    followMotion(sample);
     m_newest = sample;
     // A touch that a discontinuity ended is over before the first sample after it.
     if (record || !watched)
@@ -141,6 +150,24 @@ void TouchEstimator::followReference(const JointSample& sample) {
         if (m_detectors[joint].phase() == ContactPhase::free)
             m_reference_Nm[joint] += weight * (torque_Nm - m_reference_Nm[joint]);
     }
+}
+
+void TouchEstimator::followMotion(const JointSample& sample) {
+    if (!m_motion.empty() && !hasPassed(sample.sourceTime_s - m_motion.back().time_s, kMotionStep_s))
+        return;
+    m_motion.push_back({sample.sourceTime_s, sample.reference_rad});
+    if (m_motion.size() < 3)
+        return;
+    const auto rate_radPerS = [this](std::size_t look, std::size_t joint) {
+        return (m_motion[look + 1].reference_rad[joint] - m_motion[look].reference_rad[joint]) /
+               (m_motion[look + 1].time_s - m_motion[look].time_s);
+    };
+    const double span_s = 0.5 * (m_motion[2].time_s - m_motion[0].time_s);
+    for (std::size_t joint = 0; joint < kArmJoints; ++joint) {
+        if (std::abs(rate_radPerS(1, joint) - rate_radPerS(0, joint)) > m_settings.inertia_radPerS2 * span_s)
+            m_accelerated_s = sample.sourceTime_s;
+    }
+    m_motion.erase(m_motion.begin());
 }
 
 JointArray TouchEstimator::torqueWithoutReference(const JointSample& sample) const {
@@ -196,6 +223,8 @@ std::optional<TouchRecord> TouchEstimator::follow(const JointSample& sample) {
     const double threshold_Nm = m_settings.detection.threshold_Nm;
     const double elbow_Nm = std::abs(torque_Nm[kElbow]);
     const bool elbowFeels = elbow_Nm > threshold_Nm;
+    if (m_accelerated_s && now_s - *m_accelerated_s < kInertiaMemory_s)
+        m_touch.accelerated = true;
     const std::size_t joint = elbowFeels ? kElbow : strongest(torque_Nm);
     // Once the elbow has felt the touch, a sample that only another joint feels belongs to the release.
     if (std::abs(torque_Nm[joint]) > threshold_Nm && anyPhaseIs(ContactPhase::contact) &&
@@ -277,6 +306,10 @@ std::optional<TouchRecord> TouchEstimator::recordWhenLocated(bool waitNoLonger) 
         return std::nullopt;
     m_touch.stage = Stage::held;
     m_touch.free_s = m_newest->sourceTime_s;
+    if (!m_touch.place && m_touch.accelerated) {
+        ++m_byInertia;
+        return std::nullopt;
+    }
     return makeRecord();
 }
 

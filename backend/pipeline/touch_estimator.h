@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace teleta::pipeline {
 
@@ -35,7 +36,9 @@ struct TouchEstimatorSettings {
     double elbowWait_s = 1.0;    ///< a touch that another joint feels waits so long for the elbow
     double leastLever_m = 0.02;  ///< with a shorter lever about the elbow there is no stiffness
     double newReference_s =
-        2.0;                 ///< a torque that stays, without the skin feeling a touch, is a new reference
+        2.0; ///< a torque that stays, without the skin feeling a touch, is a new reference
+    /// A reference that is accelerated more than this moves the links' inertia.
+    double inertia_radPerS2 = 0.2;
     double release_s = 0.02; ///< a touch has ended when all joints have been free for so long
 };
 
@@ -66,7 +69,8 @@ struct LiveContact {
 ///
 /// The contact point is the mean of what the skin felt during the touch, weighted with the force; a contact
 /// elsewhere (further than kSamePlace_m) begins it anew. Without the skin the touch is recorded, but not
-/// located: no point, no force, no stiffness.
+/// located: no point, no force, no stiffness. While the arm is told to speed up or slow down, the inertia of
+/// its links is felt like a touch: what the skin does not feel is then none, and is only counted.
 ///
 /// A sample with a number that is not finite is left out and counted. A discontinuity, or a time that runs
 /// back, ends a touch (it is recorded when it was complete) and begins the reference anew.
@@ -95,6 +99,8 @@ public:
     [[nodiscard]] std::uint64_t touches() const { return m_touches; } ///< records made
     /// Touches that came into the window but not over the threshold.
     [[nodiscard]] std::uint64_t touchesTooGentle() const { return m_tooGentle; }
+    /// Torques of inertia that passed the threshold.
+    [[nodiscard]] std::uint64_t touchesByInertia() const { return m_byInertia; }
     [[nodiscard]] std::uint64_t samplesLeftOut() const { return m_leftOut; } ///< not finite
 
 private:
@@ -120,8 +126,13 @@ private:
         double complete_s = 0.0;
         double free_s = 0.0; ///< since when all joints are free again
         bool reachedWindow = false;
-        bool elbowFelt = false; ///< the elbow is over the threshold in that sample
+        bool accelerated = false; ///< the arm sped up or slowed down in it, or shortly before
+        bool elbowFelt = false;   ///< the elbow is over the threshold in that sample
         std::optional<Place> place;
+    };
+    struct Motion {
+        double time_s = 0.0;
+        core::JointArray reference_rad{};
     };
     struct Located {
         double contactDistance_m = 0.0;
@@ -132,6 +143,7 @@ private:
     void followReference(const core::JointSample& sample);
     [[nodiscard]] core::JointArray torqueWithoutReference(const core::JointSample& sample) const;
     void watch(const core::JointSample& sample);
+    void followMotion(const core::JointSample& sample);
     void takeNewReferences(const core::JointSample& sample);
     [[nodiscard]] std::optional<TouchRecord> follow(const core::JointSample& sample);
     [[nodiscard]] bool isComplete(const core::JointSample& sample, bool allFree) const;
@@ -158,10 +170,13 @@ private:
     core::JointArray m_recent_Nm{}; ///< mean torque of the last moments
     int m_referenceSamples = 0;
     std::array<double, core::kArmJoints> m_raisedUnfelt_s{}; ///< time over the floor without the skin
+    std::vector<Motion> m_motion;          ///< the last looks at the references, at most three
+    std::optional<double> m_accelerated_s; ///< when the arm was accelerated last
     Touch m_touch;
 
     std::uint64_t m_touches = 0;
     std::uint64_t m_tooGentle = 0;
+    std::uint64_t m_byInertia = 0;
     std::uint64_t m_leftOut = 0;
 };
 

@@ -43,6 +43,7 @@ public:
     double torqueNoise_Nm = 0.0;
     core::JointArray offset_Nm{};
     core::JointArray pose_rad{0.1, -0.2, 0.3, 0.9};
+    core::JointArray reference_rad{0.1, -0.2, 0.3, 0.9};
     std::int64_t clockOffset_ns = 5'000'000'000;
 
     /// force_N: of the arm on the object along the normal of the skin, outwards.
@@ -63,7 +64,7 @@ public:
         sample.angle_rad[3] += elbow_Nm / elbowStiffness;
         if (lever_m > 1e-6)
             sample.angle_rad[3] += elbow_Nm * m_objectCompliance_mPerN / (lever_m * lever_m);
-        sample.reference_rad = sample.angle_rad;
+        sample.reference_rad = reference_rad;
         return sample;
     }
 

@@ -281,6 +281,35 @@ TEST(TouchEstimator, recordsATouchThatTheSkinDoesNotFeelWithoutItsPlace) {
     EXPECT_EQ(run.records[0].joint, kElbow);
 }
 
+TEST(TouchEstimator, doesNotTakeTheInertiaOfTheArmForATouch) {
+    // 0.1 kg m^2 at 1 rad/s^2 is twice the threshold. Speeds up for 0.2 s, moves on, and slows down.
+    const auto accelerate = [](TouchRun& run, double acceleration_radPerS2, double& rate_radPerS) {
+        for (int i = 0; i < 200; ++i) {
+            rate_radPerS += 1e-3 * acceleration_radPerS2;
+            run.arm.reference_rad[1] += 1e-3 * rate_radPerS;
+            run.arm.offset_Nm[1] = 0.1 * acceleration_radPerS2;
+            run.step(0.0);
+        }
+        run.arm.offset_Nm[1] = 0.0;
+        for (int i = 0; i < 500; ++i) {
+            run.arm.reference_rad[1] += 1e-3 * rate_radPerS;
+            run.step(0.0);
+        }
+    };
+    TouchRun run(ScriptedArm{});
+    run.idle(100);
+    double rate_radPerS = 0.0;
+    accelerate(run, 1.0, rate_radPerS);
+    accelerate(run, -1.0, rate_radPerS);
+    EXPECT_TRUE(run.records.empty());
+    EXPECT_EQ(run.estimator.touchesByInertia(), 2U);
+    // The same torque while the arm stands still is a touch of something that has no skin.
+    run.arm.offset_Nm[1] = 0.1;
+    run.idle(1500);
+    EXPECT_EQ(run.records.size(), 1U);
+    EXPECT_EQ(run.estimator.touchesByInertia(), 2U);
+}
+
 TEST(TouchEstimator, waitsForALateSkin) {
     TouchRun run(ScriptedArm{});
     run.skinWorks = false;
