@@ -10,6 +10,7 @@ using namespace teleta;
 using namespace teleta::modbus;
 using core::DeviceState;
 using core::WriteOutcome;
+using test::eventually;
 using test::ManualClock;
 using test::PlayedServer;
 using Words = std::vector<std::uint16_t>;
@@ -145,9 +146,12 @@ TEST_F(ModbusBraceletTest, isZeroAfterAReconnectionAndGoesOnOnlyWhenAsked) {
     const std::uint64_t connection = m_bracelet->connection();
     m_server.answerNext({kTimedOut});
     (void)write(kDriven);
-    m_clock->settle();
     m_server.takeWrites();
-    m_clock->advance(100 * kMs_ns);
+    // The worker may first have to wake up and see the loss.
+    ASSERT_TRUE(eventually(m_wakeup, [&] {
+        m_clock->advance(100 * kMs_ns);
+        return m_bracelet->connection() == 2;
+    }));
     EXPECT_EQ(m_server.connections(), 2);
     EXPECT_EQ(m_bracelet->status().state, DeviceState::live);
     EXPECT_EQ(m_bracelet->write({.drive = kDriven, .connection = connection}).outcome, WriteOutcome::refused);
