@@ -1,0 +1,80 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Runs a test program in a small virtual machine that has the kernel's HID stack. See README.md.
+#   run_in_vm.sh CACHE_FOLDER TEST_PROGRAM [FILES...]
+set -euo pipefail
+here=$(cd "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
+modules=(hid hid-generic uhid)
+skipped=77
+
+skip() {
+    printf 'run_in_vm: skipped: %s\n' "$*"
+    exit "$skipped"
+}
+
+(($# >= 2)) || {
+    printf 'usage: run_in_vm.sh CACHE_FOLDER TEST_PROGRAM [FILES...]\n' >&2
+    exit 2
+}
+mkdir -p "$1"
+cache=$(cd "$1" && pwd)
+program=$2
+shift
+for tool in qemu-system-x86_64 busybox cpio apt-get dpkg-deb; do
+    command -v "$tool" >/dev/null || skip "$tool is missing (packaging/install_dependencies.sh --test installs it)"
+done
+
+# Fetches the newest kernel package once.
+exec 9>"$cache/lock"
+flock 9
+if ! compgen -G "$cache/kernel/boot/vmlinuz-*" >/dev/null; then
+    package=$(apt-cache depends linux-image-amd64 2>/dev/null | sed -n 's/.*Depends: //p' | head -n 1)
+    [[ -n $package ]] || skip "apt knows no linux-image-amd64"
+    rm -rf "$cache/download" "$cache/unpacked"
+    mkdir -p "$cache/download"
+    (cd "$cache/download" && apt-get -q download "$package") || skip "$package cannot be downloaded"
+    dpkg-deb -x "$cache/download"/*.deb "$cache/unpacked"
+    rm -rf "$cache/download" "$cache/kernel"
+    mv "$cache/unpacked" "$cache/kernel"
+fi
+flock -u 9
+kernel=$(compgen -G "$cache/kernel/boot/vmlinuz-*" | head -n 1)
+version=${kernel##*/vmlinuz-}
+module_folder=$cache/kernel/lib/modules/$version
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+root=$work/root
+mkdir -p "$root"/{bin,dev,proc,sys,tmp,run,etc,modules,test,lib64}
+cp "$(command -v busybox)" "$root/bin/busybox"
+cp "$here/init" "$root/init"
+chmod 755 "$root/init"
+for module in "${modules[@]}"; do
+    file=$(find "$module_folder" -name "$module.ko*" | head -n 1)
+    [[ -n $file ]] || skip "the kernel package has no module $module"
+    case $file in
+        *.xz) xz -dc "$file" >"$root/modules/$module.ko" ;;
+        *) cp "$file" "$root/modules/$module.ko" ;;
+    esac
+    printf '%s.ko\n' "$module" >>"$root/modules/order"
+done
+for file in "$@"; do
+    cp -L "$file" "$root/test/"
+    ldd "$file" 2>/dev/null | grep -oE '/[^ ]+' | sort -u | while read -r library; do
+        [[ -e $root$library ]] || install -D "$library" "$root$library"
+    done
+done
+printf '%s\n' "${program##*/}" >"$root/test/.program"
+(cd "$root" && find . | cpio -o -H newc --quiet -R 0:0) | gzip -1 >"$work/initrd"
+
+# Emulated: KVM is not there, or does not work, on many test machines.
+status=0
+timeout -k 5 "${VM_TIMEOUT_S:-240}" qemu-system-x86_64 -machine q35 -accel tcg,thread=multi -cpu max -smp 2 -m 1024 \
+    -kernel "$kernel" -initrd "$work/initrd" -append "console=ttyS0 quiet panic=-1" \
+    -nographic -no-reboot -nic none </dev/null 2>&1 | tr -d '\r' | tee "$work/log" || status=$?
+result=$(sed -n 's/^VM_RESULT=//p' "$work/log" | tail -n 1)
+if [[ -z $result ]]; then
+    printf 'run_in_vm: the machine ended without a result (qemu: %s)\n' "$status" >&2
+    exit 1
+fi
+exit "$result"
