@@ -6,6 +6,8 @@
 #include "app/cli/validators.h"
 #include "backend/core/output_file.h"
 #include "backend/pattern/built_in_patterns.h"
+#include "backend/pattern/law_checker.h"
+#include "backend/pattern/motor_model.h"
 #include "backend/pattern/pattern_file.h"
 #include "backend/pattern/pattern_format.h"
 #include "backend/pattern/pattern_json.h"
@@ -84,10 +86,39 @@ core::Expected<void> printPattern(const Pattern& pattern) {
     return printFields(fields);
 }
 
+nlohmann::ordered_json toJson(const Pattern& pattern, const pattern::Finding& finding) {
+    nlohmann::ordered_json tactors = nlohmann::ordered_json::array();
+    for (const int tactor : finding.tactors)
+        tactors.push_back(tactor + 1);
+    return {{"law", pattern::toString(finding.law)},
+            {"object", finding.object ? nlohmann::ordered_json(*finding.object + 1) : nullptr},
+            {"tactors", std::move(tactors)},
+            {"begin_s", finding.span.begin_s},
+            {"end_s", finding.span.end_s},
+            {"value", finding.value},
+            {"limit", finding.limit},
+            {"message", describe(finding)},
+            {"suggestion", describeFix(finding)},
+            {"fixable", pattern::fixed(pattern, finding).has_value()}};
+}
+
+/// Where a finding is: an object by its number and name, or tactors.
+QString placeText(const Pattern& pattern, const pattern::Finding& finding) {
+    if (finding.object) {
+        const QString name = QString::fromStdString(pattern.objects[*finding.object].name);
+        return name.isEmpty() ? PatternText::tr("Object %1").arg(*finding.object + 1)
+                              : PatternText::tr("Object %1 (%2)").arg(*finding.object + 1).arg(name);
+    }
+    QStringList numbers;
+    for (const int tactor : finding.tactors)
+        numbers << QString::number(tactor + 1);
+    return PatternText::tr("Tactor %1").arg(numbers.join(QStringLiteral(", ")));
+}
+
 } // namespace
 
 QString PatternCommand::summary() const {
-    return PatternText::tr("List, show, sample and convert the patterns of the bracelet");
+    return PatternText::tr("List, show, sample, convert and check the patterns of the bracelet");
 }
 
 const char* PatternCommand::example() const {
@@ -128,6 +159,10 @@ void PatternCommand::declare(CLI::App& app) {
                      help(QT_TRANSLATE_NOOP("PatternCommand",
                                             "Write the CSV to this file, which appears when it is complete")))
         ->type_name("OUT");
+    m_render->add_flag(
+        "--predicted", m_predicted,
+        help(QT_TRANSLATE_NOOP("PatternCommand", "What the motors will do, with an assumed motor: lag, start "
+                                                 "and speed are not measured")));
     declareJson(*m_render, m_json);
 
     m_convert = part("convert", QT_TRANSLATE_NOOP("PatternCommand",
@@ -139,6 +174,11 @@ void PatternCommand::declare(CLI::App& app) {
                          pattern::allEndings())
         ->type_name("OUT")
         ->required();
+
+    m_check = part(
+        "check", QT_TRANSLATE_NOOP("PatternCommand", "Say where a pattern breaks a law of what can be felt"));
+    takesPattern(m_check);
+    declareJson(*m_check, m_json);
 }
 
 core::Expected<void> PatternCommand::run() {
@@ -148,6 +188,8 @@ core::Expected<void> PatternCommand::run() {
         return show();
     if (m_render->parsed())
         return render();
+    if (m_check->parsed())
+        return check();
     return convert();
 }
 
@@ -199,13 +241,19 @@ core::Expected<void> PatternCommand::render() const {
     core::Expected<RowOutput> rows = RowOutput::open(kColumns, {m_json, m_outPath});
     if (!rows)
         return core::Unexpected(rows.error());
-    pattern::forEachSample(*pattern, m_rate_Hz, [&](double t_s, const core::Intensities& intensities) {
+    const auto addRow = [&](double t_s, const core::Intensities& intensities) {
         rows->number(t_s);
         for (const double intensity : intensities)
             rows->number(intensity);
         rows->endRow();
         return !rows->failed() && !interrupted();
-    });
+    };
+    if (m_predicted)
+        pattern::forEachPredictedSample(*pattern, pattern::assumedMotors(), m_rate_Hz,
+                                        [&](double t_s, const core::Intensities& intensities,
+                                            const core::Intensities&) { return addRow(t_s, intensities); });
+    else
+        pattern::forEachSample(*pattern, m_rate_Hz, addRow);
     const core::Expected<void> done = rows->finish();
     if (done && interrupted())
         return core::Unexpected(interruption());
@@ -222,6 +270,32 @@ core::Expected<void> PatternCommand::convert() const {
                        .arg(QString::fromStdString(m_outPath), QString::fromStdString(pattern::allEndings()))
                        .toStdString());
     return pattern::savePattern(*pattern, m_outPath);
+}
+
+core::Expected<void> PatternCommand::check() const {
+    const core::Expected<Pattern> pattern = pattern::findPattern(m_pattern);
+    if (!pattern)
+        return core::Unexpected(pattern.error());
+    const std::vector<pattern::Finding> findings = pattern::checkLaws(*pattern, pattern::assumedMotors());
+    if (m_json) {
+        nlohmann::ordered_json all = nlohmann::ordered_json::array();
+        for (const pattern::Finding& finding : findings)
+            all.push_back(toJson(*pattern, finding));
+        return printDocument({{"id", pattern->id}, {"findings", std::move(all)}});
+    }
+    core::OutputFile output = core::OutputFile::standardOutput();
+    if (findings.empty())
+        output.write((PatternText::tr("%1 keeps all laws.").arg(QString::fromStdString(pattern->id)) +
+                      QLatin1Char('\n'))
+                         .toStdString());
+    for (const pattern::Finding& finding : findings)
+        output.write((PatternText::tr("%1, %2 s to %3 s: %4 %5")
+                          .arg(placeText(*pattern, finding), forPeople(finding.span.begin_s),
+                               forPeople(finding.span.end_s), QString::fromStdString(describe(finding)),
+                               QString::fromStdString(describeFix(finding))) +
+                      QLatin1Char('\n'))
+                         .toStdString());
+    return output.finish();
 }
 
 } // namespace teleta::cli

@@ -21,15 +21,18 @@ private:
     CLI::App* m_show = nullptr;
     CLI::App* m_render = nullptr;
     CLI::App* m_convert = nullptr;
+    CLI::App* m_check = nullptr;
 
     [[nodiscard]] core::Expected<void> list() const;
     [[nodiscard]] core::Expected<void> show() const;
     [[nodiscard]] core::Expected<void> render() const;
     [[nodiscard]] core::Expected<void> convert() const;
+    [[nodiscard]] core::Expected<void> check() const;
 
     std::string m_pattern;
     std::string m_outPath;
     double m_rate_Hz = 200.0;
+    bool m_predicted = false;
     bool m_json = false;
 };
 

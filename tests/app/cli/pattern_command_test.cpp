@@ -79,3 +79,30 @@ TEST(PatternCommand, refusesABadFileWithThePlaceAndAWrongCommandLine) {
     EXPECT_EQ(run({"pattern", "convert", "shape.A.static", folder.path("p.txt")}).exitCode, 2);
     EXPECT_EQ(run({"pattern", "convert", "shape.A.static", folder.path("no/p.json")}).exitCode, 1);
 }
+
+TEST(PatternCommand, checkNamesTheLawThatARingBreaksAndThePlace) {
+    const TemporaryFolder folder;
+    const std::string path =
+        folder.write("fast.json", R"({"format": "teleta-pattern", "version": 1, "id": "fast", "duration_s": 2,
+        "tracks": [[], [], [], [], [], []],
+        "objects": [{"type": "ring", "start_s": 0, "duration_s": 2, "turns": 8, "first_tactor": 1}]})");
+    const ProgramResult json = run({"pattern", "check", path, "--json"});
+    ASSERT_EQ(json.exitCode, 0) << json.err;
+    const ordered_json answer = ordered_json::parse(json.out, nullptr, false);
+    ASSERT_EQ(answer["findings"].size(), 1U);
+    EXPECT_EQ(answer["findings"][0]["law"], "ring-too-fast");
+    EXPECT_EQ(answer["findings"][0]["object"], 1);
+    EXPECT_EQ(answer["findings"][0]["fixable"], true);
+    EXPECT_NE(run({"pattern", "check", path}).out.find("250 ms"), std::string::npos);
+    EXPECT_EQ(run({"pattern", "check", "shape.A.dynamic"}).exitCode, 0);
+}
+
+TEST(PatternCommand, predictedRowsLagBehindTheCommandedOnes) {
+    const auto rows =
+        splitCsv(run({"pattern", "render", "shape.F.static", "--rate", "100", "--predicted"}).out);
+    ASSERT_EQ(rows.size(), 201U);
+    EXPECT_EQ(rows[1][1], "0");
+    EXPECT_LT(std::stod(rows[4][1]), 0.9);
+    EXPECT_GT(std::stod(rows[100][1]), 0.999);
+    EXPECT_EQ(rows[100][2], "0");
+}
