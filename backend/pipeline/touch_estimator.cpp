@@ -276,7 +276,7 @@ bool TouchEstimator::isComplete(const JointSample& sample, bool allFree) const {
 
 std::optional<TouchRecord> TouchEstimator::update(const SkinContact& contact) {
     if (contact.touching && std::isfinite(contact.x_m) && std::isfinite(contact.y_m) &&
-        std::isfinite(contact.force_N)) {
+        std::isgreaterequal(contact.force_N, m_settings.leastSkinForce_N)) {
         m_skin = contact;
         const double slack_ns = 1e9 * m_settings.skinSlack_s;
         const bool open = m_touch.stage == Stage::rising || m_touch.stage == Stage::complete;
@@ -289,7 +289,7 @@ std::optional<TouchRecord> TouchEstimator::update(const SkinContact& contact) {
 }
 
 void TouchEstimator::addToPlace(const SkinContact& contact) {
-    // A contact whose taxels are all at the threshold may carry no force after taring; it still has a place.
+    // leastSkinForce_N may be 0: a contact without force still has a place.
     constexpr double kLeastWeight_N = 1e-9;
     const double weight_N = std::max(contact.force_N, kLeastWeight_N);
     if (!m_touch.place ||

@@ -30,11 +30,12 @@ struct TouchEstimatorSettings {
     double referenceTime_s =
         0.5;                   ///< time constant with which the reference follows the torque of a free joint
     int referenceSamples = 20; ///< averaged for the first reference, before any contact can be told
-    double afterWindow_s = 0.01; ///< the window is complete so long after the torque left it
-    double skinSlack_s = 0.03;   ///< the skin may have felt the contact so much earlier than the joints
-    double skinWait_s = 0.1;     ///< a complete touch waits so long for the skin to feel it
-    double elbowWait_s = 1.0;    ///< a touch that another joint feels waits so long for the elbow
-    double leastLever_m = 0.02;  ///< with a shorter lever about the elbow there is no stiffness
+    double afterWindow_s = 0.01;    ///< the window is complete so long after the torque left it
+    double leastSkinForce_N = 0.05; ///< what the skin feels below is noise
+    double skinSlack_s = 0.03;      ///< the skin may have felt the contact so much earlier than the joints
+    double skinWait_s = 0.1;        ///< a complete touch waits so long for the skin to feel it
+    double elbowWait_s = 1.0;       ///< a touch that another joint feels waits so long for the elbow
+    double leastLever_m = 0.02;     ///< with a shorter lever about the elbow there is no stiffness
     double newReference_s =
         2.0; ///< a torque that stays, without the skin feeling a touch, is a new reference
     /// A reference that is accelerated more than this moves the links' inertia.

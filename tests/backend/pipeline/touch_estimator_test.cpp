@@ -281,6 +281,21 @@ TEST(TouchEstimator, recordsATouchThatTheSkinDoesNotFeelWithoutItsPlace) {
     EXPECT_EQ(run.records[0].joint, kElbow);
 }
 
+TEST(TouchEstimator, takesWeakContactsOfTheSkinForNoise) {
+    TouchRun run(ScriptedArm{});
+    run.skinWorks = false;
+    run.idle(100);
+    for (int i = 0; i < 200; ++i) {
+        run.elbowTo(std::min(0.08, 0.001 * i), 1);
+        pipeline::SkinContact noise = run.arm.skin(0.049);
+        noise.x_m = 0.1;
+        EXPECT_FALSE(run.estimator.update(noise));
+        EXPECT_FALSE(run.estimator.liveContact());
+    }
+    ASSERT_EQ(run.records.size(), 1U);
+    EXPECT_FALSE(run.records[0].located);
+}
+
 TEST(TouchEstimator, doesNotTakeTheInertiaOfTheArmForATouch) {
     // 0.1 kg m^2 at 1 rad/s^2 is twice the threshold. Speeds up for 0.2 s, moves on, and slows down.
     const auto accelerate = [](TouchRun& run, double acceleration_radPerS2, double& rate_radPerS) {
