@@ -11,6 +11,13 @@ namespace teleta::playback {
 namespace {
 
 constexpr double kNsPerS = 1e9;
+/// Below it the watchdogs would take the time between two frames for a standstill.
+constexpr double kLowestRate_Hz = 20.0;
+
+double usableRate_Hz(double wanted_Hz, double most_Hz) {
+    const double rate_Hz = std::min(wanted_Hz, most_Hz);
+    return rate_Hz > kLowestRate_Hz ? rate_Hz : kLowestRate_Hz;
+}
 
 } // namespace
 
@@ -19,9 +26,12 @@ PlaybackCycle::PlaybackCycle(core::BraceletSource& bracelet, const core::StopSwi
     : m_bracelet(bracelet)
     , m_stopSwitch(stopSwitch)
     , m_config(std::move(config))
-    , m_rate_Hz(std::min(m_config.rate_Hz, bracelet.description().maximumRate_Hz))
+    , m_rate_Hz(usableRate_Hz(m_config.rate_Hz, bracelet.description().maximumRate_Hz))
     , m_limiter(m_config.limits, 1.0 / m_rate_Hz)
     , m_lastFrame_ns(now_ns()) {
+    const double threePeriods_ms = std::ceil(3e3 / m_rate_Hz);
+    m_config.boardTimeout_ms =
+        std::max(m_config.boardTimeout_ms, static_cast<std::uint16_t>(threePeriods_ms));
 }
 
 std::int64_t PlaybackCycle::run(PlayerCommands commands) {

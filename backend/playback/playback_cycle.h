@@ -22,7 +22,7 @@ namespace teleta::playback {
 /// Thread: run() and close() from one; setpoint box, status() and counters() by any.
 class PlaybackCycle {
 public:
-    /// bracelet and stopSwitch must outlive the cycle. rate_Hz of the config: > 0.
+    /// bracelet and stopSwitch must outlive the cycle.
     PlaybackCycle(core::BraceletSource& bracelet, const core::StopSwitch& stopSwitch, PlayerConfig config);
 
     /// Carries out what is due now. Returns when it wants to be called again; PacingClock::kNever_ns: when a

@@ -23,11 +23,13 @@ struct Program {
 };
 
 struct PlayerConfig {
-    double rate_Hz = 200.0; ///< of the frames; at most what the bracelet can take
+    /// Of the frames: at least 20, at most what the bracelet can take. A bracelet that cannot take 20 misses
+    /// deadlines.
+    double rate_Hz = 200.0;
     /// A live setpoint counts for so long.
     std::int64_t setpointLifetime_ns = 100'000'000;
-    /// After so long without a frame the board stops by itself; a cycle that is later than this ends the
-    /// playing, since the bracelet stood still meanwhile.
+    /// After so long without a frame the board stops by itself, at least three periods; a cycle that is later
+    /// than this ends the playing, since the bracelet stood still meanwhile.
     std::uint16_t boardTimeout_ms = 100;
     SafetyLimits limits{};
     std::shared_ptr<core::PacingClock> clock = std::make_shared<core::PacingClock>();

@@ -455,6 +455,15 @@ TEST_F(PlaybackCycleTest, runsNoFasterThanTheBraceletCan) {
     EXPECT_EQ(written().size(), 51U);
 }
 
+TEST_F(PlaybackCycleTest, takesNoRateThatItsWatchdogsWouldTakeForAStandstill) {
+    for (const double rate_Hz : {0.0, -1.0, 1.0, std::nan("")}) {
+        make({.rate_Hz = rate_Hz, .boardTimeout_ms = 1});
+        EXPECT_EQ(m_cycle->rate_Hz(), 20.0) << rate_Hz;
+        EXPECT_EQ(play(steady(1.0)), m_clock->now_ns() + 50 * kMs_ns);
+        EXPECT_EQ(written().back().frame.timeout_ms, 150) << "three periods";
+    }
+}
+
 TEST_F(PlaybackCycleTest, countsTheFramesLostSinceItBegan) {
     make();
     m_bracelet.setFramesLost(7);

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every byte string here is worked out by hand from the tables of devices/bracelet/README.md.
 #include "devices/bracelet/bracelet_reports.h"
+#include "devices/bracelet/hid_bracelet_config.h"
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <fstream>
 #include <random>
+#include <sstream>
+#include <string>
 #include <vector>
 
 using namespace teleta::bracelet;
@@ -25,7 +30,33 @@ Bytes identity() {
             0,    0,    0,    0,    0,    0,    0,   0x06, 0xA0, 0x0F, 0xF4, 0x01, 0xD0, 0x07};
 }
 
+std::string textOf(const std::string& path) {
+    std::ostringstream text;
+    text << std::ifstream(TELETA_SOURCE_DIR "/" + path).rdbuf();
+    return text.str();
+}
+
 } // namespace
+
+TEST(BraceletReports, areThoseOfTheReadme) {
+    const std::string readme = textOf("devices/bracelet/README.md");
+    std::string bytes;
+    for (const std::uint8_t byte : frame(7, {0x001, 0x002, 0xFFF, 0x800, 0xABC, 0x123}, 100)) {
+        char text[4];
+        std::snprintf(text, sizeof text, "%02X ", byte);
+        bytes += text;
+    }
+    bytes.pop_back();
+    EXPECT_NE(readme.find('`' + bytes + '`'), std::string::npos) << bytes;
+}
+
+TEST(BraceletReports, belongToTheDeviceThatTheUdevRuleOpens) {
+    const HidBraceletConfig config;
+    char ids[64];
+    std::snprintf(ids, sizeof ids, "ATTRS{idVendor}==\"%04x\", ATTRS{idProduct}==\"%04x\"", config.vendorId,
+                  config.productId);
+    EXPECT_NE(textOf("packaging/udev/70-teleta-bracelet.rules").find(ids), std::string::npos) << ids;
+}
 
 TEST(BraceletReports, writesTheFrameOfTheReadme) {
     EXPECT_EQ(frame(7, {0x001, 0x002, 0xFFF, 0x800, 0xABC, 0x123}, 100),

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/playback/pattern_program.h"
+
+#include <memory>
+
+namespace teleta::playback {
+
+Program programOf(const pattern::Pattern& pattern) {
+    // A function object is copied, a pattern of an hour should not be.
+    auto compiled = std::make_shared<const pattern::CompiledPattern>(pattern);
+    const double duration_s = compiled->duration_s();
+    return {[compiled = std::move(compiled)](double t_s) { return compiled->evaluate(t_s); }, duration_s};
+}
+
+} // namespace teleta::playback

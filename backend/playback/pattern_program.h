@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/pattern/pattern.h"
+#include "backend/playback/player_types.h"
+
+namespace teleta::playback {
+
+/// A pattern as it can be played, in the form made for many calls. Later changes of the pattern do not reach
+/// it. Thread: any.
+[[nodiscard]] Program programOf(const pattern::Pattern& pattern);
+
+} // namespace teleta::playback

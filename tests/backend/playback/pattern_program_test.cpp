@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/playback/pattern_program.h"
+#include "backend/playback/playback_cycle.h"
+#include "tests/backend/playback/scripted_bracelet.h"
+
+#include <gtest/gtest.h>
+
+using namespace teleta;
+
+// The second tactor rises from 0 to 1 within 1 s, of a pattern of 2 s; the fourth is at a half all the time.
+TEST(PatternProgram, isWrittenToTheBraceletAsItWasDrawn) {
+    pattern::Pattern drawn;
+    drawn.duration_s = 2.0;
+    drawn.tracks[1] = {{0.0, 0.0}, {1.0, 1.0}};
+    drawn.tracks[3] = {{0.0, 0.5}, {2.0, 0.5}};
+    const auto clock = std::make_shared<test::SetClock>();
+    test::ScriptedBracelet bracelet(clock);
+    core::StopSwitch stop;
+    playback::PlaybackCycle cycle(
+        bracelet, stop,
+        {.limits = {.rise_perS = std::numeric_limits<double>::infinity(), .heatBudget = 1.0},
+         .clock = clock});
+    playback::PlayerCommands commands;
+    commands.start = playback::ProgramRequest{playback::programOf(drawn)};
+    drawn = {}; // what is played does not change any more
+    for (std::int64_t next_ns = cycle.run(std::move(commands)); next_ns != core::PacingClock::kNever_ns;
+         next_ns = cycle.run({}))
+        clock->add(next_ns - clock->now_ns());
+    const auto frames = bracelet.written();
+    ASSERT_EQ(frames.size(), 401U);
+    for (std::size_t k = 0; k < 200; ++k) {
+        ASSERT_NEAR(frames[k].frame.drive[1], 0.005 * static_cast<double>(k) * core::kFullDrive, 1.0) << k;
+        ASSERT_EQ(frames[k].frame.drive[3], 2047) << k;
+        ASSERT_EQ(frames[k].frame.drive[0], 0) << k;
+    }
+    EXPECT_EQ(frames[300].frame.drive[1], 0) << "off from its last breakpoint on";
+    EXPECT_TRUE(core::isOff(frames[400].frame.drive));
+    EXPECT_EQ(cycle.status().ending, playback::PlayerEnding::finished);
+}
