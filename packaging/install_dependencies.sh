@@ -30,7 +30,7 @@ packages=(
 # What only the checks use.
 test_packages=(clang-format clang-tidy desktop-file-utils appstream r-base-core)
 # Servers and lines that somebody else wrote, as peers of the devices.
-test_packages+=(python3-pymodbus python3-serial socat qemu-system-x86 busybox-static cpio)
+test_packages+=(python3-pymodbus python3-serial-asyncio socat qemu-system-x86 busybox-static cpio)
 
 fail() {
     printf 'install_dependencies: %s\n' "$*" >&2
