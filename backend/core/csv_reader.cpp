@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <deque>
 #include <fcntl.h>
 #include <limits>
 #include <sys/stat.h>
@@ -157,6 +158,17 @@ public:
         return place;
     }
 
+    [[nodiscard]] Unexpected tooLong(const char* position) const {
+        return badInput(CsvReaderText::tr("the row is too long: more than %1 values").arg(header.size()),
+                        CsvReaderText::tr("one value a column: %1").arg(header.size()), placeOf(position));
+    }
+
+    [[nodiscard]] Unexpected tooShort(std::size_t values, const char* position) const {
+        return badInput(
+            CsvReaderText::tr("the row is too short: %1 of %2 values").arg(values).arg(header.size()),
+            CsvReaderText::tr("one value a column: %1").arg(header.size()), placeOf(position));
+    }
+
     [[nodiscard]] SourcePlace placeOfField(std::size_t index) const {
         const char* p = row();
         for (; index > 0; --index) {
@@ -190,6 +202,7 @@ public:
     long long line = 0;
     long long nextLine = 1;
     std::vector<std::string> header;
+    std::deque<std::string> quoted; ///< texts of the last row that were in quotes
 };
 
 Expected<void> CsvReader::Private::openFile() {
@@ -392,8 +405,7 @@ Expected<bool> CsvReader::next(std::vector<double>& values, bool allowNonFinite)
     const char* p = d->row();
     for (std::size_t i = 0;; ++i, ++p) {
         if (i == columns)
-            return d->badInput(CsvReaderText::tr("the row is too long: more than %1 values").arg(columns),
-                               CsvReaderText::tr("one value a column: %1").arg(columns), d->placeOf(p));
+            return d->tooLong(p);
         const auto [stop, code] = std::from_chars(p, rowEnd, values[i]);
         if (matches(code) && (stop == rowEnd || *stop == ',') &&
             (allowNonFinite || std::isfinite(values[i]))) {
@@ -406,9 +418,43 @@ Expected<bool> CsvReader::next(std::vector<double>& values, bool allowNonFinite)
         }
         if (p == rowEnd) {
             if (i + 1 < columns)
-                return d->badInput(
-                    CsvReaderText::tr("the row is too short: %1 of %2 values").arg(i + 1).arg(columns),
-                    CsvReaderText::tr("one value a column: %1").arg(columns), d->placeOf(p));
+                return d->tooShort(i + 1, p);
+            return true;
+        }
+    }
+}
+
+Expected<bool> CsvReader::nextText(std::vector<std::string_view>& fields) {
+    const Expected<bool> any = d->readRow();
+    if (!any || !*any)
+        return any;
+    const std::size_t columns = d->header.size();
+    fields.resize(columns);
+    d->quoted.clear();
+    const char* const rowEnd = d->rowEnd();
+    const char* p = d->row();
+    for (std::size_t i = 0;; ++i, ++p) {
+        if (i == columns)
+            return d->tooLong(p);
+        const char* first = std::find_if_not(p, rowEnd, isBlank);
+        if (first != rowEnd && *first == '"') {
+            Field field = readField(p, rowEnd);
+            if (!field.wellFormed)
+                return d->badInput(CsvReaderText::tr("text outside of the quotes of a value"),
+                                   CsvReaderText::tr("a comma behind the closing quote"), d->placeOf(p));
+            p = field.end;
+            fields[i] = d->quoted.emplace_back(std::move(field.text));
+        } else {
+            const void* comma = std::memchr(first, ',', static_cast<std::size_t>(rowEnd - first));
+            p = comma != nullptr ? static_cast<const char*>(comma) : rowEnd;
+            const char* last = p;
+            while (last > first && isBlank(last[-1]))
+                --last;
+            fields[i] = {first, static_cast<std::size_t>(last - first)};
+        }
+        if (p == rowEnd) {
+            if (i + 1 < columns)
+                return d->tooShort(i + 1, p);
             return true;
         }
     }

@@ -43,6 +43,10 @@ public:
     /// allowNonFinite: NaN and infinities are values; otherwise an error.
     [[nodiscard]] Expected<bool> next(std::vector<double>& values, bool allowNonFinite = false);
 
+    /// Reads the next row as text: fields without their quotes and outer blanks, one a header column. Views
+    /// are valid until the next read. False at the end of the file.
+    [[nodiscard]] Expected<bool> nextText(std::vector<std::string_view>& fields);
+
     /// Place of a field of the row that was read last (of the header before the first row), for errors about
     /// values.
     [[nodiscard]] SourcePlace place(std::size_t column) const;

@@ -3,15 +3,21 @@
 
 #include "app/cli/command_io.h"
 #include "app/cli/interruption.h"
+#include "app/cli/progress_bar.h"
 #include "app/cli/validators.h"
 #include "backend/study/rehearsal.h"
+#include "backend/study/study_results.h"
 #include "backend/study/study_store.h"
+#include "backend/study/trial_source.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -27,10 +33,80 @@ std::string help(const char* text) {
     return StudyText::tr(text).toStdString();
 }
 
+template <typename Value>
+nlohmann::ordered_json orNull(const std::optional<Value>& value) {
+    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+}
+
+nlohmann::ordered_json orNull(const std::optional<study::Interval>& ends) {
+    return ends ? nlohmann::ordered_json::array({ends->low, ends->high}) : nlohmann::ordered_json(nullptr);
+}
+
+nlohmann::ordered_json toJson(const std::vector<study::TaskResults>& results) {
+    nlohmann::ordered_json tasks = nlohmann::ordered_json::array();
+    for (const study::TaskResults& task : results) {
+        nlohmann::ordered_json groups = nlohmann::ordered_json::array();
+        for (const study::GroupSummary& group : task.groups) {
+            const auto bits = study::informationTransfer(group.matrix);
+            groups.push_back(
+                {{"condition", group.condition},
+                 {"participants", group.participants},
+                 {"accuracy", group.accuracy ? orNull(std::optional(group.accuracy->mean)) : nullptr},
+                 {"t_interval_95", group.accuracy ? orNull(group.accuracy->interval) : nullptr},
+                 {"it_bits", bits ? orNull(std::optional(bits->measured_bit)) : nullptr},
+                 {"it_corrected_bits", bits ? orNull(std::optional(bits->corrected_bit)) : nullptr},
+                 {"it_bootstrap_95", orNull(group.transferInterval)}});
+        }
+        nlohmann::ordered_json anova = nlohmann::ordered_json::array();
+        for (const study::AnovaLine& line : task.anova)
+            anova.push_back(
+                {{"effect", line.effect},
+                 {"stimulus", line.stimulus.empty() ? nullptr : nlohmann::ordered_json(line.stimulus)},
+                 {"f", line.row ? orNull(std::optional(line.row->f)) : nullptr},
+                 {"p", line.row ? orNull(std::optional(line.row->p)) : nullptr},
+                 {"p_gg", line.row ? orNull(std::optional(line.row->pGg)) : nullptr},
+                 {"note", line.note.empty() ? nullptr : nlohmann::ordered_json(line.note)}});
+        tasks.push_back({{"task", task.task}, {"groups", std::move(groups)}, {"anova", std::move(anova)}});
+    }
+    return {{"tasks", std::move(tasks)}};
+}
+
+std::vector<std::pair<QString, QString>> toFields(const std::vector<study::TaskResults>& results) {
+    std::vector<std::pair<QString, QString>> fields;
+    for (const study::TaskResults& task : results) {
+        for (const study::GroupSummary& group : task.groups) {
+            const QString name = QString::fromStdString(task.task + ", " + group.condition);
+            const auto percent = [](double share) { return forPeople(100.0 * share, 3); };
+            if (group.accuracy && group.accuracy->interval)
+                fields.emplace_back(name, StudyText::tr("%1 % correct (95 %: %2 to %3, %4 participants)")
+                                              .arg(percent(group.accuracy->mean),
+                                                   percent(group.accuracy->interval->low),
+                                                   percent(group.accuracy->interval->high))
+                                              .arg(group.participants));
+            else if (group.accuracy)
+                fields.emplace_back(
+                    name, StudyText::tr("%1 % correct (one participant)").arg(percent(group.accuracy->mean)));
+            if (const auto bits = study::informationTransfer(group.matrix))
+                fields.emplace_back(
+                    QString(), StudyText::tr("%1 bit, %2 without bias")
+                                   .arg(forPeople(bits->measured_bit, 3), forPeople(bits->corrected_bit, 3)));
+        }
+        for (const study::AnovaLine& line : task.anova) {
+            const QString name = QString::fromStdString(task.task + ", " + line.effect +
+                                                        (line.stimulus.empty() ? "" : ", " + line.stimulus));
+            fields.emplace_back(name, line.row ? StudyText::tr("F(%1, %2) = %3, p = %4")
+                                                     .arg(forPeople(line.row->df1), forPeople(line.row->df2),
+                                                          forPeople(line.row->f), forPeople(line.row->pGg, 3))
+                                               : QString::fromStdString(line.note));
+        }
+    }
+    return fields;
+}
+
 } // namespace
 
 QString StudyCommand::summary() const {
-    return StudyText::tr("Rehearse a user study with simulated participants, or go on with one");
+    return StudyText::tr("Rehearse a user study with simulated participants, and analyse studies");
 }
 
 const char* StudyCommand::example() const {
@@ -41,6 +117,7 @@ void StudyCommand::declare(CLI::App& app) {
     app.require_subcommand(1);
     declareRehearse(app);
     declareResume(app);
+    declareAnalyze(app);
 }
 
 void StudyCommand::declareRehearse(CLI::App& app) {
@@ -86,8 +163,37 @@ void StudyCommand::declareResume(CLI::App& app) {
     declareJson(*m_resume, m_json);
 }
 
+void StudyCommand::declareAnalyze(CLI::App& app) {
+    m_analyze = app.add_subcommand(
+        "analyze",
+        help(QT_TRANSLATE_NOOP("StudyCommand", "Confusion matrices, accuracy, information transfer "
+                                               "and ANOVA of studies or trial CSVs")));
+    m_analyze
+        ->add_option("inputs", m_inputs,
+                     help(QT_TRANSLATE_NOOP("StudyCommand",
+                                            "Folders of studies, or CSVs with participant_id,task,condition,"
+                                            "phase,stimulus,response")))
+        ->type_name("DIR|CSV")
+        ->required();
+    m_analyze
+        ->add_option(
+            "--mode", m_mode,
+            help(QT_TRANSLATE_NOOP("StudyCommand", "Only data of this mode; different modes are not merged")))
+        ->type_name("run|pilot|simulated")
+        ->check(CLI::IsMember({"run", "pilot", "simulated"}).description(""));
+    m_analyze
+        ->add_option("--out", m_outFolder,
+                     help(QT_TRANSLATE_NOOP("StudyCommand", "Folder for confusion_long.csv, summary.csv, "
+                                                            "group.csv and anova.csv")))
+        ->type_name("DIR")
+        ->required();
+    declareJson(*m_analyze, m_json);
+}
+
 core::Expected<void> StudyCommand::run() {
-    return m_rehearse->parsed() ? runRehearse() : runResume();
+    if (m_rehearse->parsed())
+        return runRehearse();
+    return m_resume->parsed() ? runResume() : runAnalyze();
 }
 
 core::Expected<void> StudyCommand::runRehearse() const {
@@ -140,6 +246,53 @@ core::Expected<void> StudyCommand::goOn(study::StudyStore& store) const {
         {StudyText::tr("Trials"), QString::number(progress->trialsBefore + progress->trials)},
         {StudyText::tr("Of them kept before"), QString::number(progress->trialsBefore)}};
     return printFields(fields);
+}
+
+core::Expected<study::TrialTally> StudyCommand::tallyInputs() const {
+    study::TrialTally tally;
+    study::ModeFilter modes;
+    if (!m_mode.empty())
+        modes.wanted = study::modeOf(m_mode);
+    std::set<QString> seen;
+    for (const std::string& input : m_inputs) {
+        const QFileInfo info(QString::fromStdString(input));
+        if (info.exists() && !seen.insert(info.canonicalFilePath()).second)
+            return core::Unexpected(core::Error{core::ErrorKind::badInput,
+                                                StudyText::tr("this is named twice").toStdString(),
+                                                StudyText::tr("each study and each file once").toStdString(),
+                                                {input}});
+        core::Expected<void> counted;
+        if (info.isDir()) {
+            const core::Expected<study::StudyStore> store = study::StudyStore::open(input);
+            counted = store ? study::tallyStore(*store, modes, tally) : core::Unexpected(store.error());
+        } else {
+            ProgressBar progress(ProgressBar::Unit::bytes, false);
+            counted = study::tallyCsv(input, modes, tally, [&](std::uint64_t bytes) {
+                progress.update(static_cast<double>(bytes), static_cast<double>(info.size()));
+                return !interrupted();
+            });
+        }
+        if (!counted)
+            return core::Unexpected(interrupted() ? interruption() : counted.error());
+    }
+    if (tally.cells().empty())
+        return core::Unexpected(
+            core::Error{core::ErrorKind::badInput,
+                        StudyText::tr("there are no completed trials").toStdString(),
+                        StudyText::tr("trials that were answered or timed out").toStdString(),
+                        {m_inputs.front()}});
+    return tally;
+}
+
+core::Expected<void> StudyCommand::runAnalyze() const {
+    const core::Expected<study::TrialTally> tally = tallyInputs();
+    if (!tally)
+        return core::Unexpected(tally.error());
+    const std::vector<study::TaskResults> results = study::studyResults(*tally);
+    const core::Expected<void> written = study::writeResults(results, m_outFolder);
+    if (!written)
+        return written;
+    return m_json ? printDocument(toJson(results)) : printFields(toFields(results));
 }
 
 } // namespace teleta::cli

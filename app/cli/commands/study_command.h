@@ -6,14 +6,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace teleta::study {
 class StudyStore;
-}
+class TrialTally;
+} // namespace teleta::study
 
 namespace teleta::cli {
 
-/// `teleta study rehearse|resume`: user studies with simulated participants.
+/// `teleta study rehearse|resume|analyze`: user studies with simulated participants, and the results of all.
 class StudyCommand : public Command {
 public:
     [[nodiscard]] const char* name() const override { return "study"; }
@@ -25,18 +27,24 @@ public:
 private:
     void declareRehearse(CLI::App& app);
     void declareResume(CLI::App& app);
+    void declareAnalyze(CLI::App& app);
     [[nodiscard]] core::Expected<void> runRehearse() const;
     [[nodiscard]] core::Expected<void> runResume() const;
+    [[nodiscard]] core::Expected<void> runAnalyze() const;
+    [[nodiscard]] core::Expected<study::TrialTally> tallyInputs() const;
     [[nodiscard]] core::Expected<void> goOn(study::StudyStore& store) const;
 
     CLI::App* m_rehearse = nullptr;
     CLI::App* m_resume = nullptr;
+    CLI::App* m_analyze = nullptr;
     std::string m_protocolPath;
     std::size_t m_participants = 6;
     std::uint64_t m_seed = 1;
     double m_lapses = 0.0;
     std::string m_outFolder;
     std::string m_studyFolder;
+    std::vector<std::string> m_inputs;
+    std::string m_mode;
     bool m_json = false;
 };
 

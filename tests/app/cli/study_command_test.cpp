@@ -67,3 +67,35 @@ TEST_F(StudyCommand, wrongUsageIsTold) {
     EXPECT_EQ(run({"study", "rehearse"}).exitCode, 2);
     EXPECT_EQ(run({"study", "rehearse", "--participants", "0", "--out", folder()}).exitCode, 2);
 }
+
+TEST_F(StudyCommand, analyzesAStudyAndHandMadeFiles) {
+    ASSERT_EQ(run({"study", "rehearse", "--participants", "3", "--out", folder()}).exitCode, 0);
+    const ProgramResult analyzed = run({"study", "analyze", folder(), "--out", m_folder.path("r"), "--json"});
+    ASSERT_EQ(analyzed.exitCode, 0) << analyzed.err;
+    const ordered_json tasks = ordered_json::parse(analyzed.out)["tasks"];
+    ASSERT_EQ(tasks.size(), 2U);
+    EXPECT_EQ(tasks[0]["task"], "shape");
+    EXPECT_EQ(tasks[0]["groups"][0]["participants"], 3);
+    EXPECT_TRUE(std::filesystem::exists(m_folder.path("r/anova.csv")));
+
+    const std::string csv =
+        m_folder.write("hand.csv", "participant_id,task,condition,phase,stimulus,response\n"
+                                   "P1,shape,static,test,A,A\nP1,shape,static,test,B,A\n");
+    const ProgramResult byHand = run({"study", "analyze", csv, "--out", m_folder.path("h"), "--json"});
+    ASSERT_EQ(byHand.exitCode, 0) << byHand.err;
+    const ordered_json group = ordered_json::parse(byHand.out)["tasks"][0]["groups"][0];
+    EXPECT_EQ(group["accuracy"], 0.5);
+    EXPECT_TRUE(group["t_interval_95"].is_null());
+}
+
+TEST_F(StudyCommand, aDamagedFileLeavesNoResults) {
+    const std::string good =
+        "participant_id,task,condition,phase,stimulus,response\nP1,shape,static,test,A,A\n";
+    const std::string csv = m_folder.write("good.csv", good);
+    const std::string damaged = m_folder.write("damaged.csv", good + "P1,shape,static,test,A\n");
+    const ProgramResult result = run({"study", "analyze", csv, damaged, "--out", m_folder.path("r")});
+    EXPECT_EQ(result.exitCode, 3);
+    EXPECT_NE(result.err.find("damaged.csv:3:"), std::string::npos) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(m_folder.path("r")));
+    EXPECT_EQ(run({"study", "analyze", csv, csv, "--out", m_folder.path("r")}).exitCode, 3);
+}

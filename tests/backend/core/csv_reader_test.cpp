@@ -322,3 +322,33 @@ TEST_F(CsvReaderTest, aSignalEndsTheWaitForAPipeAndReadingGoesOnAfterIt) {
     ::close(both);
     sigaction(SIGUSR1, &before, nullptr);
 }
+
+TEST_F(CsvReaderTest, readsTextWithoutItsQuotesAndOuterBlanks) {
+    Expected<CsvReader> csv =
+        open("a,b,c\r\nx, two words ,\r\n\"a,b\",\"say \"\"no\"\"\",\"two\nlines\"\r\n");
+    ASSERT_TRUE(csv);
+    std::vector<std::string_view> fields;
+    ASSERT_TRUE(csv->nextText(fields).value());
+    EXPECT_EQ(fields, (std::vector<std::string_view>{"x", "two words", ""}));
+    ASSERT_TRUE(csv->nextText(fields).value());
+    EXPECT_EQ(fields, (std::vector<std::string_view>{"a,b", "say \"no\"", "two\nlines"}));
+    EXPECT_FALSE(csv->nextText(fields).value());
+}
+
+TEST_F(CsvReaderTest, textRowsOfAnotherLengthAndTextBesideQuotesAreErrorsWithTheirPlace) {
+    struct Case {
+        std::string row;
+        long long column;
+    };
+    for (const Case& wrong : {Case{"1", 2}, Case{"1,2,3", 5}, Case{"1,\"2\"3", 3}}) {
+        Expected<CsvReader> csv = open("a,b\nx,y\n" + wrong.row + "\n");
+        ASSERT_TRUE(csv);
+        std::vector<std::string_view> fields;
+        ASSERT_TRUE(csv->nextText(fields).value());
+        const Expected<bool> row = csv->nextText(fields);
+        ASSERT_FALSE(row) << wrong.row;
+        EXPECT_EQ(row.error().kind, ErrorKind::badInput);
+        EXPECT_EQ(row.error().where.line, 3);
+        EXPECT_EQ(row.error().where.column, wrong.column) << wrong.row;
+    }
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/error.h"
+#include "backend/study/study_store.h"
+#include "backend/study/trial_tally.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace teleta::study {
+
+/// Which data may be counted together. Modes are never mixed: the first trial decides unless the user does.
+struct ModeFilter {
+    std::optional<Mode> wanted; ///< the others are left out
+    std::optional<Mode> seen;   ///< of the trials so far; without `wanted` another one is an error
+};
+
+/// Counts the completed trials of a trial CSV. Needed columns: participant_id, task, condition, phase,
+/// stimulus, response. Used where they are there: mode, outcome (aborted and device_error are left out;
+/// otherwise a response NA, NONE or nothing is a timeout), response_time_s (NA: unknown). Constant memory but
+/// the tally. goOn: asked now and then with the bytes read; false stops. Error: badInput with file, line and
+/// column, notFound, ioFailed, cancelled; refused for mixed modes. The tally is of no use then. Thread: any.
+[[nodiscard]] core::Expected<void> tallyCsv(const std::string& path, ModeFilter& modes, TrialTally& tally,
+                                            const std::function<bool(std::uint64_t bytes)>& goOn);
+
+/// Counts the completed trials of a store. Thread: that of the store.
+[[nodiscard]] core::Expected<void> tallyStore(const StudyStore& store, ModeFilter& modes, TrialTally& tally);
+
+} // namespace teleta::study
