@@ -55,6 +55,27 @@ RecordingRequest readRecordingSource(scene::TomlTable& table, const std::string&
     return request;
 }
 
+WtsRequest readWtsSource(scene::TomlTable& table, const std::string& listPath) {
+    WtsRequest request;
+    if (auto address = wts::parseWtsAddress(table.text("wts")))
+        request.config.address = std::move(*address);
+    else
+        table.fail("wts", address.error().message, address.error().expected);
+    if (auto* serial = std::get_if<wts::SerialAddress>(&request.config.address)) {
+        serial->path = besideList(listPath, serial->path);
+        serial->baud = static_cast<int>(table.integer("baud", 9600, 4'000'000, serial->baud));
+    }
+    request.config.delay_ms =
+        static_cast<std::uint16_t>(table.integer("delay_ms", 0, 65535, request.config.delay_ms));
+    request.config.runLength = table.boolean("run_length", request.config.runLength);
+    request.config.tare = table.boolean("tare", request.config.tare);
+    request.gain = table.number("gain", scene::NumberRange::positive(), request.gain);
+    if (table.has("threshold"))
+        request.threshold = table.number("threshold", scene::NumberRange::positive());
+    request.loadUnit = table.text("unit", request.loadUnit);
+    return request;
+}
+
 } // namespace
 
 core::Expected<std::vector<SourceRequest>> readSourceList(const std::string& path) {
@@ -66,6 +87,8 @@ core::Expected<std::vector<SourceRequest>> readSourceList(const std::string& pat
     for (scene::TomlTable& table : root.tables("source", 1)) {
         if (table.has("scene"))
             requests.emplace_back(readSceneSource(table, path));
+        else if (table.has("wts"))
+            requests.emplace_back(readWtsSource(table, path));
         else
             requests.emplace_back(readRecordingSource(table, path));
         table.finish();

@@ -7,6 +7,7 @@
 #include "devices/replay/replay_config.h"
 #include "devices/replay/replay_device.h"
 #include "devices/simulated/simulated_array_device.h"
+#include "devices/wts/wts_device.h"
 
 #include <QDir>
 #include <QFile>
@@ -124,24 +125,50 @@ core::Expected<pipeline::OpenedSource> openScene(const SceneRequest& request, co
                                   settingsFor(threshold_N, "N")};
 }
 
+core::Expected<pipeline::OpenedSource> openWts(const WtsRequest& request) {
+    constexpr double kThresholdShare = 0.01;
+    auto source = wts::WtsDevice::open(request.config);
+    if (!source)
+        return core::Unexpected(source.error());
+    const double fullScale = (*source)->matrix().fullScale * request.gain;
+    pipeline::ChannelSettings settings =
+        settingsFor(request.threshold.value_or(kThresholdShare * fullScale), request.loadUnit);
+    settings.conditioning.gain = request.gain;
+    return pipeline::OpenedSource{std::move(*source), std::move(settings)};
+}
+
+/// The name of the link, or else nothing.
+QString linkOf(const SourceRequest& request) {
+    const auto* connected = std::get_if<WtsRequest>(&request);
+    return connected != nullptr ? QString::fromStdString(wts::displayName(connected->config.address))
+                                : QString();
+}
+
 QString pathOf(const SourceRequest& request) {
-    return std::visit([](const auto& known) { return QString::fromStdString(known.path); }, request);
+    if (const auto* recording = std::get_if<RecordingRequest>(&request))
+        return QString::fromStdString(recording->path);
+    const auto* scene = std::get_if<SceneRequest>(&request);
+    return scene != nullptr ? QString::fromStdString(scene->path) : QString();
 }
 
 } // namespace
 
 QString displayName(const SourceRequest& request) {
-    return QFileInfo(pathOf(request)).completeBaseName();
+    const QString link = linkOf(request);
+    return link.isEmpty() ? QFileInfo(pathOf(request)).completeBaseName() : link;
 }
 
 QString fileName(const SourceRequest& request) {
-    return QFileInfo(pathOf(request)).fileName();
+    const QString link = linkOf(request);
+    return link.isEmpty() ? QFileInfo(pathOf(request)).fileName() : link;
 }
 
 pipeline::SourceFactory makeSourceFactory(SourceRequest request, const core::StopSwitch& stop) {
     return [request = std::move(request), &stop] {
         if (const auto* recording = std::get_if<RecordingRequest>(&request))
             return openRecording(*recording);
+        if (const auto* connected = std::get_if<WtsRequest>(&request))
+            return openWts(*connected);
         return openScene(std::get<SceneRequest>(request), stop);
     };
 }

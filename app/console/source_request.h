@@ -5,10 +5,12 @@
 #include "backend/core/error.h"
 #include "backend/core/stop_switch.h"
 #include "backend/pipeline/touch_pipeline.h"
+#include "devices/wts/wts_config.h"
 
 #include <QString>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -35,12 +37,20 @@ struct SceneRequest {
     std::uint64_t seed = 1;
 };
 
-using SourceRequest = std::variant<RecordingRequest, SceneRequest>;
+/// A Weiss WTS array that is connected.
+struct WtsRequest {
+    wts::WtsConfig config;
+    double gain = 1.0;                              ///< load units per count
+    std::optional<double> threshold = std::nullopt; ///< in load units; empty: 1 % of the sensor's full scale
+    std::string loadUnit = "counts";                ///< shown with every load
+};
 
-/// Name under which people know the source: the file name without its folder.
+using SourceRequest = std::variant<RecordingRequest, SceneRequest, WtsRequest>;
+
+/// Name under which people know the source: the file name without its folder, or the name of the link.
 [[nodiscard]] QString displayName(const SourceRequest& request);
 
-/// The same with its extension, for messages about the file.
+/// The same, a file with its extension, for messages.
 [[nodiscard]] QString fileName(const SourceRequest& request);
 
 /// What opens the source on the pipeline's control thread. stop outlives the source.

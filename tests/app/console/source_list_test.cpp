@@ -10,6 +10,7 @@ using teleta::console::guessRecording;
 using teleta::console::readSourceList;
 using teleta::console::RecordingRequest;
 using teleta::console::SceneRequest;
+using teleta::console::WtsRequest;
 
 /// Source lists, and what a recording's file tells of itself.
 class SourceListTest : public QObject {
@@ -73,6 +74,53 @@ private slots:
         const auto& scene = std::get<SceneRequest>((*requests)[1]);
         QCOMPARE(QString::fromStdString(scene.path), m_folder.filePath("demo.toml"));
         QCOMPARE(scene.seed, std::uint64_t(7));
+    }
+
+    void readsConnectedArrays() {
+        const QString list =
+            write("wts.toml", "[[source]]\nwts = \"/dev/ttyUSB0\"\nbaud = 921600\ndelay_ms = 5\n"
+                              "run_length = true\ntare = true\nthreshold = 30\n"
+                              "[[source]]\nwts = \"tcp://hand:1000\"\ngain = 0.01\nunit = \"N\"\n");
+        const auto requests = readSourceList(list.toStdString());
+        QVERIFY2(requests.has_value(), requests ? "" : describe(requests.error()).c_str());
+        QCOMPARE(requests->size(), std::size_t(2));
+        const auto& serial = std::get<WtsRequest>((*requests)[0]);
+        QVERIFY(serial.config.address ==
+                teleta::wts::WtsAddress(teleta::wts::SerialAddress{"/dev/ttyUSB0", 921600}));
+        QCOMPARE(serial.config.delay_ms, std::uint16_t(5));
+        QVERIFY(serial.config.runLength);
+        QVERIFY(serial.config.tare);
+        QCOMPARE(serial.threshold.value_or(0.0), 30.0);
+        QCOMPARE(QString::fromStdString(serial.loadUnit), QStringLiteral("counts"));
+        QCOMPARE(displayName((*requests)[0]), QStringLiteral("ttyUSB0"));
+        const auto& tcp = std::get<WtsRequest>((*requests)[1]);
+        QVERIFY(tcp.config.address == teleta::wts::WtsAddress(teleta::wts::TcpAddress{"hand", 1000}));
+        QVERIFY(!tcp.config.tare);
+        QVERIFY(!tcp.threshold.has_value());
+        QCOMPARE(tcp.gain, 0.01);
+        QCOMPARE(displayName((*requests)[1]), QStringLiteral("hand:1000"));
+    }
+
+    void namesThePlaceOfAWrongAddressOrSetting_data() {
+        QTest::addColumn<QByteArray>("lines");
+        QTest::addColumn<int>("line");
+        QTest::addColumn<int>("column");
+        QTest::newRow("no port") << QByteArray("wts = \"tcp://hand\"") << 2 << 7;
+        QTest::newRow("no baud rate over TCP")
+            << QByteArray("wts = \"tcp://hand:1\"\nbaud = 115200") << 3 << 1;
+        QTest::newRow("delay too long") << QByteArray("wts = \"/dev/ttyUSB0\"\ndelay_ms = 65536") << 3 << 12;
+        QTest::newRow("no threshold") << QByteArray("wts = \"/dev/ttyUSB0\"\nthreshold = 0") << 3 << 13;
+        QTest::newRow("two sources in one")
+            << QByteArray("wts = \"/dev/ttyUSB0\"\nrecording = \"a\"") << 3 << 1;
+    }
+    void namesThePlaceOfAWrongAddressOrSetting() {
+        QFETCH(QByteArray, lines);
+        QFETCH(int, line);
+        QFETCH(int, column);
+        const auto requests = readSourceList(write("bad.toml", "[[source]]\n" + lines + "\n").toStdString());
+        QVERIFY(!requests.has_value());
+        QCOMPARE(int(requests.error().where.line), line);
+        QCOMPARE(int(requests.error().where.column), column);
     }
 
     void namesThePlaceOfWhatIsWrong() {
