@@ -30,10 +30,10 @@ struct ArmBody {
     double upperArmLength_m = 0.30;
     double forearmLength_m = 0.27;
     double halfThickness_m = 0.030;
-    double upperArmMass_kg = 1.5;
-    double forearmMass_kg = 1.0;
-    double jointInertia_kgm2 = 0.005;    ///< on the link's side of each joint
-    double jointDamping_NmsPerRad = 0.2; ///< of the twist; takes the ringing from the links
+    double upperArmMass_kg = 1.0;
+    double forearmMass_kg = 0.5;
+    double jointInertia_kgm2 = 0.002; ///< on the link's side of each joint
+    double jointDampingTime_s = 0.03; ///< damping of the twist over its stiffness; takes the ringing away
     /// Between motor and link. The elbow's follows from the paper's k_ri and P_C: k_ri P_C^2.
     core::JointArray jointStiffness_NmPerRad{2000.0, 2000.0, 2000.0, 3468.6 * 0.175 * 0.175};
     core::JointArray start_rad{};
@@ -90,9 +90,9 @@ struct ArmObject {
 /// One object after the other is touched with the elbow, from below; only the object whose turn it is exists.
 ///   to the clearance -> slowly until the torque limit -> hold -> back
 struct TouchProgram {
-    double approach_radPerS = 0.006;
-    double travel_radPerS = 0.5;
-    double clearance_rad = 0.01; ///< before the first contact, where the slow approach begins
+    double approach_radPerS = 0.003;
+    double travel_radPerS = 0.12;
+    double clearance_rad = 0.004; ///< before the first contact, where the slow approach begins
     double retract_rad = 0.1;    ///< before the first contact, where the next object takes its place
     double torqueLimit_Nm = 0.08;
     double hold_s = 0.2;
@@ -103,9 +103,9 @@ struct ContourProgram {
     int directions = 24;         ///< 3 .. 360, evenly spaced
     double startAngle_rad = 0.0; ///< of the first direction, about z
     double approach_mPerS = 0.004;
-    double travel_mPerS = 0.1;
-    double clearance_m = 0.004; ///< of the surface, where the slow approach begins
-    double retract_m = 0.02;    ///< of the surface, on the way around
+    double travel_mPerS = 0.02;
+    double clearance_m = 0.002; ///< of the surface, where the slow approach begins
+    double retract_m = 0.01;    ///< of the surface, on the way around
     double torqueLimit_Nm = 0.08;
     double hold_s = 0.1;
 };

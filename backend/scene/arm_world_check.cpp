@@ -35,7 +35,7 @@ bool isValid(const ArmBody& body) {
     return arePositive({body.upperArmLength_m, body.forearmLength_m, body.halfThickness_m,
                         body.upperArmMass_kg, body.forearmMass_kg, body.jointInertia_kgm2,
                         body.highestTorque_Nm}) &&
-           areNotNegative({body.jointDamping_NmsPerRad});
+           areNotNegative({body.jointDampingTime_s});
 }
 
 struct ControlIsValid {

@@ -59,8 +59,8 @@ ArmBody readBody(TomlTable& table) {
     size("forearm_kg", body.forearmMass_kg);
     size("joint_inertia_kgm2", body.jointInertia_kgm2);
     size("highest_torque_Nm", body.highestTorque_Nm);
-    body.jointDamping_NmsPerRad =
-        table.number("joint_damping_Nms_per_rad", NumberRange::notNegative(), body.jointDamping_NmsPerRad);
+    body.jointDampingTime_s =
+        table.number("joint_damping_time_s", NumberRange::notNegative(), body.jointDampingTime_s);
     body.jointStiffness_NmPerRad = readJoints(table, "joint_stiffness_Nm_per_rad", NumberRange::positive(),
                                               body.jointStiffness_NmPerRad);
     body.lowest_rad = readJoints(table, "lowest_rad", NumberRange::any(), body.lowest_rad);

@@ -4,6 +4,7 @@
 #include "backend/core/device.h"
 #include "backend/core/error.h"
 #include "backend/scene/scene.h"
+#include "backend/simulation/effect_time.h"
 #include "backend/simulation/effects/effect.h"
 #include "backend/simulation/foundation_contact.h"
 #include "backend/simulation/keyframe_motion.h"
@@ -29,12 +30,6 @@ struct IndenterTruth {
 struct ContactTruth {
     double motionTime_s = 0.0; ///< time of the motion; stands still while it is held
     std::vector<IndenterTruth> indenters;
-};
-
-/// Time that an effect took since the start, in s.
-struct EffectTime {
-    std::string_view name;
-    double time_s = 0.0;
 };
 
 /// The tactile array of a scene, pressed by the scene's indenters. One frame a call:
