@@ -4,6 +4,7 @@
 #include "widgets/base/badge.h"
 #include "widgets/base/calm_range.h"
 #include "widgets/base/tabular_text.h"
+#include "widgets/base/theme.h"
 
 #include <QFontMetricsF>
 
@@ -90,6 +91,75 @@ void TimeLines::draw(QCPPainter* painter) {
             first = false;
         }
     }
+}
+
+Shades::Shades(QCustomPlot* plot, const QString& layer, Kind kind)
+    : QCPLayerable(plot, layer)
+    , m_kind(kind) {
+}
+
+void Shades::setInk(const QFont& font, const QColor& fill, const QPen& edge, const QColor& text) {
+    m_font = font;
+    m_fill = fill;
+    m_edge = edge;
+    m_text = text;
+}
+
+void Shades::draw(QCPPainter* painter) {
+    painter->setAntialiasing(false);
+    painter->setFont(m_font);
+    for (const Shade& shade : m_shades) {
+        for (const QCPAxisRect* rect : m_rects) {
+            const bool times = m_kind == Kind::times;
+            const QCPAxis* axis = rect->axis(times ? QCPAxis::atBottom : QCPAxis::atLeft);
+            // Cut here and not by the painter: pictures in SVG know no clipping.
+            const double from = std::max(shade.from, axis->range().lower);
+            const double to = std::min(shade.to, axis->range().upper);
+            if (!(from < to))
+                continue;
+            const double a = axis->coordToPixel(from), b = axis->coordToPixel(to);
+            const QRectF area = times ? QRectF(a, rect->top(), b - a, rect->height())
+                                      : QRectF(rect->left(), b, rect->width(), a - b);
+            painter->fillRect(area, m_fill);
+            painter->setPen(m_edge);
+            for (const double end : {shade.from, shade.to}) {
+                if (!axis->range().contains(end))
+                    continue;
+                const double at = std::round(axis->coordToPixel(end));
+                painter->drawLine(times ? QLineF(at, area.top(), at, area.bottom())
+                                        : QLineF(area.left(), at, area.right(), at));
+            }
+            if (times && rect == m_rects.front() && !shade.label.isEmpty()) {
+                const QFontMetricsF metrics(m_font);
+                const double width = metrics.horizontalAdvance(shade.label);
+                const double left = std::min(area.left() + 0.25 * metrics.height(), rect->right() - width);
+                painter->setPen(m_text);
+                painter->drawText(QRectF(left, area.top(), width + 1.0, metrics.height()),
+                                  Qt::AlignLeft | Qt::AlignVCenter, shade.label);
+            }
+        }
+    }
+}
+
+void styleAxes(QCPAxisRect* rect, const QFont& font, const QPalette& palette) {
+    const double em = QFontMetricsF(font).height();
+    const QColor text = palette.color(QPalette::Text);
+    const QColor ground = palette.color(QPalette::Base);
+    const QColor faint = base::mixed(text, ground, 0.35);
+    const QPen gridPen(base::mixed(text, ground, 0.88), 1.0);
+    const QFont small = base::sized(font, base::kSmallText);
+    for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft}) {
+        QCPAxis* axis = rect->axis(side);
+        axis->setBasePen(QPen(faint, 1.0));
+        axis->setTickPen(QPen(faint, 1.0));
+        axis->setTickLabelColor(text);
+        axis->setTickLabelFont(small);
+        axis->setTickLengthIn(0);
+        axis->setTickLengthOut(static_cast<int>(0.2 * em));
+        axis->setTickLabelPadding(static_cast<int>(0.2 * em));
+        axis->grid()->setPen(gridPen);
+    }
+    rect->axis(QCPAxis::atLeft)->grid()->setZeroLinePen(QPen(base::mixed(text, ground, 0.65), 1.0));
 }
 
 double RoundTicker::getTickStep(const QCPRange& range) {

@@ -3,6 +3,7 @@
 
 #include <QColor>
 #include <qcustomplot.h>
+#include <QPalette>
 #include <QString>
 
 #include <functional>
@@ -89,6 +90,42 @@ private:
     QPen m_pen;
     QFont m_font;
 };
+
+/// A stretch of time, relative to the right edge, or a range of values.
+struct Shade {
+    double from = 0.0, to = 0.0;
+    QString label; ///< in its upper left corner; times only
+};
+
+/// Shades behind the curves: stretches of time over all axis rects, or ranges of values within them.
+class Shades : public QCPLayerable {
+    Q_OBJECT
+public:
+    enum class Kind { times, values };
+
+    Shades(QCustomPlot* plot, const QString& layer, Kind kind);
+
+    void setRects(std::vector<QCPAxisRect*> rects) { m_rects = std::move(rects); }
+    void setShades(std::vector<Shade> shades) { m_shades = std::move(shades); }
+    [[nodiscard]] const std::vector<Shade>& shades() const { return m_shades; }
+    /// edge: of both ends.
+    void setInk(const QFont& font, const QColor& fill, const QPen& edge, const QColor& text);
+
+protected:
+    void applyDefaultAntialiasingHint(QCPPainter*) const override {}
+    void draw(QCPPainter* painter) override;
+
+private:
+    Kind m_kind;
+    std::vector<QCPAxisRect*> m_rects;
+    std::vector<Shade> m_shades;
+    QFont m_font;
+    QColor m_fill, m_text;
+    QPen m_edge;
+};
+
+/// Gives the left and the bottom axis of a strip the look of all strips. font: that of the view.
+void styleAxes(QCPAxisRect* rect, const QFont& font, const QPalette& palette);
 
 /// Ticks at round numbers, with a true minus sign and without rounding noise around zero.
 class RoundTicker : public QCPAxisTicker {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/charts/feature_history.h"
 
-#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -9,12 +9,6 @@
 namespace teleta::charts {
 
 namespace {
-
-constexpr double kShortestGap_s = 0.1;
-constexpr double kPeriodsOfAGap = 5.0;
-constexpr double kShortestJump_s = 0.25;
-constexpr double kLongestJump_s = 2.0;
-constexpr double kSmoothing = 0.05;
 
 double orNaN(const std::optional<double>& value) {
     return value.value_or(std::numeric_limits<double>::quiet_NaN());
@@ -33,61 +27,14 @@ void appendNumber(std::string& text, double value) {
 } // namespace
 
 FeatureHistory::FeatureHistory(std::size_t capacity)
-    : m_capacity(std::max<std::size_t>(1, capacity))
-    , m_time_s(m_capacity)
-    , m_sourceTime_s(m_capacity)
-    , m_breaks(m_capacity)
-    , m_types(m_capacity) {
-    for (auto& column : m_values)
-        column.resize(m_capacity);
-}
-
-void FeatureHistory::clear() {
-    m_first = m_size = 0;
-    m_period_s = 0.0;
-}
-
-double FeatureHistory::longestStep_s() const {
-    return std::max(kShortestGap_s, kPeriodsOfAGap * m_period_s);
-}
-
-double FeatureHistory::follow(const pipeline::FeatureSample& sample, Break& before) {
-    before = Break::none;
-    if (m_size == 0) {
-        before = Break::jump;
-        return 0.0;
-    }
-    const double newest_s = newestTime_s();
-    const double step_s = sample.sourceTime_s - sourceTime_s(m_size - 1);
-    if (sample.discontinuity || !(step_s >= 0.0)) {
-        before = Break::jump;
-        const double passed_s = static_cast<double>(sample.time_ns - m_lastSteady_ns) * 1e-9;
-        return newest_s + std::clamp(passed_s, kShortestJump_s, kLongestJump_s);
-    }
-    if (m_period_s > 0.0 && step_s > longestStep_s())
-        before = Break::missing;
-    else if (step_s > 0.0)
-        m_period_s = m_period_s > 0.0 ? m_period_s + kSmoothing * (step_s - m_period_s) : step_s;
-    return newest_s + step_s;
+    : SampleHistory(kChannels, capacity)
+    , m_types(this->capacity()) {
 }
 
 void FeatureHistory::append(const pipeline::FeatureSample& sample) {
-    Break before = Break::none;
-    const double time_s = follow(sample, before);
-    m_lastSteady_ns = sample.time_ns;
-    if (m_size == m_capacity)
-        m_first = m_first + 1 == m_capacity ? 0 : m_first + 1;
-    else
-        ++m_size;
-    ++m_appended;
-
-    const std::size_t s = slot(m_size - 1);
-    m_time_s[s] = time_s;
-    m_sourceTime_s[s] = sample.sourceTime_s;
-    m_breaks[s] = before;
-    m_types[s] = sample.features.type;
+    std::array<double, kChannels> values{};
     const auto put = [&](Channel channel, double value) {
-        m_values[static_cast<std::size_t>(channel)][s] = value;
+        values[static_cast<std::size_t>(channel)] = value;
     };
     const contact::TactileFeatures& f = sample.features;
     put(Channel::force, f.force_N);
@@ -104,45 +51,8 @@ void FeatureHistory::append(const pipeline::FeatureSample& sample) {
     const bool hasRatio = f.lambda1_m2 && f.lambda2_m2 && *f.lambda2_m2 > 0.0;
     put(Channel::ratio, hasRatio ? *f.lambda1_m2 / *f.lambda2_m2 : orNaN({}));
     put(Channel::active, f.active);
-}
-
-std::size_t FeatureHistory::firstAt(double time) const {
-    std::size_t low = 0;
-    std::size_t high = m_size;
-    while (low < high) {
-        const std::size_t middle = low + (high - low) / 2;
-        if (time_s(middle) < time)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low;
-}
-
-std::optional<std::size_t> FeatureHistory::nearest(double time) const {
-    if (m_size == 0)
-        return std::nullopt;
-    std::size_t index = std::min(firstAt(time), m_size - 1);
-    if (index > 0 && time - time_s(index - 1) < time_s(index) - time)
-        --index;
-    if (std::abs(time_s(index) - time) > longestStep_s())
-        return std::nullopt;
-    return index;
-}
-
-std::optional<std::size_t> FeatureHistory::nearestSource(double source) const {
-    std::optional<std::size_t> best;
-    double distance = std::numeric_limits<double>::infinity();
-    for (std::size_t i = m_size; i-- > 0;) {
-        const double d = std::abs(sourceTime_s(i) - source);
-        if (d < distance) {
-            distance = d;
-            best = i;
-        }
-        if (best && breakBefore(i) == Break::jump && distance <= longestStep_s())
-            break; // an older pass over the same stretch of a recording does not count
-    }
-    return best;
+    SampleHistory::append({sample.time_ns, sample.sourceTime_s, sample.discontinuity}, values);
+    m_types[slot(size() - 1)] = f.type;
 }
 
 std::string featuresCsv(const FeatureHistory& history, std::size_t first, std::size_t last) {

@@ -77,7 +77,7 @@ private:
 
 } // namespace
 
-std::optional<ValueRange> makePolyline(const FeatureHistory& history, Channel channel, double from_s,
+std::optional<ValueRange> makePolyline(const SampleHistory& history, std::size_t column, double from_s,
                                        double to_s, double bucket_s, double period,
                                        std::vector<PolylinePoint>& line) {
     Builder builder(line, bucket_s);
@@ -89,7 +89,7 @@ std::optional<ValueRange> makePolyline(const FeatureHistory& history, Channel ch
     for (bool beyond = false; i < history.size() && !beyond; ++i) {
         const double time_s = history.time_s(i);
         beyond = time_s > to_s;
-        const double value = history.value(channel, i);
+        const double value = history.value(column, i);
         const bool wrapped = period > 0.0 && std::abs(value - previous) > halfPeriod;
         if (wrapped || history.breakBefore(i) != Break::none || !std::isfinite(value))
             builder.lift();

@@ -123,23 +123,7 @@ void StripPlot::arrange() {
 }
 
 void StripPlot::colourRow(Row& row, const QPalette& palette) {
-    const QColor text = palette.color(QPalette::Text);
-    const QColor ground = palette.color(QPalette::Base);
-    const QColor faint = base::mixed(text, ground, 0.35);
-    const QPen gridPen(base::mixed(text, ground, 0.88), 1.0);
-    const QFont small = base::sized(font(), base::kSmallText);
-    for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft}) {
-        QCPAxis* axis = row.rect->axis(side);
-        axis->setBasePen(QPen(faint, 1.0));
-        axis->setTickPen(QPen(faint, 1.0));
-        axis->setTickLabelColor(text);
-        axis->setTickLabelFont(small);
-        axis->setTickLengthIn(0);
-        axis->setTickLengthOut(static_cast<int>(0.2 * em()));
-        axis->setTickLabelPadding(static_cast<int>(0.2 * em()));
-        axis->grid()->setPen(gridPen);
-    }
-    row.rect->axis(QCPAxis::atLeft)->grid()->setZeroLinePen(QPen(base::mixed(text, ground, 0.65), 1.0));
+    styleAxes(row.rect, font(), palette);
     for (std::size_t i = 0; i < row.graphs.size(); ++i) {
         const Series& series = row.definition->series[i];
         // 1 px: any wider line goes through Qt's stroker, which costs five to ten times as much.
@@ -148,7 +132,8 @@ void StripPlot::colourRow(Row& row, const QPalette& palette) {
             pen.setStyle(Qt::DotLine);
         row.graphs[i]->setPen(pen);
     }
-    row.panel->setInk(small, text, palette.color(QPalette::PlaceholderText));
+    row.panel->setInk(base::sized(font(), base::kSmallText), palette.color(QPalette::Text),
+                      palette.color(QPalette::PlaceholderText));
     auto lines = row.panel->lines();
     for (std::size_t i = 0; i < lines.size(); ++i)
         lines[i].colour = seriesColour(row.definition->series[i], palette);

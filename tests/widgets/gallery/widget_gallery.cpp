@@ -3,6 +3,7 @@
 #include "tests/widgets/touch/sample_arm.h"
 #include "tests/widgets/touch/sample_records.h"
 #include "widgets/base/theme.h"
+#include "widgets/charts/joint_chart_view.h"
 #include "widgets/charts/strip_chart_view.h"
 #include "widgets/tactile/heatmap_view.h"
 #include "widgets/touch/jog_panel.h"
@@ -14,6 +15,7 @@
 #include <QPainter>
 #include <QTextStream>
 
+#include <cmath>
 #include <functional>
 #include <memory>
 
@@ -131,6 +133,38 @@ std::unique_ptr<QWidget> jog(std::optional<core::ArmDrive> drive) {
     return view;
 }
 
+std::unique_ptr<QWidget> joints(bool angles) {
+    auto view = std::make_unique<charts::JointChartView>();
+    view->setProvenance(base::Provenance::simulated);
+    view->anglesAction()->setChecked(angles);
+    std::vector<core::JointSample> samples;
+    for (int i = 0; i < 10000; ++i) {
+        const double time_s = 0.001 * i;
+        const double phase_s = std::fmod(time_s, 2.5);
+        const double press = phase_s < 1.0   ? 0.0
+                             : phase_s < 1.6 ? (phase_s - 1.0) / 0.6
+                             : phase_s < 2.0 ? 1.0
+                                             : 0.0;
+        core::JointSample sample;
+        sample.time_ns = i * 1'000'000LL;
+        sample.sourceTime_s = time_s;
+        const double noise = 0.0006 * std::sin(1234.5 * i);
+        sample.torque_Nm = {noise, 0.012 * press + noise, -0.006 * press - noise, 0.062 * press + noise};
+        sample.angle_rad = {0.2, -0.3 + 0.01 * press, 0.1, 1.1 + 0.05 * std::sin(time_s)};
+        samples.push_back(sample);
+    }
+    view->append(samples);
+    for (int touch = 0; touch < 4; ++touch) {
+        pipeline::TouchRecord record;
+        record.number = static_cast<std::uint64_t>(touch + 1);
+        record.start_s = 2.5 * touch + 1.02;
+        record.ready_s = 2.5 * touch + 1.5;
+        view->addTouch(record);
+    }
+    view->refresh();
+    return view;
+}
+
 std::vector<Exhibit> exhibits() {
     return {
         {QStringLiteral("gauge"), QSize(400, 220),
@@ -145,6 +179,10 @@ std::vector<Exhibit> exhibits() {
         {QStringLiteral("jog"), QSize(520, 330), [] { return jog(core::ArmDrive::program); }},
         {QStringLiteral("jog_stopped"), QSize(400, 330), [] { return jog(core::ArmDrive::stopped); }},
         {QStringLiteral("jog_none"), QSize(400, 330), [] { return jog(std::nullopt); }},
+        {QStringLiteral("joints"), QSize(820, 260), [] { return joints(false); }},
+        {QStringLiteral("joints_angles"), QSize(820, 420), [] { return joints(true); }},
+        {QStringLiteral("joints_empty"), QSize(560, 260),
+         [] { return std::make_unique<charts::JointChartView>(); }},
         {QStringLiteral("touches"), QSize(1120, 240), [] { return touches(true); }},
         {QStringLiteral("touches_empty"), QSize(700, 160), [] { return touches(false); }},
         {QStringLiteral("charts"), QSize(820, 560), [] { return charts(false); }},

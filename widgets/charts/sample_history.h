@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace teleta::charts {
+
+/// Why no line leads to a sample from the one before it.
+enum class Break : std::uint8_t {
+    none,
+    missing, ///< samples between them were lost
+    jump,    ///< the stream jumped: seek, loop, reconnect
+};
+
+/// When a sample was taken.
+struct SampleTime {
+    std::int64_t time_ns = 0;
+    double sourceTime_s = 0.0;
+    bool discontinuity = false;
+};
+
+/// The newest samples of one stream, each a row of values; older ones are overwritten.
+///
+/// Chart time grows from sample to sample also where the stream's own time jumps, so that what happened later
+/// is always further right: a missing stretch takes its own length, a jump the time that passed for the
+/// viewer, 0.25 to 2 s. A stretch is missing when two samples are further apart than five sample periods and
+/// 0.1 s. Thread: one. append() allocates nothing.
+class SampleHistory {
+public:
+    /// columns: values a sample. capacity > 0: 65536 samples are 60 s at 1 kHz or 5 min at 200 Hz.
+    explicit SampleHistory(std::size_t columns, std::size_t capacity = 65536);
+
+    /// values: one for each column, NaN where undefined.
+    void append(const SampleTime& time, std::span<const double> values);
+    void clear();
+
+    [[nodiscard]] std::size_t size() const { return m_size; }
+    [[nodiscard]] bool empty() const { return m_size == 0; }
+    /// Number of samples ever appended; tells whether something is new.
+    [[nodiscard]] std::uint64_t appended() const { return m_appended; }
+
+    /// Samples count from 0, the oldest that is kept.
+    [[nodiscard]] double time_s(std::size_t index) const { return m_time_s[slot(index)]; }
+    [[nodiscard]] double sourceTime_s(std::size_t index) const { return m_sourceTime_s[slot(index)]; }
+    [[nodiscard]] double value(std::size_t column, std::size_t index) const {
+        return m_values[column][slot(index)];
+    }
+    [[nodiscard]] Break breakBefore(std::size_t index) const { return m_breaks[slot(index)]; }
+
+    /// 0 while it is empty.
+    [[nodiscard]] double newestTime_s() const { return m_size == 0 ? 0.0 : time_s(m_size - 1); }
+    [[nodiscard]] double oldestTime_s() const { return m_size == 0 ? 0.0 : time_s(0); }
+    /// First sample at or after a chart time; size() when there is none.
+    [[nodiscard]] std::size_t firstAt(double time_s) const;
+    /// The sample nearest to a chart time, unless it is further away than a gap is long: then nothing is
+    /// known there.
+    [[nodiscard]] std::optional<std::size_t> nearest(double time_s) const;
+    /// The newest sample whose source time is nearest to this one.
+    [[nodiscard]] std::optional<std::size_t> nearestSource(double sourceTime_s) const;
+    /// Distance of two samples from which on the stretch between them is missing.
+    [[nodiscard]] double longestStep_s() const;
+
+protected:
+    [[nodiscard]] std::size_t slot(std::size_t index) const {
+        const std::size_t position = m_first + index;
+        return position < m_capacity ? position : position - m_capacity;
+    }
+    [[nodiscard]] std::size_t capacity() const { return m_capacity; }
+
+private:
+    /// Decides how the sample follows the newest one and returns its chart time.
+    double follow(const SampleTime& sample, Break& before);
+
+    std::size_t m_capacity;
+    std::size_t m_first = 0;
+    std::size_t m_size = 0;
+    std::uint64_t m_appended = 0;
+    double m_period_s = 0.0; ///< of the stream, smoothed; 0 unknown
+    std::int64_t m_lastSteady_ns = 0;
+    std::vector<double> m_time_s;
+    std::vector<double> m_sourceTime_s;
+    std::vector<std::vector<double>> m_values;
+    std::vector<Break> m_breaks;
+};
+
+} // namespace teleta::charts
