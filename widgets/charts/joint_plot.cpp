@@ -170,8 +170,9 @@ void JointPlot::setColours(const QPalette& palette) {
     const bool dark = base::isDark(palette);
     setBackground(QBrush(ground));
     m_header->setInk(font(), base::mixed(text, ground, 0.2), base::statusColours(palette).simulated);
-    m_window->setInk(small, base::mixed(ground, accent, dark ? 0.30 : 0.16),
-                     QPen(base::mixed(ground, accent, 0.8), 1.0, Qt::DashLine), text);
+    QColor window = accent; // see-through: a touch goes on behind it
+    window.setAlphaF(dark ? 0.30F : 0.16F);
+    m_window->setInk(small, window, QPen(base::mixed(ground, accent, 0.8), 1.0, Qt::DashLine), text);
     m_touches->setInk(small, base::mixed(ground, text, dark ? 0.12 : 0.08),
                       QPen(base::mixed(ground, text, 0.45), 1.0), base::mixed(text, ground, 0.2));
     m_jumps->setPen(QPen(palette.color(QPalette::PlaceholderText), 1.0, Qt::DotLine));
