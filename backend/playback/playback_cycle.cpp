@@ -174,6 +174,10 @@ void PlaybackCycle::writeDue(std::int64_t now) {
         end(PlayerEnding::stopSwitch);
         return;
     }
+    if (begun_ns - now > boardTimeout_ns()) {
+        end(PlayerEnding::stalled);
+        return;
+    }
     const core::WriteResult result = m_bracelet.write(
         {.drive = drive, .timeout_ms = m_config.boardTimeout_ms, .connection = m_connection});
     if (result.outcome != core::WriteOutcome::written) {

@@ -49,7 +49,7 @@ enum class PlayerEnding {
     stopSwitch,   ///< STOP is, or was, engaged
     deviceLost,   ///< there is no bracelet, or it was unplugged
     sourceFailed, ///< the program threw an exception; PlayerStatus::message has its text
-    stalled,      ///< a cycle was later, or a write took longer, than the board's time-out
+    stalled,      ///< a cycle was later than the board's time-out, or the program or a write took longer
 };
 
 struct PlayerStatus {

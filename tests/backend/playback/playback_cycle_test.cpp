@@ -229,6 +229,22 @@ TEST_F(PlaybackCycleTest, endsWhenItStoodStillLongerThanTheBoardsTimeout) {
     EXPECT_TRUE(lastIsOff());
 }
 
+TEST_F(PlaybackCycleTest, writesNothingOfAProgramThatTookLongerThanTheBoardsTimeout) {
+    make();
+    play({[this](double t_s) {
+              if (t_s > 0.0)
+                  m_clock->add(101 * kMs_ns);
+              return all(1.0);
+          },
+          kInfinity});
+    m_bracelet.forget();
+    m_clock->add(kPeriod_ns);
+    EXPECT_EQ(run(), PacingClock::kNever_ns);
+    EXPECT_EQ(m_cycle->status().ending, PlayerEnding::stalled);
+    ASSERT_EQ(written().size(), 1U);
+    EXPECT_TRUE(lastIsOff());
+}
+
 TEST_F(PlaybackCycleTest, stopsInTheCycleInWhichItSeesSTOP) {
     make();
     play(steady(1.0));

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -172,6 +173,30 @@ TEST(SimulatedBracelet, isZeroedAfterItWasUnpluggedWhilePlayingAndPlaysOnlyWhenA
     EXPECT_EQ(player.status().mode, playback::PlayerMode::idle);
     player.play({[](double) { return core::Intensities{1, 1, 1, 1, 1, 1}; }, kInfinity});
     EXPECT_TRUE(eventually(wakeup, [&] { return !isOff(bracelet.drive()); }));
+}
+
+TEST(SimulatedBracelet, isZeroedWhileAProgramHangs) {
+    core::StopSwitch stop;
+    core::Wakeup wakeup;
+    SimulatedBracelet bracelet(stop);
+    bracelet.start(wakeup);
+    ASSERT_TRUE(eventually(wakeup, [&] { return bracelet.connection() != 0; }));
+    std::atomic<bool> hangs{true};
+    std::atomic<bool> entered{false};
+    // The board alone would go on for 10 s.
+    playback::Player player(bracelet, stop, {.boardTimeout_ms = 10'000});
+    player.play({[&](double t_s) {
+                     if (t_s > 0.02) {
+                         entered = true;
+                         hangs.wait(true);
+                     }
+                     return core::Intensities{1, 1, 1, 1, 1, 1};
+                 },
+                 kInfinity});
+    EXPECT_TRUE(eventually(wakeup, [&] { return entered && bracelet.telemetry().zeroedByDevice >= 1; }));
+    EXPECT_TRUE(isOff(bracelet.drive()));
+    hangs = false;
+    hangs.notify_all();
 }
 
 TEST(SimulatedBracelet, isZeroedBySTOPWhilePlaying) {
