@@ -2,6 +2,7 @@
 #include "backend/scene_run/scene_run.h"
 
 #include "backend/core/steady_time.h"
+#include "backend/scene_run/arm_run.h"
 #include "backend/scene_run/array_run.h"
 
 #include <QCoreApplication>
@@ -37,7 +38,8 @@ core::Expected<SceneSummary> runScene(const scene::Scene& scene, const RunOption
             return core::Unexpected(made.error());
     }
     const std::int64_t start_ns = core::steadyNow_ns();
-    core::Expected<SceneSummary> summary = runArrayScene(scene, options);
+    core::Expected<SceneSummary> summary =
+        scene.isArm() ? runArmScene(scene, options) : runArrayScene(scene, options);
     if (!summary)
         return summary;
     summary->wall_s = static_cast<double>(core::steadyNow_ns() - start_ns) * 1e-9;

@@ -135,3 +135,39 @@ TEST_F(SimulateCommand, refusesAMissingSceneAWrongOneAndAFolderThatCannotBeMade)
     EXPECT_EQ(run({"simulate", kScenes + "tactile-indenter.toml", "--duration", "0"}).exitCode, 2);
     EXPECT_EQ(run({"simulate", kScenes + "tactile-indenter.toml", "--seed", "-1"}).exitCode, 2);
 }
+
+TEST_F(SimulateCommand, measuresTheFiveMaterialsOfTheTouchScene) {
+    // The stiffness of the paper's objects (Table 2), within 5 % up to rubber and 10 % for wood.
+    const std::string folder = m_folder.path("touch");
+    const ordered_json measures = simulate("teleta-touch.toml", {"--out", folder})["measures"];
+    EXPECT_EQ(measures["material"].dump(), R"(["sponge","rubber_sponge","rubber","wood","metal"])");
+    const ordered_json& estimated = measures["estimated_stiffness_n_per_m"];
+    ASSERT_EQ(estimated.size(), 5U);
+    EXPECT_NEAR(estimated[0].get<double>(), 282.0, 0.05 * 282.0);
+    EXPECT_NEAR(estimated[1].get<double>(), 1325.9, 0.05 * 1325.9);
+    EXPECT_NEAR(estimated[2].get<double>(), 7223.9, 0.05 * 7223.9);
+    EXPECT_NEAR(estimated[3].get<double>(), 8562.9, 0.10 * 8562.9);
+    EXPECT_TRUE(estimated[4].is_null()) << "rigid: only a bound";
+    EXPECT_LT(measures["contact_error_p95_m"].get<double>(), 0.0034) << "the resolution of the paper's skin";
+
+    EXPECT_EQ(splitCsv(readAll(folder + "/joints.csv")).size(), 40'001U);
+    EXPECT_EQ(splitCsv(readAll(folder + "/touches.csv")).size(), 6U);
+    EXPECT_EQ(splitCsv(readAll(folder + "/contour.csv")).size(), 6U);
+}
+
+TEST_F(SimulateCommand, writesJointsThatTheStiffnessCommandReads) {
+    // The elbow's columns of the first touch under the names of `teleta stiffness`, cut before the second
+    // one.
+    const std::string folder = m_folder.path("touch");
+    simulate("teleta-touch.toml", {"--duration", "7", "--out", folder});
+    std::string log = "time_s,joint_angle_rad,joint_torque_nm\n";
+    const auto rows = splitCsv(readAll(folder + "/joints.csv"));
+    for (std::size_t i = 1; i < rows.size(); ++i)
+        log += rows[i][0] + "," + rows[i][4] + "," + rows[i][8] + "\n";
+    const ProgramResult result =
+        run({"stiffness", m_folder.write("log.csv", log), "--contact-distance", "0.17", "--link-stiffness",
+             std::to_string(3468.6 * 0.175 * 0.175 / (0.17 * 0.17)), "--json"});
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_NEAR(ordered_json::parse(result.out)["object_stiffness_n_per_m"].get<double>(), 282.0,
+                0.05 * 282.0);
+}

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/scene_run/arm_run.h"
+
+#include "backend/contact/contact_segmenter.h"
+#include "backend/contact/frame_conditioner.h"
+#include "backend/pipeline/contour_explorer.h"
+#include "backend/pipeline/touch_estimator.h"
+#include "backend/scene_run/frame_log.h"
+#include "backend/scene_run/touch_log.h"
+#include "backend/simulation/arm/simulated_arm.h"
+#include "backend/simulation/effect_time.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace teleta::scene_run {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::uint64_t kSamplesBetweenReports = 1024;
+
+/// The joint samples as CSV; without a folder nothing is written.
+class JointLog {
+public:
+    static core::Expected<JointLog> open(const std::string& outFolder) {
+        constexpr std::array<std::string_view, 13> kColumns{
+            "time_s", "q1", "q2", "q3", "q4", "tau1", "tau2", "tau3", "tau4", "ref1", "ref2", "ref3", "ref4"};
+        JointLog log;
+        if (outFolder.empty())
+            return log;
+        core::Expected<core::CsvWriter> csv = core::CsvWriter::create(outFolder + "/joints.csv", kColumns);
+        if (!csv)
+            return core::Unexpected(csv.error());
+        log.m_csv = std::move(*csv);
+        return log;
+    }
+
+    void add(const core::JointSample& sample) {
+        if (!m_csv)
+            return;
+        m_csv->number(sample.sourceTime_s);
+        for (const core::JointArray* values : {&sample.angle_rad, &sample.torque_Nm, &sample.reference_rad})
+            for (const double value : *values)
+                m_csv->number(value);
+        m_csv->endRow();
+    }
+
+    [[nodiscard]] bool failed() const { return m_csv && m_csv->failed(); }
+    [[nodiscard]] core::Expected<void> finish() { return m_csv ? m_csv->finish() : core::Expected<void>(); }
+
+private:
+    std::optional<core::CsvWriter> m_csv;
+};
+
+/// The strongest contact of a skin frame.
+class SkinReader {
+public:
+    SkinReader(const core::ArrayLayout& layout, double threshold_N)
+        : m_conditioner(layout.taxels(), {})
+        , m_segmenter(layout, {.threshold_N = threshold_N})
+        , m_load_N(layout.taxels())
+        , m_dead(layout.taxels()) {}
+
+    pipeline::SkinContact read(std::span<const float> values, const core::JointSample& sample) {
+        m_conditioner.apply(values, m_load_N, m_dead);
+        const auto found = m_segmenter.segment(m_load_N, m_dead);
+        pipeline::SkinContact contact;
+        contact.time_ns = sample.time_ns;
+        contact.sourceTime_s = sample.sourceTime_s;
+        if (found.empty())
+            return contact;
+        contact.touching = true;
+        contact.x_m = found.front().x_m;
+        contact.y_m = found.front().y_m;
+        contact.force_N = found.front().force_N;
+        return contact;
+    }
+
+private:
+    contact::FrameConditioner m_conditioner;
+    contact::ContactSegmenter m_segmenter;
+    std::vector<float> m_load_N;
+    std::vector<std::uint8_t> m_dead;
+};
+
+ComparedTouch compared(const pipeline::TouchRecord& record, const simulation::SimulatedArm& arm) {
+    ComparedTouch touch;
+    touch.record = record;
+    const auto& truths = arm.truth().touches;
+    // The newest touch that had begun when this one was evaluated.
+    for (auto truth = truths.rbegin(); truth != truths.rend(); ++truth) {
+        if (truth->begin_s > record.ready_s)
+            continue;
+        const simulation::ArmObjectTruth& object = arm.objects()[truth->object];
+        touch.object = object.name;
+        touch.trueStiffness_NPerM = object.stiffness_NPerM;
+        touch.p_Base_Truth_m = truth->strongest.p_Base_Contact_m;
+        break;
+    }
+    return touch;
+}
+
+const char* trueShape(const scene::Outline& outline) {
+    struct Name {
+        const char* operator()(const scene::RoundOutline&) const { return "circle"; }
+        const char* operator()(const scene::RectangleOutline&) const { return "rectangle"; }
+        const char* operator()(const scene::TriangleOutline&) const { return "triangle"; }
+        const char* operator()(const scene::WallOutline&) const { return "line"; }
+    };
+    return std::visit(Name(), outline);
+}
+
+/// One value as such, several as a list.
+ordered_json oneOrList(const std::vector<ordered_json>& values) {
+    return values.size() == 1 ? values.front() : ordered_json(values);
+}
+
+void reportStiffness(const std::vector<ComparedTouch>& touches, ordered_json& measures) {
+    std::vector<ordered_json> estimated;
+    std::vector<ordered_json> truth;
+    std::vector<ordered_json> material;
+    for (const ComparedTouch& touch : touches) {
+        const auto& stiffness = touch.record.stiffness;
+        estimated.push_back(stiffness && stiffness->object.value_NPerM
+                                ? jsonNumber(*stiffness->object.value_NPerM)
+                                : ordered_json(nullptr));
+        truth.push_back(jsonNumber(touch.trueStiffness_NPerM));
+        material.push_back(stiffness ? ordered_json(stiffness::toString(stiffness->material))
+                                     : ordered_json(nullptr));
+    }
+    if (touches.empty())
+        return;
+    measures["estimated_stiffness_n_per_m"] = oneOrList(estimated);
+    measures["true_stiffness_n_per_m"] = oneOrList(truth);
+    measures["material"] = oneOrList(material);
+}
+
+void reportContour(const pipeline::ExploredContour& contour, const simulation::SimulatedArm& arm,
+                   ordered_json& measures) {
+    measures["shape"] = contour.recognition ? ordered_json(contour::toString(contour.recognition->shape))
+                                            : ordered_json(nullptr);
+    measures["true_shape"] = trueShape(arm.objects().front().shape);
+    if (contour.curve_m.empty()) {
+        measures["contour_rms_m"] = nullptr;
+        return;
+    }
+    double sum_m2 = 0.0;
+    for (const contour::Point& point : contour.curve_m)
+        sum_m2 += std::pow(arm.outlineDistance_m(0, point), 2);
+    measures["contour_rms_m"] = jsonNumber(std::sqrt(sum_m2 / static_cast<double>(contour.curve_m.size())));
+}
+
+core::Expected<void> writePoints(const std::string& path, const std::vector<contour::Point>& points_m) {
+    constexpr std::array<std::string_view, 2> kColumns{"x_m", "y_m"};
+    core::Expected<core::CsvWriter> csv = core::CsvWriter::create(path, kColumns);
+    if (!csv)
+        return core::Unexpected(csv.error());
+    for (const contour::Point& point : points_m) {
+        csv->number(point.x());
+        csv->number(point.y());
+        csv->endRow();
+    }
+    return csv->finish();
+}
+
+} // namespace
+
+core::Expected<SceneSummary> runArmScene(const scene::Scene& scene, const RunOptions& options) {
+    auto made = simulation::makeArm(scene, options.seed);
+    if (!made)
+        return core::Unexpected(made.error());
+    simulation::SimulatedArm& arm = **made;
+    const core::ArmDescription description = arm.description();
+    const core::ArrayLayout layout = arm.skinDescription().layout;
+    core::Expected<JointLog> joints = JointLog::open(options.outFolder);
+    if (!joints)
+        return core::Unexpected(joints.error());
+    core::Expected<FrameLog> skin = FrameLog::open(options.outFolder, layout.taxels());
+    if (!skin)
+        return core::Unexpected(skin.error());
+
+    const double duration_s = options.duration_s.value_or(scene.duration_s);
+    const auto samples = static_cast<std::uint64_t>(std::llround(duration_s * description.nominalRate_Hz));
+    pipeline::TouchEstimator estimator(description);
+    pipeline::ContourExplorer explorer;
+    const double firing_N = scene.arm().skin.firingThreshold_N;
+    SkinReader reader(layout, firing_N > 0.0 ? firing_N : contact::SegmentationSettings{}.threshold_N);
+    SceneSummary summary;
+    std::vector<ComparedTouch> touches;
+    std::vector<double> errors_m;
+    const auto take = [&](const std::optional<pipeline::TouchRecord>& record) {
+        if (!record)
+            return;
+        touches.push_back(compared(*record, arm));
+        summary.events.push_back(touchEvent(touches.back()));
+        if (!record->located)
+            return;
+        explorer.add(record->p_Base_Contact_m);
+        if (!touches.back().object.empty())
+            errors_m.push_back((record->p_Base_Contact_m - touches.back().p_Base_Truth_m).norm());
+    };
+
+    core::JointSample sample;
+    std::vector<float> values(layout.taxels());
+    std::uint64_t frames = 0;
+    for (std::uint64_t i = 0; i < samples && !joints->failed() && !skin->failed(); ++i) {
+        if (i % kSamplesBetweenReports == 0 && options.goOn && !options.goOn(arm.time_s(), duration_s)) {
+            summary.interrupted = true;
+            break;
+        }
+        arm.next({.drive = core::ArmDrive::program}, sample);
+        sample.time_ns = std::llround(sample.sourceTime_s * 1e9);
+        joints->add(sample);
+        take(estimator.update(sample));
+        if (!arm.skinFrame(values))
+            continue;
+        ++frames;
+        skin->add(sample.sourceTime_s, values);
+        take(estimator.update(reader.read(values, sample)));
+    }
+    for (const core::Expected<void>& written : {joints->finish(), skin->finish()})
+        if (!written)
+            return core::Unexpected(written.error());
+    if (!options.outFolder.empty()) {
+        for (const core::Expected<void>& written :
+             {writeTouches(options.outFolder + "/touches.csv", touches),
+              writePoints(options.outFolder + "/contour.csv", explorer.contour().points_m)})
+            if (!written)
+                return core::Unexpected(written.error());
+    }
+
+    summary.simulated_s = arm.time_s();
+    for (const simulation::EffectTime& effect : arm.effectTimes())
+        summary.effects.push_back({std::string(effect.name), effect.time_s});
+    if (std::holds_alternative<scene::TouchProgram>(scene.arm().program))
+        reportStiffness(touches, summary.measures);
+    if (std::holds_alternative<scene::ContourProgram>(scene.arm().program))
+        reportContour(explorer.contour(), arm, summary.measures);
+    const ErrorStatistics errors = errorStatistics(errors_m);
+    summary.measures["contact_error_mean_m"] = errors.mean;
+    summary.measures["contact_error_p95_m"] = errors.p95;
+    summary.measures["first_contact_s"] =
+        touches.empty() ? ordered_json(nullptr) : jsonNumber(touches.front().record.start_s);
+    summary.measures["frames"] = frames;
+    summary.measures["frames_lost"] = 0;
+    return summary;
+}
+
+} // namespace teleta::scene_run
