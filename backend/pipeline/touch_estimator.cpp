@@ -178,8 +178,16 @@ JointArray TouchEstimator::torqueWithoutReference(const JointSample& sample) con
 }
 
 void TouchEstimator::watch(const JointSample& sample) {
+    const stiffness::ContactDetector& elbow = m_detectors[kElbow];
+    const bool wasFree = elbow.phase() == ContactPhase::free;
     for (std::size_t joint = 0; joint < kArmJoints; ++joint)
         m_detectors[joint].update(ofJoint(sample, joint), m_reference_Nm[joint]);
+    if (elbow.phase() == ContactPhase::free)
+        return;
+    if (wasFree)
+        m_riseAngles_rad.clear();
+    if (m_riseAngles_rad.size() < elbow.transition().size())
+        m_riseAngles_rad.push_back(sample.angle_rad);
 }
 
 /// A payload that was hung on, a sensor whose zero jumped, a contact that was there from the start: without
@@ -226,9 +234,10 @@ std::optional<TouchRecord> TouchEstimator::follow(const JointSample& sample) {
     if (m_accelerated_s && now_s - *m_accelerated_s < kInertiaMemory_s)
         m_touch.accelerated = true;
     const std::size_t joint = elbowFeels ? kElbow : strongest(torque_Nm);
-    // Once the elbow has felt the touch, a sample that only another joint feels belongs to the release.
+    // Once the elbow has felt the touch, a sample that only another joint feels belongs to the release; once
+    // the skin feels nothing any more, what the joints feel is the inertia of the retreat.
     if (std::abs(torque_Nm[joint]) > threshold_Nm && anyPhaseIs(ContactPhase::contact) &&
-        (elbowFeels || !m_touch.elbowFelt)) {
+        (elbowFeels || !m_touch.elbowFelt) && (!m_touch.skinLeft || !m_touch.passed_s)) {
         m_touch.elbowFelt = elbowFeels;
         m_touch.loaded = sample;
         m_touch.torque_Nm = torque_Nm;
@@ -259,7 +268,7 @@ std::optional<TouchRecord> TouchEstimator::follow(const JointSample& sample) {
 bool TouchEstimator::isComplete(const JointSample& sample, bool allFree) const {
     if (!m_touch.passed_s)
         return false;
-    if (allFree)
+    if (allFree || m_touch.skinLeft)
         return true;
     const double now_s = sample.sourceTime_s;
     if (m_touch.elbowPassed_s) {
@@ -278,12 +287,14 @@ std::optional<TouchRecord> TouchEstimator::update(const SkinContact& contact) {
     if (contact.touching && std::isfinite(contact.x_m) && std::isfinite(contact.y_m) &&
         std::isgreaterequal(contact.force_N, m_settings.leastSkinForce_N)) {
         m_skin = contact;
+        m_touch.skinLeft = false;
         const double slack_ns = 1e9 * m_settings.skinSlack_s;
         const bool open = m_touch.stage == Stage::rising || m_touch.stage == Stage::complete;
         if (open && static_cast<double>(m_touch.first.time_ns - contact.time_ns) <= slack_ns)
             addToPlace(contact);
     } else {
         m_skin.reset();
+        m_touch.skinLeft = m_touch.place.has_value();
     }
     return recordWhenLocated(false);
 }
@@ -350,7 +361,7 @@ void TouchEstimator::estimate(const Located& located, TouchRecord& record) const
     settings.torqueNoise_Nm = m_settings.torqueNoise_Nm;
     settings.angleNoise_rad = m_settings.angleNoise_rad;
     // The detector keeps the rise of an earlier touch when the elbow felt nothing of this one.
-    const auto rise = m_detectors[kElbow].transition();
+    const auto rise = pressingRise(located);
     if (rise.empty() || rise.front().time_s < m_touch.first.sourceTime_s) {
         record.refusal = stiffness::Refusal::windowNotReached;
         return;
@@ -363,6 +374,24 @@ void TouchEstimator::estimate(const Located& located, TouchRecord& record) const
     record.stiffness = *stiffness;
     record.joint = kElbow;
     record.torque_Nm = m_touch.torque_Nm[kElbow];
+}
+
+std::vector<stiffness::JointSample> TouchEstimator::pressingRise(const Located& located) const {
+    const arm::JointVector pose_rad = toVector(m_touch.loaded.angle_rad);
+    const Eigen::Vector3d p_Link = m_kinematics.p_Link_Skin(located.contactDistance_m, located.side_rad);
+    const Eigen::Vector3d normal_Link = Eigen::Vector3d(0.0, p_Link.y(), p_Link.z()).normalized();
+    const Eigen::Vector3d normal =
+        m_kinematics.X_Base_Link(arm::Link::forearm, pose_rad).linear() * normal_Link;
+    const arm::JointVector depthPerAngle_m =
+        m_kinematics.pointJacobian(arm::Link::forearm, pose_rad, p_Link).transpose() * normal;
+
+    const auto transition = m_detectors[kElbow].transition();
+    std::vector<stiffness::JointSample> rise(transition.begin(), transition.end());
+    for (std::size_t i = 0; i < rise.size(); ++i) {
+        const arm::JointVector moved_rad = toVector(m_riseAngles_rad[i]) - pose_rad;
+        rise[i].angle_rad = depthPerAngle_m.dot(moved_rad) / depthPerAngle_m[kElbow];
+    }
+    return rise;
 }
 
 std::optional<arm::ContactForce> TouchEstimator::forceAt(const arm::JointVector& angle_rad,

@@ -61,12 +61,15 @@ struct LiveContact {
 ///                      it is beyond everything that the regression uses or falls back into the window
 ///   by another joint   when the elbow has not felt it elbowWait_s after the threshold was passed, or at once
 ///                      when the skin says that the elbow has no lever
-/// and in any case at its end; then it waits for the skin, skinWait_s at most. One record a touch, however
-/// often the arm loads and unloads in it; a touch that never passes the threshold has none. Torque, force and
-/// angles are those of the newest sample over the threshold.
-///   lever   P_C |cos(side)|, of a force without friction, which points to the axis of the forearm
+/// and in any case at its end, which the skin tells first; then it waits for the skin, skinWait_s at most.
+/// One record a touch, however often the arm loads and unloads in it; a touch that never passes the threshold
+/// has none. Torque, force and angles are those of the newest sample over the threshold.
+///   n       normal of the skin, along which a force without friction acts; J_c of the contact point
+///   lever   |n^T J_c,elbow| = P_C |cos(side)|
+///   angle   n^T J_c q / n^T J_c,elbow, the rotation of the elbow alone that would press as deep
 ///   k_ri    elbowStiffness_NmPerRad / lever^2
-/// On the crest of the forearm (side 0 or pi) the lever is P_C, as in the paper.
+/// When the elbow alone moves and touches with the crest of the forearm (side 0 or pi), these are the angle
+/// and P_C of the paper. The joints of the shoulder count as rigid.
 ///
 /// The contact point is the mean of what the skin felt during the touch, weighted with the force; a contact
 /// elsewhere (further than kSamePlace_m) begins it anew. Without the skin the touch is recorded, but not
@@ -127,6 +130,7 @@ private:
         double complete_s = 0.0;
         double free_s = 0.0; ///< since when all joints are free again
         bool reachedWindow = false;
+        bool skinLeft = false;    ///< the skin felt the contact and feels it no more
         bool accelerated = false; ///< the arm sped up or slowed down in it, or shortly before
         bool elbowFelt = false;   ///< the elbow is over the threshold in that sample
         std::optional<Place> place;
@@ -151,6 +155,8 @@ private:
     [[nodiscard]] std::optional<TouchRecord> recordWhenLocated(bool waitNoLonger);
     [[nodiscard]] TouchRecord makeRecord();
     void estimate(const Located& located, TouchRecord& record) const;
+    /// The rise of the elbow's torque over the angle of the elbow that would press as deep.
+    [[nodiscard]] std::vector<stiffness::JointSample> pressingRise(const Located& located) const;
     [[nodiscard]] std::optional<arm::ContactForce> forceAt(const arm::JointVector& angle_rad,
                                                            const core::JointArray& torque_Nm,
                                                            const Located& located) const;
@@ -164,6 +170,7 @@ private:
     arm::Arm4Kinematics m_kinematics;
     TouchEstimatorSettings m_settings;
     std::array<stiffness::ContactDetector, core::kArmJoints> m_detectors;
+    std::vector<core::JointArray> m_riseAngles_rad; ///< of all joints, with the elbow's transition
 
     std::optional<core::JointSample> m_newest;
     std::optional<SkinContact> m_skin; ///< newest contact; empty while the skin feels nothing

@@ -199,6 +199,50 @@ TEST(TouchEstimator, takesTheLeverOfAContactBesideTheCrest) {
     EXPECT_NEAR(*run.records[0].stiffness->object.value_NPerM, 1325.9, 1e-6 * 1325.9);
 }
 
+TEST(TouchEstimator, countsTheMotionOfAllJointsIntoTheDepth) {
+    // The shoulder presses the forearm into the object while the elbow keeps still: torque and depth are
+    // those of an elbow that turns.
+    TouchRun run(ScriptedArm(0.175, std::numbers::pi, 1325.9));
+    const arm::Arm4Kinematics kinematics;
+    const Eigen::Vector4d pose(run.arm.pose_rad.data());
+    const Eigen::Vector4d depthPerAngle_m =
+        kinematics.pointJacobian(arm::Link::forearm, pose, kinematics.p_Link_Skin(0.175, std::numbers::pi))
+            .transpose() *
+        run.arm.normal_Base();
+    run.corrupt = [&](core::JointSample& sample) {
+        const double turned_rad = sample.angle_rad[kElbow] - run.arm.pose_rad[kElbow];
+        sample.angle_rad[kElbow] = run.arm.pose_rad[kElbow];
+        sample.angle_rad[1] += turned_rad * depthPerAngle_m[3] / depthPerAngle_m[1];
+    };
+    run.idle(100);
+    run.elbowTo(0.08, 80);
+    ASSERT_EQ(run.records.size(), 1U);
+    ASSERT_TRUE(run.records[0].stiffness && run.records[0].stiffness->object.value_NPerM);
+    // The Jacobian is that of the evaluated pose, some mrad from the scripted one.
+    EXPECT_NEAR(*run.records[0].stiffness->object.value_NPerM, 1325.9, 0.02 * 1325.9);
+}
+
+TEST(TouchEstimator, endsATouchWhenTheSkinFeelsItNoMore) {
+    TouchRun run(ScriptedArm{});
+    run.idle(100);
+    run.elbowTo(0.04, 40); // the shoulder is over the threshold, the elbow is not
+    run.elbowTo(0.04, 100);
+    ASSERT_TRUE(run.records.empty());
+    // The arm leaves: its inertia is felt, the skin is free, the point is that of before.
+    run.arm.pose_rad[1] += 0.1;
+    run.skinWorks = false;
+    EXPECT_FALSE(run.estimator.update(run.arm.skin(0.0)));
+    run.forceTo(1.0, 1);
+    ASSERT_EQ(run.records.size(), 1U);
+    EXPECT_NEAR(run.records[0].torque_Nm, 0.04, 1e-3);
+    const arm::Arm4Kinematics kinematics;
+    Eigen::Vector4d pose(run.arm.pose_rad.data());
+    pose[1] -= 0.1;
+    const Eigen::Vector3d expected_m =
+        kinematics.p_Base_Point(arm::Link::forearm, pose, kinematics.p_Link_Skin(0.175, std::numbers::pi));
+    EXPECT_LT((run.records[0].p_Base_Contact_m - expected_m).norm(), 1e-3);
+}
+
 TEST(TouchEstimator, evaluatesATouchFromTheOtherSideAlike) {
     TouchRun run(ScriptedArm(0.175, 0.0, 282.0));
     run.idle(100);
