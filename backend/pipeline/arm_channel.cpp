@@ -4,6 +4,7 @@
 #include "backend/core/steady_time.h"
 
 #include <limits>
+#include <numbers>
 #include <utility>
 
 namespace teleta::pipeline {
@@ -40,7 +41,7 @@ std::size_t ArmChannel::process() {
     while (m_arm->joints().pop(sample))
         m_joints.push_back(sample);
     m_contacts.clear();
-    m_skin->process(&m_contacts);
+    m_skin->process(&m_contacts, 2.0 * std::numbers::pi * m_arm->description().skin.radius_m);
 
     const std::int64_t start_ns = core::steadyNow_ns();
     const double contourBefore_s = std::exchange(m_stages.contour_s, 0.0);

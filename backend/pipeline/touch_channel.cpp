@@ -12,6 +12,9 @@ namespace teleta::pipeline {
 
 namespace {
 
+/// Parts of one contact on both sides of a seam are no further apart than this.
+constexpr double kSeamGate_taxels = 3.0;
+
 double seconds(std::int64_t from_ns, std::int64_t to_ns) {
     return static_cast<double>(to_ns - from_ns) * 1e-9;
 }
@@ -51,7 +54,7 @@ void TouchChannel::clearTare() {
     m_tareRequests.post({.clear = true});
 }
 
-std::size_t TouchChannel::process(std::vector<SkinContact>* contacts) {
+std::size_t TouchChannel::process(std::vector<SkinContact>* contacts, double circumference_m) {
     const bool changed = takeCommands();
     std::size_t frames = 0;
     while (m_source->blocks().pop(m_block)) {
@@ -66,7 +69,7 @@ std::size_t TouchChannel::process(std::vector<SkinContact>* contacts) {
         for (std::size_t index = 0; index < m_block.frames(); ++index) {
             processFrame(m_block, index);
             if (contacts != nullptr)
-                contacts->push_back(strongestContact());
+                contacts->push_back(strongestContact(circumference_m));
         }
         frames += m_block.frames();
     }
@@ -124,7 +127,7 @@ void TouchChannel::processFrame(const core::SampleBlock& block, std::size_t inde
                     .features = m_current.features});
 }
 
-SkinContact TouchChannel::strongestContact() const {
+SkinContact TouchChannel::strongestContact(double circumference_m) const {
     SkinContact strongest;
     strongest.time_ns = m_current.time_ns;
     strongest.sourceTime_s = m_current.sourceTime_s;
@@ -134,6 +137,19 @@ SkinContact TouchChannel::strongestContact() const {
         strongest.x_m = first.x_m;
         strongest.y_m = first.y_m;
         strongest.force_N = first.force_N;
+    }
+    if (!(circumference_m > 0.0))
+        return strongest;
+    const double gate_m = kSeamGate_taxels * m_current.layout.pitch_m;
+    for (std::size_t i = 1; i < m_current.contacts.size(); ++i) {
+        const contact::Contact& other = m_current.contacts[i];
+        const contact::Contact& first = m_current.contacts.front();
+        const double y_m = other.y_m + std::copysign(circumference_m, first.y_m);
+        if (std::hypot(other.x_m - first.x_m, y_m - first.y_m) > gate_m)
+            continue;
+        strongest.force_N += other.force_N;
+        strongest.x_m += other.force_N / strongest.force_N * (other.x_m - strongest.x_m);
+        strongest.y_m += other.force_N / strongest.force_N * (y_m - strongest.y_m);
     }
     return strongest;
 }

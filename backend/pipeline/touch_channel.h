@@ -64,8 +64,10 @@ public:
     }
 
     /// Processes all blocks that wait. Pipeline thread. Returns the number of frames. contacts: gets the
-    /// strongest contact of each frame, for the arm that wears this array.
-    std::size_t process(std::vector<SkinContact>* contacts = nullptr);
+    /// strongest contact of each frame, for the arm that wears this array. circumference_m: the edges of the
+    /// sheet in y meet around a cylinder; two parts of a contact on both sides of the seam are then one. 0: a
+    /// flat sheet.
+    std::size_t process(std::vector<SkinContact>* contacts = nullptr, double circumference_m = 0.0);
 
 private:
     struct Change {
@@ -87,7 +89,7 @@ private:
     void applySettings(ChannelSettings settings);
     bool takeCommands(); ///< true when the settings changed
     void processFrame(const core::SampleBlock& block, std::size_t index);
-    [[nodiscard]] SkinContact strongestContact() const;
+    [[nodiscard]] SkinContact strongestContact(double circumference_m) const;
     void analyse(const core::SampleBlock& block, std::size_t index);
     void accumulateTare(const core::SampleBlock& block, std::size_t index);
     void publish();

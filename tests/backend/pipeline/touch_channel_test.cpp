@@ -32,6 +32,33 @@ struct Channel {
 
 } // namespace
 
+TEST(TouchChannel, joinsTheTwoPartsOfAContactAtTheSeamOfASheetAroundACylinder) {
+    // 6 rows of 3.4 mm close around a cylinder: the first row is the neighbour of the last one.
+    constexpr ArrayLayout kSheet{.rows = 6, .columns = 14, .pitch_m = 0.0034};
+    auto made = std::make_unique<ScriptedSource>(kSheet);
+    ScriptedSource& source = *made;
+    TouchChannel channel(std::move(made), {});
+    std::vector<float> values(kSheet.taxels());
+    values[3] = 1.0F;          // first row
+    values[5 * 14 + 3] = 3.0F; // last row
+    source.push(values, 0.005);
+    std::vector<teleta::pipeline::SkinContact> contacts;
+    channel.process(&contacts, 6 * kSheet.pitch_m);
+    ASSERT_EQ(contacts.size(), 1U);
+    EXPECT_TRUE(contacts[0].touching);
+    EXPECT_NEAR(contacts[0].force_N, 4.0, 1e-9);
+    EXPECT_NEAR(contacts[0].x_m, kSheet.x_m(3), 1e-12);
+    EXPECT_NEAR(contacts[0].y_m, kSheet.y_m(5.25), 1e-12);
+    source.push(values, 0.010);
+    channel.process(&contacts); // flat: they are two
+    ASSERT_EQ(contacts.size(), 2U);
+    EXPECT_NEAR(contacts[1].force_N, 3.0, 1e-9);
+    EXPECT_NEAR(contacts[1].y_m, kSheet.y_m(5), 1e-12);
+    source.push(std::vector<float>(kSheet.taxels()), 0.015);
+    channel.process(&contacts, 6 * kSheet.pitch_m);
+    EXPECT_FALSE(contacts[2].touching);
+}
+
 TEST(TouchChannel, showsNothingBeforeTheFirstFrame) {
     Channel channel;
     EXPECT_EQ(channel->process(), 0U);
