@@ -69,11 +69,12 @@ void ModbusJointsWorker::wake() {
 
 /// Tries until there is a connection, less and less often. False: stopped.
 bool ModbusJointsWorker::connect(Lock& lock, const std::stop_token& stop) {
-    for (std::int64_t retry_ns = m_config.firstRetry_ns; !stop.stop_requested();
-         retry_ns = std::min(2 * retry_ns, m_config.longestRetry_ns)) {
+    std::int64_t retry_ns = m_config.firstRetry_ns;
+    while (!stop.stop_requested()) {
         if (m_status.state == core::DeviceState::lost) {
             if (!waitUntil(lock, stop, now_ns() + retry_ns))
                 return false;
+            retry_ns = std::min(2 * retry_ns, m_config.longestRetry_ns);
             setState(core::DeviceState::reconnecting, m_status.message);
         }
         lock.unlock();

@@ -61,6 +61,20 @@ public:
 
     void settle() { advance(0); }
 
+    /// Moves on by so much and wakes a worker that waits; for one that goes on to wait for something else.
+    void advanceAlone(std::int64_t step_ns) {
+        std::unique_lock own(m_mutex);
+        m_now_ns += step_ns;
+        if (!m_parked || m_deadline_ns > m_now_ns)
+            return;
+        m_parked = false;
+        std::mutex& workerMutex = *m_workerMutex;
+        std::condition_variable& condition = *m_condition;
+        own.unlock();
+        { const std::scoped_lock worker(workerMutex); }
+        condition.notify_all();
+    }
+
 private:
     mutable std::mutex m_mutex;
     std::condition_variable m_changed;

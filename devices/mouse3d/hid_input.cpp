@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/mouse3d/hid_input.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+#include <algorithm>
+#include <hidapi/hidapi.h>
+#include <unistd.h>
+#include <utility>
+
+namespace teleta::mouse3d {
+
+namespace {
+
+constexpr unsigned short kGenericDesktop = 0x01;
+constexpr unsigned short kMultiAxisController = 0x08;
+
+struct Mouse3d {
+    Q_DECLARE_TR_FUNCTIONS(Mouse3d)
+};
+
+class HidapiInput : public HidInput {
+public:
+    HidapiInput(hid_device* device, std::string name)
+        : m_device(device)
+        , m_name(std::move(name)) {}
+    ~HidapiInput() override { hid_close(m_device); }
+
+    [[nodiscard]] int read(std::span<std::uint8_t> report, int timeout_ms) override {
+        return hid_read_timeout(m_device, report.data(), report.size(), timeout_ms);
+    }
+    [[nodiscard]] std::string name() const override { return m_name; }
+
+private:
+    hid_device* m_device;
+    std::string m_name;
+};
+
+} // namespace
+
+std::vector<Mouse3dInfo> listMice() {
+    std::vector<Mouse3dInfo> mice;
+    const std::unique_ptr<hid_device_info, decltype(&hid_free_enumeration)> list(hid_enumerate(0, 0),
+                                                                                 hid_free_enumeration);
+    for (const hid_device_info* info = list.get(); info != nullptr; info = info->next) {
+        if (info->usage_page != kGenericDesktop || info->usage != kMultiAxisController)
+            continue;
+        const QString product =
+            info->product_string != nullptr ? QString::fromWCharArray(info->product_string) : QString();
+        mice.push_back({info->path, product.toStdString(), info->vendor_id, info->product_id});
+    }
+    std::ranges::sort(mice, {}, &Mouse3dInfo::path);
+    return mice;
+}
+
+core::Expected<std::unique_ptr<HidInput>> openFirstMouse() {
+    const std::vector<Mouse3dInfo> mice = listMice();
+    if (mice.empty())
+        return core::Unexpected(core::Error{
+            core::ErrorKind::unavailable, Mouse3d::tr("No 3D mouse is plugged in.").toStdString(), {}, {}});
+    const std::string& path = mice.front().path;
+    if (hid_device* device = hid_open_path(path.c_str()))
+        return std::make_unique<HidapiInput>(device, mice.front().product);
+    const QString where = QString::fromStdString(path);
+    if (access(path.c_str(), F_OK) == 0 && access(path.c_str(), R_OK | W_OK) != 0)
+        return core::Unexpected(
+            core::Error{core::ErrorKind::ioFailed,
+                        Mouse3d::tr("The 3D mouse at %1 may not be opened.").arg(where).toStdString(),
+                        Mouse3d::tr("read and write access to it, which the udev rule gives").toStdString(),
+                        {}});
+    return core::Unexpected(
+        core::Error{core::ErrorKind::unavailable,
+                    Mouse3d::tr("The 3D mouse at %1 cannot be opened.").arg(where).toStdString(),
+                    {},
+                    {}});
+}
+
+} // namespace teleta::mouse3d

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/device.h"
+#include "backend/core/latest_copy.h"
+#include "backend/core/rate_meter.h"
+#include "backend/core/wakeup.h"
+#include "devices/mouse3d/hid_input.h"
+#include "devices/mouse3d/mouse3d_config.h"
+
+#include <condition_variable>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <stop_token>
+#include <string>
+
+namespace teleta::mouse3d {
+
+/// What the mouse tells now.
+struct Mouse3dReading {
+    SixAxes axes;                 ///< as deflected, whether the dead-man button is held or not
+    std::uint32_t buttons = 0;    ///< bit i: button i is held
+    bool deadManHeld = false;     ///< pressed since the mouse was connected, and not let go
+    std::int64_t axesTime_ns = 0; ///< steady time of the newest report of the axes
+};
+
+/// Reads the reports of the mouse and looks for it when it is gone.
+/// Thread: run() is the worker's; open() before it; the others from any.
+class Mouse3dWorker {
+public:
+    Mouse3dWorker(HidInputOpener opener, Mouse3dConfig config);
+
+    void open(core::Wakeup& consumer);
+    void run(const std::stop_token& stop);
+    /// Ends a wait of run(), so that it looks at its stop token.
+    void wake();
+
+    [[nodiscard]] Mouse3dReading reading() const { return m_reading.get(); }
+    [[nodiscard]] core::DeviceStatus status() const { return m_published.get(); }
+    [[nodiscard]] std::string name() const { return m_name.get(); }
+    /// Motion that counts: nothing without the dead-man button, nor from a cap that has fallen silent.
+    [[nodiscard]] SixAxes motion() const;
+
+private:
+    using Lock = std::unique_lock<std::mutex>;
+
+    [[nodiscard]] bool connect(Lock& lock, const std::stop_token& stop);
+    void readReports(const std::stop_token& stop);
+    void take(std::span<const std::uint8_t> report);
+    void forget();
+    void setState(core::DeviceState state, std::string message = {});
+    void publish();
+    [[nodiscard]] std::int64_t now_ns() const { return m_config.clock->now_ns(); }
+
+    HidInputOpener m_opener;
+    Mouse3dConfig m_config;
+    core::Wakeup* m_consumer = nullptr;
+    std::mutex m_mutex; ///< of the condition only; the rest is the worker's
+    std::condition_variable m_condition;
+    std::unique_ptr<HidInput> m_input;
+    RawAxes m_raw;
+    Mouse3dReading m_now;
+    core::RateMeter m_rate;
+    core::DeviceStatus m_status;
+    core::LatestCopy<Mouse3dReading> m_reading;
+    core::LatestCopy<core::DeviceStatus> m_published;
+    core::LatestCopy<std::string> m_name;
+};
+
+} // namespace teleta::mouse3d
