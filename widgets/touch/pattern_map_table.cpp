@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/touch/pattern_map_table.h"
+
+#include "backend/pattern/pattern_json.h"
+#include "backend/stiffness/material.h"
+#include "widgets/base/icons.h"
+#include "widgets/base/theme.h"
+#include "widgets/touch/touch_texts.h"
+
+#include <QComboBox>
+#include <QDir>
+#include <QEvent>
+#include <QFile>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QSaveFile>
+#include <QShortcut>
+#include <QSignalBlocker>
+#include <QTableWidget>
+#include <QUndoCommand>
+#include <QVBoxLayout>
+#include <QWheelEvent>
+
+#include <algorithm>
+
+namespace teleta::touch {
+
+using pattern::PatternMap;
+
+namespace {
+
+enum Column { kRecognised, kPattern, kPreview, kColumns };
+constexpr int kLevels = static_cast<int>(pattern::kStiffnessLevels);
+
+core::Unexpected fileError(const QString& path, const QString& message, const QString& reason) {
+    core::Error error;
+    error.kind = core::ErrorKind::ioFailed;
+    error.message = message.arg(reason).toStdString();
+    error.where.file = path.toStdString();
+    return core::Unexpected(std::move(error));
+}
+
+} // namespace
+
+/// Replaces the whole map, which is small, so that every edit undoes in the same way.
+class PatternMapTable::Edit : public QUndoCommand {
+public:
+    Edit(PatternMapTable* table, const PatternMap& after, const QString& text)
+        : QUndoCommand(text)
+        , m_table(table)
+        , m_before(table->map())
+        , m_after(after) {}
+    void undo() override { m_table->take(m_before); }
+    void redo() override { m_table->take(m_after); }
+
+private:
+    PatternMapTable* m_table;
+    PatternMap m_before, m_after;
+};
+
+PatternMapTable::PatternMapTable(QWidget* parent)
+    : QWidget(parent)
+    , m_undo(new QUndoStack(this))
+    , m_table(new QTableWidget(kRows, kColumns, this))
+    , m_now(new QLabel(this))
+    , m_undoButton(new QPushButton(this))
+    , m_redoButton(new QPushButton(this))
+    , m_reset(new QPushButton(this))
+    , m_import(new QPushButton(this))
+    , m_export(new QPushButton(this)) {
+    m_now->setWordWrap(true);
+    m_table->setSelectionMode(QAbstractItemView::NoSelection);
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setShowGrid(false);
+    m_table->setAlternatingRowColors(true);
+    m_table->setFocusPolicy(Qt::NoFocus);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setDefaultSectionSize(base::em(this, 1.9));
+    m_table->horizontalHeader()->setSectionResizeMode(kPattern, QHeaderView::Stretch);
+    m_table->horizontalHeader()->setHighlightSections(false);
+    m_table->setColumnWidth(kRecognised, base::em(this, 11));
+    m_table->setColumnWidth(kPreview, base::em(this, 11));
+    for (int row = 0; row < kRows; ++row) {
+        m_table->setItem(row, kRecognised, new QTableWidgetItem);
+        m_table->setItem(row, kPreview, new QTableWidgetItem);
+        auto* box = new QComboBox(m_table);
+        box->setFocusPolicy(Qt::StrongFocus);
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        box->installEventFilter(this);
+        connect(box, &QComboBox::activated, this,
+                [this, row, box](int index) { choose(row, box->itemData(index).toString().toStdString()); });
+        m_table->setCellWidget(row, kPattern, box);
+        m_boxes.push_back(box);
+    }
+    auto* buttons = new QHBoxLayout;
+    for (QPushButton* button : {m_undoButton, m_redoButton, m_reset, m_import, m_export}) {
+        button->setAutoDefault(false);
+        buttons->addWidget(button);
+        if (button == m_redoButton)
+            buttons->addStretch(1);
+    }
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(m_now);
+    layout->addWidget(m_table, 1);
+    layout->addLayout(buttons);
+
+    connect(m_undoButton, &QPushButton::clicked, m_undo, &QUndoStack::undo);
+    connect(m_redoButton, &QPushButton::clicked, m_undo, &QUndoStack::redo);
+    connect(m_undo, &QUndoStack::canUndoChanged, m_undoButton, &QPushButton::setEnabled);
+    connect(m_undo, &QUndoStack::canRedoChanged, m_redoButton, &QPushButton::setEnabled);
+    m_undoButton->setEnabled(false);
+    m_redoButton->setEnabled(false);
+    connect(m_reset, &QPushButton::clicked, this, &PatternMapTable::resetToDefaults);
+    connect(m_import, &QPushButton::clicked, this, [this] { askForFile(false); });
+    connect(m_export, &QPushButton::clicked, this, [this] { askForFile(true); });
+    const auto shortcut = [this](QKeySequence::StandardKey key, void (QUndoStack::*act)()) {
+        auto* keys = new QShortcut(key, this);
+        keys->setContext(Qt::WidgetWithChildrenShortcut);
+        connect(keys, &QShortcut::activated, m_undo, act);
+    };
+    shortcut(QKeySequence::Undo, &QUndoStack::undo);
+    shortcut(QKeySequence::Redo, &QUndoStack::redo);
+    retranslate();
+}
+
+QString PatternMapTable::rowName(int row) {
+    if (row < kLevels) {
+        const stiffness::Material material =
+            stiffness::materialBands()[static_cast<std::size_t>(row)].material;
+        return tr("level %1: %2").arg(row + 1).arg(TouchTexts::material(material));
+    }
+    return TouchTexts::shape(static_cast<contour::Shape>(row - kLevels));
+}
+
+void PatternMapTable::retranslate() {
+    setAccessibleName(tr("What was recognised and its pattern"));
+    setWhatsThis(tr("<p>Which pattern the bracelet plays for what was recognised. The marked row was "
+                    "recognised last.</p>"));
+    m_table->setAccessibleName(tr("Patterns for what was recognised"));
+    m_table->setHorizontalHeaderLabels({tr("Recognised"), tr("Pattern"), tr("Preview")});
+    m_undoButton->setText(tr("&Undo"));
+    m_redoButton->setText(tr("&Redo"));
+    m_reset->setText(tr("&Defaults"));
+    m_reset->setToolTip(tr("The built-in dynamic patterns again; can be undone"));
+    m_import->setText(tr("&Import…"));
+    m_export->setText(tr("&Export…"));
+    for (int row = 0; row < kRows; ++row)
+        box(row)->setAccessibleName(tr("Pattern for %1").arg(rowName(row)));
+    fillBoxes();
+}
+
+void PatternMapTable::fillBoxes() {
+    for (QComboBox* box : m_boxes) {
+        const QSignalBlocker blocker(box);
+        box->clear();
+        box->addItem(tr("nothing"), QString());
+        for (const PatternChoice& choice : m_choices)
+            box->addItem(choice.name, QString::fromStdString(choice.id));
+    }
+    showMap();
+}
+
+void PatternMapTable::setChoices(std::vector<PatternChoice> choices) {
+    m_choices = std::move(choices);
+    fillBoxes();
+}
+
+void PatternMapTable::setMap(const PatternMap& map) {
+    m_undo->clear();
+    m_map = map;
+    showMap();
+}
+
+std::string& PatternMapTable::idOf(PatternMap& map, int row) {
+    return row < kLevels ? map.stiffness[static_cast<std::size_t>(row)]
+                         : map.shape[static_cast<std::size_t>(row - kLevels)];
+}
+
+const std::string& PatternMapTable::id(int row) const {
+    return row < kLevels ? m_map.stiffness[static_cast<std::size_t>(row)]
+                         : m_map.shape[static_cast<std::size_t>(row - kLevels)];
+}
+
+const PatternChoice* PatternMapTable::choiceOf(const std::string& id) const {
+    const auto found = std::ranges::find(m_choices, id, &PatternChoice::id);
+    return found == m_choices.end() ? nullptr : &*found;
+}
+
+void PatternMapTable::showMap() {
+    for (int row = 0; row < kRows; ++row) {
+        const QString wanted = QString::fromStdString(id(row));
+        QComboBox* choices = box(row);
+        const QSignalBlocker blocker(choices);
+        int index = choices->findData(wanted);
+        if (index < 0) {
+            // A pattern of somebody's own that is not here now stays in the map.
+            choices->addItem(tr("%1 (missing)").arg(wanted), wanted);
+            index = choices->count() - 1;
+        }
+        choices->setCurrentIndex(index);
+        const PatternChoice* choice = choiceOf(id(row));
+        m_table->item(row, kPreview)
+            ->setText(choice ? tr("%1, %2").arg(choice->task, choice->condition) : QString());
+    }
+    showRecognised();
+}
+
+void PatternMapTable::showRecognised() {
+    const QColor ground = palette().color(QPalette::Base);
+    const QBrush marked(base::mixed(ground, palette().color(QPalette::Highlight), 0.3));
+    for (int row = 0; row < kRows; ++row) {
+        const bool now = m_recognised == row;
+        QTableWidgetItem* name = m_table->item(row, kRecognised);
+        name->setText(now ? tr("%1 (now)").arg(rowName(row)) : rowName(row));
+        name->setIcon(now ? base::themeIcon(base::Icon::play) : QIcon());
+        QFont font = m_table->font();
+        font.setBold(now);
+        for (const int column : {kRecognised, kPreview}) {
+            m_table->item(row, column)->setFont(font);
+            m_table->item(row, column)->setBackground(now ? marked : QBrush());
+        }
+    }
+    m_now->setText(textNow());
+}
+
+std::string PatternMapTable::patternNow() const {
+    return m_recognised ? id(*m_recognised) : std::string();
+}
+
+QString PatternMapTable::textNow() const {
+    if (!m_recognised)
+        return tr("Nothing was recognised yet.");
+    const std::string now = patternNow();
+    if (now.empty())
+        return tr("Recognised: %1. Nothing is played.").arg(rowName(*m_recognised));
+    const PatternChoice* choice = choiceOf(now);
+    const QString name = QString::fromStdString(now);
+    return choice ? tr("Recognised: %1. Pattern now: %2.").arg(rowName(*m_recognised), choice->name)
+                  : tr("Recognised: %1. Its pattern %2 is missing.").arg(rowName(*m_recognised), name);
+}
+
+void PatternMapTable::setRecognisedStiffness(int level) {
+    m_recognised = level >= 1 && level <= kLevels ? std::optional(level - 1) : std::nullopt;
+    showRecognised();
+}
+
+void PatternMapTable::setRecognisedShape(contour::Shape shape) {
+    m_recognised = kLevels + static_cast<int>(shape);
+    showRecognised();
+}
+
+void PatternMapTable::clearRecognised() {
+    m_recognised.reset();
+    showRecognised();
+}
+
+void PatternMapTable::take(const PatternMap& map) {
+    m_map = map;
+    showMap();
+    emit mapChanged();
+}
+
+void PatternMapTable::edit(const PatternMap& map, const QString& what) {
+    if (map != m_map)
+        m_undo->push(new Edit(this, map, what));
+}
+
+void PatternMapTable::choose(int row, const std::string& id) {
+    PatternMap map = m_map;
+    idOf(map, row) = id;
+    edit(map, tr("Pattern for %1").arg(rowName(row)));
+}
+
+void PatternMapTable::resetToDefaults() {
+    edit(PatternMap::defaults(), tr("Default patterns"));
+}
+
+core::Expected<void> PatternMapTable::importFrom(const QString& path) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return fileError(path, tr("The file could not be read: %1"), file.errorString());
+    const auto map = pattern::patternMapFromJson(file.readAll().toStdString(), path.toStdString());
+    if (!map)
+        return core::Unexpected(map.error());
+    edit(*map, tr("Import"));
+    return {};
+}
+
+core::Expected<void> PatternMapTable::exportTo(const QString& path) const {
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly))
+        return fileError(path, tr("The file could not be written: %1"), file.errorString());
+    file.write(QByteArray::fromStdString(pattern::patternMapToJson(m_map)));
+    if (!file.commit())
+        return fileError(path, tr("The file could not be written: %1"), file.errorString());
+    return {};
+}
+
+void PatternMapTable::askForFile(bool save) {
+    auto* dialog = new QFileDialog(this, save ? tr("Export Patterns") : tr("Import Patterns"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(save ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
+    dialog->setFileMode(save ? QFileDialog::AnyFile : QFileDialog::ExistingFile);
+    dialog->setNameFilter(tr("Map of patterns (*.json)"));
+    dialog->setDefaultSuffix(QStringLiteral("json"));
+    connect(dialog, &QFileDialog::fileSelected, this, [this, save](const QString& path) {
+        const auto result = save ? exportTo(path) : importFrom(path);
+        if (!result)
+            emit failed(QString::fromStdString(core::describe(result.error())));
+        else if (save)
+            emit exported(QDir::toNativeSeparators(path));
+    });
+    dialog->open();
+}
+
+bool PatternMapTable::eventFilter(QObject* watched, QEvent* event) {
+    // A wheel scrolls the table; over a closed box it would change the map unseen.
+    if (event->type() == QEvent::Wheel && qobject_cast<QComboBox*>(watched)) {
+        event->ignore();
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void PatternMapTable::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    else if (event->type() == QEvent::PaletteChange)
+        showRecognised();
+}
+
+} // namespace teleta::touch
