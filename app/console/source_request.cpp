@@ -3,9 +3,11 @@
 
 #include "backend/core/frame_file.h"
 #include "backend/scene/scene_reader.h"
+#include "backend/simulation/arm/simulated_arm.h"
 #include "backend/simulation/simulated_array.h"
 #include "devices/replay/replay_config.h"
 #include "devices/replay/replay_device.h"
+#include "devices/simulated/simulated_arm_device.h"
 #include "devices/simulated/simulated_array_device.h"
 #include "devices/wts/wts_device.h"
 
@@ -14,9 +16,11 @@
 #include <QFileInfo>
 #include <QString>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
+#include <variant>
 
 namespace teleta::console {
 
@@ -111,10 +115,37 @@ core::Expected<scene::Scene> readSceneOrResource(const std::string& path) {
     return scene::parseScene(file.readAll().toStdString(), path);
 }
 
+/// Three standard deviations of the taxels' noise: what a scene without a firing threshold needs at least.
+double noiseBorder_N(const scene::Scene& scene) {
+    for (const scene::Effect& effect : scene.effects) {
+        if (const auto* noise = std::get_if<scene::NoiseSpec>(&effect.parameters))
+            return 3.0 * noise->sd_N;
+    }
+    return 0.0;
+}
+
+core::Expected<pipeline::OpenedSource> openArm(const scene::Scene& scene, std::uint64_t seed,
+                                               const core::StopSwitch& stop) {
+    // A touch is evaluated at 0.3 N, spread over several taxels.
+    constexpr double kLeastThreshold_N = 0.005;
+    constexpr int kLeastTaxels = 4; // of one contact; fewer that fire together are noise
+    auto generator = simulation::makeArm(scene, seed);
+    if (!generator)
+        return core::Unexpected(generator.error());
+    pipeline::ChannelSettings settings = settingsFor(
+        std::max({scene.arm().skin.firingThreshold_N, noiseBorder_N(scene), kLeastThreshold_N}), "N");
+    settings.segmentation.minimumTaxels = kLeastTaxels;
+    auto arm = std::make_unique<simulated::SimulatedArmDevice>(std::move(*generator), stop);
+    auto skin = arm->makeSkin();
+    return pipeline::OpenedSource{std::move(skin), std::move(settings), std::move(arm), {}};
+}
+
 core::Expected<pipeline::OpenedSource> openScene(const SceneRequest& request, const core::StopSwitch& stop) {
     auto scene = readSceneOrResource(request.path);
     if (!scene)
         return core::Unexpected(scene.error());
+    if (scene->isArm())
+        return openArm(*scene, request.seed, stop);
     auto array = simulation::makeTactileArray(*scene, request.seed);
     if (!array)
         return core::Unexpected(array.error());
