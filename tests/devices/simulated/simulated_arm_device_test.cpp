@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/scene/scene_reader.h"
+#include "backend/simulation/arm/simulated_arm.h"
 #include "devices/simulated/simulated_arm_device.h"
 #include "tests/devices/manual_clock.h"
 
@@ -499,4 +501,39 @@ TEST(SimulatedArmDevice, losesNoSampleInRealTime) {
     // Never early: sample k is due k periods after the start.
     EXPECT_GE(last_ns - begin_ns, static_cast<std::int64_t>(samples.size()) * kMs_ns);
     EXPECT_EQ(device.status().framesLost, 0U);
+}
+
+// A real scene: what the console runs.
+TEST(SimulatedArmDevice, streamsTheArmOfASceneWithItsSkin) {
+    const auto scene = scene::readScene(TELETA_SOURCE_DIR "/resources/scenes/teleta-touch.toml");
+    ASSERT_TRUE(scene) << describe(scene.error());
+    auto generator = simulation::makeArm(*scene, 1);
+    ASSERT_TRUE(generator) << describe(generator.error());
+    core::StopSwitch stop;
+    core::Wakeup wakeup;
+    SimulatedArmDevice device(std::move(*generator), stop);
+    const auto skin = device.makeSkin();
+    EXPECT_TRUE(device.description().hasProgram);
+    device.start(wakeup);
+    std::vector<core::JointSample> samples;
+    std::size_t frames = 0;
+    ASSERT_TRUE(eventually(wakeup, [&] {
+        core::JointSample sample;
+        while (device.joints().pop(sample))
+            samples.push_back(sample);
+        core::SampleBlock block;
+        while (skin->blocks().pop(block)) {
+            EXPECT_EQ(block.values.size(), skin->description().layout.taxels());
+            frames += block.frames();
+        }
+        return samples.size() >= 500 && frames >= 100;
+    }));
+    EXPECT_EQ(device.drive(), ArmDrive::program);
+    stop.engage();
+    ASSERT_TRUE(eventually(wakeup, [&] { return device.drive() == ArmDrive::stopped; }));
+    device.stop();
+    for (std::size_t i = 1; i < samples.size(); ++i)
+        ASSERT_NEAR(samples[i].sourceTime_s - samples[i - 1].sourceTime_s, 1e-3, 1e-9);
+    EXPECT_EQ(device.status().framesLost, 0U);
+    EXPECT_EQ(skin->status().framesLost, 0U);
 }
