@@ -81,8 +81,8 @@ PatternMapTable::PatternMapTable(QWidget* parent)
     m_table->verticalHeader()->setDefaultSectionSize(base::em(this, 1.9));
     m_table->horizontalHeader()->setSectionResizeMode(kPattern, QHeaderView::Stretch);
     m_table->horizontalHeader()->setHighlightSections(false);
-    m_table->setColumnWidth(kRecognised, base::em(this, 11));
-    m_table->setColumnWidth(kPreview, base::em(this, 11));
+    m_table->setColumnWidth(kRecognised, base::em(this, 14.5));
+    m_table->setColumnWidth(kPreview, base::em(this, 9));
     for (int row = 0; row < kRows; ++row) {
         m_table->setItem(row, kRecognised, new QTableWidgetItem);
         m_table->setItem(row, kPreview, new QTableWidgetItem);

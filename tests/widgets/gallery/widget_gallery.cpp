@@ -7,6 +7,7 @@
 #include "widgets/charts/strip_chart_view.h"
 #include "widgets/tactile/heatmap_view.h"
 #include "widgets/touch/jog_panel.h"
+#include "widgets/touch/pattern_map_table.h"
 #include "widgets/touch/stiffness_gauge.h"
 #include "widgets/touch/touch_table.h"
 
@@ -165,6 +166,18 @@ std::unique_ptr<QWidget> joints(bool angles) {
     return view;
 }
 
+std::unique_ptr<QWidget> patternMap() {
+    auto view = std::make_unique<touch::PatternMapTable>();
+    std::vector<touch::PatternChoice> choices;
+    for (const QString& task : {QStringLiteral("stiffness"), QStringLiteral("shape")})
+        for (const char letter : {'A', 'B', 'C', 'D', 'E', 'F'})
+            choices.push_back({(task + u'.' + QLatin1Char(letter) + QStringLiteral(".dynamic")).toStdString(),
+                               task + u' ' + QLatin1Char(letter), task, QStringLiteral("dynamic")});
+    view->setChoices(choices);
+    view->setRecognisedStiffness(3);
+    return view;
+}
+
 std::vector<Exhibit> exhibits() {
     return {
         {QStringLiteral("gauge"), QSize(400, 220),
@@ -183,6 +196,7 @@ std::vector<Exhibit> exhibits() {
         {QStringLiteral("joints_angles"), QSize(820, 420), [] { return joints(true); }},
         {QStringLiteral("joints_empty"), QSize(560, 260),
          [] { return std::make_unique<charts::JointChartView>(); }},
+        {QStringLiteral("pattern_map"), QSize(560, 480), patternMap},
         {QStringLiteral("touches"), QSize(1120, 240), [] { return touches(true); }},
         {QStringLiteral("touches_empty"), QSize(700, 160), [] { return touches(false); }},
         {QStringLiteral("charts"), QSize(820, 560), [] { return charts(false); }},
