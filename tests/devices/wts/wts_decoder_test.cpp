@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/wts/wts_decoder.h"
+#include "tests/devices/wts/wts_fuzz_target.h"
 #include "tests/devices/wts/wts_messages.h"
 
 #include <gtest/gtest.h>
@@ -276,19 +277,25 @@ TEST_P(WtsDecoderUnderDamage, findsTheSameHoweverTheStreamIsCut) {
     }
 }
 
-TEST_P(WtsDecoderUnderDamage, readsFramesOfAnyBytesWithoutLeavingTheCells) {
-    std::mt19937 random(GetParam());
-    for (int round = 0; round < 20000; ++round) {
-        Bytes payload(random() % 200);
-        for (std::uint8_t& byte : payload)
-            byte = static_cast<std::uint8_t>(random());
-        const std::size_t cells = random() % 100;
-        std::vector<float> guarded(cells + 1, -1.0F);
-        const auto timestamp = readFrame(payload, std::span(guarded).first(cells));
-        ASSERT_EQ(guarded.back(), -1.0F);
-        if (timestamp) {
-            ASSERT_EQ(std::ranges::count(guarded, -1.0F), 1) << "a cell was left out";
-        }
+/// What the fuzzer looks for, on inputs that are the same each time: damaged streams, and bytes in which
+/// preambles and headers are frequent.
+TEST_P(WtsDecoderUnderDamage, keepsItsAccountAndItsCellsForAnyBytes) {
+    Mutator mutator(GetParam() + 2000);
+    for (int round = 0; round < 20; ++round) {
+        const Bytes bytes = mutator.stream(20).bytes;
+        ASSERT_EQ(LLVMFuzzerTestOneInput(bytes.data(), bytes.size()), 0);
+    }
+    constexpr std::array<std::uint8_t, 6> kFrequent{0xAA, 0xAA, 0xAA, 0x00, 0x01, 0x05};
+    for (int round = 0; round < 2000; ++round) {
+        Bytes bytes(mutator.below(600));
+        for (std::uint8_t& byte : bytes)
+            byte = mutator.below(3) != 0 ? kFrequent[mutator.below(kFrequent.size())]
+                                         : static_cast<std::uint8_t>(mutator.below(256));
+        ASSERT_EQ(LLVMFuzzerTestOneInput(bytes.data(), bytes.size()), 0);
+        // Behind a right header and checksum any bytes are a payload.
+        bytes.resize(std::min<std::size_t>(bytes.size(), 250));
+        const Bytes message = test::message(mutator.below(2) == 0 ? 0x00 : 0x30, bytes);
+        ASSERT_EQ(LLVMFuzzerTestOneInput(message.data(), message.size()), 0);
     }
 }
 
