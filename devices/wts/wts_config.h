@@ -34,13 +34,14 @@ using WtsAddress = std::variant<SerialAddress, TcpAddress>;
 /// "ttyUSB0" or "host:port": the name under which people know the link.
 [[nodiscard]] std::string displayName(const WtsAddress& address);
 
-/// How long the device waits for what, in ms; all > 0.
+/// How long the device waits for what, in ms; all > 0 but where 0 has a meaning.
 struct WtsTimes {
-    int connect_ms = 2000;      ///< TCP connection
-    int answer_ms = 300;        ///< answer to one request; asked up to three times
-    int tare_ms = 3000;         ///< answer to a tare request, which measures first
-    int lineSilence_ms = 200;   ///< the rest of a message is not to be expected after this
-    int noFrames_ms = 2000;     ///< without a good frame for so long the sensor is lost; at least 5 periods
+    int connect_ms = 2000;    ///< TCP connection
+    int answer_ms = 300;      ///< answer to one request; asked up to three times
+    int tare_ms = 3000;       ///< answer to a tare request, which measures first
+    int lineSilence_ms = 200; ///< the rest of a message is not to be expected after this
+    int stale_ms = 0;       ///< age of the newest frame that is stale; 0: by the rate, as core::staleAfter_ns
+    int noFrames_ms = 2000; ///< without a good frame for so long the sensor is lost; at least 5 periods
     int firstRetry_ms = 100;    ///< wait before connecting again; doubles
     int longestRetry_ms = 2000; ///< up to this
 };

@@ -42,7 +42,8 @@ std::int64_t lostAfter_ns(const WtsConfig& config, double nominalRate_Hz) {
 WtsWorker::WtsWorker(WtsSession session, const core::SourceDescription& description, WtsConfig config)
     : m_config(std::move(config))
     , m_matrix(session.matrix())
-    , m_staleAfter_ns(core::staleAfter_ns(description.nominalRate_Hz))
+    , m_staleAfter_ns(m_config.times.stale_ms > 0 ? m_config.times.stale_ms * kMs_ns
+                                                  : core::staleAfter_ns(description.nominalRate_Hz))
     , m_lostAfter_ns(lostAfter_ns(m_config, description.nominalRate_Hz))
     , m_outlet(m_config.queueBlocks)
     , m_session(std::make_unique<WtsSession>(std::move(session)))

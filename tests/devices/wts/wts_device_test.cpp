@@ -36,7 +36,7 @@ Bytes frameOf(std::uint32_t number) {
 /// Times that let a test see what happens when they pass.
 WtsTimes shortTimes() {
     return {.connect_ms = 2000,
-            .answer_ms = 100,
+            .answer_ms = 400,
             .tare_ms = 300,
             .lineSilence_ms = 50,
             .noFrames_ms = 300,
@@ -50,6 +50,7 @@ WtsTimes longTimes() {
             .answer_ms = 20000,
             .tare_ms = 20000,
             .lineSilence_ms = 20000,
+            .stale_ms = 20000,
             .noFrames_ms = 20000,
             .firstRetry_ms = 5,
             .longestRetry_ms = 20};
@@ -363,6 +364,7 @@ TEST_F(WtsDeviceTest, beginsAnewWhenTheSensorDoes) {
 TEST_F(WtsDeviceTest, isStaleThenLostWhenTheSensorFallsSilentAndLiveAgainWhenItSpeaks) {
     emulate(EmulatedWts::Link::pty);
     WtsTimes times = longTimes();
+    times.stale_ms = 0;
     times.noFrames_ms = 1500;
     times.firstRetry_ms = 200;
     startStreaming(config(times));
