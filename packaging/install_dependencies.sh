@@ -17,7 +17,7 @@ packages=(
     # numerics
     libeigen3-dev libboost-math-dev
     # files, queues, command line
-    libtomlplusplus-dev nlohmann-json3-dev libreaderwriterqueue-dev libcli11-dev libexpected-dev
+    libtomlplusplus-dev nlohmann-json3-dev libzip-dev libreaderwriterqueue-dev libcli11-dev libexpected-dev
     # the bracelet over USB HID
     libhidapi-dev
     # motor drivers and joints over Modbus

@@ -144,23 +144,6 @@ private:
     Track& m_lines;
 };
 
-/// Takes out leading and trailing stretches of zero: the tactor is off there without them.
-Track trimmed(const Track& lines) {
-    const auto idle = [](const Breakpoint& outer, const Breakpoint& inner) {
-        return outer.intensity == 0.0 && (inner.intensity == 0.0 || inner.time_s == outer.time_s);
-    };
-    std::size_t first = 0;
-    while (first + 1 < lines.size() && idle(lines[first], lines[first + 1]))
-        ++first;
-    std::size_t last = lines.size();
-    while (last > first + 1 && idle(lines[last - 1], lines[last - 2]))
-        --last;
-    if (last - first <= 1)
-        return {};
-    return {lines.begin() + static_cast<std::ptrdiff_t>(first),
-            lines.begin() + static_cast<std::ptrdiff_t>(last)};
-}
-
 bool touches(const ObjectForm& form, double duration_s, std::size_t tactor) {
     const Span span = spanOf(form);
     if (!(span.begin_s < span.end_s && span.begin_s < duration_s && span.end_s > 0.0))
@@ -249,6 +232,22 @@ Track simplified(const Track& lines) {
         kept.push_back(point);
     }
     return kept;
+}
+
+Track trimmed(const Track& lines) {
+    const auto idle = [](const Breakpoint& outer, const Breakpoint& inner) {
+        return outer.intensity == 0.0 && (inner.intensity == 0.0 || inner.time_s == outer.time_s);
+    };
+    std::size_t first = 0;
+    while (first + 1 < lines.size() && idle(lines[first], lines[first + 1]))
+        ++first;
+    std::size_t last = lines.size();
+    while (last > first + 1 && idle(lines[last - 1], lines[last - 2]))
+        --last;
+    if (last - first <= 1)
+        return {};
+    return {lines.begin() + static_cast<std::ptrdiff_t>(first),
+            lines.begin() + static_cast<std::ptrdiff_t>(last)};
 }
 
 core::Expected<Track> linearised(const Pattern& pattern, std::size_t tactor,

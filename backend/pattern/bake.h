@@ -34,4 +34,7 @@ inline constexpr double kBakeTolerance = 1e-3;
 /// Takes out breakpoints on the straight line between their neighbours, and equal ones.
 [[nodiscard]] Track simplified(const Track& lines);
 
+/// Takes out stretches of zero at begin and end: the tactor is off there without them.
+[[nodiscard]] Track trimmed(const Track& lines);
+
 } // namespace teleta::pattern

@@ -2,16 +2,24 @@
 #include "backend/pattern/pattern_file.h"
 
 #include "backend/core/output_file.h"
+#include "backend/pattern/ahap.h"
+#include "backend/pattern/bake.h"
 #include "backend/pattern/built_in_patterns.h"
+#include "backend/pattern/haptic_file.h"
+#include "backend/pattern/hjif.h"
 #include "backend/pattern/json_document.h"
 #include "backend/pattern/pattern_format.h"
 #include "backend/pattern/pattern_json.h"
 #include "backend/pattern/sampled_output.h"
+#include "backend/pattern/tact.h"
+#include "backend/pattern/zip_archive.h"
 
 #include <QCoreApplication>
+#include <QDate>
 #include <QFile>
 
 #include <utility>
+#include <vector>
 
 namespace teleta::pattern {
 
@@ -64,6 +72,35 @@ core::Expected<void> orWithPath(core::Expected<void> done, const std::string& pa
     return done;
 }
 
+/// The file of the only tactor that does anything, for formats with one tactor a file.
+core::Expected<std::string>
+onlyTactor(const Pattern& pattern, const std::string& path, const std::string& zipEnding,
+           core::Expected<std::string> (*text)(const Pattern& pattern, std::size_t tactor)) {
+    const core::Expected<Tracks> tracks = linearised(pattern);
+    if (!tracks)
+        return core::Unexpected(tracks.error());
+    std::size_t only = 0;
+    int active = 0;
+    for (std::size_t i = 0; i < core::kTactors; ++i) {
+        if ((*tracks)[i].empty())
+            continue;
+        only = i;
+        ++active;
+    }
+    if (active > 1)
+        return core::Unexpected(
+            failure(core::ErrorKind::refused, path,
+                    FileText::tr("this format holds one tactor, the pattern uses more"),
+                    FileText::tr("a name that ends with %1").arg(QString::fromStdString(zipEnding))));
+    return text(pattern, only);
+}
+
+core::Expected<std::string> zipped(const core::Expected<std::vector<ZipEntry>>& entries) {
+    if (!entries)
+        return core::Unexpected(entries.error());
+    return writeZip(*entries);
+}
+
 core::Expected<void> write(const Pattern& pattern, PatternFormat format, const std::string& path) {
     const auto writeText = [&](const core::Expected<std::string>& text) {
         return text ? writeBytes(path, *text) : core::Expected<void>(core::Unexpected(text.error()));
@@ -71,6 +108,18 @@ core::Expected<void> write(const Pattern& pattern, PatternFormat format, const s
     switch (format) {
     case PatternFormat::own:
         return writeText(patternToJson(pattern));
+    case PatternFormat::hjif:
+        return writeText(patternToHjif(pattern, QDate::currentDate().toString(Qt::ISODate).toStdString()));
+    case PatternFormat::hapticZip:
+        return writeText(zipped(patternToHaptics(pattern)));
+    case PatternFormat::haptic:
+        return writeText(onlyTactor(pattern, path, ".haptic.zip", tactorToHaptic));
+    case PatternFormat::ahapZip:
+        return writeText(zipped(patternToAhaps(pattern)));
+    case PatternFormat::ahap:
+        return writeText(onlyTactor(pattern, path, ".ahap.zip", tactorToAhap));
+    case PatternFormat::tact:
+        return writeText(patternToTact(pattern));
     case PatternFormat::csv:
         return writeCsv(pattern, path, kCsvRate_Hz);
     case PatternFormat::wav:
@@ -79,17 +128,34 @@ core::Expected<void> write(const Pattern& pattern, PatternFormat format, const s
     return {};
 }
 
+core::Expected<Pattern> readHapticZip(const std::string& bytes, const std::string& path) {
+    core::Expected<std::vector<ZipEntry>> entries = readZip(bytes, path);
+    if (!entries)
+        return core::Unexpected(entries.error());
+    return patternFromHaptics(std::move(*entries), path);
+}
+
 core::Expected<Pattern> read(std::string bytes, PatternFormat format, const std::string& path) {
     switch (format) {
     case PatternFormat::own:
         return patternFromJson(std::move(bytes), path);
+    case PatternFormat::hjif:
+        return patternFromHjif(std::move(bytes), path);
+    case PatternFormat::hapticZip:
+        return readHapticZip(bytes, path);
+    case PatternFormat::haptic:
+        return patternFromHaptic(std::move(bytes), path);
+    case PatternFormat::tact:
+        return patternFromTact(std::move(bytes), path);
+    case PatternFormat::ahapZip:
+    case PatternFormat::ahap:
     case PatternFormat::csv:
     case PatternFormat::wav:
         break;
     }
     return core::Unexpected(failure(core::ErrorKind::badInput, path,
                                     FileText::tr("patterns are written in this format, but not read"),
-                                    ".json"));
+                                    ".json, .hjif, .haptic.zip, .haptic, .tact"));
 }
 
 } // namespace

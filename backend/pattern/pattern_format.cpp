@@ -10,8 +10,14 @@ namespace teleta::pattern {
 
 namespace {
 
-/// A longer ending stands before the one it ends with.
-constexpr std::array kEndings{std::pair{".json", PatternFormat::own}, std::pair{".csv", PatternFormat::csv},
+constexpr std::array kEndings{std::pair{".json", PatternFormat::own},
+                              std::pair{".hjif", PatternFormat::hjif},
+                              std::pair{".haptic.zip", PatternFormat::hapticZip},
+                              std::pair{".haptic", PatternFormat::haptic},
+                              std::pair{".ahap.zip", PatternFormat::ahapZip},
+                              std::pair{".ahap", PatternFormat::ahap},
+                              std::pair{".tact", PatternFormat::tact},
+                              std::pair{".csv", PatternFormat::csv},
                               std::pair{".wav", PatternFormat::wav}};
 
 bool endsWith(std::string_view text, std::string_view ending) {

@@ -29,7 +29,7 @@ const std::vector<Rule> kRules = {
     {"backend/contour", {"backend/core"}, {"expected", "Eigen", "Boost.Math"}},
     {"backend/arm", {"backend/core"}, {"expected", "Eigen"}},
     {"backend/simulation", {"backend/core", "backend/scene", "backend/arm"}, {"expected", "Eigen"}},
-    {"backend/pattern", {"backend/core"}, {"QtCore", "expected", "nlohmann_json"}},
+    {"backend/pattern", {"backend/core"}, {"QtCore", "expected", "nlohmann_json", "libzip"}},
     {"backend/playback", {"backend/core", "backend/pattern"}, {"QtCore", "expected"}},
     {"backend/study",
      {"backend/core", "backend/pattern", "backend/scene"},
@@ -95,6 +95,7 @@ constexpr std::array kLibraries = {
     Library{"opencv2/", "OpenCV"},
     Library{"ceres/", "Ceres"},
     Library{"hidapi/", "hidapi"},
+    Library{"zip.h", "libzip"},
     Library{"modbus/", "libmodbus"},
 };
 
