@@ -3,6 +3,7 @@
 
 #include "backend/study/session.h"
 #include "backend/study/simulated_participant.h"
+#include "backend/study/study_export.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -151,7 +152,14 @@ core::Expected<void> Rehearsal::runSession(const Participant& participant, std::
         }
         session->feedbackSeen();
     }
-    return record->finished ? core::Expected<void>() : m_store.finishSession(*record);
+    if (record->finished)
+        return {};
+    // Before it counts as finished, so that a resumed rehearsal writes what an interrupted one did not.
+    if (const core::Expected<void> written =
+            exportSession(m_store, participant, *record, ExportFormat::psychds);
+        !written)
+        return written;
+    return m_store.finishSession(*record);
 }
 
 } // namespace

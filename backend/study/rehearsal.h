@@ -19,6 +19,7 @@ struct RehearsalProgress {
 /// the session code of real ones and a clock of its own, as fast as the store keeps the trials. Every answer
 /// depends on the seed and the trial alone: a rehearsal that was interrupted and goes on has the same trials
 /// as one that was not, and so are its times of day, which count from the creation of the study.
+/// Each finished session is exported as Psych-DS.
 /// goOn: asked before each trial; false stops. Error: refused unless the study is simulated; what the store
 /// reports. Thread: that of the store.
 [[nodiscard]] core::Expected<RehearsalProgress> rehearse(StudyStore& store,

@@ -20,7 +20,7 @@ std::int64_t nanoseconds(double time_s) {
 }
 
 double seconds(std::int64_t time_ns) {
-    return static_cast<double>(time_ns) * 1e-9;
+    return static_cast<double>(time_ns) / 1e9;
 }
 
 void append(std::deque<PlannedTrial>& queue, Phase phase, const std::vector<std::size_t>& stimuli) {

@@ -44,7 +44,8 @@ const std::vector<QStringList>& steps() {
              "NULL, "
              "early_presses INTEGER NOT NULL, onset_s REAL NOT NULL, duration_s REAL NOT NULL, "
              "device_latency_ms REAL, device_faults INTEGER NOT NULL, time_utc TEXT NOT NULL, "
-             "UNIQUE (session, phase, trial, attempt), UNIQUE (session, phase, trial_in_block))")}};
+             "UNIQUE (session, phase, trial, attempt), UNIQUE (session, phase, trial_in_block))")},
+        {QStringLiteral("ALTER TABLE study ADD COLUMN stimulus_set_sha256 TEXT NOT NULL DEFAULT ''")}};
     return kSteps;
 }
 

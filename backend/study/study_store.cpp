@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/study_store.h"
 
+#include "backend/study/stimulus_set.h"
 #include "backend/study/study_schema.h"
 
 #include <QCoreApplication>
@@ -8,6 +9,7 @@
 #include <QFileInfo>
 #include <QSqlError>
 #include <QSqlQuery>
+#include <QStringList>
 #include <QUuid>
 #include <QVariant>
 
@@ -156,10 +158,11 @@ core::Expected<StudyStore> StudyStore::create(const std::string& folder, const S
         return core::Unexpected(opened.error());
     // The row is unique, so that of two programs that make the same study only one does.
     const auto made =
-        connection.run(QStringLiteral("INSERT INTO study VALUES (1, ?, ?, ?, ?, ?, ?, ?)"),
+        connection.run(QStringLiteral("INSERT INTO study VALUES (1, ?, ?, ?, ?, ?, ?, ?, ?)"),
                        {QString::fromStdString(head.protocol.source), QString::number(head.seed),
                         QString::fromLatin1(toString(head.mode)), number(head.plannedParticipants),
-                        head.lapses, timeText(head.created), QString::fromStdString(head.appVersion)});
+                        head.lapses, timeText(head.created), QString::fromStdString(head.appVersion),
+                        QString::fromStdString(stimulusSetSha256(head.protocol))});
     if (!made && made.error().kind == core::ErrorKind::refused)
         return connection.refused(StoreText::tr("there is a study in this folder already"),
                                   StoreText::tr("a new folder, or to go on with the study"));
@@ -186,8 +189,9 @@ core::Expected<StudyStore> StudyStore::open(const std::string& folder) {
 }
 
 core::Expected<void> StudyStore::readHead() {
-    auto query = m_connection->run(QStringLiteral(
-        "SELECT protocol, seed, mode, planned_participants, lapses, created_utc, app_version FROM study"));
+    auto query =
+        m_connection->run(QStringLiteral("SELECT protocol, seed, mode, planned_participants, lapses, "
+                                         "created_utc, app_version, stimulus_set_sha256 FROM study"));
     if (!query)
         return core::Unexpected(query.error());
     if (!query->next())
@@ -207,12 +211,16 @@ core::Expected<void> StudyStore::readHead() {
     m_head.lapses = query->value(4).toDouble();
     m_head.created = timeOf(query->value(5).toString());
     m_head.appVersion = query->value(6).toString().toStdString();
+    m_head.stimulusSetSha256 = query->value(7).toString().toStdString();
     return {};
 }
 
 core::Expected<Participant> StudyStore::enrol(const std::string& id) {
     const QString text = QString::fromStdString(id);
-    if (text.trimmed().isEmpty() || text.size() > kLongestId)
+    // Files have these words for no value and for all participants.
+    static const QStringList kReserved{QStringLiteral("NA"), QStringLiteral("n/a"), QStringLiteral("NONE"),
+                                       QStringLiteral("GROUP")};
+    if (text.trimmed().isEmpty() || text.size() > kLongestId || kReserved.contains(text))
         return m_connection->refused(
             StoreText::tr("\"%1\" cannot name a participant").arg(text.left(kLongestId)),
             StoreText::tr("a text of 1 to %1 characters").arg(kLongestId));

@@ -26,6 +26,7 @@ struct StudyHead {
     double lapses = 0.0;                 ///< of simulated participants
     QDateTime created;                   ///< UTC
     std::string appVersion;
+    std::string stimulusSetSha256; ///< stimulusSetSha256() of the protocol when the study was made
 };
 
 struct Participant {
@@ -66,7 +67,8 @@ public:
     [[nodiscard]] const StudyHead& head() const { return m_head; }
     [[nodiscard]] const std::string& folder() const { return m_folder; }
 
-    /// id: any text of 1 to 64 characters. Error: refused when it is there already or not fit, ioFailed.
+    /// id: any text of 1 to 64 characters but NA, n/a, NONE and GROUP. Error: refused when it is there
+    /// already or not fit, ioFailed.
     [[nodiscard]] core::Expected<Participant> enrol(const std::string& id);
     [[nodiscard]] core::Expected<std::vector<Participant>> participants() const;
 

@@ -6,6 +6,7 @@
 #include "app/cli/progress_bar.h"
 #include "app/cli/validators.h"
 #include "backend/study/rehearsal.h"
+#include "backend/study/study_export.h"
 #include "backend/study/study_results.h"
 #include "backend/study/study_store.h"
 #include "backend/study/trial_source.h"
@@ -118,6 +119,7 @@ void StudyCommand::declare(CLI::App& app) {
     declareRehearse(app);
     declareResume(app);
     declareAnalyze(app);
+    declareExport(app);
 }
 
 void StudyCommand::declareRehearse(CLI::App& app) {
@@ -190,9 +192,30 @@ void StudyCommand::declareAnalyze(CLI::App& app) {
     declareJson(*m_analyze, m_json);
 }
 
+void StudyCommand::declareExport(CLI::App& app) {
+    m_export = app.add_subcommand(
+        "export",
+        help(QT_TRANSLATE_NOOP("StudyCommand", "Write the trials of a study as files into its folder")));
+    m_export
+        ->add_option("study", m_studyFolder, help(QT_TRANSLATE_NOOP("StudyCommand", "Folder of the study")))
+        ->type_name("DIR")
+        ->required();
+    m_export
+        ->add_option(
+            "--format", m_format,
+            help(QT_TRANSLATE_NOOP("StudyCommand", "psychds: data/; bids: bids/; excel: excel/, with "
+                                                   "semicolons and the decimal sign of the locale")))
+        ->type_name("psychds|bids|excel")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"psychds", "bids", "excel"}).description(""));
+    declareJson(*m_export, m_json);
+}
+
 core::Expected<void> StudyCommand::run() {
     if (m_rehearse->parsed())
         return runRehearse();
+    if (m_export->parsed())
+        return runExport();
     return m_resume->parsed() ? runResume() : runAnalyze();
 }
 
@@ -293,6 +316,25 @@ core::Expected<void> StudyCommand::runAnalyze() const {
     if (!written)
         return written;
     return m_json ? printDocument(toJson(results)) : printFields(toFields(results));
+}
+
+core::Expected<void> StudyCommand::runExport() const {
+    const core::Expected<study::StudyStore> store = study::StudyStore::open(m_studyFolder);
+    if (!store)
+        return core::Unexpected(store.error());
+    const study::ExportFormat format = m_format == "bids"    ? study::ExportFormat::bids
+                                       : m_format == "excel" ? study::ExportFormat::excel
+                                                             : study::ExportFormat::psychds;
+    const core::Expected<std::size_t> sessions = study::exportStudy(*store, format);
+    if (!sessions)
+        return core::Unexpected(sessions.error());
+    if (m_json)
+        return printDocument({{"study", store->folder()}, {"format", m_format}, {"sessions", *sessions}});
+    const std::vector<std::pair<QString, QString>> fields{
+        {StudyText::tr("Study"), QString::fromStdString(store->folder())},
+        {StudyText::tr("Format"), QString::fromStdString(m_format)},
+        {StudyText::tr("Sessions"), QString::number(*sessions)}};
+    return printFields(fields);
 }
 
 } // namespace teleta::cli

@@ -15,7 +15,8 @@ class TrialTally;
 
 namespace teleta::cli {
 
-/// `teleta study rehearse|resume|analyze`: user studies with simulated participants, and the results of all.
+/// `teleta study rehearse|resume|analyze|export`: user studies with simulated participants, and the results
+/// of all.
 class StudyCommand : public Command {
 public:
     [[nodiscard]] const char* name() const override { return "study"; }
@@ -28,15 +29,18 @@ private:
     void declareRehearse(CLI::App& app);
     void declareResume(CLI::App& app);
     void declareAnalyze(CLI::App& app);
+    void declareExport(CLI::App& app);
     [[nodiscard]] core::Expected<void> runRehearse() const;
     [[nodiscard]] core::Expected<void> runResume() const;
     [[nodiscard]] core::Expected<void> runAnalyze() const;
+    [[nodiscard]] core::Expected<void> runExport() const;
     [[nodiscard]] core::Expected<study::TrialTally> tallyInputs() const;
     [[nodiscard]] core::Expected<void> goOn(study::StudyStore& store) const;
 
     CLI::App* m_rehearse = nullptr;
     CLI::App* m_resume = nullptr;
     CLI::App* m_analyze = nullptr;
+    CLI::App* m_export = nullptr;
     std::string m_protocolPath;
     std::size_t m_participants = 6;
     std::uint64_t m_seed = 1;
@@ -45,6 +49,7 @@ private:
     std::string m_studyFolder;
     std::vector<std::string> m_inputs;
     std::string m_mode;
+    std::string m_format = "psychds";
     bool m_json = false;
 };
 

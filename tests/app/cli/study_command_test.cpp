@@ -99,3 +99,16 @@ TEST_F(StudyCommand, aDamagedFileLeavesNoResults) {
     EXPECT_FALSE(std::filesystem::exists(m_folder.path("r")));
     EXPECT_EQ(run({"study", "analyze", csv, csv, "--out", m_folder.path("r")}).exitCode, 3);
 }
+
+TEST_F(StudyCommand, exportsAStudyInEachFormat) {
+    ASSERT_EQ(run({"study", "rehearse", "--participants", "2", "--out", folder()}).exitCode, 0);
+    EXPECT_TRUE(std::filesystem::exists(folder() + "/dataset_description.json"));
+    for (const char* format : {"psychds", "bids", "excel"}) {
+        const ProgramResult result = run({"study", "export", folder(), "--format", format, "--json"});
+        ASSERT_EQ(result.exitCode, 0) << result.err;
+        EXPECT_EQ(ordered_json::parse(result.out)["sessions"], 8);
+    }
+    EXPECT_TRUE(std::filesystem::exists(folder() + "/bids/sub-P01"));
+    EXPECT_TRUE(std::filesystem::exists(folder() + "/excel"));
+    EXPECT_EQ(run({"study", "export", folder(), "--format", "spss"}).exitCode, 2);
+}

@@ -73,7 +73,7 @@ TEST_F(RehearsalTest, isTheSameAfterAnInterruptionAtAnyTrial) {
     StudyStore whole = create("whole", 2);
     ASSERT_TRUE(rehearse(whole, [](std::size_t) { return true; }));
     const std::vector<Row> expected = rows(whole);
-    for (std::size_t stop = 0; stop < expected.size(); stop += 5) {
+    for (std::size_t stop = 0; stop < expected.size(); stop += 9) {
         const std::string name = "stopped" + std::to_string(stop);
         {
             StudyStore store = create(name, 2);

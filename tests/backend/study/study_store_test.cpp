@@ -173,6 +173,7 @@ TEST_F(StudyStoreTest, takesAnyNameOfAParticipantButEachOnce) {
     EXPECT_EQ(again.error().kind, core::ErrorKind::refused);
     EXPECT_FALSE(store.enrol(""));
     EXPECT_FALSE(store.enrol("  "));
+    EXPECT_FALSE(store.enrol("NA"));
     EXPECT_FALSE(store.enrol(std::string(65, 'x')));
     const auto participants = StudyStore::open(folder())->participants();
     ASSERT_EQ(participants->size(), names.size());
@@ -241,6 +242,24 @@ TEST_F(StudyStoreTest, tellsAFolderWithoutStudyFromADamagedOneAndANewerOne) {
     (void)create();
     runSql(QStringLiteral("PRAGMA user_version = 1000"));
     EXPECT_EQ(StudyStore::open(folder()).error().kind, core::ErrorKind::refused);
+}
+
+TEST_F(StudyStoreTest, bringsAnOlderStudyUpToDateAndKeepsItsTrials) {
+    {
+        StudyStore store = create();
+        const PlannedSession plan = planSessions(store.head().protocol, store.head().seed, 0)[0];
+        const SessionRecord session = store.beginSession(store.enrol("P07").value(), 0, plan, kNow).value();
+        ASSERT_TRUE(store.keepTrial(session, answered(), kNow));
+        EXPECT_EQ(store.head().stimulusSetSha256.size(), 64U);
+    }
+    runSql(QStringLiteral("ALTER TABLE study DROP COLUMN stimulus_set_sha256"));
+    runSql(QStringLiteral("PRAGMA user_version = 1"));
+    const auto store = StudyStore::open(folder());
+    ASSERT_TRUE(store) << core::describe(store.error());
+    EXPECT_EQ(store->head().stimulusSetSha256, "");
+    const Participant participant = store->participants()->front();
+    const SessionRecord session = store->sessions(participant)->front();
+    EXPECT_EQ(store->trials(session)->size(), 1U);
 }
 
 TEST_F(StudyStoreTest, aFolderThatCannotBeMadeIsAnError) {

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/study/study_export.h"
+
+#include "backend/core/output_file.h"
+#include "backend/study/stimulus_set.h"
+#include "backend/study/trial_table.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QLocale>
+#include <QString>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+
+namespace teleta::study {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct ExportText {
+    Q_DECLARE_TR_FUNCTIONS(StudyExport)
+};
+
+core::Unexpected failed(const QString& message, const std::string& path) {
+    return core::Unexpected(core::Error{core::ErrorKind::ioFailed, message.toStdString(), {}, {path}});
+}
+
+core::Expected<void> writeChecked(const std::string& path, const std::string& content) {
+    const QString name = QString::fromStdString(path);
+    if (!QDir().mkpath(QFileInfo(name).path()))
+        return failed(ExportText::tr("cannot make the folder"), path);
+    core::Expected<core::OutputFile> output = core::OutputFile::create(path);
+    if (!output)
+        return core::Unexpected(output.error());
+    output->write(content);
+    if (const core::Expected<void> finished = output->finish(); !finished)
+        return finished;
+    QFile file(name);
+    if (!file.open(QIODevice::ReadOnly) || file.readAll().toStdString() != content)
+        return failed(ExportText::tr("the file does not hold what was written"), path);
+    return {};
+}
+
+TableFormat tableFormat(ExportFormat format) {
+    switch (format) {
+    case ExportFormat::psychds:
+        return {};
+    case ExportFormat::bids:
+        return {'\t', "n/a", '.', false, false};
+    case ExportFormat::excel:
+        break;
+    }
+    const QString point = QLocale().decimalPoint();
+    return {';', "NA", point == QStringLiteral(",") ? ',' : '.', true, true};
+}
+
+/// Path of a session's file in the study's folder, without its extension.
+std::string sessionPath(ExportFormat format, const std::string& label, const std::string& session,
+                        const std::string& task) {
+    switch (format) {
+    case ExportFormat::psychds:
+        return "data/subject-" + label + "/subject-" + label + "_session-" + session + "_task-" + task +
+               "_data";
+    case ExportFormat::bids: {
+        const std::string folder = "bids/sub-" + label + "/ses-" + session + "/beh/";
+        return folder + "sub-" + label + "_ses-" + session + "_task-" + task + "_beh";
+    }
+    case ExportFormat::excel:
+        break;
+    }
+    return "excel/" + label + '_' + session + '_' + task;
+}
+
+/// Names and values of Psych-DS and BIDS keep - and _ for themselves.
+std::string alphanumeric(const std::string& text) {
+    std::string kept;
+    std::copy_if(text.begin(), text.end(), std::back_inserter(kept), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    });
+    return kept;
+}
+
+ordered_json columnNames() {
+    ordered_json names = ordered_json::array();
+    for (const std::string_view name : kTrialColumns)
+        names.push_back(name);
+    return names;
+}
+
+std::string psychDsDescription(const StudyHead& head) {
+    const ordered_json description = {
+        {"@context", "https://schema.org/"}, {"@type", "Dataset"},
+        {"name", head.protocol.name},        {"description", head.protocol.description},
+        {"schemaVersion", "Psych-DS 0.4.0"}, {"variableMeasured", columnNames()},
+        {"mode", toString(head.mode)},       {"seed", std::to_string(head.seed)}};
+    return description.dump(2) + "\n";
+}
+
+std::string bidsDescription(const StudyHead& head) {
+    const ordered_json description = {
+        {"Name", head.protocol.name},
+        {"BIDSVersion", "1.8.0"},
+        {"DatasetType", "raw"},
+        {"GeneratedBy", ordered_json::array({{{"Name", "TeleTA Console"}, {"Version", head.appVersion}}})}};
+    return description.dump(2) + "\n";
+}
+
+/// What belongs to all trials of a session.
+ordered_json sessionSidecar(const StudyHead& head, const PlannedSession& plan) {
+    const StudyTask& task = head.protocol.tasks[plan.task];
+    const std::string& condition = task.conditions[plan.condition];
+    ordered_json stimuli = ordered_json::object();
+    for (const StudyPattern& pattern : task.patterns)
+        stimuli[pattern.letter] = {{"name", pattern.name}, {"pattern", stimulusId(task, pattern, condition)}};
+    return {
+        {"task", task.name},
+        {"condition", condition},
+        {"stimuli", std::move(stimuli)},
+        {"stimulus_s", head.protocol.stimulus_s},
+        {"response_limit_s", head.protocol.responseLimit_s},
+        {"response_window", head.protocol.window == ResponseWindow::fromOnset ? "from_onset" : "from_end"},
+        {"seed", std::to_string(plan.seed)}};
+}
+
+std::string sidecarText(const StudyHead& head, const PlannedSession& plan, ExportFormat format) {
+    ordered_json sidecar;
+    if (format == ExportFormat::psychds) {
+        sidecar = {
+            {"@context", "https://schema.org/"}, {"@type", "Dataset"}, {"variableMeasured", columnNames()}};
+        sidecar["session"] = sessionSidecar(head, plan);
+    } else {
+        const ordered_json session = sessionSidecar(head, plan);
+        sidecar = {{"TaskName", session["task"]}};
+        sidecar["response_time_s"] = {{"Description", "From the onset of the stimulus to the answer"},
+                                      {"Units", "s"}};
+        sidecar["stimulus"] = {{"Description", "Pattern that was presented"},
+                               {"Levels", ordered_json::object()}};
+        for (const auto& [letter, stimulus] : session["stimuli"].items())
+            sidecar["stimulus"]["Levels"][letter] = stimulus["name"];
+    }
+    return sidecar.dump(2) + "\n";
+}
+
+core::Expected<void> writeSession(const StudyStore& store, const Participant& participant,
+                                  const std::string& label, const SessionRecord& session,
+                                  ExportFormat format) {
+    const StudyHead& head = store.head();
+    const PlannedSession plan =
+        planSessions(head.protocol, head.seed, participant.enrolment).at(session.planIndex);
+    const core::Expected<std::vector<StoredTrial>> trials = store.trials(session);
+    if (!trials)
+        return core::Unexpected(trials.error());
+    const std::string path =
+        QDir(QString::fromStdString(store.folder()))
+            .filePath(QString::fromStdString(
+                sessionPath(format, label, session.id, alphanumeric(head.protocol.tasks[plan.task].id))))
+            .toStdString();
+    const std::vector<TrialRow> rows = trialRows(head, participant, session, plan, *trials);
+    const std::string extension = format == ExportFormat::bids ? ".tsv" : ".csv";
+    const core::Expected<void> written = writeChecked(path + extension, tableText(rows, tableFormat(format)));
+    if (!written || format == ExportFormat::excel)
+        return written;
+    return writeChecked(path + ".json", sidecarText(head, plan, format));
+}
+
+core::Expected<void> writeDescription(const StudyStore& store, ExportFormat format) {
+    const QDir folder(QString::fromStdString(store.folder()));
+    switch (format) {
+    case ExportFormat::psychds:
+        return writeChecked(folder.filePath(QStringLiteral("dataset_description.json")).toStdString(),
+                            psychDsDescription(store.head()));
+    case ExportFormat::bids:
+        return writeChecked(folder.filePath(QStringLiteral("bids/dataset_description.json")).toStdString(),
+                            bidsDescription(store.head()));
+    case ExportFormat::excel:
+        break;
+    }
+    return {};
+}
+
+} // namespace
+
+std::vector<std::string> fileLabels(const std::vector<Participant>& participants) {
+    std::set<std::string> used;
+    for (const Participant& participant : participants) {
+        if (alphanumeric(participant.id) == participant.id)
+            used.insert(participant.id);
+    }
+    std::vector<std::string> labels;
+    for (const Participant& participant : participants) {
+        std::string label = alphanumeric(participant.id);
+        if (label != participant.id) {
+            do
+                label += 'x' + std::to_string(participant.enrolment + 1);
+            while (!used.insert(label).second);
+        }
+        labels.push_back(std::move(label));
+    }
+    return labels;
+}
+
+core::Expected<std::size_t> exportStudy(const StudyStore& store, ExportFormat format) {
+    if (const core::Expected<void> described = writeDescription(store, format); !described)
+        return core::Unexpected(described.error());
+    const core::Expected<std::vector<Participant>> participants = store.participants();
+    if (!participants)
+        return core::Unexpected(participants.error());
+    const std::vector<std::string> labels = fileLabels(*participants);
+    std::size_t written = 0;
+    for (std::size_t i = 0; i < participants->size(); ++i) {
+        const core::Expected<std::vector<SessionRecord>> sessions = store.sessions((*participants)[i]);
+        if (!sessions)
+            return core::Unexpected(sessions.error());
+        for (const SessionRecord& session : *sessions) {
+            const core::Expected<void> done =
+                writeSession(store, (*participants)[i], labels[i], session, format);
+            if (!done)
+                return core::Unexpected(done.error());
+            ++written;
+        }
+    }
+    return written;
+}
+
+core::Expected<void> exportSession(const StudyStore& store, const Participant& participant,
+                                   const SessionRecord& session, ExportFormat format) {
+    if (const core::Expected<void> described = writeDescription(store, format); !described)
+        return described;
+    const core::Expected<std::vector<Participant>> participants = store.participants();
+    if (!participants)
+        return core::Unexpected(participants.error());
+    const std::vector<std::string> labels = fileLabels(*participants);
+    return writeSession(store, participant, labels.at(participant.enrolment), session, format);
+}
+
+} // namespace teleta::study

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/study/rehearsal.h"
+#include "backend/study/stimulus_set.h"
+#include "backend/study/study_export.h"
+#include "backend/study/trial_source.h"
+#include "backend/study/trial_table.h"
+#include "tests/backend/core/temporary_folder.h"
+#include "tests/backend/study/small_protocol.h"
+
+#include <QLocale>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <sstream>
+
+namespace teleta::study {
+
+namespace {
+
+const QDateTime kNow(QDate(2026, 11, 3), QTime(14, 22, 33), Qt::UTC);
+
+class StudyExportTest : public testing::Test {
+protected:
+    StudyStore create(Mode mode, std::size_t participants = 0) {
+        StudyHead head;
+        head.protocol = smallProtocol();
+        head.seed = 5;
+        head.mode = mode;
+        head.plannedParticipants = participants;
+        head.created = kNow;
+        head.appVersion = "0.1.0";
+        return std::move(StudyStore::create(m_folder.path("study"), head).value());
+    }
+
+    /// Enrols a participant, who answers one trial in time and one not.
+    static void addSession(StudyStore& store, const std::string& id) {
+        const Participant participant = store.enrol(id).value();
+        const PlannedSession plan = planSessions(store.head().protocol, 5, participant.enrolment)[0];
+        const SessionRecord session = store.beginSession(participant, 0, plan, kNow).value();
+        TrialResult result;
+        result.planned = {Phase::test, 1, 1, 1, 0};
+        result.response = 1;
+        result.outcome = Outcome::incorrect;
+        result.responseTime_s = 1.25;
+        result.responseTimeOffset_s = -0.75;
+        result.responseDevice = "keyboard";
+        result.responseKey = ";";
+        ASSERT_TRUE(store.keepTrial(session, result, kNow));
+        TrialResult silent;
+        silent.planned = {Phase::test, 2, 1, 1, 2};
+        silent.trialInBlock = 2;
+        ASSERT_TRUE(store.keepTrial(session, silent, kNow));
+    }
+
+    [[nodiscard]] std::string read(const std::string& path) const {
+        return test::readAll(m_folder.path("study/" + path));
+    }
+
+    test::TemporaryFolder m_folder;
+};
+
+std::string firstLine(const std::string& text) {
+    return text.substr(0, text.find('\n'));
+}
+
+} // namespace
+
+TEST_F(StudyExportTest, psychDsHasTheNamesAndColumnsOfTheFormat) {
+    StudyStore store = create(Mode::run);
+    addSession(store, "P07");
+    ASSERT_EQ(exportStudy(store, ExportFormat::psychds), 1U);
+    const std::string path = "data/subject-P07/subject-P07_session-20261103T142233_task-shape_data";
+    const std::string table = read(path + ".csv");
+    EXPECT_EQ(firstLine(table),
+              "schema,participant_id,session_id,mode,task,condition,condition_position,sequence_row,phase,"
+              "block,trial,"
+              "trial_in_block,repetition,attempt,stimulus,response,outcome,correct,response_time_s,"
+              "response_time_offset_s,response_limit_s,n_alternatives,response_device,response_key,n_replays,"
+              "early_presses,onset_s,duration_s,device_latency_ms,device_faults,feedback,masking_noise,time_"
+              "utc,seed,"
+              "order_method,stimulus_set_sha256,app_version");
+    const std::string seed = std::to_string(planSessions(store.head().protocol, 5, 0)[0].seed);
+    const std::string common = ",none,2026-11-03T14:22:33.000Z," + seed + ",full_random," +
+                               stimulusSetSha256(store.head().protocol) + ",0.1.0\n";
+    EXPECT_EQ(table.substr(table.find('\n') + 1), "1,P07,20261103T142233,run,shape,static,1,1,test,2,1,1,1,1,"
+                                                  "A,B,incorrect,0,1.25,-0.75,10,3,keyboard,;,0,"
+                                                  "0,0,0,NA,0,0" +
+                                                      common +
+                                                      "1,P07,20261103T142233,run,shape,static,1,1,test,2,2,2,"
+                                                      "1,1,C,NA,timeout,0,NA,NA,10,3,NA,NA,0,0,0,0,"
+                                                      "NA,0,0" +
+                                                      common);
+    const auto sidecar = nlohmann::json::parse(read(path + ".json"));
+    EXPECT_EQ(sidecar["variableMeasured"].size(), kTrialColumns.size());
+    EXPECT_EQ(sidecar["session"]["stimuli"]["A"]["pattern"], "shape.A.static");
+    const auto description = nlohmann::json::parse(read("dataset_description.json"));
+    EXPECT_EQ(description["@type"], "Dataset");
+    EXPECT_EQ(description["name"], "small");
+}
+
+TEST_F(StudyExportTest, bidsHasTabsAndItsOwnWordForMissing) {
+    StudyStore store = create(Mode::run);
+    addSession(store, "P07");
+    ASSERT_TRUE(exportStudy(store, ExportFormat::bids));
+    const std::string path =
+        "bids/sub-P07/ses-20261103T142233/beh/sub-P07_ses-20261103T142233_task-shape_beh";
+    const std::string table = read(path + ".tsv");
+    EXPECT_NE(table.find("\tC\tn/a\ttimeout\t0\tn/a\t"), std::string::npos) << table;
+    EXPECT_EQ(table.find("NA\t"), std::string::npos);
+    EXPECT_EQ(nlohmann::json::parse(read(path + ".json"))["TaskName"], "shape");
+    EXPECT_TRUE(nlohmann::json::parse(read("bids/dataset_description.json")).contains("BIDSVersion"));
+}
+
+TEST_F(StudyExportTest, theExcelCopyHasTheDecimalSignOfTheLocale) {
+    StudyStore store = create(Mode::run);
+    addSession(store, "P07");
+    const QLocale before;
+    QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
+    const auto written = exportStudy(store, ExportFormat::excel);
+    QLocale::setDefault(before);
+    ASSERT_TRUE(written);
+    const std::string table = read("excel/P07_20261103T142233_shape.csv");
+    EXPECT_EQ(table.substr(0, 3), "\xEF\xBB\xBF");
+    EXPECT_NE(table.find(";1,25;-0,75;10;3;keyboard;\";\";"), std::string::npos) << table;
+}
+
+TEST_F(StudyExportTest, otherFormatsDoNotDependOnTheLocale) {
+    StudyStore store = create(Mode::run);
+    addSession(store, "P07");
+    const QLocale before;
+    for (const QLocale& locale : {QLocale(QLocale::German), QLocale(QLocale::Turkish)}) {
+        QLocale::setDefault(locale);
+        const auto written = exportStudy(store, ExportFormat::psychds);
+        QLocale::setDefault(before);
+        ASSERT_TRUE(written);
+        const std::string table =
+            read("data/subject-P07/subject-P07_session-20261103T142233_task-shape_data.csv");
+        EXPECT_NE(table.find(",1.25,-0.75,10,3,"), std::string::npos);
+        EXPECT_NE(table.find(",timeout,"), std::string::npos);
+    }
+}
+
+TEST_F(StudyExportTest, oddNamesOfParticipantsStayApartAndReadBackAsTheyWere) {
+    StudyStore store = create(Mode::run);
+    const std::vector<std::string> names = {"a,b",    "ab",   "a\"b",      "two\nlines",
+                                            "参加者", "Ünal", "../../etc", "abx1"};
+    for (const std::string& name : names)
+        addSession(store, name);
+    ASSERT_EQ(exportStudy(store, ExportFormat::psychds), names.size());
+    std::set<std::string> readBack;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(m_folder.path("study/data"))) {
+        if (entry.path().extension() != ".csv")
+            continue;
+        TrialTally tally;
+        ModeFilter modes;
+        const auto read = tallyCsv(entry.path().string(), modes, tally, [](std::uint64_t) { return true; });
+        ASSERT_TRUE(read) << core::describe(read.error());
+        ASSERT_EQ(tally.cells().size(), 1U);
+        readBack.insert(tally.cells().begin()->first.participant);
+    }
+    EXPECT_EQ(readBack, std::set<std::string>(names.begin(), names.end()));
+}
+
+TEST_F(StudyExportTest, aRehearsedStudyExportsWhatItsStoreHolds) {
+    StudyStore store = create(Mode::simulated, 3);
+    ASSERT_TRUE(rehearse(store, [](std::size_t) { return true; }));
+    TrialTally ofStore;
+    TrialTally ofFiles;
+    ModeFilter storeModes;
+    ModeFilter fileModes;
+    ASSERT_TRUE(tallyStore(store, storeModes, ofStore));
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(m_folder.path("study/data"))) {
+        if (entry.path().extension() == ".csv") {
+            ASSERT_TRUE(
+                tallyCsv(entry.path().string(), fileModes, ofFiles, [](std::uint64_t) { return true; }));
+        }
+    }
+    EXPECT_EQ(fileModes.seen, Mode::simulated);
+    ASSERT_EQ(ofFiles.cells().size(), ofStore.cells().size());
+    for (const auto& [key, cell] : ofStore.cells()) {
+        const TrialTally::Cell& other = ofFiles.cells().at(key);
+        EXPECT_EQ(other.correctTimes_s, cell.correctTimes_s);
+        std::map<std::pair<std::string, std::string>, std::int64_t> counts;
+        const auto name = [](const TrialTally& tally, std::size_t i) {
+            return i == TrialTally::kNone ? std::string() : tally.names()[i];
+        };
+        for (const auto& [answer, count] : cell.counts)
+            counts[{name(ofStore, answer.first), name(ofStore, answer.second)}] += count;
+        for (const auto& [answer, count] : other.counts)
+            counts[{name(ofFiles, answer.first), name(ofFiles, answer.second)}] -= count;
+        for (const auto& [answer, difference] : counts)
+            EXPECT_EQ(difference, 0);
+    }
+}
+
+TEST_F(StudyExportTest, aFileInTheWayIsAnErrorAndLosesNothing) {
+    StudyStore store = create(Mode::run);
+    addSession(store, "P07");
+    m_folder.write("study/data", "in the way");
+    const auto written = exportStudy(store, ExportFormat::psychds);
+    ASSERT_FALSE(written);
+    EXPECT_EQ(written.error().kind, core::ErrorKind::ioFailed);
+    EXPECT_EQ(read("data"), "in the way");
+}
+
+TEST(StimulusSet, hashChangesWithThePatternsThatAreShown) {
+    const Protocol protocol = smallProtocol();
+    Protocol other = protocol;
+    other.tasks[0].patterns.pop_back();
+    EXPECT_EQ(stimulusSetSha256(protocol), stimulusSetSha256(smallProtocol("from_end")));
+    EXPECT_NE(stimulusSetSha256(protocol), stimulusSetSha256(other));
+}
+
+} // namespace teleta::study
