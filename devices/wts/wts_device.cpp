@@ -30,7 +30,7 @@ core::Expected<std::unique_ptr<WtsDevice>> WtsDevice::open(WtsConfig config) {
         return core::Unexpected(session.error());
     const MatrixInfo& matrix = session->matrix();
     core::SourceDescription description{.name = displayName(config.address),
-                                        .layout = {matrix.rows, matrix.columns, matrix.cellWidth_10um * 1e-5},
+                                        .layout = {matrix.rows, matrix.columns, matrix.cellWidth_10um / 1e5},
                                         .unit = "counts",
                                         .nominalRate_Hz = nominalRate_Hz(config, matrix)};
     return std::unique_ptr<WtsDevice>(

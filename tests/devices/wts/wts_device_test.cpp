@@ -150,7 +150,7 @@ TEST_P(WtsDeviceOnAnyLink, knowsTheArrayBeforeItStarts) {
     const core::SourceDescription& description = m_device->description();
     EXPECT_EQ(description.layout.rows, 6);
     EXPECT_EQ(description.layout.columns, 14);
-    EXPECT_DOUBLE_EQ(description.layout.pitch_m, 0.0034);
+    EXPECT_EQ(description.layout.pitch_m, 0.0034); // exactly: layouts are compared
     EXPECT_EQ(description.unit, "counts");
     EXPECT_FALSE(description.simulated);
     EXPECT_EQ(m_device->matrix().fullScale, 4095);
