@@ -102,9 +102,9 @@ struct TouchProgram {
 struct ContourProgram {
     int directions = 24;         ///< 3 .. 360, evenly spaced
     double startAngle_rad = 0.0; ///< of the first direction, about z
-    double approach_mPerS = 0.004;
-    double travel_mPerS = 0.02;
-    double clearance_m = 0.002; ///< of the surface, where the slow approach begins
+    double approach_mPerS = 0.001;
+    double travel_mPerS = 0.015;
+    double clearance_m = 0.001; ///< of the surface, where the slow approach begins
     double retract_m = 0.01;    ///< of the surface, on the way around
     double torqueLimit_Nm = 0.08;
     double hold_s = 0.1;

@@ -93,7 +93,8 @@ public:
                           .beyond = 0.02,
                           .torqueLimit_Nm = program.torqueLimit_Nm,
                           .hold_s = program.hold_s,
-                          .travel_radPerS = program.travel_mPerS / body.upperArmLength_m,
+                          // Around the object the joints turn about twice as fast as the elbow goes.
+                          .travel_radPerS = 2.0 * program.travel_mPerS / body.upperArmLength_m,
                           .travelSpeed = program.travel_mPerS},
                          static_cast<std::size_t>(program.directions))
         , m_dimensions(arm.kinematics().dimensions())

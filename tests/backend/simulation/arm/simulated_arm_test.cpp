@@ -112,7 +112,7 @@ TEST(SimulatedArm, touchesTheFiveMaterialsOfThePaperOneAfterTheOther) {
         for (int r = 0; r < layout.rows; ++r) {
             for (int c = 0; c < layout.columns; ++c) {
                 const double load_N = frame[static_cast<std::size_t>(r * layout.columns + c)];
-                if (load_N < 0.01)
+                if (load_N < 0.02)
                     continue;
                 weight_N += load_N;
                 x_m += load_N * layout.x_m(c);
