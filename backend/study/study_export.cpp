@@ -2,6 +2,7 @@
 #include "backend/study/study_export.h"
 
 #include "backend/core/output_file.h"
+#include "backend/study/analysis_script.h"
 #include "backend/study/stimulus_set.h"
 #include "backend/study/trial_table.h"
 
@@ -173,9 +174,16 @@ core::Expected<void> writeSession(const StudyStore& store, const Participant& pa
 core::Expected<void> writeDescription(const StudyStore& store, ExportFormat format) {
     const QDir folder(QString::fromStdString(store.folder()));
     switch (format) {
-    case ExportFormat::psychds:
-        return writeChecked(folder.filePath(QStringLiteral("dataset_description.json")).toStdString(),
-                            psychDsDescription(store.head()));
+    case ExportFormat::psychds: {
+        const core::Expected<std::string> script = analysisScript();
+        if (!script)
+            return core::Unexpected(script.error());
+        return writeChecked(folder.filePath(QStringLiteral("analysis.R")).toStdString(), *script)
+            .and_then([&] {
+                return writeChecked(folder.filePath(QStringLiteral("dataset_description.json")).toStdString(),
+                                    psychDsDescription(store.head()));
+            });
+    }
     case ExportFormat::bids:
         return writeChecked(folder.filePath(QStringLiteral("bids/dataset_description.json")).toStdString(),
                             bidsDescription(store.head()));

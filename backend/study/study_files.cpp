@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/csv_writer.h"
+#include "backend/study/analysis_script.h"
 #include "backend/study/study_results.h"
 
 #include <QCoreApplication>
@@ -161,10 +162,18 @@ core::Expected<void> writeResults(const Results& results, const std::string& fol
         return core::Unexpected(core::Error{
             core::ErrorKind::ioFailed, FilesText::tr("cannot make the folder").toStdString(), {}, {folder}});
     const auto path = [&](const char* name) { return directory.filePath(QLatin1String(name)).toStdString(); };
+    const core::Expected<std::string> script = analysisScript();
+    if (!script)
+        return core::Unexpected(script.error());
+    core::Expected<core::OutputFile> scriptFile = core::OutputFile::create(path("analysis.R"));
+    if (!scriptFile)
+        return core::Unexpected(scriptFile.error());
+    scriptFile->write(*script);
     return writeFile(results, path("confusion_long.csv"), kConfusionColumns, writeConfusions)
         .and_then([&] { return writeFile(results, path("summary.csv"), kSummaryColumns, writeSummary); })
         .and_then([&] { return writeFile(results, path("group.csv"), kGroupColumns, writeGroups); })
-        .and_then([&] { return writeFile(results, path("anova.csv"), kAnovaColumns, writeAnova); });
+        .and_then([&] { return writeFile(results, path("anova.csv"), kAnovaColumns, writeAnova); })
+        .and_then([&] { return scriptFile->finish(); });
 }
 
 } // namespace teleta::study

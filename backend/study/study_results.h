@@ -72,8 +72,8 @@ struct ResultSettings {
 [[nodiscard]] std::vector<TaskResults> studyResults(const TrialTally& tally,
                                                     const ResultSettings& settings = {});
 
-/// Writes confusion_long.csv, summary.csv, group.csv and anova.csv into a folder, which is made; each file
-/// appears when it is complete. Missing values are NA. Error: ioFailed. Thread: any.
+/// Writes confusion_long.csv, summary.csv, group.csv, anova.csv and analysis.R into a folder, which is made;
+/// each file appears when it is complete. Missing values are NA. Error: ioFailed. Thread: any.
 [[nodiscard]] core::Expected<void> writeResults(const std::vector<TaskResults>& results,
                                                 const std::string& folder);
 

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/cli/program_run.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <string>
+#include <vector>
+
+using teleta::test::readAll;
+using teleta::test::run;
+using teleta::test::splitCsv;
+using teleta::test::TemporaryFolder;
+
+namespace {
+
+using Table = std::map<std::string, std::map<std::string, std::string>>;
+
+/// Rows by the values of their first columns, as columns by name.
+Table tableOf(const std::string& path, std::size_t keys) {
+    Table table;
+    const auto rows = splitCsv(readAll(path));
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        if (rows[i].size() != rows[0].size())
+            continue;
+        std::string key;
+        for (std::size_t j = 0; j < keys; ++j)
+            key += rows[i][j] + '|';
+        for (std::size_t j = keys; j < rows[i].size(); ++j)
+            table[key][rows[0][j]] = rows[i][j];
+    }
+    return table;
+}
+
+/// Numbers of both tables in these columns agree to 1e-6 of their size.
+void expectSame(const Table& ours, const Table& theirs, const std::vector<std::string>& columns) {
+    ASSERT_FALSE(theirs.empty());
+    for (const auto& [key, row] : theirs) {
+        const auto found = ours.find(key);
+        ASSERT_NE(found, ours.end()) << key;
+        for (const std::string& column : columns) {
+            const double expected = std::strtod(row.at(column).c_str(), nullptr);
+            const double value = std::strtod(found->second.at(column).c_str(), nullptr);
+            EXPECT_NEAR(value, expected, 1e-6 * std::max(1e-3, std::abs(expected))) << key << ' ' << column;
+        }
+    }
+}
+
+} // namespace
+
+TEST(StudyR, theScriptThatComesWithAStudyGivesTheSameNumbersInR) {
+    if (std::system("Rscript --version > /dev/null 2>&1") != 0)
+        GTEST_SKIP() << "Rscript is not installed, so there is nothing to compare with";
+    const TemporaryFolder folder;
+    const std::string study = folder.path("study");
+    const std::string results = folder.path("results");
+    ASSERT_EQ(run({"study", "rehearse", "--out", study, "--seed", "9", "--lapses", "0.05"}).exitCode, 0);
+    ASSERT_EQ(run({"study", "analyze", study, "--out", results}).exitCode, 0);
+    const auto inR = [](const std::string& at) {
+        return std::system(("Rscript --vanilla '" + at + "/analysis.R' '" + at + "' > /dev/null").c_str());
+    };
+    ASSERT_EQ(inR(study), 0) << "from the exported trials";
+    ASSERT_EQ(inR(results), 0) << "from the confusion matrices";
+    const std::vector<std::string> anova = {"df1", "df2", "ss", "ss_error", "f", "p", "p_gg", "p_hf"};
+    const std::vector<std::string> summary = {"n",         "n_correct", "accuracy", "wilson_lo",
+                                              "wilson_hi", "cp_lo",     "cp_hi"};
+    for (const std::string& from : {study, results}) {
+        expectSame(tableOf(results + "/anova.csv", 3), tableOf(from + "/anova_r.csv", 3), anova);
+        expectSame(tableOf(results + "/summary.csv", 3), tableOf(from + "/summary_r.csv", 3), summary);
+    }
+    EXPECT_EQ(tableOf(study + "/summary_r.csv", 3).size(), 24U);
+}
