@@ -5,6 +5,7 @@
 #include "app/cli/command_io.h"
 #include "app/cli/commands/contacts_command.h"
 #include "app/cli/commands/contour_command.h"
+#include "app/cli/commands/devices_command.h"
 #include "app/cli/commands/features_command.h"
 #include "app/cli/commands/pattern_command.h"
 #include "app/cli/commands/simulate_command.h"
@@ -33,6 +34,7 @@ std::vector<std::unique_ptr<Command>> makeCommands() {
     commands.push_back(std::make_unique<SimulateCommand>());
     commands.push_back(std::make_unique<PatternCommand>());
     commands.push_back(std::make_unique<StudyCommand>());
+    commands.push_back(std::make_unique<DevicesCommand>());
     return commands;
 }
 

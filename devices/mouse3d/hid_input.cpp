@@ -54,16 +54,11 @@ std::vector<Mouse3dInfo> listMice() {
     return mice;
 }
 
-core::Expected<std::unique_ptr<HidInput>> openFirstMouse() {
-    const std::vector<Mouse3dInfo> mice = listMice();
-    if (mice.empty())
-        return core::Unexpected(core::Error{
-            core::ErrorKind::unavailable, Mouse3d::tr("No 3D mouse is plugged in.").toStdString(), {}, {}});
-    const std::string& path = mice.front().path;
-    if (hid_device* device = hid_open_path(path.c_str()))
-        return std::make_unique<HidapiInput>(device, mice.front().product);
-    const QString where = QString::fromStdString(path);
-    if (access(path.c_str(), F_OK) == 0 && access(path.c_str(), R_OK | W_OK) != 0)
+core::Expected<std::unique_ptr<HidInput>> openMouse(const Mouse3dInfo& mouse) {
+    if (hid_device* device = hid_open_path(mouse.path.c_str()))
+        return std::make_unique<HidapiInput>(device, mouse.product);
+    const QString where = QString::fromStdString(mouse.path);
+    if (access(mouse.path.c_str(), F_OK) == 0 && access(mouse.path.c_str(), R_OK | W_OK) != 0)
         return core::Unexpected(
             core::Error{core::ErrorKind::ioFailed,
                         Mouse3d::tr("The 3D mouse at %1 may not be opened.").arg(where).toStdString(),
@@ -74,6 +69,14 @@ core::Expected<std::unique_ptr<HidInput>> openFirstMouse() {
                     Mouse3d::tr("The 3D mouse at %1 cannot be opened.").arg(where).toStdString(),
                     {},
                     {}});
+}
+
+core::Expected<std::unique_ptr<HidInput>> openFirstMouse() {
+    const std::vector<Mouse3dInfo> mice = listMice();
+    if (mice.empty())
+        return core::Unexpected(core::Error{
+            core::ErrorKind::unavailable, Mouse3d::tr("No 3D mouse is plugged in.").toStdString(), {}, {}});
+    return openMouse(mice.front());
 }
 
 } // namespace teleta::mouse3d

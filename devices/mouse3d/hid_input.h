@@ -41,7 +41,10 @@ struct Mouse3dInfo {
 /// usage 8). Thread: any, one at a time.
 [[nodiscard]] std::vector<Mouse3dInfo> listMice();
 
-/// Opens the first one by hidapi.
+/// Opens a listed mouse by hidapi. Error: it is gone, or may not be opened.
+[[nodiscard]] core::Expected<std::unique_ptr<HidInput>> openMouse(const Mouse3dInfo& mouse);
+
+/// Opens the first one.
 [[nodiscard]] core::Expected<std::unique_ptr<HidInput>> openFirstMouse();
 
 } // namespace teleta::mouse3d

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/cli/program_run.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+using nlohmann::ordered_json;
+using teleta::test::ProgramResult;
+using teleta::test::run;
+using teleta::test::TemporaryFolder;
+
+namespace {
+
+/// Nobody listens on the loopback address at the port of discard.
+const std::string kNobody =
+    "kind = 'modbus'\nname = 'driver'\n[link]\nkind = 'tcp'\nhost = '127.0.0.1'\nport = 9\n"
+    "[tactors]\naddress = 0\ntype = 'uint16'\nunit = 'V'\nfull = 3\n";
+
+class DevicesCommand : public testing::Test {
+protected:
+    ProgramResult probe(const std::string& text, std::vector<std::string> options = {}) {
+        options.insert(options.begin(), {"devices", "--probe", m_folder.write("d.toml", text)});
+        return run(options);
+    }
+    TemporaryFolder m_folder;
+};
+
+} // namespace
+
+TEST_F(DevicesCommand, listsWhatIsPluggedIn) {
+    const ProgramResult result = run({"devices", "--json"});
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    const ordered_json document = ordered_json::parse(result.out, nullptr, false);
+    ASSERT_TRUE(document["devices"].is_array()) << result.out;
+    for (const ordered_json& device : document["devices"])
+        EXPECT_TRUE(device["kind"] == "hid_bracelet" || device["kind"] == "mouse3d");
+    EXPECT_EQ(run({"devices"}).exitCode, 0);
+}
+
+TEST_F(DevicesCommand, saysWhyADeviceIsNotConnected) {
+    const ProgramResult result = probe(kNobody, {"--json"});
+    EXPECT_EQ(result.exitCode, 1);
+    const ordered_json document = ordered_json::parse(result.out, nullptr, false);
+    ASSERT_EQ(document["devices"].size(), 1U) << result.out;
+    const ordered_json& device = document["devices"][0];
+    EXPECT_EQ(device["kind"], "modbus");
+    EXPECT_EQ(device["name"], "driver");
+    EXPECT_EQ(device["where"], "tcp://127.0.0.1:9");
+    EXPECT_EQ(device["connected"], false);
+    EXPECT_NE(device["reason"].get<std::string>().find("Connection refused"), std::string::npos);
+    EXPECT_TRUE(device["frame_rate_hz"].is_null());
+    EXPECT_NE(result.err.find("Connection refused"), std::string::npos) << result.err;
+
+    const ProgramResult table = probe(kNobody);
+    EXPECT_EQ(table.exitCode, 1);
+    EXPECT_NE(table.out.find("driver at tcp://127.0.0.1:9"), std::string::npos) << table.out;
+    EXPECT_NE(table.out.find("not connected"), std::string::npos) << table.out;
+}
+
+TEST_F(DevicesCommand, saysWhenAnArrayIsNotThere) {
+    const ProgramResult result =
+        probe("kind = 'wts'\nname = 'array'\naddress = '/dev/nothing-here'\n", {"--json"});
+    EXPECT_EQ(result.exitCode, 1) << result.err;
+    const ordered_json document = ordered_json::parse(result.out, nullptr, false);
+    ASSERT_EQ(document["devices"].size(), 1U) << result.out;
+    EXPECT_EQ(document["devices"][0]["kind"], "wts");
+    EXPECT_EQ(document["devices"][0]["connected"], false);
+}
+
+TEST_F(DevicesCommand, refusesABadDescriptionWithItsPlace) {
+    struct Case {
+        std::string text;
+        std::string error;
+    };
+    const std::vector<Case> cases = {
+        {"kind = 'modem'\n", "d.toml:1:8: unknown value \"modem\" of \"kind\""},
+        {"name = 'n'\n", "d.toml:1:1: \"kind\" is missing (expected kind = \"modbus\" or \"wts\")"},
+        {kNobody + "scale = 0\n", "d.toml:12:9: \"scale\" is 0"},
+        {"kind = 'wts'\nname = 'a'\naddress = 'tcp://h'\n", "d.toml:3:11: "},
+        {"kind = 'wts'\nname = 'a'\naddress = '/dev/ttyS0'\nspeed = 1\n",
+         "d.toml:4:1: unknown key \"speed\""},
+        {"kind = \n", "d.toml:1:"},
+    };
+    for (const Case& c : cases) {
+        const ProgramResult result = probe(c.text);
+        EXPECT_EQ(result.exitCode, 3) << result.err;
+        EXPECT_NE(result.err.find(c.error), std::string::npos) << result.err;
+        EXPECT_EQ(result.out, "");
+    }
+    EXPECT_EQ(run({"devices", "--probe", "/nowhere/d.toml"}).exitCode, 3);
+    EXPECT_EQ(run({"devices", "--probe"}).exitCode, 2);
+}
