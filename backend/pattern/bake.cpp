@@ -47,6 +47,8 @@ public:
     bool operator()(const Ring& ring) {
         const double onset_s = onsetOf_s(ring);
         const double burst_s = burstOf_s(ring);
+        if (ring.turns > static_cast<int>(Pattern::kMostBreakpoints))
+            return false;
         for (int k = 0; k < static_cast<int>(core::kTactors) * ring.turns && fits(); ++k)
             add(ring.start_s + k * onset_s, burst_s);
         return fits();

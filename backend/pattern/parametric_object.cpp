@@ -13,6 +13,7 @@ namespace teleta::pattern {
 namespace {
 
 constexpr int kRing = static_cast<int>(core::kTactors);
+constexpr int kMostTurns = 100'000'000; ///< what can be counted; the next onset would be no time away
 
 std::size_t wrapped(int tactor) {
     return static_cast<std::size_t>(((tactor % kRing) + kRing) % kRing);
@@ -29,7 +30,7 @@ void raise(core::Intensities& intensities, int tactor, double value) {
 
 /// Numbers of the bursts [k onset, k onset + burst) that may hold the time, one too many at either side.
 std::pair<int, int> burstsAround(double time_s, double onset_s, double burst_s, int count) {
-    if (!(onset_s > 0.0))
+    if (!(onset_s > 0.0) || !std::isfinite(onset_s) || !std::isfinite(burst_s))
         return {0, count};
     const double first = std::floor((time_s - burst_s) / onset_s) - 1.0;
     const double last = std::floor(time_s / onset_s) + 2.0;
@@ -57,7 +58,8 @@ core::Intensities valueOf(const Ring& ring, double t_s) {
     const double burst_s = burstOf_s(ring);
     const double time_s = t_s - ring.start_s;
     const int direction = ring.counterClockwise ? 1 : -1;
-    const auto [first, last] = burstsAround(time_s, onset_s, burst_s, kRing * std::max(ring.turns, 0));
+    const int turns = std::clamp(ring.turns, 0, kMostTurns);
+    const auto [first, last] = burstsAround(time_s, onset_s, burst_s, kRing * turns);
     for (int k = first; k < last; ++k) {
         const double begin_s = k * onset_s;
         if (time_s >= begin_s && time_s < begin_s + burst_s)

@@ -106,3 +106,22 @@ TEST(PatternCommand, predictedRowsLagBehindTheCommandedOnes) {
     EXPECT_GT(std::stod(rows[100][1]), 0.999);
     EXPECT_EQ(rows[100][2], "0");
 }
+
+TEST(PatternCommand, convertsBetweenAllFormatsByTheEnding) {
+    const TemporaryFolder folder;
+    const std::string original = run({"pattern", "render", "shape.E.dynamic", "--rate", "50"}).out;
+    for (const std::string name : {"a.json", "a.hjif", "a.haptic.zip"}) {
+        const std::string path = folder.path(name);
+        const ProgramResult converted = run({"pattern", "convert", "shape.E.dynamic", path});
+        EXPECT_EQ(converted.exitCode, 0) << converted.err;
+        EXPECT_EQ(run({"pattern", "render", path, "--rate", "50"}).out, original) << name;
+    }
+    for (const std::string name : {"a.tact", "a.ahap.zip", "a.wav"})
+        EXPECT_EQ(run({"pattern", "convert", folder.path("a.json"), folder.path(name)}).exitCode, 0) << name;
+    EXPECT_EQ(readAll(folder.path("a.wav")).substr(0, 4), "RIFF");
+    EXPECT_EQ(readAll(folder.path("a.ahap.zip")).substr(0, 2), "PK");
+    const ProgramResult oneTactor = run({"pattern", "convert", "shape.E.dynamic", folder.path("a.haptic")});
+    EXPECT_EQ(oneTactor.exitCode, 1);
+    EXPECT_NE(oneTactor.err.find(".haptic.zip"), std::string::npos) << oneTactor.err;
+    EXPECT_EQ(run({"pattern", "show", folder.path("a.wav")}).exitCode, 3);
+}
