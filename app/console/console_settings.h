@@ -37,6 +37,16 @@ public:
     [[nodiscard]] QByteArray layout(const QString& page) const { return bytes("layout/" + page); }
     void setLayout(const QString& page, const QByteArray& layout) { set("layout/" + page, layout); }
 
+    /// "simulated", "hid", "none".
+    [[nodiscard]] QString bracelet() const { return text("bracelet", QStringLiteral("simulated")); }
+    void setBracelet(const QString& bracelet) { set("bracelet", bracelet); }
+    /// Which pattern tells what was recognised, as JSON; empty: the default.
+    [[nodiscard]] QString patternMap() const { return text("feedback/map", {}); }
+    void setPatternMap(const QString& json) { set("feedback/map", json); }
+    /// "both", "stiffness", "shape", "off".
+    [[nodiscard]] QString feedbackMode() const { return text("feedback/mode", QStringLiteral("both")); }
+    void setFeedbackMode(const QString& mode) { set("feedback/mode", mode); }
+
     [[nodiscard]] QStringList recentFiles() const;
     void addRecentFile(const QString& path);
 

@@ -2,10 +2,13 @@
 #include "app/console/main_window.h"
 
 #include "app/console/about.h"
+#include "app/console/arm_views.h"
 #include "app/console/background.h"
+#include "app/console/bracelet_station.h"
 #include "app/console/operate_page.h"
 #include "app/console/recording_dialog.h"
 #include "app/console/source_list.h"
+#include "backend/pattern/pattern_json.h"
 #include "widgets/base/theme.h"
 #include "widgets/chrome/device_strip.h"
 #include "widgets/chrome/page_rail.h"
@@ -28,6 +31,7 @@
 #include <QVBoxLayout>
 #include <QWhatsThis>
 
+#include <array>
 #include <cstdio>
 
 namespace teleta::console {
@@ -35,6 +39,23 @@ namespace teleta::console {
 namespace {
 
 constexpr char kOperate[] = "operate";
+
+struct BraceletName {
+    BraceletChoice choice;
+    const char* name;
+};
+constexpr std::array kBracelets{BraceletName{BraceletChoice::simulated, "simulated"},
+                                BraceletName{BraceletChoice::hid, "hid"},
+                                BraceletName{BraceletChoice::none, "none"}};
+
+struct FeedbackName {
+    pipeline::FeedbackMode mode;
+    const char* name;
+};
+constexpr std::array kFeedbackModes{FeedbackName{pipeline::FeedbackMode::both, "both"},
+                                    FeedbackName{pipeline::FeedbackMode::stiffness, "stiffness"},
+                                    FeedbackName{pipeline::FeedbackMode::shape, "shape"},
+                                    FeedbackName{pipeline::FeedbackMode::off, "off"}};
 
 /// Two presses of Escape within this time are STOP.
 constexpr int kDoubleEscape_ms = 600;
@@ -47,7 +68,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     , m_sources(stop)
     , m_rail(new chrome::PageRail(this))
     , m_pages(new QStackedWidget(this))
-    , m_operate(new OperatePage(m_sources, this))
+    , m_operate(new OperatePage(m_sources, stop, this))
     , m_devices(new chrome::DeviceStrip(this))
     , m_stopButton(new chrome::StopButton(this))
     , m_seed(options.seed) {
@@ -106,6 +127,10 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     connect(&chooser, &chrome::SourceChooser::openSceneRequested, this,
             [this] { askForFile(tr("Open scene"), tr("Scenes (*.toml)"), &MainWindow::openScene); });
     connect(&chooser, &chrome::SourceChooser::recentRequested, this, &MainWindow::openFile);
+    connect(&m_operate->bracelet(), &BraceletStation::chosen, this, &MainWindow::buildMenus);
+    connect(&m_operate->armViews().feedbackPanel(), &FeedbackPanel::changed, this, &MainWindow::saveFeedback);
+    connect(&m_sources, &SourceManager::activeChanged, this, &MainWindow::buildMenus);
+    restoreFeedback();
     fillDemos();
     chooser.setRecent(m_settings.recentFiles());
     buildMenus();
@@ -121,7 +146,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     if (options.size.isValid())
         resize(options.size);
     if (!m_settings.layout(QLatin1String(kOperate)).isEmpty())
-        m_operate->restoreLayout(m_settings.layout(QLatin1String(kOperate)));
+        m_operate->docks().restoreLayouts(m_settings.layout(QLatin1String(kOperate)));
 
     connect(&m_clock, &GuiClock::tick, this, &MainWindow::onTick);
     m_clock.start();
@@ -156,7 +181,7 @@ void MainWindow::openRequested(const ConsoleOptions& options) {
 }
 
 void MainWindow::openDemo() {
-    openScene(QStringLiteral(":/scenes/tactile-indenter.toml"));
+    openScene(QStringLiteral(":/scenes/teleta-touch.toml"));
 }
 
 void MainWindow::openScene(const QString& path) {
@@ -271,6 +296,8 @@ void MainWindow::onEscape(bool down) {
 void MainWindow::fillDemos() {
     // Titles are those of the scenes that come with the program; their files are resources.
     m_operate->chooser().setDemos({
+        {QStringLiteral(":/scenes/teleta-touch.toml"), tr("Demo: an arm touches five materials"),
+         tr("Sponge, rubber sponge, rubber, wood and metal: contact point, force, stiffness, bracelet")},
         {QStringLiteral(":/scenes/tactile-indenter.toml"), tr("Demo: a ball and a bar"),
          tr("A 6 x 14 array pressed by a ball that wanders, then by a bar that turns")},
         {QStringLiteral(":/scenes/tactile-two-contacts.toml"), tr("Demo: two contacts that meet"),
@@ -295,8 +322,8 @@ void MainWindow::buildMenus() {
     file->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
 
     QMenu* view = menuBar()->addMenu(tr("&View"));
-    view->addActions(m_operate->dockActions());
-    view->addAction(tr("&Reset layout"), this, [this] { m_operate->resetLayout(); });
+    view->addActions(m_operate->docks().actions());
+    view->addAction(tr("&Reset layout"), this, [this] { m_operate->docks().resetLayout(); });
     view->addSeparator();
     auto* themes = new QActionGroup(view);
     const QString current = m_settings.theme();
@@ -313,11 +340,77 @@ void MainWindow::buildMenus() {
     view->addAction(tr("&Full screen"), QKeySequence::FullScreen, this,
                     [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
 
+    buildArmMenu();
+    buildBraceletMenu();
+
     QMenu* help = menuBar()->addMenu(tr("&Help"));
     QAction* what = QWhatsThis::createAction(help);
     help->addAction(what);
     help->addAction(tr("&Shortcuts"), this, &MainWindow::showShortcuts);
     help->addAction(tr("&About TeleTA Console"), this, &MainWindow::showAbout);
+}
+
+void MainWindow::buildArmMenu() {
+    QMenu* menu = menuBar()->addMenu(tr("&Arm"));
+    ArmViews& arm = m_operate->armViews();
+    const bool hasArm = m_sources.active() != nullptr && m_sources.active()->arm != nullptr;
+    const auto add = [&](const QString& text, const QKeySequence& key, auto call) {
+        QAction* action = menu->addAction(text, key, &arm, call);
+        action->setEnabled(hasArm);
+        return action;
+    };
+    add(tr("&Run its program"), Qt::Key_F5, [&arm] { arm.setProgramRunning(true); });
+    add(tr("&Hold"), Qt::SHIFT | Qt::Key_F5, [&arm] { arm.setProgramRunning(false); });
+    add(tr("Begin &anew"), Qt::CTRL | Qt::Key_F5, [&arm] { arm.restartProgram(); });
+    menu->addSeparator();
+    add(tr("&Forget the explored contour"), Qt::CTRL | Qt::SHIFT | Qt::Key_N, [&arm] {
+        arm.forgetContour();
+    })->setToolTip(tr("What is touched from now on is another object"));
+}
+
+void MainWindow::buildBraceletMenu() {
+    QMenu* menu = menuBar()->addMenu(tr("&Bracelet"));
+    auto* group = new QActionGroup(menu);
+    BraceletStation& bracelet = m_operate->bracelet();
+    const auto add = [&](const QString& text, BraceletChoice choice) {
+        QAction* action = menu->addAction(text, this, [this, &bracelet, choice] {
+            for (const BraceletName& known : kBracelets)
+                if (known.choice == choice)
+                    m_settings.setBracelet(QLatin1String(known.name));
+            // Not from within the menu, which is built anew.
+            QMetaObject::invokeMethod(
+                &bracelet, [&bracelet, choice] { bracelet.choose(choice); }, Qt::QueuedConnection);
+        });
+        action->setCheckable(true);
+        action->setChecked(bracelet.choice() == choice);
+        group->addAction(action);
+    };
+    add(tr("&Simulated"), BraceletChoice::simulated);
+    add(tr("&USB"), BraceletChoice::hid);
+    add(tr("&None"), BraceletChoice::none);
+}
+
+void MainWindow::restoreFeedback() {
+    FeedbackPanel& panel = m_operate->armViews().feedbackPanel();
+    if (!m_settings.patternMap().isEmpty()) {
+        const auto map = pattern::patternMapFromJson(m_settings.patternMap().toStdString(), "settings");
+        if (map)
+            panel.setMap(*map);
+    }
+    for (const FeedbackName& known : kFeedbackModes)
+        if (m_settings.feedbackMode() == QLatin1String(known.name))
+            panel.setMode(known.mode);
+    for (const BraceletName& known : kBracelets)
+        if (m_settings.bracelet() == QLatin1String(known.name))
+            m_operate->bracelet().choose(known.choice);
+}
+
+void MainWindow::saveFeedback() {
+    const FeedbackPanel& panel = m_operate->armViews().feedbackPanel();
+    m_settings.setPatternMap(QString::fromStdString(pattern::patternMapToJson(panel.map())));
+    for (const FeedbackName& known : kFeedbackModes)
+        if (panel.mode() == known.mode)
+            m_settings.setFeedbackMode(QLatin1String(known.name));
 }
 
 void MainWindow::setTheme(const QString& theme) {
@@ -335,7 +428,7 @@ void MainWindow::showShortcuts() {
 
 void MainWindow::saveState() {
     m_settings.setGeometry(saveGeometry());
-    m_settings.setLayout(QLatin1String(kOperate), m_operate->saveLayout());
+    m_settings.setLayout(QLatin1String(kOperate), m_operate->docks().saveLayouts());
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

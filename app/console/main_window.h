@@ -50,6 +50,10 @@ protected:
 
 private:
     void buildMenus();
+    void buildArmMenu();
+    void buildBraceletMenu();
+    void restoreFeedback();
+    void saveFeedback();
     void fillDemos();
     void onTick();
     void onFailed(const QString& name, const core::Error& error);

@@ -11,8 +11,6 @@
 #include "widgets/tactile/heatmap_view.h"
 #include "widgets/view3d/scene3d_view.h"
 
-#include <QAction>
-#include <QDockWidget>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QPushButton>
@@ -26,18 +24,25 @@ namespace teleta::console {
 
 namespace {
 
-/// Version of the dock layout: a stored layout of another version is not restored.
-constexpr int kLayoutVersion = 1;
-
 base::Provenance provenanceOf(const core::SourceDescription& description) {
     if (description.simulated)
         return base::Provenance::simulated;
     return description.recorded ? base::Provenance::recorded : base::Provenance::live;
 }
 
+/// Nobody looks at this arm: what it felt meanwhile is not shown later as if it were new.
+void drain(pipeline::ArmChannel& arm) {
+    core::JointSample sample;
+    while (arm.popSample(sample)) {
+    }
+    pipeline::TouchRecord touch;
+    while (arm.popTouch(touch)) {
+    }
+}
+
 } // namespace
 
-OperatePage::OperatePage(SourceManager& sources, QWidget* parent)
+OperatePage::OperatePage(SourceManager& sources, core::StopSwitch& stop, QWidget* parent)
     : QWidget(parent)
     , m_sources(sources)
     , m_messages(new chrome::MessageBar(this))
@@ -45,32 +50,30 @@ OperatePage::OperatePage(SourceManager& sources, QWidget* parent)
     , m_playback(new chrome::PlaybackBar(this))
     , m_stack(new QStackedWidget(this))
     , m_empty(new chrome::EmptyState(base::Icon::sensor, this))
-    , m_docks(new QMainWindow(this))
+    , m_docks(new OperateDocks(this))
+    , m_bracelet(new BraceletStation(stop, this))
     , m_heatmap(new tactile::HeatmapView(this))
     , m_charts(new charts::StripChartView(this))
     , m_scene(new view3d::Scene3dView(this))
-    , m_settings(new tactile::ChannelSettingsPanel(this)) {
+    , m_settings(new tactile::ChannelSettingsPanel(this))
+    , m_arm(new ArmViews(stop, *m_bracelet, *m_scene, this)) {
     auto* top = new QHBoxLayout;
     top->setContentsMargins(base::grid(this), base::grid(this, 0.5), base::grid(this), base::grid(this, 0.5));
     top->addWidget(m_chooser);
     top->addWidget(m_playback, 1);
     top->addStretch(0);
 
-    // A main window inside the page gives it docks of its own; it is no window itself.
-    m_docks->setWindowFlags(Qt::Widget);
-    m_docks->setDockNestingEnabled(true);
-    m_docks->setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowNestedDocks |
-                            QMainWindow::AllowTabbedDocks);
-    m_heatmapDock = addDock(QStringLiteral("heatmap"), m_heatmap);
-    m_sceneDock = addDock(QStringLiteral("reconstruction"), m_scene);
-    m_chartsDock = addDock(QStringLiteral("charts"), m_charts);
     auto* scroll = new QScrollArea(this);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setWidget(m_settings);
-    m_settingsDock = addDock(QStringLiteral("processing"), scroll);
-    resetLayout();
+    m_docks->add(OperateDocks::heatmap, m_heatmap);
+    m_docks->add(OperateDocks::reconstruction, m_scene);
+    m_docks->add(OperateDocks::charts, m_charts);
+    m_docks->add(OperateDocks::processing, scroll);
+    m_arm->addTo(*m_docks);
+    m_docks->begin();
 
     m_stack->addWidget(m_empty);
     m_stack->addWidget(m_docks);
@@ -115,67 +118,13 @@ OperatePage::OperatePage(SourceManager& sources, QWidget* parent)
     connect(m_heatmap, &tactile::HeatmapView::exportFailed, this, report);
     connect(m_charts, &charts::StripChartView::exportFailed, this, report);
     connect(m_scene, &view3d::Scene3dView::failed, this, report);
+    connect(m_arm, &ArmViews::exportFailed, this, report);
+    connect(&m_arm->feedbackPanel(), &FeedbackPanel::failed, this, report);
+    connect(m_bracelet, &BraceletStation::failed, this, &OperatePage::onBraceletFailed);
     connectPlayback();
     retranslate();
     onSourcesChanged();
     onActiveChanged();
-}
-
-QDockWidget* OperatePage::addDock(const QString& name, QWidget* view) {
-    auto* dock = new QDockWidget(m_docks);
-    dock->setObjectName(name); // saveState() needs it
-    dock->setWidget(view);
-    m_docks->addDockWidget(Qt::LeftDockWidgetArea, dock);
-    return dock;
-}
-
-void OperatePage::resetLayout() {
-    for (QDockWidget* dock : {m_heatmapDock, m_sceneDock, m_chartsDock, m_settingsDock}) {
-        dock->setFloating(false);
-        m_docks->removeDockWidget(dock);
-    }
-    m_docks->addDockWidget(Qt::LeftDockWidgetArea, m_heatmapDock);
-    m_docks->splitDockWidget(m_heatmapDock, m_chartsDock, Qt::Vertical);
-    m_docks->splitDockWidget(m_heatmapDock, m_sceneDock, Qt::Horizontal);
-    m_docks->addDockWidget(Qt::RightDockWidgetArea, m_settingsDock);
-    for (QDockWidget* dock : {m_heatmapDock, m_sceneDock, m_chartsDock, m_settingsDock})
-        dock->show();
-    m_defaultLayout = true;
-    shareSpace();
-}
-
-void OperatePage::shareSpace() {
-    const int settings = base::em(this, 18);
-    const int rest = std::max(m_docks->width() - settings, settings);
-    m_docks->resizeDocks({m_heatmapDock, m_chartsDock},
-                         {m_docks->height() * 11 / 20, m_docks->height() * 9 / 20}, Qt::Vertical);
-    m_docks->resizeDocks({m_heatmapDock, m_sceneDock, m_settingsDock},
-                         {rest * 11 / 20, rest * 9 / 20, settings}, Qt::Horizontal);
-}
-
-void OperatePage::showEvent(QShowEvent* event) {
-    QWidget::showEvent(event);
-    // Only now does the dock area have its size. A layout that was restored keeps its own shares.
-    if (m_defaultLayout)
-        QMetaObject::invokeMethod(this, &OperatePage::shareSpace, Qt::QueuedConnection);
-}
-
-QList<QAction*> OperatePage::dockActions() const {
-    return {m_heatmapDock->toggleViewAction(), m_sceneDock->toggleViewAction(),
-            m_chartsDock->toggleViewAction(), m_settingsDock->toggleViewAction()};
-}
-
-QByteArray OperatePage::saveLayout() const {
-    return m_docks->saveState(kLayoutVersion);
-}
-
-bool OperatePage::restoreLayout(const QByteArray& layout) {
-    if (m_docks->restoreState(layout, kLayoutVersion)) {
-        m_defaultLayout = false;
-        return true;
-    }
-    resetLayout();
-    return false;
 }
 
 void OperatePage::tick() {
@@ -190,6 +139,8 @@ void OperatePage::tick() {
             if (active)
                 m_charts->append(sample);
         }
+        if (item.arm && !active)
+            drain(*item.arm);
         if (!item.channel->update() || !active)
             continue;
         const pipeline::TouchSnapshot& snapshot = item.channel->snapshot();
@@ -203,6 +154,8 @@ void OperatePage::tick() {
         }
     }
     m_charts->refresh();
+    m_bracelet->tick();
+    m_arm->tick();
     if (core::PlaybackControl* control = playback())
         m_playback->setPosition(control->position());
 }
@@ -237,6 +190,25 @@ std::vector<chrome::DeviceReading> OperatePage::readings() const {
         }
         readings.push_back(std::move(reading));
     }
+    for (const SourceManager::Item& item : m_sources.items()) {
+        if (item.arm == nullptr)
+            continue;
+        const core::DeviceStatus status = item.arm->status();
+        chrome::DeviceReading reading;
+        reading.name = tr("joints");
+        reading.provenance = provenanceOf(item.channel->description());
+        reading.state = core::observedState(status.state, status.lastData_ns, now_ns,
+                                            core::staleAfter_ns(item.arm->description().nominalRate_Hz));
+        reading.age_s =
+            status.lastData_ns > 0 ? static_cast<double>(now_ns - status.lastData_ns) * 1e-9 : 0.0;
+        reading.rate_Hz = status.rate_Hz;
+        reading.lost = status.framesLost;
+        reading.displayed = item.arm->samplesProcessed() - item.arm->samplesNotShown();
+        reading.details = QString::fromStdString(status.message);
+        readings.push_back(std::move(reading));
+    }
+    if (auto bracelet = m_bracelet->reading())
+        readings.push_back(std::move(*bracelet));
     return readings;
 }
 
@@ -261,6 +233,11 @@ void OperatePage::onActiveChanged() {
         m_heatmap->clear();
         m_scene->clear();
     }
+    const std::shared_ptr<pipeline::ArmChannel> arm = item != nullptr ? item->arm : nullptr;
+    if (arm != m_arm->arm()) {
+        m_arm->setArm(arm, arm ? provenanceOf(item->channel->description()) : base::Provenance::live);
+        m_docks->setKind(arm ? OperateDocks::Kind::arm : OperateDocks::Kind::array);
+    }
     m_settings->setEnabled(item != nullptr);
     onSourcesChanged();
 }
@@ -276,11 +253,7 @@ void OperatePage::onSourcesChanged() {
     m_chooser->setSources(sources, active != nullptr ? active->key : 0);
     m_playback->setVisible(playback() != nullptr);
     QWidget* shown = m_sources.items().empty() ? static_cast<QWidget*>(m_empty) : m_docks;
-    if (m_stack->currentWidget() == shown)
-        return;
     m_stack->setCurrentWidget(shown);
-    if (shown == m_docks && m_defaultLayout)
-        QMetaObject::invokeMethod(this, &OperatePage::shareSpace, Qt::QueuedConnection);
 }
 
 void OperatePage::connectPlayback() {
@@ -323,6 +296,11 @@ void OperatePage::watchFailures(const SourceManager::Item& item) {
                       QString::fromStdString(status.message)});
 }
 
+void OperatePage::onBraceletFailed(const core::Error& error) {
+    m_messages->post({chrome::Message::Severity::error, tr("The bracelet could not be opened."),
+                      QString::fromStdString(core::describe(error)), QString()});
+}
+
 void OperatePage::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange)
@@ -330,10 +308,7 @@ void OperatePage::changeEvent(QEvent* event) {
 }
 
 void OperatePage::retranslate() {
-    m_heatmapDock->setWindowTitle(tr("Heatmap"));
-    m_sceneDock->setWindowTitle(tr("Reconstruction"));
-    m_chartsDock->setWindowTitle(tr("Features over time"));
-    m_settingsDock->setWindowTitle(tr("Processing"));
+    m_docks->retranslate();
     m_empty->setTexts(tr("No source"),
                       tr("Open a demo scene to look around, a recording, or a list of sources."));
     const auto set = [this](const char* name, const QString& text, const QString& toolTip) {
@@ -341,7 +316,7 @@ void OperatePage::retranslate() {
         button->setText(text);
         button->setToolTip(toolTip);
     };
-    set("openDemo", tr("Open &demo scene"), tr("A simulated tactile array that is touched"));
+    set("openDemo", tr("Open &demo scene"), tr("A simulated arm that touches five materials"));
     set("openRecording", tr("Open &recording\u2026"), tr("Recorded frames as CSV: time_s,t0,t1,\u2026"));
     set("openList", tr("Open source &list\u2026"), tr("A TOML file that lists scenes and recordings"));
 }

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/console/arm_views.h"
+#include "app/console/bracelet_station.h"
+#include "app/console/operate_docks.h"
 #include "app/console/source_manager.h"
 #include "widgets/chrome/device_strip.h"
 #include "widgets/chrome/message_bar.h"
 #include "widgets/chrome/source_chooser.h"
 
-#include <QList>
-#include <QMainWindow>
 #include <QWidget>
 
 #include <optional>
 #include <vector>
 
-class QAction;
-class QDockWidget;
 class QStackedWidget;
 
 namespace teleta::tactile {
@@ -41,7 +40,7 @@ class OperatePage : public QWidget {
     Q_OBJECT
 
 public:
-    explicit OperatePage(SourceManager& sources, QWidget* parent = nullptr);
+    OperatePage(SourceManager& sources, core::StopSwitch& stop, QWidget* parent = nullptr);
 
     /// Repaints what changed since the last tick.
     void tick();
@@ -51,12 +50,9 @@ public:
     [[nodiscard]] chrome::SourceChooser& chooser() { return *m_chooser; }
     [[nodiscard]] chrome::MessageBar& messages() { return *m_messages; }
 
-    /// Actions that show and hide the docks.
-    [[nodiscard]] QList<QAction*> dockActions() const;
-    [[nodiscard]] QByteArray saveLayout() const;
-    /// False when the layout is of another version or damaged; the default layout is then in place.
-    bool restoreLayout(const QByteArray& layout);
-    void resetLayout();
+    [[nodiscard]] OperateDocks& docks() { return *m_docks; }
+    [[nodiscard]] ArmViews& armViews() { return *m_arm; }
+    [[nodiscard]] BraceletStation& bracelet() { return *m_bracelet; }
     void retranslate();
 
 signals:
@@ -66,14 +62,11 @@ signals:
 
 protected:
     void changeEvent(QEvent* event) override;
-    void showEvent(QShowEvent* event) override;
 
 private:
-    void shareSpace();
-    QDockWidget* addDock(const QString& name, QWidget* view);
     void onActiveChanged();
     void onSourcesChanged();
-    void showState();
+    void onBraceletFailed(const core::Error& error);
     void connectPlayback();
     void watchFailures(const SourceManager::Item& item);
     core::PlaybackControl* playback();
@@ -84,16 +77,13 @@ private:
     chrome::PlaybackBar* m_playback;
     QStackedWidget* m_stack;
     chrome::EmptyState* m_empty;
-    QMainWindow* m_docks;
+    OperateDocks* m_docks;
+    BraceletStation* m_bracelet;
     tactile::HeatmapView* m_heatmap;
     charts::StripChartView* m_charts;
     view3d::Scene3dView* m_scene;
     tactile::ChannelSettingsPanel* m_settings;
-    QDockWidget* m_heatmapDock = nullptr;
-    QDockWidget* m_sceneDock = nullptr;
-    QDockWidget* m_chartsDock = nullptr;
-    QDockWidget* m_settingsDock = nullptr;
-    bool m_defaultLayout = true;
+    ArmViews* m_arm;
     std::uint64_t m_settingsRevision = 0;
     std::optional<double> m_latency_s;
     std::vector<pipeline::ChannelKey> m_reportedLost;

@@ -3,6 +3,7 @@
 
 #include "backend/core/frame_file.h"
 #include "backend/scene/scene_reader.h"
+#include "backend/scene_run/scene_settings.h"
 #include "backend/simulation/arm/simulated_arm.h"
 #include "backend/simulation/simulated_array.h"
 #include "devices/replay/replay_config.h"
@@ -115,29 +116,14 @@ core::Expected<scene::Scene> readSceneOrResource(const std::string& path) {
     return scene::parseScene(file.readAll().toStdString(), path);
 }
 
-/// Three standard deviations of the taxels' noise: what a scene without a firing threshold needs at least.
-double noiseBorder_N(const scene::Scene& scene) {
-    for (const scene::Effect& effect : scene.effects) {
-        if (const auto* noise = std::get_if<scene::NoiseSpec>(&effect.parameters))
-            return 3.0 * noise->sd_N;
-    }
-    return 0.0;
-}
-
 core::Expected<pipeline::OpenedSource> openArm(const scene::Scene& scene, std::uint64_t seed,
                                                const core::StopSwitch& stop) {
-    // A touch is evaluated at 0.3 N, spread over several taxels.
-    constexpr double kLeastThreshold_N = 0.005;
-    constexpr int kLeastTaxels = 4; // of one contact; fewer that fire together are noise
     auto generator = simulation::makeArm(scene, seed);
     if (!generator)
         return core::Unexpected(generator.error());
-    pipeline::ChannelSettings settings = settingsFor(
-        std::max({scene.arm().skin.firingThreshold_N, noiseBorder_N(scene), kLeastThreshold_N}), "N");
-    settings.segmentation.minimumTaxels = kLeastTaxels;
     auto arm = std::make_unique<simulated::SimulatedArmDevice>(std::move(*generator), stop);
     auto skin = arm->makeSkin();
-    return pipeline::OpenedSource{std::move(skin), std::move(settings), std::move(arm), {}};
+    return pipeline::OpenedSource{std::move(skin), scene_run::channelSettings(scene), std::move(arm), {}};
 }
 
 core::Expected<pipeline::OpenedSource> openScene(const SceneRequest& request, const core::StopSwitch& stop) {
@@ -149,11 +135,8 @@ core::Expected<pipeline::OpenedSource> openScene(const SceneRequest& request, co
     auto array = simulation::makeTactileArray(*scene, request.seed);
     if (!array)
         return core::Unexpected(array.error());
-    const double threshold_N = scene->array().sensor.firingThreshold_N > 0.0
-                                   ? scene->array().sensor.firingThreshold_N
-                                   : contact::FeatureSettings{}.threshold_N;
     return pipeline::OpenedSource{std::make_unique<simulated::SimulatedArrayDevice>(std::move(*array), stop),
-                                  settingsFor(threshold_N, "N")};
+                                  scene_run::channelSettings(*scene)};
 }
 
 core::Expected<pipeline::OpenedSource> openWts(const WtsRequest& request) {

@@ -2,6 +2,7 @@
 #include "backend/pipeline/tactile_feedback.h"
 
 #include "backend/core/steady_time.h"
+#include "backend/playback/pattern_program.h"
 
 #include <utility>
 
@@ -9,22 +10,14 @@ namespace teleta::pipeline {
 
 namespace {
 
-using Compiled = std::shared_ptr<const pattern::CompiledPattern>;
+using playback::Program;
 
-playback::Program programOf(Compiled pattern) {
-    const double duration_s = pattern->duration_s();
-    return {.evaluate = [pattern = std::move(pattern)](double t_s) { return pattern->evaluate(t_s); },
-            .duration_s = duration_s};
-}
-
-playback::Program oneAfterTheOther(Compiled first, Compiled second) {
-    const double begin_s = first->duration_s() + TactileFeedback::kPause_s;
-    const double duration_s = begin_s + second->duration_s();
-    return {.evaluate =
-                [first = std::move(first), second = std::move(second), begin_s](double t_s) {
-                    return t_s < begin_s ? first->evaluate(t_s) : second->evaluate(t_s - begin_s);
-                },
-            .duration_s = duration_s};
+Program oneAfterTheOther(const Program& first, const Program& second) {
+    const double begin_s = first.duration_s + TactileFeedback::kPause_s;
+    return {[first, second, begin_s](double t_s) {
+                return t_s < begin_s ? first.evaluate(t_s) : second.evaluate(t_s - begin_s);
+            },
+            begin_s + second.duration_s};
 }
 
 } // namespace
@@ -37,8 +30,7 @@ TactileFeedback::TactileFeedback(Play play)
 void TactileFeedback::setMap(const pattern::PatternMap& map, const Library& library) {
     const auto entryOf = [&library](const std::string& id) {
         const pattern::Pattern* pattern = id.empty() ? nullptr : library(id);
-        return pattern == nullptr ? Entry{}
-                                  : Entry{id, std::make_shared<const pattern::CompiledPattern>(*pattern)};
+        return pattern == nullptr ? Entry{} : Entry{id, playback::programOf(*pattern)};
     };
     Settings settings = *m_settings.get();
     for (std::size_t i = 0; i < map.stiffness.size(); ++i)
@@ -78,8 +70,8 @@ void TactileFeedback::onTouch(const TouchRecord& record) {
     const Entry* entry = ofStiffness(*settings, record);
     if (entry == nullptr)
         return;
-    if (entry->pattern)
-        m_play(programOf(entry->pattern));
+    if (entry->program.evaluate)
+        m_play(entry->program);
     FeedbackSent sent = messageOf(record, *entry);
     sent.material = record.stiffness->material;
     m_sent.push(std::move(sent));
@@ -92,10 +84,11 @@ void TactileFeedback::onContour(const TouchRecord& record, const ExploredContour
         return;
     const Entry& entry = settings->shape[static_cast<std::size_t>(*shape)];
     const Entry* before = ofStiffness(*settings, record);
-    if (entry.pattern) {
+    if (entry.program.evaluate) {
         // The pattern of the stiffness has begun a moment ago: it begins again, with the shape behind it.
-        m_play(before != nullptr && before->pattern ? oneAfterTheOther(before->pattern, entry.pattern)
-                                                    : programOf(entry.pattern));
+        m_play(before != nullptr && before->program.evaluate
+                   ? oneAfterTheOther(before->program, entry.program)
+                   : entry.program);
     }
     FeedbackSent sent = messageOf(record, entry);
     sent.shape = shape;

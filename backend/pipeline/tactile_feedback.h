@@ -66,7 +66,7 @@ public:
 private:
     struct Entry {
         std::string id;
-        std::shared_ptr<const pattern::CompiledPattern> pattern; ///< null: nothing is played
+        playback::Program program; ///< without evaluate: nothing is played
     };
     struct Settings {
         FeedbackMode mode = FeedbackMode::both;

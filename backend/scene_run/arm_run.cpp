@@ -6,6 +6,7 @@
 #include "backend/pipeline/contour_explorer.h"
 #include "backend/pipeline/touch_estimator.h"
 #include "backend/scene_run/frame_log.h"
+#include "backend/scene_run/scene_settings.h"
 #include "backend/scene_run/touch_log.h"
 #include "backend/simulation/arm/simulated_arm.h"
 #include "backend/simulation/effect_time.h"
@@ -63,9 +64,9 @@ private:
 /// The strongest contact of a skin frame.
 class SkinReader {
 public:
-    SkinReader(const core::ArrayLayout& layout, double threshold_N)
+    SkinReader(const core::ArrayLayout& layout, const contact::SegmentationSettings& settings)
         : m_conditioner(layout.taxels(), {})
-        , m_segmenter(layout, {.threshold_N = threshold_N})
+        , m_segmenter(layout, settings)
         , m_load_N(layout.taxels())
         , m_dead(layout.taxels()) {}
 
@@ -191,8 +192,7 @@ core::Expected<SceneSummary> runArmScene(const scene::Scene& scene, const RunOpt
     const auto samples = static_cast<std::uint64_t>(std::llround(duration_s * description.nominalRate_Hz));
     pipeline::TouchEstimator estimator(description);
     pipeline::ContourExplorer explorer;
-    const double firing_N = scene.arm().skin.firingThreshold_N;
-    SkinReader reader(layout, firing_N > 0.0 ? firing_N : contact::SegmentationSettings{}.threshold_N);
+    SkinReader reader(layout, channelSettings(scene).segmentation);
     SceneSummary summary;
     std::vector<ComparedTouch> touches;
     std::vector<double> errors_m;

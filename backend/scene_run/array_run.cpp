@@ -5,6 +5,7 @@
 #include "backend/contact/frame_conditioner.h"
 #include "backend/scene_run/contact_errors.h"
 #include "backend/scene_run/frame_log.h"
+#include "backend/scene_run/scene_settings.h"
 #include "backend/simulation/simulated_array.h"
 
 #include <cmath>
@@ -33,9 +34,7 @@ core::Expected<SceneSummary> runArrayScene(const scene::Scene& scene, const RunO
     const double duration_s = options.duration_s.value_or(scene.duration_s);
     const auto frames = static_cast<std::uint64_t>(std::llround(duration_s * description.nominalRate_Hz));
     const contact::FrameConditioner conditioner(layout.taxels(), {});
-    contact::SegmentationSettings settings;
-    if (scene.array().sensor.firingThreshold_N > 0.0)
-        settings.threshold_N = scene.array().sensor.firingThreshold_N;
+    const contact::SegmentationSettings settings = channelSettings(scene).segmentation;
     contact::ContactSegmenter segmenter(layout, settings);
     std::vector<float> values(layout.taxels());
     std::vector<float> load_N(layout.taxels());

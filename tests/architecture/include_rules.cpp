@@ -74,7 +74,8 @@ const std::vector<Rule> kRules = {
      {"QtCore", "posix", "expected", "CLI11", "nlohmann_json"}},
     {"app/console",
      {"backend", "devices", "widgets", "app/common"},
-     {"QtCore", "QtGui", "QtWidgets", "QtSvg", "QtPrintSupport", "QtOpenGLWidgets", "posix", "expected"}},
+     {"QtCore", "QtGui", "QtWidgets", "QtSvg", "QtPrintSupport", "QtOpenGLWidgets", "posix", "expected",
+      "Eigen"}},
 };
 
 struct Library {

@@ -32,6 +32,8 @@ void DeviceStrip::setReadings(const std::vector<DeviceReading>& readings) {
                   now.provenance != cell.reading.provenance;
         cell.reading = now;
         cell.rate.update(now.rate_Hz);
+        cell.touchToSkin_ms.update(now.touchToSkin_s ? std::optional(*now.touchToSkin_s * 1e3)
+                                                     : std::nullopt);
         cell.latency_ms.update(now.latency_s ? std::optional(*now.latency_s * 1e3) : std::nullopt);
         const QString before = cell.text;
         compose(cell);
@@ -73,6 +75,8 @@ void DeviceStrip::compose(Cell& cell) const {
     parts << tr("%1 lost", "frames").arg(base::shortCount(reading.lost));
     if (reading.active && cell.latency_ms.shown() && reading.state == core::DeviceState::live)
         parts << tr("to screen %1 ms").arg(cell.latency_ms.text().trimmed());
+    if (cell.touchToSkin_ms.shown())
+        parts << tr("touch to skin %1 ms").arg(cell.touchToSkin_ms.text().trimmed());
     cell.text = parts.join(QStringLiteral("  "));
 }
 
@@ -164,6 +168,9 @@ QString DeviceStrip::toolTipText(const Cell& cell) const {
     };
     if (reading.latency_s)
         lines << tr("From the read to the screen: %1 ms").arg(*reading.latency_s * 1e3, 0, 'f', 1);
+    if (reading.touchToSkin_s)
+        lines << tr("From the completed touch to the first frame of its pattern: %1 ms")
+                     .arg(*reading.touchToSkin_s * 1e3, 0, 'f', 1);
     if (!reading.details.isEmpty())
         lines << reading.details;
     return lines.join(QLatin1Char('\n'));

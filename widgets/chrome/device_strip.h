@@ -23,9 +23,10 @@ struct DeviceReading {
     double rate_Hz = 0.0;                                ///< achieved
     std::uint64_t lost = 0;
     std::uint64_t displayed = 0;
-    std::optional<double> latency_s; ///< from the read of a frame to its picture
-    QString details;                 ///< why it is lost; shown in the tool tip
-    bool active = false;             ///< its data are what the views show
+    std::optional<double> latency_s;     ///< from the read of a frame to its picture
+    std::optional<double> touchToSkin_s; ///< of a bracelet: from the touch that was felt last to its pattern
+    QString details;                     ///< why it is lost; shown in the tool tip
+    bool active = false;                 ///< its data are what the views show
 };
 
 /// The devices in the status bar: glyph, name, word, rate and losses of each. A click asks for the device's
@@ -56,6 +57,7 @@ private:
         DeviceReading reading;
         base::SteadyNumber rate{1.0};
         base::SteadyNumber latency_ms{0.5};
+        base::SteadyNumber touchToSkin_ms{0.1};
         QString text;
         QRect rect;
     };

@@ -88,7 +88,7 @@ private slots:
         QTest::mouseClick(demo, Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(showsData(), 20'000);
         QVERIFY(!demo->isVisible());
-        QTRY_VERIFY(child<chrome::DeviceStrip>()->text(0).contains("tactile-indenter"));
+        QTRY_VERIFY(child<chrome::DeviceStrip>()->text(0).contains("teleta-touch"));
         QVERIFY(!child<chrome::PlaybackBar>()->isVisible());
     }
 
@@ -174,18 +174,18 @@ private slots:
 
     void restoresALayoutAndFallsBackFromADamagedOne() {
         openWindow();
-        auto& page = m_window->operatePage();
+        auto& page = m_window->operatePage().docks();
         auto* charts = m_window->findChild<QDockWidget*>("charts");
         QVERIFY(charts != nullptr);
         charts->close();
-        const QByteArray closed = page.saveLayout();
+        const QByteArray closed = page.saveLayouts();
         page.resetLayout();
         QVERIFY(!charts->isHidden());
-        QVERIFY(page.restoreLayout(closed));
+        QVERIFY(page.restoreLayouts(closed));
         QVERIFY(charts->isHidden());
-        QVERIFY(!page.restoreLayout("damaged"));
+        QVERIFY(!page.restoreLayouts("damaged"));
         QVERIFY(!charts->isHidden());
-        for (QAction* action : page.dockActions())
+        for (QAction* action : page.actions())
             QVERIFY(!action->text().isEmpty());
     }
 

@@ -33,6 +33,16 @@ private slots:
         QVERIFY(strip.accessibleDescription().contains("array"));
     }
 
+    void saysHowLongAfterATouchTheSkinFeltIt() {
+        DeviceStrip strip;
+        DeviceReading reading = live("bracelet");
+        strip.setReadings({reading});
+        QVERIFY(!strip.text(0).contains("skin"));
+        reading.touchToSkin_s = 0.0032;
+        strip.setReadings({reading});
+        QVERIFY2(strip.text(0).contains("touch to skin 3.20 ms"), qPrintable(strip.text(0)));
+    }
+
     void saysHowOldStaleDataAre() {
         DeviceStrip strip;
         DeviceReading reading = live("array");

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/bracelet_device.h"
+#include "backend/core/error.h"
+#include "backend/core/stop_switch.h"
+#include "backend/core/wakeup.h"
+#include "backend/playback/player.h"
+
+#include <memory>
+
+namespace teleta::console {
+
+/// Which bracelet the console drives.
+enum class BraceletChoice {
+    none,
+    simulated,
+    hid, ///< the first bracelet that is plugged in
+};
+
+/// A connected bracelet with its player. Making one and letting it go may wait for the device: off the GUI's
+/// thread. Thread: player() any, see Player.
+class BraceletSession {
+public:
+    /// stop must outlive the session. choice: not none. Error: of the device.
+    [[nodiscard]] static core::Expected<std::shared_ptr<BraceletSession>> open(BraceletChoice choice,
+                                                                               const core::StopSwitch& stop);
+    BraceletSession(std::unique_ptr<core::BraceletSource> source, const core::StopSwitch& stop);
+    ~BraceletSession();
+    BraceletSession(const BraceletSession&) = delete;
+    BraceletSession& operator=(const BraceletSession&) = delete;
+
+    [[nodiscard]] const core::BraceletSource& source() const { return *m_source; }
+    [[nodiscard]] playback::Player& player() { return *m_player; }
+
+private:
+    core::Wakeup m_wakeup; ///< nobody waits for it: the views look at 30 Hz
+    std::unique_ptr<core::BraceletSource> m_source;
+    std::unique_ptr<playback::Player> m_player;
+};
+
+} // namespace teleta::console

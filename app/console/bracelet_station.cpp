@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/bracelet_station.h"
+
+#include "app/console/background.h"
+#include "backend/core/device_state.h"
+#include "backend/core/steady_time.h"
+#include "backend/pattern/built_in_patterns.h"
+#include "backend/playback/pattern_program.h"
+
+#include <utility>
+
+namespace teleta::console {
+
+namespace {
+
+/// How strong a tactor is that is held to be felt: clearly, but not all it has.
+constexpr double kHeldIntensity = 0.75;
+
+const pattern::Pattern* fromLibrary(const std::string& id) {
+    return pattern::findBuiltIn(id);
+}
+
+} // namespace
+
+BraceletStation::BraceletStation(core::StopSwitch& stop, QObject* parent)
+    : QObject(parent)
+    , m_stop(stop)
+    , m_slot(std::make_shared<core::LatestCopy<std::shared_ptr<BraceletSession>>>())
+    , m_feedback(std::make_shared<pipeline::TactileFeedback>([slot = m_slot](playback::Program program) {
+        if (const auto session = slot->get())
+            session->player().play(std::move(program));
+    })) {
+}
+
+BraceletStation::~BraceletStation() {
+    m_slot->set(nullptr);
+}
+
+void BraceletStation::letGo() {
+    m_slot->set(nullptr);
+    m_held.reset();
+    // Its end waits for the device's last frame.
+    if (m_session)
+        QThreadPool::globalInstance()->start(
+            [session = std::exchange(m_session, nullptr)]() mutable { session.reset(); });
+}
+
+void BraceletStation::choose(BraceletChoice choice) {
+    letGo();
+    m_choice = choice;
+    emit chosen(choice);
+    if (choice == BraceletChoice::none)
+        return;
+    runInBackground(
+        this, [choice, &stop = m_stop] { return BraceletSession::open(choice, stop); },
+        [this, choice](core::Expected<std::shared_ptr<BraceletSession>> session) {
+            if (choice != m_choice || m_session)
+                return;
+            if (!session) {
+                m_choice = BraceletChoice::none;
+                emit chosen(m_choice);
+                emit failed(session.error());
+                return;
+            }
+            m_session = std::move(*session);
+            m_slot->set(m_session);
+        });
+}
+
+void BraceletStation::setMap(const pattern::PatternMap& map) {
+    m_feedback->setMap(map, fromLibrary);
+}
+
+void BraceletStation::setMode(pipeline::FeedbackMode mode) {
+    m_feedback->setMode(mode);
+}
+
+void BraceletStation::play(const QString& patternId) {
+    const pattern::Pattern* pattern = fromLibrary(patternId.toStdString());
+    if (pattern == nullptr || !m_session)
+        return;
+    m_session->player().play(playback::programOf(*pattern));
+}
+
+void BraceletStation::hold(std::optional<std::size_t> tactor) {
+    m_held = tactor;
+    if (!m_session)
+        return;
+    if (tactor) {
+        m_session->player().startLive();
+        repeatHold();
+    } else {
+        m_session->player().stop();
+    }
+}
+
+void BraceletStation::repeatHold() {
+    if (!m_held || !m_session)
+        return;
+    core::Intensities intensities{};
+    intensities[*m_held] = kHeldIntensity;
+    m_session->player().post(intensities, core::steadyNow_ns());
+}
+
+void BraceletStation::tick() {
+    repeatHold();
+    pipeline::FeedbackSent sent;
+    while (m_feedback->popSent(sent)) {
+        m_last = FeedbackEvent{std::move(sent), std::nullopt};
+        emit felt(*m_last);
+    }
+    if (!m_session || !m_last || m_last->onset_s || m_last->sent.patternId.empty())
+        return;
+    const playback::PlayerCounters counters = m_session->player().counters();
+    if (counters.onset_ns < m_last->sent.felt_ns)
+        return;
+    m_last->onset_s = static_cast<double>(counters.onset_ns - m_last->sent.felt_ns) * 1e-9;
+    m_touchToSkin_s = m_last->onset_s;
+    emit felt(*m_last);
+}
+
+core::Intensities BraceletStation::given() const {
+    return m_session ? m_session->player().status().given : core::Intensities{};
+}
+
+bool BraceletStation::isReady() const {
+    return m_session && m_session->source().connection() != 0 && !m_stop.engaged();
+}
+
+bool BraceletStation::isSimulated() const {
+    return m_session && m_session->source().description().simulated;
+}
+
+QString BraceletStation::note() const {
+    if (m_stop.engaged())
+        return tr("STOP is engaged: the bracelet is off.");
+    if (m_choice == BraceletChoice::none)
+        return tr("No bracelet: what would be played is named in the table of patterns.");
+    if (!m_session)
+        return tr("Connecting to the bracelet\u2026");
+    if (m_session->source().connection() == 0)
+        return tr("The bracelet is not connected. %1")
+            .arg(QString::fromStdString(m_session->source().status().message));
+    return {};
+}
+
+std::optional<chrome::DeviceReading> BraceletStation::reading() const {
+    if (m_choice == BraceletChoice::none)
+        return std::nullopt;
+    chrome::DeviceReading reading;
+    reading.name = tr("Bracelet");
+    reading.state = core::DeviceState::connecting;
+    if (!m_session)
+        return reading;
+    const core::DeviceStatus status = m_session->source().status();
+    const std::int64_t now_ns = core::steadyNow_ns();
+    reading.provenance = isSimulated() ? base::Provenance::simulated : base::Provenance::live;
+    // An idle bracelet reports ten times a second.
+    constexpr double kIdleRate_Hz = 10.0;
+    reading.state =
+        core::observedState(status.state, status.lastData_ns, now_ns, core::staleAfter_ns(kIdleRate_Hz));
+    reading.age_s = status.lastData_ns > 0 ? static_cast<double>(now_ns - status.lastData_ns) * 1e-9 : 0.0;
+    reading.rate_Hz = status.rate_Hz;
+    reading.lost = status.framesLost;
+    reading.details = QString::fromStdString(status.message);
+    reading.touchToSkin_s = m_touchToSkin_s;
+    return reading;
+}
+
+} // namespace teleta::console

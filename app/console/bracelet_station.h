@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/bracelet_session.h"
+#include "backend/core/latest_copy.h"
+#include "backend/pattern/pattern_map.h"
+#include "backend/pipeline/tactile_feedback.h"
+#include "widgets/chrome/device_strip.h"
+
+#include <QObject>
+#include <QString>
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace teleta::console {
+
+/// What was recognised, what was sent for it, and how long after the touch the bracelet began.
+struct FeedbackEvent {
+    pipeline::FeedbackSent sent;
+    std::optional<double>
+        onset_s; ///< from the completed touch to the first frame written; empty: not yet, or never
+};
+
+/// The bracelet of the console: opens and closes it off the GUI's thread, lets touches be felt on it, and
+/// tells what it does. Thread: GUI; no call waits.
+class BraceletStation : public QObject {
+    Q_OBJECT
+
+public:
+    explicit BraceletStation(core::StopSwitch& stop, QObject* parent = nullptr);
+    ~BraceletStation() override;
+
+    /// Takes another bracelet in place of the present one.
+    void choose(BraceletChoice choice);
+    [[nodiscard]] BraceletChoice choice() const { return m_choice; }
+
+    /// For the arm whose touches are to be felt. It goes on telling what would be played without a bracelet.
+    [[nodiscard]] const std::shared_ptr<pipeline::TactileFeedback>& feedback() const { return m_feedback; }
+    void setMap(const pattern::PatternMap& map);
+    void setMode(pipeline::FeedbackMode mode);
+
+    /// Plays a pattern of the library once.
+    void play(const QString& patternId);
+    /// Lets one tactor be felt while it is held; empty: none.
+    void hold(std::optional<std::size_t> tactor);
+
+    /// Collects what happened since the last tick.
+    void tick();
+    /// What the tactors do now, after the safety limits.
+    [[nodiscard]] core::Intensities given() const;
+    /// Connected, and not stopped.
+    [[nodiscard]] bool isReady() const;
+    /// One line on the state; empty when there is nothing to say.
+    [[nodiscard]] QString note() const;
+    [[nodiscard]] bool isSimulated() const;
+    /// For the status bar; empty without a bracelet.
+    [[nodiscard]] std::optional<chrome::DeviceReading> reading() const;
+    /// The newest thing that was recognised while a map was set.
+    [[nodiscard]] const std::optional<FeedbackEvent>& lastEvent() const { return m_last; }
+
+signals:
+    void chosen(BraceletChoice choice);
+    /// The bracelet that was chosen could not be opened.
+    void failed(const core::Error& error);
+    /// Something new was recognised, or its onset became known.
+    void felt(const FeedbackEvent& event);
+
+private:
+    void letGo();
+    void repeatHold();
+
+    core::StopSwitch& m_stop;
+    BraceletChoice m_choice = BraceletChoice::none;
+    std::shared_ptr<BraceletSession> m_session; ///< null while it is being opened
+    /// The same for the pipeline's thread.
+    std::shared_ptr<core::LatestCopy<std::shared_ptr<BraceletSession>>> m_slot;
+    std::shared_ptr<pipeline::TactileFeedback> m_feedback;
+    std::optional<FeedbackEvent> m_last;
+    std::optional<double> m_touchToSkin_s;
+    std::optional<std::size_t> m_held;
+};
+
+} // namespace teleta::console

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+#include <QList>
+#include <QMainWindow>
+
+#include <array>
+#include <cstddef>
+
+class QAction;
+class QDockWidget;
+
+namespace teleta::console {
+
+/// The docks of the Operate page. An array on its own and an arm show different views, so each kind of source
+/// has a layout of its own, which is kept while the other is shown. Thread: GUI.
+class OperateDocks : public QMainWindow {
+    Q_OBJECT
+
+public:
+    enum class Kind { array, arm };
+    static constexpr std::size_t kKinds = 2;
+
+    enum Dock {
+        heatmap,
+        reconstruction,
+        charts,
+        processing,
+        stiffness,
+        bracelet,
+        joints,
+        touches,
+        jog,
+        feedback
+    };
+    static constexpr std::size_t kDocks = 10;
+    /// The docks from this one on belong to arms only.
+    static constexpr std::size_t kFirstOfArm = stiffness;
+
+    explicit OperateDocks(QWidget* parent = nullptr);
+
+    /// Puts a view into its dock, which owns it; once for each dock, before anything is shown.
+    void add(Dock dock, QWidget* view);
+    /// When all views are there: the default layouts.
+    void begin();
+
+    void setKind(Kind kind);
+    [[nodiscard]] Kind kind() const { return m_kind; }
+    /// Shows and hides docks; those that do not belong to this kind of source are disabled.
+    [[nodiscard]] QList<QAction*> actions() const;
+
+    /// Both layouts.
+    [[nodiscard]] QByteArray saveLayouts() const;
+    /// False when they are of another version or damaged; the default layouts are then in place.
+    bool restoreLayouts(const QByteArray& layouts);
+    /// The default layout of what is shown.
+    void resetLayout();
+    void retranslate();
+
+protected:
+    void showEvent(QShowEvent* event) override;
+
+private:
+    [[nodiscard]] std::size_t index() const { return static_cast<std::size_t>(m_kind); }
+    [[nodiscard]] bool restore(const QByteArray& layout);
+    void arrange();
+    void shareSpace();
+    void enableActions();
+
+    std::array<QDockWidget*, kDocks> m_docks{};
+    Kind m_kind = Kind::array;
+    std::array<QByteArray, kKinds> m_layouts;       ///< of the kinds that are not shown; empty: never shown
+    std::array<bool, kKinds> m_default{true, true}; ///< shares its space anew when it is shown
+};
+
+} // namespace teleta::console

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/scene_run/scene_settings.h"
+
+#include <algorithm>
+#include <variant>
+
+namespace teleta::scene_run {
+
+namespace {
+
+constexpr double kLeastSkinThreshold_N = 0.005;
+constexpr double kNoiseBorder_sd = 3.0;
+constexpr int kLeastSkinTaxels = 4;
+
+double noiseOf_N(const scene::Scene& scene) {
+    for (const scene::Effect& effect : scene.effects)
+        if (const auto* noise = std::get_if<scene::NoiseSpec>(&effect.parameters))
+            return noise->sd_N;
+    return 0.0;
+}
+
+} // namespace
+
+pipeline::ChannelSettings channelSettings(const scene::Scene& scene) {
+    pipeline::ChannelSettings settings;
+    double threshold_N = settings.features.threshold_N;
+    if (scene.isArm()) {
+        threshold_N = std::max(
+            {scene.arm().skin.firingThreshold_N, kNoiseBorder_sd * noiseOf_N(scene), kLeastSkinThreshold_N});
+        settings.segmentation.minimumTaxels = kLeastSkinTaxels;
+        settings.features.range = contact::MomentRange::active;
+    } else if (scene.array().sensor.firingThreshold_N > 0.0) {
+        threshold_N = scene.array().sensor.firingThreshold_N;
+    }
+    settings.features.threshold_N = threshold_N;
+    settings.segmentation.threshold_N = threshold_N;
+    return settings;
+}
+
+} // namespace teleta::scene_run
