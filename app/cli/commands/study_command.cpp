@@ -5,6 +5,7 @@
 #include "app/cli/interruption.h"
 #include "app/cli/progress_bar.h"
 #include "app/cli/validators.h"
+#include "backend/study/confusion_figure.h"
 #include "backend/study/rehearsal.h"
 #include "backend/study/study_export.h"
 #include "backend/study/study_results.h"
@@ -312,7 +313,9 @@ core::Expected<void> StudyCommand::runAnalyze() const {
     if (!tally)
         return core::Unexpected(tally.error());
     const std::vector<study::TaskResults> results = study::studyResults(*tally);
-    const core::Expected<void> written = study::writeResults(results, m_outFolder);
+    const core::Expected<void> written = study::writeResults(results, m_outFolder).and_then([&] {
+        return study::writeFigures(results, m_outFolder);
+    });
     if (!written)
         return written;
     return m_json ? printDocument(toJson(results)) : printFields(toFields(results));
