@@ -177,6 +177,7 @@ TEST(ArmScenes, listNoEffectThatMovesNothing) {
     for (const char* effect : {"torque_noise", "gear_ripple", "encoder_quantization"})
         EXPECT_GT(std::abs(firstStiffness_NPerM(without(touch, effect), 1) - all_NPerM), 1e-4 * all_NPerM)
             << effect;
+    EXPECT_LT(contactError_m(without(touch, "noise"), 2), 0.9 * contactError_m(touch, 2));
     const scene::Scene contour = shippedArm("teleta-contour-circle.toml");
     const double all_m = contactError_m(contour, 3);
     EXPECT_LT(contactError_m(without(contour, "noise"), 3), 0.8 * all_m) << all_m;

@@ -232,6 +232,53 @@ TEST(SimulatedArm, readsTheSkinAtItsOwnRate) {
     EXPECT_EQ(frame[0], 7.0F);
 }
 
+TEST(SimulatedArm, readsWhatEachJointEffectAdds) {
+    scene::Scene scene = postScene(282.0);
+    std::unique_ptr<SimulatedArm> arm;
+    const auto sampleWith = [&](const scene::Effect& effect) {
+        scene.effects = {effect};
+        arm = made(scene);
+        core::JointSample sample;
+        for (int i = 0; i < 400; ++i)
+            arm->next(kProgram, sample);
+        return sample;
+    };
+    const core::JointSample heavy = sampleWith({.why = "w", .parameters = scene::GravityErrorSpec{0.01}});
+    // The forearm sweeps in a level plane. Shoulder axes there: roll x, pitch up, yaw -y; the elbow's is up.
+    // Moments of weight: about x 0.5 kg at the forearm's middle, across; none about an upright axis.
+    const double elbow_rad = arm->truth().link_rad[3];
+    const double across_m = 0.5 * 0.27 * std::sin(elbow_rad);
+    EXPECT_NEAR(heavy.torque_Nm[0] - arm->truth().torque_Nm[0], 0.01 * 9.80665 * 0.5 * across_m, 1e-6);
+    EXPECT_NEAR(heavy.torque_Nm[3] - arm->truth().torque_Nm[3], 0.0, 1e-6);
+
+    const core::JointSample waving =
+        sampleWith({.why = "w", .parameters = scene::GearRippleSpec{0.001, 100.0}});
+    for (std::size_t j = 0; j < 4; ++j)
+        EXPECT_NEAR(waving.torque_Nm[j] - arm->truth().torque_Nm[static_cast<Eigen::Index>(j)],
+                    0.001 * std::sin(100.0 * waving.angle_rad[j]), 1e-12);
+
+    const core::JointSample stepped =
+        sampleWith({.why = "w", .parameters = scene::EncoderQuantizationSpec{0.001}});
+    for (const double angle_rad : stepped.angle_rad)
+        EXPECT_NEAR(std::remainder(angle_rad, 0.001), 0.0, 1e-12);
+}
+
+TEST(SimulatedArm, pressesObjectsThatHarden) {
+    scene::Scene scene = postScene(282.0);
+    scene.effects = {{.why = "w", .parameters = scene::NonlinearObjectSpec{0.001}}};
+    const auto arm = made(scene);
+    core::JointSample sample;
+    while (arm->truth().contacts.empty() || arm->truth().torque_Nm[3] < 0.05)
+        arm->next(kProgram, sample);
+    for (int i = 0; i < 3000; ++i)
+        arm->next({.drive = core::ArmDrive::held, .rate_radPerS = {}}, sample);
+    const ArmContactTruth& contact = arm->truth().contacts.at(0);
+    const double expected_N = 282.0 * contact.depth_m * (1.0 + contact.depth_m / 0.001);
+    EXPECT_NEAR(contact.force_N, expected_N, 1e-12);
+    EXPECT_NEAR(sample.torque_Nm[3], expected_N * contact.contactDistance_m, 1e-6);
+    EXPECT_EQ(arm->effectTimes().at(0).name, "nonlinear_object");
+}
+
 TEST(SimulatedArm, refusesTheSceneOfAnArray) {
     const scene::Scene scene = shippedArm("tactile-indenter.toml");
     const auto arm = makeArm(scene, 1);
