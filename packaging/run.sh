@@ -19,7 +19,7 @@ for argument in "$@"; do
         --screenshot | --screenshot=*) has_screenshot=true ;;
     esac
 done
-$has_source || arguments=(--scene "$root/resources/scenes/tactile-indenter.toml" "${arguments[@]}")
+$has_source || arguments=(--scene "$root/resources/scenes/teleta-touch.toml" "${arguments[@]}")
 console="$root/build/release/app/console/teleta-console"
 
 if [[ -n ${DISPLAY:-}${WAYLAND_DISPLAY:-} ]]; then
@@ -28,7 +28,7 @@ fi
 
 picture="$root/build/teleta-console.png"
 if ! $has_screenshot; then
-    arguments+=(--screenshot "$picture" --after 5)
+    arguments+=(--screenshot "$picture" --after 9)
     rm -f "$picture"
 fi
 ensure_runtime_folder
