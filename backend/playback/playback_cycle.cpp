@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <limits>
 #include <utility>
 
 namespace teleta::playback {
@@ -152,6 +153,8 @@ bool PlaybackCycle::takeSetpoint() {
     if (!setpoint)
         return false;
     m_setpoint = *setpoint;
+    // A time of the future would outlast its maker.
+    m_setpoint.made_ns = std::min(m_setpoint.made_ns, now_ns());
     m_anySetpoint = true;
     m_freshSetpoint = true;
     return m_mode == PlayerMode::live;
@@ -210,7 +213,10 @@ bool PlaybackCycle::programAt(std::int64_t now, core::Intensities& wanted) {
             end(PlayerEnding::finished);
             return false;
         }
+        // The turn is the new origin: without the loop it is played to its own end.
         position_s = std::fmod(position_s, duration_s);
+        m_anchor_ns = now;
+        m_anchorPosition_s = position_s;
     }
     m_status.position_s = position_s;
     try {
@@ -226,13 +232,17 @@ bool PlaybackCycle::programAt(std::int64_t now, core::Intensities& wanted) {
 }
 
 void PlaybackCycle::liveAt(std::int64_t now, core::Intensities& wanted) {
-    const bool silent = !m_anySetpoint || now - m_setpoint.made_ns > m_config.setpointLifetime_ns;
+    // An old time must not overflow the difference.
+    const bool silent = !m_anySetpoint || m_setpoint.made_ns < now - m_config.setpointLifetime_ns;
     if (silent && !m_status.silent) {
         const std::scoped_lock lock(m_countersMutex);
         ++m_counters.watchdogTrips;
     }
     m_status.silent = silent;
-    if (!silent)
+    // No number is off at once; a zero would be eased by the limit of falling.
+    if (silent)
+        wanted.fill(std::numeric_limits<double>::quiet_NaN());
+    else
         wanted = m_setpoint.intensities;
 }
 

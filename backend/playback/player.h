@@ -37,7 +37,8 @@ public:
     void setLoop(bool loop);
     void setLimits(const SafetyLimits& limits);
 
-    /// made_ns: steady time of what it was made from, by which its age counts. Ignored while not live.
+    /// made_ns: steady time of what it was made from, by which its age counts; one of the future counts as
+    /// now. Ignored while not live.
     void post(const core::Intensities& intensities, std::int64_t made_ns);
 
     [[nodiscard]] PlayerStatus status() const { return m_cycle.status(); }

@@ -21,6 +21,7 @@ using playback::PlayerEnding;
 using playback::PlayerMode;
 using playback::Program;
 using playback::ProgramRequest;
+using playback::SafetyLimits;
 using test::all;
 using test::ScriptedBracelet;
 using test::SetClock;
@@ -33,10 +34,11 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 class PlaybackCycleTest : public testing::Test {
 protected:
-    void make(PlayerConfig config = {}) {
+    /// limits: have tests of their own.
+    void make(PlayerConfig config = {},
+              const SafetyLimits& limits = {.rise_perS = kInfinity, .heatBudget = 1.0}) {
         config.clock = m_clock;
-        // Limits have tests of their own.
-        config.limits = {.rise_perS = kInfinity, .heatBudget = 1.0};
+        config.limits = limits;
         m_cycle = std::make_unique<PlaybackCycle>(m_bracelet, m_stop, std::move(config));
     }
 
@@ -150,7 +152,10 @@ TEST_F(PlaybackCycleTest, beginsALoopAnewWithoutAGap) {
     PlayerCommands commands;
     commands.loop = false;
     run(std::move(commands));
-    runOnTime(600 * kMs_ns);
+    runOnTime(400 * kMs_ns);
+    EXPECT_EQ(m_cycle->status().mode, PlayerMode::program);
+    EXPECT_NEAR(m_cycle->status().position_s, 0.9, 1e-9);
+    runOnTime(200 * kMs_ns);
     EXPECT_EQ(m_cycle->status().ending, PlayerEnding::finished)
         << "after the loop was taken away, the position goes on in the present turn";
 }
@@ -434,6 +439,39 @@ TEST_F(PlaybackCycleTest, doesNotFollowASetpointThatIsOldWhenItComes) {
     startLive();
     m_clock->add(1 * kMs_ns);
     m_cycle->setpoints().post({all(1.0), m_clock->now_ns() - 101 * kMs_ns});
+    run();
+    EXPECT_TRUE(lastIsOff());
+    EXPECT_TRUE(m_cycle->status().silent);
+}
+
+TEST_F(PlaybackCycleTest, zeroesAtOnceWhenSetpointsStayAwayHoweverSlowAFallMayBe) {
+    make({}, {.rise_perS = kInfinity, .fall_perS = 0.5, .heatBudget = 1.0});
+    startLive();
+    m_clock->add(1 * kMs_ns);
+    const std::int64_t made_ns = m_clock->now_ns();
+    m_cycle->setpoints().post({all(1.0), made_ns});
+    runOnTime(110 * kMs_ns);
+    ASSERT_GT(written().back().time_ns - made_ns, 100 * kMs_ns);
+    EXPECT_TRUE(lastIsOff());
+}
+
+TEST_F(PlaybackCycleTest, countsTheAgeOfASetpointOfTheFutureFromNow) {
+    make();
+    startLive();
+    m_clock->add(1 * kMs_ns);
+    m_cycle->setpoints().post({all(1.0), m_clock->now_ns() + 3'600'000 * kMs_ns});
+    run();
+    EXPECT_FALSE(lastIsOff());
+    runOnTime(110 * kMs_ns);
+    EXPECT_TRUE(lastIsOff());
+    EXPECT_TRUE(m_cycle->status().silent);
+}
+
+TEST_F(PlaybackCycleTest, doesNotFollowASetpointThatWasNeverMade) {
+    make();
+    startLive();
+    m_clock->add(1 * kMs_ns);
+    m_cycle->setpoints().post({all(1.0), std::numeric_limits<std::int64_t>::min()});
     run();
     EXPECT_TRUE(lastIsOff());
     EXPECT_TRUE(m_cycle->status().silent);
