@@ -116,6 +116,8 @@ bool BraceletWorker::reconnect(Lock& lock, const std::stop_token& stop) {
             adopt(std::move(opened->port));
             if (m_connected)
                 return true;
+            // A board may bear one connection only: an open one would keep the next one out.
+            m_port.reset();
         } else if (m_statusNow.state == DeviceState::connecting) {
             setState(DeviceState::reconnecting, opened ? lostMessage() : opened.error().message);
         }

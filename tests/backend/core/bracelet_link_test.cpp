@@ -37,7 +37,7 @@ class Board {
 public:
     bool take(Taken frame) {
         const std::scoped_lock lock(m_mutex);
-        if (!m_plugged)
+        if (!m_plugged || m_refusesFrames)
             return false;
         m_taken.push_back(frame);
         if (m_answers)
@@ -77,6 +77,8 @@ public:
 
     bool m_plugged = true;
     bool m_answers = true;
+    bool m_refusesFrames = false;
+    int m_ports = 0; ///< that are open
     int m_damaged = 0;
     std::string m_serial = "A1";
     std::deque<BoardReport> m_reports;
@@ -91,7 +93,12 @@ class Port : public BraceletPort {
 public:
     Port(Board& board, int connection)
         : m_board(board)
-        , m_connection(connection) {}
+        , m_connection(connection) {
+        ++m_board.m_ports; // in Board::open(), which has the lock
+    }
+    ~Port() override {
+        m_board.change([](Board& board) { --board.m_ports; });
+    }
     bool write(std::uint16_t sequence, const Drive& drive, std::uint16_t timeout_ms) override {
         return m_board.take({sequence, drive, timeout_ms, m_connection});
     }
@@ -107,6 +114,8 @@ core::Expected<core::OpenedBracelet> Board::open() {
     ++m_opened;
     if (!m_plugged)
         return core::Unexpected(core::Error{core::ErrorKind::unavailable, "not there", {}, {}});
+    if (m_ports > 0)
+        return core::Unexpected(core::Error{core::ErrorKind::unavailable, "one at a time", {}, {}});
     core::BraceletDescription description;
     description.serial = m_serial;
     description.highestDrive = 4000;
@@ -291,6 +300,20 @@ TEST_F(BraceletLinkTest, waitsLongerFromAttemptToAttempt) {
         }
     }
     EXPECT_EQ(attemptsAt_ms, (std::vector{100, 300, 700, 1500, 3100, 5100, 7100}));
+}
+
+TEST_F(BraceletLinkTest, connectsAgainToABoardOfOneConnectionThatTookNoFirstFrame) {
+    start();
+    unplug();
+    m_clock->advance(10 * kMs_ns);
+    m_board.change([](Board& board) { board.m_refusesFrames = board.m_plugged = true; });
+    m_clock->advance(100 * kMs_ns);
+    ASSERT_EQ(m_board.opened(), 2);
+    ASSERT_EQ(m_link->connection(), 0U);
+    m_board.change([](Board& board) { board.m_refusesFrames = false; });
+    advance_ms(5000);
+    EXPECT_EQ(m_link->connection(), 2U);
+    EXPECT_EQ(state(), DeviceState::live);
 }
 
 TEST_F(BraceletLinkTest, takesNoOtherBoardForItsOwn) {
