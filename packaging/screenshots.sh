@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Makes the pictures of the README from the running console: a recorded pressure mat and a simulated touch, light and dark.
+# Makes the pictures of the README from the running console: touches and a contour of a simulated arm, a recorded pressure mat, a
+# simulated array, light and dark. The contour takes four minutes: it is explored in real time.
 #   screenshots.sh [FOLDER [WIDTHxHEIGHT]]      default: resources/screenshots 1600x1000
 set -euo pipefail
 source "$(dirname -- "${BASH_SOURCE[0]}")/build_environment.sh"
@@ -17,6 +18,8 @@ data="$root/tests/data/popu"
 recording=(--replay "$data/tactilus_sequence_excerpt.csv" --tare "$data/tactilus_empty1.csv" --rows 64 --columns 27
     --threshold 20 --after 5)
 ball=(--scene "$root/resources/scenes/tactile-indenter.toml" --after 6)
+touch=(--scene "$root/resources/scenes/teleta-touch.toml" --after 15)
+contour=(--scene "$root/resources/scenes/teleta-contour-triangle.toml" --after 250)
 bar=(--scene "$root/resources/scenes/tactile-indenter.toml" --after 14)
 
 # take NAME ARGUMENTS...
@@ -28,6 +31,8 @@ take() {
     printf '%s\n' "$picture"
 }
 
+take operate-touch-dark "${touch[@]}" --theme dark
+take operate-contour-light "${contour[@]}" --theme light
 take operate-recording-dark "${recording[@]}" --theme dark
 take operate-recording-light "${recording[@]}" --theme light
 take operate-ball-light "${ball[@]}" --theme light

@@ -33,6 +33,9 @@ bool isDrawable(const ArmLink& link) {
 ContourPart::ContourPart()
     : m_solidActor(m_solids.data(), MeshActor::Shading::smooth)
     , m_curveActor(m_curve.data(), MeshActor::Shading::none) {
+    // The arm that explores an object stands between it and the camera half of the time.
+    m_solidActor.showThrough();
+    m_curveActor.showThrough();
 }
 
 void ContourPart::addTo(vtkRenderer* renderer) {

@@ -46,6 +46,15 @@ struct MeshActor {
         actor->GetProperty()->SetLineWidth(static_cast<float>(logical_px * pixelScale));
     }
 
+    /// Shows the mesh through whatever is before it: its depth is moved towards the camera by 0.6 of the
+    /// range between the clipping planes, which keeps the order of its own parts.
+    void showThrough() {
+        constexpr double kUnits = -40'000.0; // of 1/65536 each
+        mapper->SetResolveCoincidentTopologyToPolygonOffset();
+        mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.0, kUnits);
+        mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, kUnits);
+    }
+
     vtkNew<vtkPolyDataMapper> mapper;
     vtkNew<vtkActor> actor;
 };

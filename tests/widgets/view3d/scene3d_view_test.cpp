@@ -254,11 +254,11 @@ private slots:
         }
         const std::vector<Eigen::Vector3d> vertices = {{0.02, 0.0, 0.0}};
         stage.view.setContour(vertices, curve, vertices, {});
-        view3d::ArmLink link;
-        link.X_World_Link.translation() = Eigen::Vector3d(-0.1, 0.1, 0.0);
-        link.length_m = 0.2;
-        link.radius_m = 0.02;
-        stage.view.setArmLinks(std::vector{link});
+        const auto linkAt = [](double y_m, double z_m) {
+            return view3d::ArmLink{Eigen::Isometry3d(Eigen::Translation3d(-0.1, y_m, z_m)), 0.2, 0.02};
+        };
+        // The second one is between the camera and the curve, which shows through it.
+        stage.view.setArmLinks(std::vector{linkAt(0.1, 0.0), linkAt(curve[10].y(), 0.05)});
         stage.view.look(CameraPreset::top);
         stage.settle();
         const QImage picture = shown(stage.view);
