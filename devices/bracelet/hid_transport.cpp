@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/bracelet/hid_transport.h"
 
+#include "backend/core/hidapi_mutex.h"
+
 #include <QCoreApplication>
 #include <QString>
 
 #include <algorithm>
 #include <hidapi/hidapi.h>
+#include <mutex>
 #include <unistd.h>
 
 namespace teleta::bracelet {
@@ -14,6 +17,11 @@ namespace {
 
 std::string toUtf8(const wchar_t* text) {
     return text == nullptr ? std::string() : QString::fromWCharArray(text).toStdString();
+}
+
+hid_device* openPath(const std::string& path) {
+    const std::scoped_lock lock(core::hidapiMutex());
+    return hid_open_path(path.c_str());
 }
 
 class HidapiTransport : public HidTransport {
@@ -40,6 +48,7 @@ private:
 
 std::vector<HidDeviceInfo> listHidDevices(std::uint16_t vendorId, std::uint16_t productId) {
     std::vector<HidDeviceInfo> devices;
+    const std::scoped_lock lock(core::hidapiMutex());
     const std::unique_ptr<hid_device_info, decltype(&hid_free_enumeration)> list(
         hid_enumerate(vendorId, productId), hid_free_enumeration);
     for (const hid_device_info* info = list.get(); info != nullptr; info = info->next)
@@ -51,7 +60,7 @@ std::vector<HidDeviceInfo> listHidDevices(std::uint16_t vendorId, std::uint16_t 
 }
 
 core::Expected<std::unique_ptr<HidTransport>> openHidTransport(const std::string& path) {
-    if (hid_device* device = hid_open_path(path.c_str()))
+    if (hid_device* device = openPath(path))
         return std::make_unique<HidapiTransport>(device);
     const QString name = QString::fromStdString(path);
     if (access(path.c_str(), F_OK) == 0 && access(path.c_str(), R_OK | W_OK) != 0)

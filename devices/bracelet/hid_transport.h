@@ -36,7 +36,7 @@ struct HidDeviceInfo {
     std::uint16_t usagePage = 0; ///< 0 when the system does not tell
 };
 
-/// The devices with these ids that the system lists, by path. Thread: any, one at a time.
+/// The devices with these ids that the system lists, by path. Thread: any.
 [[nodiscard]] std::vector<HidDeviceInfo> listHidDevices(std::uint16_t vendorId, std::uint16_t productId);
 
 /// Opens a listed device by hidapi. Error: it is gone, or may not be opened.

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/mouse3d/hid_input.h"
 
+#include "backend/core/hidapi_mutex.h"
+
 #include <QCoreApplication>
 #include <QString>
 
 #include <algorithm>
 #include <hidapi/hidapi.h>
+#include <mutex>
 #include <unistd.h>
 #include <utility>
 
@@ -19,6 +22,11 @@ constexpr unsigned short kMultiAxisController = 0x08;
 struct Mouse3d {
     Q_DECLARE_TR_FUNCTIONS(Mouse3d)
 };
+
+hid_device* openPath(const std::string& path) {
+    const std::scoped_lock lock(core::hidapiMutex());
+    return hid_open_path(path.c_str());
+}
 
 class HidapiInput : public HidInput {
 public:
@@ -41,6 +49,7 @@ private:
 
 std::vector<Mouse3dInfo> listMice() {
     std::vector<Mouse3dInfo> mice;
+    const std::scoped_lock lock(core::hidapiMutex());
     const std::unique_ptr<hid_device_info, decltype(&hid_free_enumeration)> list(hid_enumerate(0, 0),
                                                                                  hid_free_enumeration);
     for (const hid_device_info* info = list.get(); info != nullptr; info = info->next) {
@@ -55,7 +64,7 @@ std::vector<Mouse3dInfo> listMice() {
 }
 
 core::Expected<std::unique_ptr<HidInput>> openMouse(const Mouse3dInfo& mouse) {
-    if (hid_device* device = hid_open_path(mouse.path.c_str()))
+    if (hid_device* device = openPath(mouse.path))
         return std::make_unique<HidapiInput>(device, mouse.product);
     const QString where = QString::fromStdString(mouse.path);
     if (access(mouse.path.c_str(), F_OK) == 0 && access(mouse.path.c_str(), R_OK | W_OK) != 0)

@@ -38,7 +38,7 @@ struct Mouse3dInfo {
 };
 
 /// Six-axis mice that are plugged in, by path: what calls itself a multi-axis controller (usage page 1,
-/// usage 8). Thread: any, one at a time.
+/// usage 8). Thread: any.
 [[nodiscard]] std::vector<Mouse3dInfo> listMice();
 
 /// Opens a listed mouse by hidapi. Error: it is gone, or may not be opened.
