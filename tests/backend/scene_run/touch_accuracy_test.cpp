@@ -12,11 +12,7 @@
 namespace teleta::scene_run {
 namespace {
 
-#ifdef TELETA_FEW_RUNS
-constexpr std::uint64_t kRuns = 3;
-#else
 constexpr std::uint64_t kRuns = 40;
-#endif
 
 struct Object {
     const char* material;
