@@ -49,6 +49,16 @@
     </message>
 </context>
 <context>
+    <name>ContourPicture</name>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation>
+            <numerusform>%n point</numerusform>
+            <numerusform>%n points</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>teleta::touch::TouchModel</name>
     <message numerus="yes">
         <source>95 % interval in brackets; %1, %n sample(s)</source>

@@ -4,6 +4,7 @@
 #include "backend/core/steady_time.h"
 #include "widgets/bracelet/bracelet_view.h"
 #include "widgets/charts/joint_chart_view.h"
+#include "widgets/touch/contour_view.h"
 #include "widgets/touch/jog_panel.h"
 #include "widgets/touch/stiffness_gauge.h"
 #include "widgets/touch/touch_table.h"
@@ -38,6 +39,7 @@ ArmViews::ArmViews(core::StopSwitch& stop, BraceletStation& bracelet, view3d::Sc
     , m_gauge(new touch::StiffnessGauge(parent))
     , m_touches(new touch::TouchTable(parent))
     , m_joints(new charts::JointChartView(parent))
+    , m_contour(new touch::ContourView(parent))
     , m_jog(new touch::JogPanel(parent))
     , m_picture(new bracelet::BraceletView(parent))
     , m_feedback(new FeedbackPanel(bracelet, parent)) {
@@ -52,6 +54,8 @@ ArmViews::ArmViews(core::StopSwitch& stop, BraceletStation& bracelet, view3d::Sc
             [this](std::uint64_t touch) { m_joints->showTouch(touch); });
     connect(m_gauge, &touch::StiffnessGauge::exportFailed, this, &ArmViews::exportFailed);
     connect(m_touches, &touch::TouchTable::exportFailed, this, &ArmViews::exportFailed);
+    connect(m_contour, &touch::ContourView::exportFailed, this, &ArmViews::exportFailed);
+    connect(m_contour, &touch::ContourView::forgetRequested, this, &ArmViews::forgetContour);
     connect(m_joints, &charts::JointChartView::exportFailed, this, &ArmViews::exportFailed);
 }
 
@@ -61,6 +65,7 @@ void ArmViews::addTo(OperateDocks& docks) {
     docks.add(OperateDocks::joints, m_joints);
     docks.add(OperateDocks::touches, m_touches);
     docks.add(OperateDocks::jog, m_jog);
+    docks.add(OperateDocks::contour, m_contour);
     docks.add(OperateDocks::feedback, m_feedback);
 }
 
@@ -80,6 +85,7 @@ void ArmViews::setArm(std::shared_ptr<pipeline::ArmChannel> arm, base::Provenanc
     m_gauge->setProvenance(provenance);
     m_touches->setProvenance(provenance);
     m_joints->setProvenance(provenance);
+    m_contour->setProvenance(provenance);
     m_jog->setArm(description);
     const core::ArrayLayout& skin = m_arm->skin().description().layout;
     m_scene.setSurface(view3d::Surface::cylinder);
@@ -91,6 +97,7 @@ void ArmViews::clear() {
     m_gauge->setTouch(std::nullopt);
     m_touches->clear();
     m_joints->clear();
+    m_contour->clear();
     m_scene.setArmLinks({});
     m_scene.setContour({}, {}, {}, {});
     m_scene.setSensorPose(Eigen::Isometry3d::Identity());
@@ -155,6 +162,7 @@ void ArmViews::showArm(const pipeline::ArmSnapshot& snapshot) {
 
 void ArmViews::showContour(const pipeline::ExploredContour& contour) {
     m_contourRevision = contour.revision;
+    m_contour->setContour(contour);
     std::vector<contour::Point> vertices_m;
     QString label;
     if (contour.recognition) {

@@ -21,6 +21,7 @@ namespace teleta::charts {
 class JointChartView;
 }
 namespace teleta::touch {
+class ContourView;
 class JogPanel;
 class StiffnessGauge;
 class TouchTable;
@@ -73,6 +74,7 @@ private:
     touch::StiffnessGauge* m_gauge;
     touch::TouchTable* m_touches;
     charts::JointChartView* m_joints;
+    touch::ContourView* m_contour;
     touch::JogPanel* m_jog;
     bracelet::BraceletView* m_picture;
     FeedbackPanel* m_feedback;

@@ -19,8 +19,8 @@ namespace {
 constexpr qint32 kLayoutVersion = 2;
 
 constexpr std::array<const char*, OperateDocks::kDocks> kNames{
-    "heatmap",  "reconstruction", "charts",  "processing", "stiffness",
-    "bracelet", "joints",         "touches", "jog",        "feedback"};
+    "heatmap", "reconstruction", "charts", "processing", "stiffness", "bracelet",
+    "joints",  "touches",        "jog",    "feedback",   "contour"};
 
 } // namespace
 
@@ -133,6 +133,7 @@ void OperateDocks::arrange() {
     }
     splitDockWidget(m_docks[heatmap], m_docks[joints], Qt::Vertical);
     splitDockWidget(m_docks[heatmap], m_docks[reconstruction], Qt::Horizontal);
+    tabifyDockWidget(m_docks[joints], m_docks[contour]);
     tabifyDockWidget(m_docks[joints], m_docks[charts]);
     tabifyDockWidget(m_docks[joints], m_docks[touches]);
     addDockWidget(Qt::RightDockWidgetArea, m_docks[stiffness]);
@@ -140,7 +141,8 @@ void OperateDocks::arrange() {
     splitDockWidget(m_docks[bracelet], m_docks[jog], Qt::Vertical);
     tabifyDockWidget(m_docks[jog], m_docks[feedback]);
     tabifyDockWidget(m_docks[jog], m_docks[processing]);
-    show({heatmap, reconstruction, joints, charts, touches, stiffness, bracelet, jog, feedback, processing});
+    show({heatmap, reconstruction, joints, contour, charts, touches, stiffness, bracelet, jog, feedback,
+          processing});
     m_docks[joints]->raise();
     m_docks[jog]->raise();
 }
@@ -177,7 +179,7 @@ void OperateDocks::retranslate() {
     const std::array<QString, kDocks> titles{tr("Heatmap"),    tr("Reconstruction"), tr("Features over time"),
                                              tr("Processing"), tr("Stiffness"),      tr("Bracelet"),
                                              tr("Joints"),     tr("Touches"),        tr("Jog"),
-                                             tr("Feedback")};
+                                             tr("Feedback"),   tr("Contour")};
     for (std::size_t i = 0; i < kDocks; ++i)
         m_docks[i]->setWindowTitle(titles[i]);
 }

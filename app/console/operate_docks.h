@@ -32,9 +32,10 @@ public:
         joints,
         touches,
         jog,
-        feedback
+        feedback,
+        contour
     };
-    static constexpr std::size_t kDocks = 10;
+    static constexpr std::size_t kDocks = 11;
     /// The docks from this one on belong to arms only.
     static constexpr std::size_t kFirstOfArm = stiffness;
 

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/touch/contour_picture.h"
+
+#include "backend/core/number_text.h"
+#include "widgets/base/number_format.h"
+#include "widgets/base/theme.h"
+#include "widgets/touch/touch_texts.h"
+
+#include <QLocale>
+#include <QPainter>
+#include <QPolygonF>
+#include <QStringList>
+
+#include <algorithm>
+#include <cmath>
+
+namespace teleta::touch {
+
+namespace {
+
+/// A contour smaller than this is shown as if it were so large: a point is no square metre.
+constexpr double kSmallestExtent_m = 0.005;
+
+QString millimetres(double length_m) {
+    return base::withUnit(base::threeDigits(length_m * 1e3).trimmed(), QStringLiteral("mm"));
+}
+
+QPointF toPoint(const contour::Point& p) {
+    return {p.x(), p.y()};
+}
+
+/// Step of the axes' labels: 1, 2 or 5 times a power of ten, for about so many labels over the range.
+double tickStep(double range, double labels) {
+    const double rough = range / std::max(labels, 1.0);
+    const double power = std::pow(10.0, std::floor(std::log10(rough)));
+    for (const double factor : {1.0, 2.0, 5.0})
+        if (factor * power >= rough)
+            return factor * power;
+    return 10.0 * power;
+}
+
+} // namespace
+
+QString ContourPicture::headline() const {
+    if (contour.points_m.empty())
+        return tr("nothing explored yet");
+    if (!contour.recognition)
+        return TouchTexts::shape(teleta::contour::Shape::unknown);
+    return tr("%1, confidence %2 %")
+        .arg(TouchTexts::shape(contour.recognition->shape))
+        .arg(std::lround(100.0 * contour.recognition->confidence));
+}
+
+QString ContourPicture::details() const {
+    if (contour.points_m.empty())
+        return tr("Touch an object from several sides: its outline appears here.");
+    QStringList parts{tr("%n point(s)", nullptr, static_cast<int>(contour.points_m.size()))};
+    if (contour.recognition) {
+        const teleta::contour::Recognition& seen = *contour.recognition;
+        if (seen.circle)
+            parts << tr("radius %1").arg(millimetres(seen.circle->radius_m));
+        if (seen.vertices_m.size() > 1) {
+            QStringList edges;
+            const std::size_t count = seen.vertices_m.size() - (seen.closed ? 0 : 1);
+            for (std::size_t i = 0; i < count; ++i)
+                edges << millimetres(
+                    (seen.vertices_m[(i + 1) % seen.vertices_m.size()] - seen.vertices_m[i]).norm());
+            parts << tr("edges %1").arg(edges.join(QStringLiteral(", ")));
+        }
+        if (contour.points_m.size() > 2)
+            parts << tr("points off by %1 (rms)").arg(millimetres(seen.rms_m));
+    }
+    parts << tr("z %1").arg(millimetres(contour.height_m));
+    return parts.join(QStringLiteral("   "));
+}
+
+QRectF ContourPicture::plotRect(const QSizeF& size) const {
+    const double em = QFontMetricsF(font).height();
+    return QRectF(4.0 * em, 3.4 * em, size.width() - 5.0 * em, size.height() - 5.6 * em);
+}
+
+std::optional<QTransform> ContourPicture::mapping(const QSizeF& size) const {
+    const QRectF plot = plotRect(size);
+    if (contour.points_m.empty() || plot.width() < 10.0 || plot.height() < 10.0)
+        return std::nullopt;
+    QPolygonF all;
+    for (const teleta::contour::Point& p : contour.points_m)
+        all << toPoint(p);
+    for (const teleta::contour::Point& p : contour.curve_m)
+        all << toPoint(p);
+    const QRectF box = all.boundingRect();
+    const double extent_m = std::max({box.width(), box.height(), kSmallestExtent_m});
+    const double margin = 1.15;
+    const double scale = std::min(plot.width() / (margin * std::max(box.width(), 0.5 * extent_m)),
+                                  plot.height() / (margin * std::max(box.height(), 0.5 * extent_m)));
+    QTransform transform;
+    transform.translate(plot.center().x(), plot.center().y());
+    transform.scale(scale, -scale);
+    transform.translate(-box.center().x(), -box.center().y());
+    return transform;
+}
+
+void ContourPicture::paintAxes(QPainter& painter, const QRectF& plot, const QTransform& toPlot,
+                               const QPalette& palette) const {
+    const QFont small = base::sized(font, base::kSmallText);
+    const double line = QFontMetricsF(small).height();
+    const QRectF seen = toPlot.inverted().mapRect(plot);
+    const double step_m = tickStep(seen.width(), plot.width() / (6.0 * line));
+    const QColor text = palette.color(QPalette::PlaceholderText);
+    const QColor grid = base::mixed(palette.color(QPalette::Base), palette.color(QPalette::Text), 0.1);
+    painter.setFont(small);
+    const auto label = [step_m](double value_m) {
+        return QLocale().toString(value_m * 1e3, 'f', step_m < 1e-3 ? 1 : 0);
+    };
+    for (double x_m = std::ceil(seen.left() / step_m) * step_m; x_m <= seen.right(); x_m += step_m) {
+        const double x = toPlot.map(QPointF(x_m, 0.0)).x();
+        painter.setPen(QPen(grid, 1.0));
+        painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
+        painter.setPen(text);
+        painter.drawText(QRectF(x - 3.0 * line, plot.bottom() + 0.15 * line, 6.0 * line, line),
+                         Qt::AlignCenter, label(x_m));
+    }
+    for (double y_m = std::ceil(seen.top() / step_m) * step_m; y_m <= seen.bottom(); y_m += step_m) {
+        const double y = toPlot.map(QPointF(0.0, y_m)).y();
+        painter.setPen(QPen(grid, 1.0));
+        painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
+        painter.setPen(text);
+        painter.drawText(QRectF(plot.left() - 4.2 * line, y - 0.5 * line, 4.0 * line, line),
+                         Qt::AlignRight | Qt::AlignVCenter, label(y_m));
+    }
+    painter.setPen(text);
+    painter.drawText(QRectF(plot.right() - 6.0 * line, plot.bottom() + 1.1 * line, 6.0 * line, line),
+                     Qt::AlignRight | Qt::AlignVCenter, tr("x [mm]"));
+    painter.drawText(QRectF(plot.left() - 4.0 * line, plot.top() - 1.2 * line, 6.0 * line, line),
+                     Qt::AlignLeft | Qt::AlignVCenter, tr("y [mm]"));
+}
+
+void ContourPicture::paintShape(QPainter& painter, const QTransform& toPlot, const QPalette& palette) const {
+    const double em = QFontMetricsF(font).height();
+    const QColor curve = palette.color(QPalette::Link);
+    const QColor vertex = base::statusColours(palette).stale;
+    if (contour.recognition && contour.recognition->circle) {
+        const teleta::contour::Circle& circle = *contour.recognition->circle;
+        const double radius = circle.radius_m * toPlot.m11();
+        painter.setPen(QPen(vertex, 1.5, Qt::DashLine));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawEllipse(toPlot.map(toPoint(circle.centre_m)), radius, radius);
+    }
+    QPolygonF line;
+    for (const teleta::contour::Point& p : contour.curve_m)
+        line << toPlot.map(toPoint(p));
+    painter.setPen(QPen(curve, 2.0));
+    painter.drawPolyline(line);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(palette.color(QPalette::Text));
+    for (const teleta::contour::Point& p : contour.points_m)
+        painter.drawEllipse(toPlot.map(toPoint(p)), 0.16 * em, 0.16 * em);
+    painter.setPen(QPen(palette.color(QPalette::Text), 1.2));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(toPlot.map(toPoint(contour.points_m.front())), 0.32 * em, 0.32 * em);
+    if (!contour.recognition)
+        return;
+    painter.setPen(QPen(vertex, 2.0));
+    for (const teleta::contour::Point& p : contour.recognition->vertices_m) {
+        const QPointF at = toPlot.map(toPoint(p));
+        const double r = 0.38 * em;
+        painter.drawPolygon(
+            QPolygonF{at + QPointF(0, -r), at + QPointF(r, 0), at + QPointF(0, r), at + QPointF(-r, 0)});
+    }
+}
+
+void ContourPicture::paintHead(QPainter& painter, const QSizeF& size, const QPalette& palette) const {
+    const double em = QFontMetricsF(font).height();
+    QRectF head(0.5 * em, 0.3 * em, size.width() - em, 1.5 * em);
+    const QString badge = base::provenanceText(provenance);
+    painter.setFont(font);
+    if (!badge.isEmpty()) {
+        const QSizeF room = base::badgeSize(font, badge);
+        base::paintBadge(painter, QRectF(QPointF(head.right() - room.width(), head.top()), room), badge,
+                         base::statusColours(palette).simulated);
+        head.setRight(head.right() - room.width() - 0.5 * em);
+    }
+    const QFont large = base::sized(font, base::kLargeText);
+    painter.setFont(large);
+    painter.setPen(palette.color(contour.points_m.empty() ? QPalette::PlaceholderText : QPalette::Text));
+    painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter,
+                     QFontMetricsF(large).elidedText(headline(), Qt::ElideRight, head.width()));
+    const QFont small = base::sized(font, base::kSmallText);
+    painter.setFont(small);
+    painter.setPen(palette.color(QPalette::PlaceholderText));
+    const QRectF below(head.left(), head.bottom(), size.width() - em, 1.1 * em);
+    painter.drawText(below, Qt::AlignLeft | Qt::AlignVCenter,
+                     QFontMetricsF(small).elidedText(details(), Qt::ElideRight, below.width()));
+}
+
+void ContourPicture::paint(QPainter& painter, const QSizeF& size, const QPalette& palette) const {
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintHead(painter, size, palette);
+    const auto toPlot = mapping(size);
+    if (!toPlot)
+        return;
+    paintAxes(painter, plotRect(size), *toPlot, palette);
+    paintShape(painter, *toPlot, palette);
+}
+
+QString ContourPicture::csv() const {
+    QString text = QStringLiteral("x_m,y_m\n");
+    for (const teleta::contour::Point& p : contour.points_m) {
+        const core::NumberText x(p.x());
+        const core::NumberText y(p.y());
+        text +=
+            QString::fromLatin1(x.view().data(), static_cast<qsizetype>(x.view().size())) + QLatin1Char(',') +
+            QString::fromLatin1(y.view().data(), static_cast<qsizetype>(y.view().size())) + QLatin1Char('\n');
+    }
+    return text;
+}
+
+} // namespace teleta::touch
