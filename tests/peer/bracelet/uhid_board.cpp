@@ -3,10 +3,7 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <fcntl.h>
-#include <linux/input.h>
-#include <linux/uhid.h>
 #include <poll.h>
 #include <system_error>
 #include <unistd.h>
@@ -28,18 +25,12 @@ std::int64_t now_ns() {
     return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
 }
 
-void send(int device, const uhid_event& event) {
-    if (::write(device, &event, sizeof event) != static_cast<ssize_t>(sizeof event))
-        throw std::system_error(errno, std::generic_category(), "/dev/uhid");
-}
-
 } // namespace
 
 UhidBoard::UhidBoard(std::string serial)
-    : m_serial(std::move(serial))
-    , m_device(::open("/dev/uhid", O_RDWR | O_CLOEXEC | O_NONBLOCK)) {
-    if (m_device < 0 || ::pipe2(m_wake.data(), O_CLOEXEC | O_NONBLOCK) != 0)
-        throw std::system_error(errno, std::generic_category(), "/dev/uhid");
+    : m_serial(std::move(serial)) {
+    if (::pipe2(m_wake.data(), O_CLOEXEC | O_NONBLOCK) != 0)
+        throw std::system_error(errno, std::generic_category(), "pipe");
     m_thread = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
 
@@ -47,28 +38,16 @@ UhidBoard::~UhidBoard() {
     m_thread.request_stop();
     [[maybe_unused]] const ssize_t woken = ::write(m_wake[1], "x", 1);
     m_thread.join();
-    for (const int descriptor : {m_device, m_wake[0], m_wake[1]})
+    for (const int descriptor : m_wake)
         ::close(descriptor);
 }
 
 void UhidBoard::plugIn() {
-    uhid_event event{};
-    event.type = UHID_CREATE2;
-    uhid_create2_req& create = event.u.create2;
-    std::strcpy(reinterpret_cast<char*>(create.name), "Bracelet of tactors");
-    std::copy(m_serial.begin(), m_serial.end(), create.uniq);
-    create.rd_size = sizeof kDescriptor;
-    std::copy(std::begin(kDescriptor), std::end(kDescriptor), create.rd_data);
-    create.bus = BUS_USB; // hidapi lists no others
-    create.vendor = 0x1209;
-    create.product = 0x0001;
-    send(m_device, event);
+    m_device.plugIn({"Bracelet of tactors", m_serial, 0x0001, kDescriptor});
 }
 
 void UhidBoard::unplug() {
-    uhid_event event{};
-    event.type = UHID_DESTROY;
-    send(m_device, event);
+    m_device.unplug();
 }
 
 void UhidBoard::setAwake(bool awake) {
@@ -94,7 +73,7 @@ void UhidBoard::run(const std::stop_token& stop) {
             if (turns(m_state))
                 wait_ms = std::clamp<std::int64_t>((m_timeoutAt_ns - now_ns()) / 1'000'000 + 1, 0, 1000);
         }
-        pollfd files[2] = {{m_wake[0], POLLIN, 0}, {m_device, POLLIN, 0}};
+        pollfd files[2] = {{m_wake[0], POLLIN, 0}, {m_device.descriptor(), POLLIN, 0}};
         ::poll(files, m_awake ? 2 : 1, static_cast<int>(wait_ms));
         char dump[64];
         while (::read(m_wake[0], dump, sizeof dump) > 0) {
@@ -107,7 +86,7 @@ void UhidBoard::run(const std::stop_token& stop) {
 
 void UhidBoard::serve() {
     uhid_event event{};
-    while (m_awake && ::read(m_device, &event, sizeof event) > 0) {
+    while (m_awake && m_device.receive(event)) {
         switch (event.type) {
         case UHID_OPEN:
         case UHID_CLOSE: {
@@ -127,7 +106,7 @@ void UhidBoard::serve() {
             reply.type = UHID_SET_REPORT_REPLY;
             reply.u.set_report_reply.id = event.u.set_report.id;
             reply.u.set_report_reply.err = EIO;
-            send(m_device, reply);
+            m_device.send(reply);
             break;
         }
         default:
@@ -159,8 +138,6 @@ void UhidBoard::takeFrame(const std::uint8_t* bytes, std::size_t size) {
 }
 
 void UhidBoard::answer(const Frame& frame, bool timedOut) {
-    uhid_event event{};
-    event.type = UHID_INPUT2;
     const bool on =
         std::any_of(frame.bytes.begin() + 3, frame.bytes.begin() + 12, [](int b) { return b != 0; });
     const std::uint8_t report[8] = {
@@ -169,9 +146,7 @@ void UhidBoard::answer(const Frame& frame, bool timedOut) {
         0x13,
         0x37, // 31.1 degrees
         0x01};
-    event.u.input2.size = sizeof report;
-    std::copy(std::begin(report), std::end(report), event.u.input2.data);
-    send(m_device, event);
+    m_device.sendInput(report);
 }
 
 void UhidBoard::answerFeature(std::uint32_t request, std::uint8_t report) {
@@ -189,7 +164,7 @@ void UhidBoard::answerFeature(std::uint32_t request, std::uint8_t report) {
     } else {
         reply.err = EIO;
     }
-    send(m_device, event);
+    m_device.send(event);
 }
 
 void UhidBoard::checkTimeout() {

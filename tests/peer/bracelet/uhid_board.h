@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/peer/uhid_device.h"
+
 #include <array>
 #include <atomic>
 #include <chrono>
@@ -60,7 +62,7 @@ private:
     void checkTimeout();
 
     std::string m_serial;
-    int m_device = -1;
+    UhidDevice m_device;
     std::array<int, 2> m_wake{-1, -1};
     std::atomic<bool> m_awake{true};
 

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Runs a test program in a small virtual machine that has the kernel's HID stack. See README.md.
-#   run_in_vm.sh CACHE_FOLDER TEST_PROGRAM [FILES...]
+# Runs test programs in a small virtual machine that has the kernel's HID stack. See README.md.
+#   run_in_vm.sh CACHE_FOLDER TEST_PROGRAM... [-- FILES...]
 set -euo pipefail
 here=$(cd "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
-modules=(hid hid-generic uhid)
+modules=(hid hid-generic uhid evdev)
 skipped=77
 
 skip() {
@@ -12,14 +12,19 @@ skip() {
     exit "$skipped"
 }
 
-(($# >= 2)) || {
-    printf 'usage: run_in_vm.sh CACHE_FOLDER TEST_PROGRAM [FILES...]\n' >&2
+if (($# < 2)) || [[ $2 == -- ]]; then
+    printf 'usage: run_in_vm.sh CACHE_FOLDER TEST_PROGRAM... [-- FILES...]\n' >&2
     exit 2
-}
+fi
 mkdir -p "$1"
 cache=$(cd "$1" && pwd)
-program=$2
 shift
+programs=()
+while (($# > 0)) && [[ $1 != -- ]]; do
+    programs+=("$1")
+    shift
+done
+(($# == 0)) || shift
 for tool in qemu-system-x86_64 busybox cpio apt-get dpkg-deb; do
     command -v "$tool" >/dev/null || skip "$tool is missing (packaging/install_dependencies.sh --test installs it)"
 done
@@ -58,18 +63,18 @@ for module in "${modules[@]}"; do
     esac
     printf '%s.ko\n' "$module" >>"$root/modules/order"
 done
-for file in "$@"; do
+for file in "${programs[@]}" "$@"; do
     cp -L "$file" "$root/test/"
     ldd "$file" 2>/dev/null | grep -oE '/[^ ]+' | sort -u | while read -r library; do
         [[ -e $root$library ]] || install -D "$library" "$root$library"
     done
 done
-printf '%s\n' "${program##*/}" >"$root/test/.program"
+printf '%s\n' "${programs[@]##*/}" >"$root/test/.programs"
 (cd "$root" && find . | cpio -o -H newc --quiet -R 0:0) | gzip -1 >"$work/initrd"
 
 # Emulated: KVM is not there, or does not work, on many test machines.
 status=0
-timeout -k 5 "${VM_TIMEOUT_S:-240}" qemu-system-x86_64 -machine q35 -accel tcg,thread=multi -cpu max -smp 2 -m 1024 \
+timeout -k 5 "${VM_TIMEOUT_S:-400}" qemu-system-x86_64 -machine q35 -accel tcg,thread=multi -cpu max -smp 2 -m 1024 \
     -kernel "$kernel" -initrd "$work/initrd" -append "console=ttyS0 quiet panic=-1" \
     -nographic -no-reboot -nic none </dev/null 2>&1 | tr -d '\r' | tee "$work/log" || status=$?
 result=$(sed -n 's/^VM_RESULT=//p' "$work/log" | tail -n 1)
