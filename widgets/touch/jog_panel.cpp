@@ -356,6 +356,10 @@ void JogPanel::onKey(const QKeyEvent& event, bool pressed) {
 }
 
 bool JogPanel::eventFilter(QObject* watched, QEvent* event) {
+    // A menu takes keyboard and mouse without a change of the focus: a release would not be seen any more.
+    if (event->type() == QEvent::FocusOut &&
+        static_cast<QFocusEvent*>(event)->reason() == Qt::PopupFocusReason)
+        releaseAll();
     if (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease) {
         const auto& key = *static_cast<QKeyEvent*>(event);
         const bool pressed = event->type() == QEvent::KeyPress;
@@ -382,6 +386,10 @@ bool JogPanel::event(QEvent* event) {
             event->accept();
             return true;
         }
+        break;
+    case QEvent::FocusOut:
+        if (static_cast<QFocusEvent*>(event)->reason() == Qt::PopupFocusReason)
+            releaseAll();
         break;
     case QEvent::WindowDeactivate:
         releaseAll();

@@ -9,6 +9,7 @@
 #include <QApplication>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
@@ -72,6 +73,23 @@ private slots:
         QTest::mousePress(desk.panel->directionButton(1, true), Qt::LeftButton);
         QVERIFY(!desk.panel->isMoving());
         QCOMPARE(desk.requests.size(), 0);
+    }
+
+    void aMenuThatOpensEndsTheMotionBecauseItGetsTheKeysFromThenOn() {
+        Desk desk;
+        QVERIFY(desk.active);
+        desk.move();
+        QVERIFY(desk.panel->isMoving());
+        QMenu menu(&desk.window);
+        menu.addAction(QStringLiteral("Any"));
+        menu.popup(desk.window.mapToGlobal(QPoint(5, 5)));
+        QVERIFY(QTest::qWaitForWindowExposed(&menu));
+        QCOMPARE(QApplication::activePopupWidget(), &menu);
+        QVERIFY(!desk.panel->isMoving());
+        QVERIFY(desk.sentOneZeroAtTheEnd());
+        menu.close();
+        QTest::qWait(0);
+        QVERIFY(!desk.panel->isMoving());
     }
 
     void theDeadManWithoutADirectionDoesNothing() {
