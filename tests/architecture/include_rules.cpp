@@ -63,6 +63,7 @@ const std::vector<Rule> kRules = {
      {"backend", "widgets/base"},
      {"QtCore", "QtGui", "QtWidgets", "QtSvg", "QtPrintSupport", "QCustomPlot", "Eigen", "nlohmann_json"}},
     {"widgets/bracelet", {"backend", "widgets/base"}, {"QtCore", "QtGui", "QtWidgets"}},
+    {"widgets/pattern", {"backend", "widgets/base"}, {"QtCore", "QtGui", "QtWidgets"}},
     {"widgets/chrome", {"backend", "widgets/base"}, {"QtCore", "QtGui", "QtWidgets", "QtSvg"}},
     {"widgets/view3d",
      {"backend", "widgets/base"},

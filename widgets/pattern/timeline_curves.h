@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/pattern/motor_model.h"
+#include "backend/pattern/pattern.h"
+
+#include <array>
+#include <vector>
+
+namespace teleta::editor {
+
+/// A motor that is further from what is asked of it than this does not follow.
+inline constexpr double kFollowTolerance = 0.1;
+/// The motors of longer stretches are not predicted: their lag would be narrower than a line.
+inline constexpr double kLongestPrediction_s = 30.0;
+
+/// Samples of a stretch of a pattern, ready to be drawn.
+struct TimelineCurves {
+    std::vector<double> times_s;
+    std::array<std::vector<double>, core::kTactors> commanded;
+    std::array<std::vector<double>, core::kTactors> predicted; ///< empty: not predicted
+
+    [[nodiscard]] bool hasPrediction() const { return !predicted[0].empty(); }
+};
+
+/// Samples [begin_s, end_s] at least so many times, and on both sides of each breakpoint unless these are too
+/// many to be told apart. What is predicted begins long enough before begin_s to have forgotten its start.
+/// Takes time in proportion to what is visible, whatever the length of the pattern. Thread: any (pure).
+[[nodiscard]] TimelineCurves sampleCurves(const pattern::Pattern& pattern,
+                                          const pattern::CompiledPattern& compiled,
+                                          const pattern::MotorProfiles& motors, pattern::Span span,
+                                          int samples);
+
+/// Tactors that an object may use, in rising order.
+[[nodiscard]] std::vector<std::size_t> tactorsOf(const pattern::ObjectForm& form);
+
+} // namespace teleta::editor
