@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/pattern/edit_operations.h"
 
-#include "backend/pattern/laws.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 namespace teleta::editor {
@@ -14,12 +11,6 @@ namespace teleta::editor {
 using namespace pattern;
 
 namespace {
-
-constexpr int kRing = static_cast<int>(core::kTactors);
-
-std::size_t wrapped(int tactor) {
-    return static_cast<std::size_t>(((tactor % kRing) + kRing) % kRing);
-}
 
 double share(double value) {
     return value > 0.0 ? std::min(value, 1.0) : 0.0;
@@ -65,97 +56,6 @@ Edited sorted(Pattern pattern, const PointRefs& moved) {
     return edited;
 }
 
-/// Where tactors go: i -> sign i + offset, sign 1 or -1.
-struct RingMap {
-    int sign = 1;
-    int offset = 0;
-
-    [[nodiscard]] std::size_t operator()(int tactor) const { return wrapped(sign * tactor + offset); }
-    void move(int& tactor) const { tactor = static_cast<int>((*this)(tactor)); }
-    void move(std::vector<int>& tactors) const {
-        for (int& tactor : tactors)
-            move(tactor);
-    }
-};
-
-void mapForm(Sweep& sweep, const RingMap& map) {
-    map.move(sweep.tactors);
-}
-void mapForm(Ring& ring, const RingMap& map) {
-    map.move(ring.firstTactor);
-    if (map.sign < 0)
-        ring.counterClockwise = !ring.counterClockwise;
-}
-void mapForm(Phantom& phantom, const RingMap& map) {
-    map.move(phantom.first);
-    map.move(phantom.second);
-}
-void mapForm(Ramp& ramp, const RingMap& map) {
-    map.move(ramp.tactors);
-}
-void mapForm(PulseTrain& train, const RingMap& map) {
-    map.move(train.tactors);
-}
-void mapForm(Stroke& stroke, const RingMap& map) {
-    for (StrokePoint& point : stroke.points) {
-        point.angle_rad = map.sign * point.angle_rad + map.offset * (2.0 * std::numbers::pi / kRing);
-        if (map.offset % 2 != 0) // the rows change places
-            point.along = 1.0 - point.along;
-    }
-}
-
-Pattern mapped(const Pattern& pattern, const RingMap& map) {
-    Pattern result = pattern;
-    for (std::size_t i = 0; i < core::kTactors; ++i)
-        result.tracks[map(static_cast<int>(i))] = pattern.tracks[i];
-    for (PatternObject& object : result.objects)
-        std::visit([&map](auto& form) { mapForm(form, map); }, object.form);
-    return result;
-}
-
-void stretchForm(Sweep& sweep, double factor) {
-    const Span span = spanOf(ObjectForm(sweep));
-    const double onset_s = onsetOf_s(sweep);
-    sweep.start_s *= factor;
-    if (!sweep.onset_s && !sweep.tactors.empty()) {
-        // (n - 1) (0.32 d + 47.3 ms) + d is the new length.
-        const auto intervals = static_cast<double>(sweep.tactors.size() - 1);
-        const double burst_s = ((span.end_s - span.begin_s) * factor - intervals * kOnsetOffset_s) /
-                               (1.0 + intervals * kOnsetPerBurst);
-        if (burst_s > 0.0) {
-            sweep.burst_s = burst_s;
-            return;
-        }
-    }
-    sweep.onset_s = onset_s * factor;
-    sweep.burst_s *= factor;
-}
-void stretchForm(Ring& ring, double factor) {
-    ring.start_s *= factor;
-    ring.duration_s *= factor;
-    if (ring.burst_s)
-        *ring.burst_s *= factor;
-}
-void stretchForm(Phantom& phantom, double factor) {
-    phantom.start_s *= factor;
-    phantom.duration_s *= factor;
-}
-void stretchForm(Ramp& ramp, double factor) {
-    ramp.start_s *= factor;
-    ramp.duration_s *= factor;
-}
-void stretchForm(PulseTrain& train, double factor) {
-    train.start_s *= factor;
-    train.duration_s *= factor;
-    train.period_s *= factor;
-    train.width_s *= factor;
-}
-void stretchForm(Stroke& stroke, double factor) {
-    stroke.start_s *= factor;
-    for (StrokePoint& point : stroke.points)
-        point.time_s *= factor;
-}
-
 void shift(ObjectForm& form, double time_s) {
     std::visit([time_s](auto& object) { object.start_s += time_s; }, form);
 }
@@ -166,12 +66,12 @@ void growTo(Pattern& pattern, double end_s) {
 
 } // namespace
 
-bool Clip::empty() const {
+bool PointClip::empty() const {
     return objects.empty() &&
            std::all_of(tracks.begin(), tracks.end(), [](const Track& t) { return t.empty(); });
 }
 
-Span Clip::span() const {
+Span PointClip::span() const {
     if (empty())
         return {};
     Span all{std::numeric_limits<double>::infinity(), 0.0};
@@ -282,8 +182,8 @@ Pattern easedPoints(const Pattern& pattern, const PointRefs& points, Easing easi
     return result;
 }
 
-Clip copied(const Pattern& pattern, const PointRefs& points, std::optional<std::size_t> object) {
-    Clip clip;
+PointClip copiedPoints(const Pattern& pattern, const PointRefs& points, std::optional<std::size_t> object) {
+    PointClip clip;
     forEach(points, pattern.tracks,
             [&](const PointRef& p) { clip.tracks[p.track].push_back(pattern.tracks[p.track][p.index]); });
     if (object && *object < pattern.objects.size())
@@ -291,7 +191,7 @@ Clip copied(const Pattern& pattern, const PointRefs& points, std::optional<std::
     return clip;
 }
 
-Edited pasted(const Pattern& pattern, const Clip& clip, double later_s) {
+Edited pastedPoints(const Pattern& pattern, const PointClip& clip, double later_s) {
     if (clip.empty())
         return {pattern, {}};
     const Span span = clip.span();
@@ -321,32 +221,6 @@ Edited pasted(const Pattern& pattern, const Clip& clip, double later_s) {
     }
     growTo(edited.pattern, span.end_s + later_s);
     return edited;
-}
-
-Pattern rotated(const Pattern& pattern, int steps) {
-    return mapped(pattern, {1, static_cast<int>(wrapped(steps))});
-}
-
-Pattern mirrored(const Pattern& pattern) {
-    return mapped(pattern, {-1, 0});
-}
-
-Pattern armsSwapped(const Pattern& pattern) {
-    return mapped(pattern, {-1, kRing / 2});
-}
-
-Pattern stretched(const Pattern& pattern, double factor) {
-    if (!(factor > 0.0) || !(pattern.duration_s > 0.0))
-        return pattern;
-    factor = std::min(factor, Pattern::kLongest_s / pattern.duration_s);
-    Pattern result = pattern;
-    result.duration_s *= factor;
-    for (Track& track : result.tracks)
-        for (Breakpoint& point : track)
-            point.time_s *= factor;
-    for (PatternObject& object : result.objects)
-        std::visit([factor](auto& form) { stretchForm(form, factor); }, object.form);
-    return result;
 }
 
 Pattern movedObject(const Pattern& pattern, std::size_t object, double time_s) {

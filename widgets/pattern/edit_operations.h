@@ -8,7 +8,8 @@
 #include <optional>
 #include <vector>
 
-// What an editor does to a pattern, as pure functions: they take a pattern and give another one.
+// What an editor does to single breakpoints and objects, as pure functions: they take a pattern and give
+// another one. What concerns whole patterns and stretches of time is in backend/pattern/edit.h.
 namespace teleta::editor {
 
 /// One breakpoint of a pattern.
@@ -29,7 +30,7 @@ struct Edited {
 };
 
 /// The breakpoints and objects that were copied, at their own times.
-struct Clip {
+struct PointClip {
     pattern::Tracks tracks;
     std::vector<pattern::PatternObject> objects;
 
@@ -58,22 +59,11 @@ struct Clip {
 [[nodiscard]] pattern::Pattern easedPoints(const pattern::Pattern& pattern, const PointRefs& points,
                                            pattern::Easing easing);
 
-[[nodiscard]] Clip copied(const pattern::Pattern& pattern, const PointRefs& points,
-                          std::optional<std::size_t> object);
+[[nodiscard]] PointClip copiedPoints(const pattern::Pattern& pattern, const PointRefs& points,
+                                     std::optional<std::size_t> object);
 /// Puts a clip in, later by so many seconds than it was copied. On each of its tracks it takes the place of
 /// what lies between its first and its last breakpoint. The pattern grows when it needs it.
-[[nodiscard]] Edited pasted(const pattern::Pattern& pattern, const Clip& clip, double later_s);
-
-/// Every tactor i does what i - steps did.
-[[nodiscard]] pattern::Pattern rotated(const pattern::Pattern& pattern, int steps);
-/// The other way around the ring: angle -> -angle; tactors 1 and 4 stay.
-[[nodiscard]] pattern::Pattern mirrored(const pattern::Pattern& pattern);
-/// For the other arm: left and right exchange, angle -> 180 degrees - angle; tactor 1 and 4, 2 and 3, 5 and
-/// 6 change places.
-[[nodiscard]] pattern::Pattern armsSwapped(const pattern::Pattern& pattern);
-/// All times by a factor > 0, at most to Pattern::kLongest_s. A sweep that follows the law of apparent motion
-/// still does afterwards where its new length allows it.
-[[nodiscard]] pattern::Pattern stretched(const pattern::Pattern& pattern, double factor);
+[[nodiscard]] Edited pastedPoints(const pattern::Pattern& pattern, const PointClip& clip, double later_s);
 
 /// An object moved in time; it does not start before 0 and not after the end of the pattern.
 [[nodiscard]] pattern::Pattern movedObject(const pattern::Pattern& pattern, std::size_t object,

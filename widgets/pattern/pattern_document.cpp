@@ -3,6 +3,7 @@
 
 #include "backend/pattern/bake.h"
 #include "backend/pattern/built_in_patterns.h"
+#include "backend/pattern/edit.h"
 
 #include <QStringList>
 #include <QUndoCommand>
@@ -24,6 +25,7 @@ constexpr int kNoMerge = -1;
 constexpr int kDrag = 1;
 constexpr int kNudge = 2;
 constexpr int kFirstField = 16;
+constexpr int kMirrorAxis = static_cast<int>(core::kTactors) - 1;
 
 Pattern withoutTracks(const Pattern& pattern) {
     Pattern head;
@@ -286,7 +288,11 @@ void PatternDocument::stretch(double factor) {
         Edited edited = stretchedPoints(m_pattern, m_selection.points, factor);
         apply(std::move(edited.pattern), tr("Stretch in Time"), {std::move(edited.points), {}});
     } else {
-        apply(stretched(m_pattern, factor), tr("Stretch in Time"), m_selection);
+        auto longer = stretched(m_pattern, factor);
+        if (longer)
+            apply(std::move(*longer), tr("Stretch in Time"), m_selection);
+        else
+            emit refused(QString::fromStdString(core::describe(longer.error())));
     }
 }
 
@@ -300,7 +306,7 @@ void PatternDocument::deleteSelection() {
 void PatternDocument::copy() {
     if (m_selection.empty())
         return;
-    m_clip = copied(m_pattern, m_selection.points, m_selection.object);
+    m_clip = copiedPoints(m_pattern, m_selection.points, m_selection.object);
     emit clipboardChanged();
 }
 
@@ -318,7 +324,7 @@ void PatternDocument::cut() {
 void PatternDocument::paste(std::optional<double> at_s) {
     if (m_clip.empty())
         return;
-    Edited edited = pasted(m_pattern, m_clip, at_s ? *at_s - m_clip.span().begin_s : 0.0);
+    Edited edited = pastedPoints(m_pattern, m_clip, at_s ? *at_s - m_clip.span().begin_s : 0.0);
     Selection selection{std::move(edited.points), {}};
     if (!m_clip.objects.empty())
         selection.object = edited.pattern.objects.size() - 1;
@@ -326,13 +332,13 @@ void PatternDocument::paste(std::optional<double> at_s) {
 }
 
 void PatternDocument::duplicate() {
-    const Clip clip = copied(m_pattern, m_selection.points, m_selection.object);
+    const PointClip clip = copiedPoints(m_pattern, m_selection.points, m_selection.object);
     if (clip.empty())
         return;
     const Span span = clip.span();
     // Breakpoints begin a step later, so that the copy does not take the place of the last one.
     const double gap_s = clip.objects.empty() ? m_snapStep_s : 0.0;
-    Edited edited = pasted(m_pattern, clip, span.end_s - span.begin_s + gap_s);
+    Edited edited = pastedPoints(m_pattern, clip, span.end_s - span.begin_s + gap_s);
     Selection selection{std::move(edited.points), {}};
     if (!clip.objects.empty())
         selection.object = edited.pattern.objects.size() - 1;
@@ -344,11 +350,11 @@ void PatternDocument::rotate(int steps) {
 }
 
 void PatternDocument::mirror() {
-    apply(mirrored(m_pattern), tr("Mirror"), {});
+    apply(mirrored(m_pattern, kMirrorAxis), tr("Mirror"), {});
 }
 
 void PatternDocument::swapArms() {
-    apply(armsSwapped(m_pattern), tr("Swap Arms"), {});
+    apply(forOtherArm(m_pattern), tr("Swap Arms"), {});
 }
 
 void PatternDocument::addObject(const PatternObject& object) {

@@ -96,6 +96,7 @@ public:
     void duplicate();
 
     void rotate(int steps);
+    /// The order of the motors the other way round: 1 and 6, 2 and 5, 3 and 4 change places.
     void mirror();
     void swapArms();
 
@@ -144,7 +145,7 @@ private:
     pattern::CompiledPattern m_compiled;
     pattern::MotorProfiles m_motors;
     Selection m_selection;
-    Clip m_clip;
+    PointClip m_clip;
     QString m_path;
     QUndoStack* m_undo;
     QTimer m_autosave;

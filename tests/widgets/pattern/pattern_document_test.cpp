@@ -221,6 +221,29 @@ private slots:
         QVERIFY(document.pattern() == fast);
     }
 
+    void theRingOperationsMoveWholeTracks() {
+        PatternDocument document;
+        document.setPattern(sample());
+        const Track first = sample().tracks[0];
+        document.rotate(2);
+        QVERIFY(document.pattern().tracks[2] == first);
+        document.mirror();
+        QVERIFY(document.pattern().tracks[3] == first);
+        document.undoStack()->undo();
+        document.swapArms();
+        QVERIFY(document.pattern().tracks[4] == first);
+    }
+
+    void aStretchBeyondADayIsRefusedInWords() {
+        PatternDocument document;
+        document.setPattern(sample());
+        QSignalSpy refusals(&document, &PatternDocument::refused);
+        document.stretch(1e6);
+        QCOMPARE(refusals.size(), 1);
+        QVERIFY(!refusals[0][0].toString().isEmpty());
+        QVERIFY(document.pattern() == sample());
+    }
+
     void staleReferencesAreNotSelected() {
         PatternDocument document;
         document.setPattern(sample());
