@@ -54,6 +54,8 @@ struct ArmDescription {
     double forearmLength_m = 0.0;
     double halfThickness_m = 0.0;
     double elbowStiffness_NmPerRad = 0.0; ///< of joint and link: k_ri P_C^2 at any distance P_C
+    /// Of the three shoulder joints; 0: taken as rigid.
+    std::array<double, kArmJoints - 1> shoulderStiffness_NmPerRad{};
     SkinPlacement skin;
     JointArray lowest_rad{}; ///< range of the joints
     JointArray highest_rad{};

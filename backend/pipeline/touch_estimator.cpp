@@ -355,14 +355,21 @@ void TouchEstimator::estimate(const Located& located, TouchRecord& record) const
     }
     stiffness::TouchSettings settings;
     settings.contactDistance_m = lever_m;
-    settings.linkStiffness_NPerM = m_arm.elbowStiffness_NmPerRad / (lever_m * lever_m);
+    const arm::JointVector depthPerAngle_m = depthPerAngle(located);
+    settings.linkStiffness_NPerM = linkStiffness_NPerM(lever_m, depthPerAngle_m);
     settings.window = m_settings.window;
     settings.method = m_settings.method;
     settings.torqueNoise_Nm = m_settings.torqueNoise_Nm;
     settings.angleNoise_rad = m_settings.angleNoise_rad;
     // The detector keeps the rise of an earlier touch when the elbow felt nothing of this one.
-    const auto rise = pressingRise(located);
-    if (rise.empty() || rise.front().time_s < m_touch.first.sourceTime_s) {
+    const auto rise = pressingRise(depthPerAngle_m);
+    // An elbow that stays in the lower half of the window stood still there while others went on: its samples
+    // say nothing of the object.
+    const auto bears = [this](const stiffness::JointSample& sample) {
+        return std::abs(sample.torque_Nm) >= m_settings.window.middle_Nm();
+    };
+    if (rise.empty() || rise.front().time_s < m_touch.first.sourceTime_s ||
+        std::ranges::none_of(rise, bears)) {
         record.refusal = stiffness::Refusal::windowNotReached;
         return;
     }
@@ -376,15 +383,27 @@ void TouchEstimator::estimate(const Located& located, TouchRecord& record) const
     record.torque_Nm = m_touch.torque_Nm[kElbow];
 }
 
-std::vector<stiffness::JointSample> TouchEstimator::pressingRise(const Located& located) const {
+double TouchEstimator::linkStiffness_NPerM(double lever_m, const arm::JointVector& depthPerAngle_m) const {
+    double compliance_mPerN = lever_m * lever_m / m_arm.elbowStiffness_NmPerRad;
+    for (std::size_t i = 0; i < m_arm.shoulderStiffness_NmPerRad.size(); ++i)
+        if (m_arm.shoulderStiffness_NmPerRad[i] > 0.0)
+            compliance_mPerN += std::pow(depthPerAngle_m[static_cast<Eigen::Index>(i)], 2) /
+                                m_arm.shoulderStiffness_NmPerRad[i];
+    return 1.0 / compliance_mPerN;
+}
+
+arm::JointVector TouchEstimator::depthPerAngle(const Located& located) const {
     const arm::JointVector pose_rad = toVector(m_touch.loaded.angle_rad);
     const Eigen::Vector3d p_Link = m_kinematics.p_Link_Skin(located.contactDistance_m, located.side_rad);
     const Eigen::Vector3d normal_Link = Eigen::Vector3d(0.0, p_Link.y(), p_Link.z()).normalized();
     const Eigen::Vector3d normal =
         m_kinematics.X_Base_Link(arm::Link::forearm, pose_rad).linear() * normal_Link;
-    const arm::JointVector depthPerAngle_m =
-        m_kinematics.pointJacobian(arm::Link::forearm, pose_rad, p_Link).transpose() * normal;
+    return m_kinematics.pointJacobian(arm::Link::forearm, pose_rad, p_Link).transpose() * normal;
+}
 
+std::vector<stiffness::JointSample>
+TouchEstimator::pressingRise(const arm::JointVector& depthPerAngle_m) const {
+    const arm::JointVector pose_rad = toVector(m_touch.loaded.angle_rad);
     const auto transition = m_detectors[kElbow].transition();
     std::vector<stiffness::JointSample> rise(transition.begin(), transition.end());
     for (std::size_t i = 0; i < rise.size(); ++i) {

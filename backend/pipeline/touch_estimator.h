@@ -67,9 +67,10 @@ struct LiveContact {
 ///   n       normal of the skin, along which a force without friction acts; J_c of the contact point
 ///   lever   |n^T J_c,elbow| = P_C |cos(side)|
 ///   angle   n^T J_c q / n^T J_c,elbow, the rotation of the elbow alone that would press as deep
-///   k_ri    elbowStiffness_NmPerRad / lever^2
-/// When the elbow alone moves and touches with the crest of the forearm (side 0 or pi), these are the angle
-/// and P_C of the paper. The joints of the shoulder count as rigid.
+///   1/k_ri  lever^2 / elbowStiffness_NmPerRad + sum of d_i^2 / shoulderStiffness_NmPerRad[i]
+/// with d_i the depth that an angle of joint i presses. When the elbow alone moves and touches with the crest
+/// of the forearm (side 0 or pi), and the shoulder is rigid, these are the angle and P_C of the paper.
+/// Without a torque of the elbow in the upper half of the window there is no stiffness.
 ///
 /// The contact point is the mean of what the skin felt during the touch, weighted with the force; a contact
 /// elsewhere (further than kSamePlace_m) begins it anew. Without the skin the touch is recorded, but not
@@ -155,8 +156,13 @@ private:
     [[nodiscard]] std::optional<TouchRecord> recordWhenLocated(bool waitNoLonger);
     [[nodiscard]] TouchRecord makeRecord();
     void estimate(const Located& located, TouchRecord& record) const;
+    /// How much deeper the forearm presses an angle of each joint.
+    [[nodiscard]] arm::JointVector depthPerAngle(const Located& located) const;
+    /// Of the arm at the contact: its joints' springs in series.
+    [[nodiscard]] double linkStiffness_NPerM(double lever_m, const arm::JointVector& depthPerAngle_m) const;
     /// The rise of the elbow's torque over the angle of the elbow that would press as deep.
-    [[nodiscard]] std::vector<stiffness::JointSample> pressingRise(const Located& located) const;
+    [[nodiscard]] std::vector<stiffness::JointSample>
+    pressingRise(const arm::JointVector& depthPerAngle_m) const;
     [[nodiscard]] std::optional<arm::ContactForce> forceAt(const arm::JointVector& angle_rad,
                                                            const core::JointArray& torque_Nm,
                                                            const Located& located) const;

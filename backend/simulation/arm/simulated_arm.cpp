@@ -64,6 +64,8 @@ core::ArmDescription describeArm(const scene::Scene& scene) {
     description.forearmLength_m = body.forearmLength_m;
     description.halfThickness_m = body.halfThickness_m;
     description.elbowStiffness_NmPerRad = body.jointStiffness_NmPerRad[3];
+    std::copy_n(body.jointStiffness_NmPerRad.begin(), description.shoulderStiffness_NmPerRad.size(),
+                description.shoulderStiffness_NmPerRad.begin());
     description.skin = placementOf(scene.arm());
     description.lowest_rad = body.lowest_rad;
     description.highest_rad = body.highest_rad;
