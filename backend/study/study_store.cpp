@@ -121,6 +121,16 @@ public:
             core::Error{kind, what.arg(error.databaseText()).toStdString(), {}, {m_path}});
     }
 
+    [[nodiscard]] core::Unexpected damaged() const {
+        return core::Unexpected(core::Error{
+            core::ErrorKind::badInput,
+            StoreText::tr(
+                "the study is damaged: a session or a trial has a number that its protocol does not have")
+                .toStdString(),
+            {},
+            {m_path}});
+    }
+
     [[nodiscard]] core::Unexpected refused(const QString& message, const QString& expected) const {
         return core::Unexpected(
             core::Error{core::ErrorKind::refused, message.toStdString(), expected.toStdString(), {m_path}});
@@ -294,10 +304,14 @@ core::Expected<std::vector<SessionRecord>> StudyStore::sessions(const Participan
         {participant.key});
     if (!query)
         return core::Unexpected(query.error());
+    const std::size_t planned = planSessions(m_head.protocol, m_head.seed, participant.enrolment).size();
     std::vector<SessionRecord> all;
-    while (query->next())
+    while (query->next()) {
         all.push_back({query->value(0).toLongLong(), query->value(1).toString().toStdString(),
                        count(query->value(2)), query->value(3).toInt() != 0});
+        if (all.back().planIndex >= planned)
+            return m_connection->damaged();
+    }
     return all;
 }
 
@@ -347,6 +361,11 @@ core::Expected<std::vector<StoredTrial>> StudyStore::trials(const SessionRecord&
         {session.key});
     if (!query)
         return core::Unexpected(query.error());
+    // The tasks come in the same order for everybody.
+    const std::vector<PlannedSession> plan = planSessions(m_head.protocol, m_head.seed, 0);
+    if (session.planIndex >= plan.size())
+        return m_connection->damaged();
+    const std::size_t patterns = m_head.protocol.tasks[plan[session.planIndex].task].patterns.size();
     std::vector<StoredTrial> all;
     while (query->next()) {
         const auto text = [&](int column) { return query->value(column).toString().toStdString(); };
@@ -357,6 +376,8 @@ core::Expected<std::vector<StoredTrial>> StudyStore::trials(const SessionRecord&
         result.trialInBlock = count(query->value(3));
         if (!query->value(6).isNull())
             result.response = count(query->value(6));
+        if (result.planned.stimulus >= patterns || result.response.value_or(0) >= patterns)
+            return m_connection->damaged();
         result.outcome = outcomeOf(text(7)).value_or(Outcome::aborted);
         result.responseTime_s = optionalNumber(query->value(8));
         result.responseTimeOffset_s = optionalNumber(query->value(9));

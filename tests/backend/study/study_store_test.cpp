@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/study/study_export.h"
 #include "backend/study/study_store.h"
+#include "backend/study/trial_source.h"
 #include "tests/backend/core/temporary_folder.h"
 #include "tests/backend/study/small_protocol.h"
 
@@ -260,6 +262,33 @@ TEST_F(StudyStoreTest, bringsAnOlderStudyUpToDateAndKeepsItsTrials) {
     const Participant participant = store->participants()->front();
     const SessionRecord session = store->sessions(participant)->front();
     EXPECT_EQ(store->trials(session)->size(), 1U);
+}
+
+TEST_F(StudyStoreTest, numbersThatTheProtocolDoesNotHaveAreDamage) {
+    StudyStore store = create();
+    const Participant participant = store.enrol("P07").value();
+    const PlannedSession plan = planSessions(store.head().protocol, store.head().seed, 0)[0];
+    const SessionRecord session = store.beginSession(participant, 0, plan, kNow).value();
+    ASSERT_TRUE(store.keepTrial(session, answered(), kNow));
+    ASSERT_TRUE(store.trials(session));
+    for (const char* damage : {"stimulus = 99", "stimulus = -1", "stimulus = 1, response = 99"}) {
+        runSql(QStringLiteral("UPDATE trial SET %1").arg(QString::fromLatin1(damage)));
+        const auto trials = store.trials(session);
+        ASSERT_FALSE(trials) << damage;
+        EXPECT_EQ(trials.error().kind, core::ErrorKind::badInput);
+        TrialTally tally;
+        ModeFilter modes;
+        EXPECT_FALSE(tallyStore(store, modes, tally)) << damage;
+        EXPECT_FALSE(exportStudy(store, ExportFormat::excel)) << damage;
+    }
+    runSql(QStringLiteral("UPDATE trial SET response = NULL"));
+    EXPECT_TRUE(store.trials(session));
+    runSql(QStringLiteral("UPDATE session SET plan_index = 99"));
+    const auto sessions = store.sessions(participant);
+    ASSERT_FALSE(sessions);
+    EXPECT_EQ(sessions.error().kind, core::ErrorKind::badInput);
+    EXPECT_NE(sessions.error().where.file, "");
+    EXPECT_FALSE(store.trials({session.key, session.id, 99, false}));
 }
 
 TEST_F(StudyStoreTest, aFolderThatCannotBeMadeIsAnError) {
