@@ -19,6 +19,7 @@ recording=(--replay "$data/tactilus_sequence_excerpt.csv" --tare "$data/tactilus
     --threshold 20 --after 5)
 ball=(--scene "$root/resources/scenes/tactile-indenter.toml" --after 6)
 touch=(--scene "$root/resources/scenes/teleta-touch.toml" --after 15)
+touches=(--scene "$root/resources/scenes/teleta-touch.toml" --after 34)
 contour=(--scene "$root/resources/scenes/teleta-contour-triangle.toml" --after 250)
 bar=(--scene "$root/resources/scenes/tactile-indenter.toml" --after 14)
 
@@ -32,7 +33,8 @@ take() {
 }
 
 take operate-touch-dark "${touch[@]}" --theme dark
-take operate-contour-light "${contour[@]}" --theme light
+take operate-contour-light "${contour[@]}" --dock contour --theme light
+take operate-touches-dark "${touches[@]}" --dock touches --theme dark
 take operate-recording-dark "${recording[@]}" --theme dark
 take operate-recording-light "${recording[@]}" --theme light
 take operate-ball-light "${ball[@]}" --theme light

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/console_options.h"
 
+#include "app/console/operate_docks.h"
+
 #include <QCommandLineParser>
 #include <QCoreApplication>
 
@@ -105,6 +107,10 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
         option("threshold", tr("Load from which a taxel is in contact (default 0.2)."), tr("LOAD"));
     const auto rate = option("rate", tr("Play at this rate in Hz instead of the recorded times."), tr("HZ"));
     const auto sources = option("sources", tr("Open the sources listed in a TOML file."), tr("FILE"));
+    const auto dock = option("dock",
+                             tr("View of the Operate page to bring to the front: %1.")
+                                 .arg(OperateDocks::names().join(QStringLiteral(", "))),
+                             tr("NAME"));
     const auto page =
         option("page", tr("Page to show: %1.").arg(pageNames().join(QStringLiteral(", "))), tr("NAME"));
     const auto theme = option("theme", tr("light, dark or system."), tr("NAME"));
@@ -161,6 +167,10 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
     options.sourceList = m_parser.value(sources);
     if (const auto seeds = integers(seed, 0, std::numeric_limits<int>::max()); !seeds.empty())
         options.seed = static_cast<std::uint64_t>(seeds.back());
+    options.dock = m_parser.value(dock);
+    if (m_parser.isSet(dock) && !OperateDocks::names().contains(options.dock))
+        fail(tr("--dock %1: expected one of %2")
+                 .arg(options.dock, OperateDocks::names().join(QStringLiteral(", "))));
     options.page = m_parser.value(page);
     if (m_parser.isSet(page) && !pageNames().contains(options.page))
         fail(tr("--page %1: expected one of %2").arg(options.page, pageNames().join(QStringLiteral(", "))));

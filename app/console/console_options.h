@@ -32,6 +32,7 @@ struct ConsoleOptions {
     QString sourceList;
     std::uint64_t seed = 1;
     QString page;
+    QString dock; ///< of the Operate page, brought to the front
     QString theme;
     QString language;
     QString screenshot;

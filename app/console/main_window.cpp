@@ -148,6 +148,9 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     if (!m_settings.layout(QLatin1String(kOperate)).isEmpty())
         m_operate->docks().restoreLayouts(m_settings.layout(QLatin1String(kOperate)));
 
+    if (!options.dock.isEmpty())
+        m_operate->docks().bringForward(options.dock);
+
     connect(&m_clock, &GuiClock::tick, this, &MainWindow::onTick);
     m_clock.start();
 }

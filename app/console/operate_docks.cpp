@@ -55,6 +55,7 @@ void OperateDocks::setKind(Kind kind) {
     enableActions();
     if (m_layouts[index()].isEmpty() || !restore(m_layouts[index()]))
         resetLayout();
+    bringForward(std::exchange(m_forward, QString()));
 }
 
 bool OperateDocks::restore(const QByteArray& layout) {
@@ -65,6 +66,22 @@ bool OperateDocks::restore(const QByteArray& layout) {
         for (std::size_t i = kFirstOfArm; i < kDocks; ++i)
             m_docks[i]->hide();
     return true;
+}
+
+QStringList OperateDocks::names() {
+    QStringList names;
+    for (const char* name : kNames)
+        names << QLatin1String(name);
+    return names;
+}
+
+void OperateDocks::bringForward(const QString& name) {
+    m_forward = name;
+    const auto index = static_cast<std::size_t>(names().indexOf(name));
+    if (index >= kDocks || (m_kind == Kind::array && index >= kFirstOfArm))
+        return;
+    m_docks[index]->show();
+    m_docks[index]->raise();
 }
 
 QList<QAction*> OperateDocks::actions() const {

@@ -4,6 +4,8 @@
 #include <QByteArray>
 #include <QList>
 #include <QMainWindow>
+#include <QString>
+#include <QStringList>
 
 #include <array>
 #include <cstddef>
@@ -48,6 +50,11 @@ public:
 
     void setKind(Kind kind);
     [[nodiscard]] Kind kind() const { return m_kind; }
+    /// Names of the docks, for options and settings.
+    [[nodiscard]] static QStringList names();
+    /// Brings a dock to the front, whatever kind of source shows it next; unknown names are ignored.
+    void bringForward(const QString& name);
+
     /// Shows and hides docks; those that do not belong to this kind of source are disabled.
     [[nodiscard]] QList<QAction*> actions() const;
 
@@ -71,6 +78,7 @@ private:
 
     std::array<QDockWidget*, kDocks> m_docks{};
     Kind m_kind = Kind::array;
+    QString m_forward; ///< name of the dock that comes to the front with the next layout
     std::array<QByteArray, kKinds> m_layouts;       ///< of the kinds that are not shown; empty: never shown
     std::array<bool, kKinds> m_default{true, true}; ///< shares its space anew when it is shown
 };

@@ -7,6 +7,7 @@
 #include "widgets/base/theme.h"
 #include "widgets/bracelet/bracelet_view.h"
 #include "widgets/charts/joint_chart_view.h"
+#include "widgets/touch/contour_view.h"
 #include "widgets/touch/jog_panel.h"
 #include "widgets/touch/pattern_map_table.h"
 #include "widgets/touch/stiffness_gauge.h"
@@ -62,6 +63,7 @@ class ArmViewsTest : public QObject {
         m_settings = std::make_unique<ConsoleSettings>(true);
         ConsoleOptions options;
         options.scenes = {metalScene()};
+        options.dock = QStringLiteral("contour");
         m_window = std::make_unique<MainWindow>(options, *m_settings, *m_stop);
         m_window->show();
         m_window->activateWindow();
@@ -165,6 +167,9 @@ private slots:
         openArm();
         auto& docks = m_window->operatePage().docks();
         QCOMPARE(docks.kind(), OperateDocks::Kind::arm);
+        // As the option says: before the others behind the same tabs.
+        QVERIFY(!child<touch::ContourView>()->visibleRegion().isEmpty());
+        QVERIFY(child<charts::JointChartView>()->visibleRegion().isEmpty());
         auto* gauge = m_window->findChild<QDockWidget*>("stiffness");
         auto* touches = m_window->findChild<QDockWidget*>("touches");
         QVERIFY(!gauge->isHidden());

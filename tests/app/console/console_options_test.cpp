@@ -44,6 +44,7 @@ private slots:
         QTest::newRow("rows not a number") << QStringList{"--replay", "a", "--rows", "six"} << "six";
         QTest::newRow("rows out of range") << QStringList{"--replay", "a", "--rows", "0"} << "1 to 1024";
         QTest::newRow("rate not finite") << QStringList{"--rate", "nan"} << "nan";
+        QTest::newRow("unknown dock") << QStringList{"--dock", "nowhere"} << "stiffness";
         QTest::newRow("unknown page") << QStringList{"--page", "nowhere"} << "operate";
         QTest::newRow("unknown theme") << QStringList{"--theme", "pink"} << "light, dark or system";
         QTest::newRow("size without x") << QStringList{"--size", "1600"} << "WIDTHxHEIGHT";
@@ -64,7 +65,7 @@ private slots:
         QVERIFY(!help.options.has_value());
         QCOMPARE(help.exitCode, 0);
         for (const char* option :
-             {"--scene", "--replay", "--page", "--screenshot", "--after", "--theme", "--tare"})
+             {"--scene", "--replay", "--page", "--dock", "--screenshot", "--after", "--theme", "--tare"})
             QVERIFY2(help.text.contains(QLatin1String(option)), option);
         QCOMPARE(parseOptions({"teleta-console", "--version"}).exitCode, 0);
     }
