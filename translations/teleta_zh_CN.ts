@@ -136,6 +136,60 @@
     </message>
 </context>
 <context>
+    <name>BakeText</name>
+    <message>
+        <source>the pattern has too many corners</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most %1 breakpoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Bracelet</name>
+    <message>
+        <source>The connection to the bracelet was lost.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a USB device %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a USB device %1 with the serial number %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No bracelet is plugged in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The device does not answer as a bracelet does.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a feature report of layout version %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bracelet %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bracelet at %1 may not be opened.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>read and write access to it, which the udev rule gives</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bracelet at %1 cannot be opened.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ConsoleOptions</name>
     <message>
         <source>--%1 %2: expected a number from %3 to %4</source>
@@ -294,11 +348,195 @@ Examples:
         <source>--size %1: expected WIDTHxHEIGHT, from 320x240 to 16384x16384</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>View of the Operate page to bring to the front: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--dock %1: expected one of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ContactsCommand</name>
     <message>
         <source>Place, force and identity of each contact of each tactile frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ContourCommand</name>
+    <message>
+        <source>circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rectangle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>triangle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>arc</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (confidence %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest curvature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 1/m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 m (points off by %2 m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vertex %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shape, vertices and spline of a series of contact points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CSV with the columns x_m,y_m, in the order of touch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>approximating: the points are the control points; interpolating: the curve passes through them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The contour comes back to its start; otherwise this is found out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points of the curve, for the CSV and the largest curvature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An extent under this is a point, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the curve as CSV t,x_m,y_m,curvature_per_m, t from 0 to 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file has no points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a coordinate is too large to compute with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a row for each contact point, in metres</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ContourPicture</name>
+    <message>
+        <source>nothing explored yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, confidence %2 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch an object from several sides: its outline appears here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>radius %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>edges %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>points off by %1 (rms)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>z %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x [mm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>y [mm]</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -420,6 +658,10 @@ Examples:
         <source>a file</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>text outside of the quotes of a value</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>DeviceState</name>
@@ -457,6 +699,73 @@ Examples:
     </message>
 </context>
 <context>
+    <name>DevicesCommand</name>
+    <message>
+        <source>&quot;kind&quot; is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kind = &quot;modbus&quot; or &quot;wts&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bracelet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3D mouse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tactile array</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Modbus device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not connected: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>up to %1 Hz</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No device is connected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is connected, why not, and how fast it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect to the device of this description and read it; its motors are set to zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Error</name>
     <message>
         <source> (expected %1)</source>
@@ -478,6 +787,28 @@ Examples:
     </message>
     <message>
         <source>Unknown picture format &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>FigureText</name>
+    <message>
+        <source>Subject response, %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Actual pattern</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>FileText</name>
+    <message>
+        <source>the ending of the name tells no format</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one of %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -596,6 +927,82 @@ Examples:
     </message>
 </context>
 <context>
+    <name>GaugeTexts</name>
+    <message>
+        <source>no stiffness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, level %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>taken as %1, level %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, level %2, not certain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>95 %: %1   %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not told from rigid   %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no interval known   %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stiffer than the link allows: check contact distance and link stiffness.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>level %1, %2, the paper&apos;s object %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rigid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: from %2
+%3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: under %2
+%3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 to %3
+%4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No stiffness. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no touch yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>HeatmapPainter</name>
     <message>
         <source>x [mm]</source>
@@ -689,6 +1096,112 @@ Examples:
     </message>
 </context>
 <context>
+    <name>Modbus</name>
+    <message>
+        <source>%1 cannot be opened: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The device has no motors.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a table [tactors] in its file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The device tells no joints.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>four tables [[joint]] in its file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>illegal function</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>illegal data address</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>illegal data value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>device failure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>acknowledge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>device busy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>negative acknowledge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>memory parity error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gateway path unavailable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the device behind the gateway does not answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not in the standard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The server answered with exception %1: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The server did not answer in time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The server&apos;s answer does not fit the request.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The connection was lost.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Mouse3d</name>
+    <message>
+        <source>The 3D mouse at %1 may not be opened.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>read and write access to it, which the udev rule gives</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The 3D mouse at %1 cannot be opened.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No 3D mouse is plugged in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The 3D mouse was unplugged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>OutputFileText</name>
     <message>
         <source>cannot write: %1</source>
@@ -735,6 +1248,426 @@ Examples:
     </message>
     <message>
         <source>Grid: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PatternCommand</name>
+    <message>
+        <source>shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stiffness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>-</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>static</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dynamic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>... (%1 breakpoints)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tactor %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Object %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Object %1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>List, show, sample, convert and check the patterns of the bracelet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pattern file or id of a built-in pattern</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>List the built-in patterns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show what a pattern consists of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sample a pattern: rows time_s,t1..t6 over its duration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Samples a second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the CSV to this file, which appears when it is complete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the motors will do, with an assumed motor: lag, start and speed are not measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write a pattern in another format, told by the ending</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File to write</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Say where a pattern breaks a law of what can be felt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the ending of %1 tells no format; expected one of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 keeps all laws.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2 s to %3 s: %4 %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PatternFile</name>
+    <message>
+        <source>the pattern cannot be stretched like that</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a factor above 0 with which it lasts at most a day</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the times go back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a time that is not before the one in front of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no tactor for the file &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>files tactor1.haptic to tactor6.haptic, each once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a pattern cannot hold this</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the times go back or on for too long</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no tactor left for this channel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>six channels with directions 60 degrees apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is another format</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is of a newer version</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>these values contradict each other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a start between 0 and 1, times above 0, a curve that rises from the start or before it to the drive 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no such file or built-in pattern</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a pattern file, or an id of teleta pattern list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is too large</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most %1 MiB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this format holds one tactor, the pattern uses more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a name that ends with %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>patterns are written in this format, but not read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this name is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the pattern is too long for a WAV file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most 4 GiB of samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a time that is not before the start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this effect is for other devices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the zip archive has too many files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the unpacked zip archive is too large</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PatternJson</name>
+    <message>
+        <source>the file is too large</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most %1 MiB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the values are nested too deeply</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most %1 levels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an object has the key &quot;%1&quot; twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>each key once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the JSON text is damaged or cut off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>JSON in UTF-8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is not an object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an object with the key &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the key &quot;%1&quot; is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an array of length %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an array of length %1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the array has a wrong length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is not an array</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is not a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is out of range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is not a whole number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a whole number from %1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is neither true nor false</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is not text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PatternLaws</name>
+    <message>
+        <source>%1 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A burst of %1 is too short for the motor, which needs %2 to rise.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A turn of the ring takes %1; its direction is felt reliably from %2 on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bursts begin %1 apart; they are felt as one motion with %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Object %1 plays on the same motor at the same time (tactors %2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tactors %1 are at most %2 Hz apart in speed: they beat.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It goes on until %1 s, but the pattern ends at %2 s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give the ring %1 turns.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make it %1 long.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make the ring %1 long.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the law of apparent motion set them %1 apart.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let it begin at %1 s, when the other one is over.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give both the same intensity, or make them %1 Hz different.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the pattern last %1 s.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -792,6 +1725,25 @@ Examples:
     </message>
 </context>
 <context>
+    <name>ProtocolText</name>
+    <message>
+        <source>&quot;%1&quot; cannot be part of a file name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>letters, digits, - and _</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is there twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>each one once</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Provenance</name>
     <message>
         <source>SIMULATED</source>
@@ -799,6 +1751,109 @@ Examples:
     </message>
     <message>
         <source>RECORDED</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>RegisterMapReader</name>
+    <message>
+        <source>&quot;scale&quot; is 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the value of one count</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the last register would be beyond 65535</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an address of at most %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; does not fit into the register</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a value that type, scale and offset can express</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;full&quot; and &quot;off&quot; are the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a value at which the motor runs as fast as it can</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a float has no bits to look at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one of: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no input &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name of an [[input]]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the unit of &quot;%1&quot; is &quot;%2&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an input in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name &quot;%1&quot; is used twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a name of its own for each input</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the number of joints is wrong: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, from the shoulder on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the watchdog is a register of a motor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a register of its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no motor to watch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a table [tactors]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file names no register</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>[tactors] or [[input]]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no such device comes with the program</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -839,6 +1894,38 @@ Examples:
         <source>effect &quot;%1&quot; is listed twice</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>a property of the arm is out of range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a property of the joint controllers is out of range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a property of the arm&apos;s skin is out of range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a property of object &quot;%1&quot; is out of range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the program of the arm is out of range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>effect &quot;%1&quot; needs an arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the scene is that of an arm, not of a tactile array</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the scene is that of a tactile array, not of an arm</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>SceneReader</name>
@@ -874,11 +1961,126 @@ Examples:
         <source>each effect at most once</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>the arm starts outside the range of its joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 from %2 to %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the waypoints are not in the order of time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the program has no object to touch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at least one [[object]]</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SceneRun</name>
+    <message>
+        <source>the folder cannot be made or written to</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SimulateCommand</name>
+    <message>
+        <source>Scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Computed in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s (%2 x real time)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Effect %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run a simulated scene as fast as possible and measure what was estimated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scene file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seed of all random numbers of the scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulated time in seconds; otherwise what the scene says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder for summary.json and the recorded data as CSV</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SimulatedArmDevice</name>
+    <message>
+        <source>The arm was unplugged.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>SimulatedArrayDevice</name>
     <message>
         <source>The device was unplugged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SimulatedBracelet</name>
+    <message>
+        <source>Simulated bracelet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bracelet was unplugged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SourceText</name>
+    <message>
+        <source>these are data of different modes: %1 and %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one mode, or to be told which one counts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be &quot;%2&quot;</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1066,6 +2268,13 @@ Examples:
     </message>
 </context>
 <context>
+    <name>StoreText</name>
+    <message>
+        <source>the study is damaged: a session or a trial has a number that its protocol does not have</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>StripTexts</name>
     <message>
         <source>Force</source>
@@ -1123,6 +2332,412 @@ Examples:
     </message>
     <message>
         <source>active</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>StudyCommand</name>
+    <message>
+        <source>%1 % correct (95 %: %2 to %3, %4 participants)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 % correct (one participant)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 bit, %2 without bias</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F(%1, %2) = %3, p = %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rehearse a user study with simulated participants, and analyse studies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run simulated participants through a whole study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Protocol of the study; otherwise the paper&apos;s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many take part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seed of all orders and answers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of the trials in which nothing is answered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder of the new study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on with a rehearsal that was interrupted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder of the study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Confusion matrices, accuracy, information transfer and ANOVA of studies or trial CSVs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folders of studies, or CSVs with participant_id,task,condition,phase,stimulus,response</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only data of this mode; different modes are not merged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder for confusion_long.csv, summary.csv, group.csv and anova.csv</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the trials of a study as files into its folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>psychds: data/; bids: bids/; excel: excel/, with semicolons and the decimal sign of the locale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulated participants</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of them kept before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is named twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>each study and each file once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are no completed trials</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>trials that were answered or timed out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>StudyExport</name>
+    <message>
+        <source>cannot make the folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file does not hold what was written</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>StudyFigure</name>
+    <message>
+        <source>cannot make the folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two figures have the same name</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>StudyFiles</name>
+    <message>
+        <source>cannot make the folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>StudyProtocol</name>
+    <message>
+        <source>&quot;%1&quot; means no answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another letter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot open the protocol: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>StudyRehearsal</name>
+    <message>
+        <source>this study has real participants</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a study that was begun as a rehearsal</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>StudySchema</name>
+    <message>
+        <source>this is no study: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a newer program made this study (schema %1, this one knows %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot write the study: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>StudySession</name>
+    <message>
+        <source>the trials that were kept are not those of this plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the order that the seed of the session gives</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>StudyStore</name>
+    <message>
+        <source>cannot open the study: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot use the study: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot make the folder of the study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is a study in this folder already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a new folder, or to go on with the study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no study here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a folder with study.sqlite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the study was never completely made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot name a participant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a text of 1 to %1 characters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the participant &quot;%1&quot; is enrolled already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this trial is kept already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>each attempt of a trial once</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>StudyTrialSource</name>
+    <message>
+        <source>run, pilot or simulated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>practice or test</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>correct, incorrect, timeout, aborted or device_error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what stimulus and response say</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number of seconds or NA</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are too many different patterns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Timeline</name>
+    <message>
+        <source>hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ease in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ease out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ease in and out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor %1 at %2°
+%3 s: %4 %, %5 Hz</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 to %3 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Paste in Place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paste at Play&amp;head</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>De&amp;lete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>commanded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>predicted (assumed motors)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>predicted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the motor cannot follow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>zoom in to see what the motors do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sweep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ring</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Phantom</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ramp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pulse train</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stroke</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1246,6 +2861,157 @@ Examples:
     </message>
 </context>
 <context>
+    <name>TouchTexts</name>
+    <message>
+        <source>sponge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rubber sponge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rubber</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wood</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>metal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rectangle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>triangle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>arc</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SAFE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DANGER</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>regression</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The readings of angle or torque are not usable numbers. Check the arm&apos;s sensors.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The contact lies on the joint&apos;s axis, or the link&apos;s stiffness is not set: nothing to divide by.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The noise of the arm&apos;s readings is set below zero.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The torque window is empty: its upper end must lie above its lower end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No joint samples came in during the touch.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The touch was too light: the torque did not reach the torque window. Press harder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The touch was too quick: fewer than two samples lie in the torque window. Press slower.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The torque did not change within the torque window. Press with rising force.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The joint turned against the rising torque: the object moved, or a sign is wrong.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shoulder roll</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shoulder pitch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shoulder yaw</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>elbow pitch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>jog</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N/m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at least %1 (95 %)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 … rigid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 … %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ValidatorText</name>
     <message>
         <source>%1 is given, %2 is expected</source>
@@ -1265,6 +3031,179 @@ Examples:
     </message>
     <message>
         <source>a number from %1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>WtsDevice</name>
+    <message>
+        <source>a serial port cannot run at %1 baud</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot open %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not a serial port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot find %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>connecting was cancelled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot connect to %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link failed: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sensor closed the connection.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The device was unplugged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sensor says that it has %1 rows and %2 columns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an array of 1 to %1 rows and columns whose frame fits into one message</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sensor&apos;s cells are %1 mm wide and %2 mm high</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>square cells</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sensor describes its array in %1 bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the 10 bytes of a WTS array</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sensor sends no frames: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sensor does not answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sensor refused a request: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another array is connected: %1 x %2 cells of %3 mm instead of %4 x %5 cells of %6 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sensor has sent no usable frame for %1 s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>WtsText</name>
+    <message>
+        <source>&quot;%1&quot; is not the address of a tactile array</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the path of a serial port, or tcp://HOST:PORT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>success</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not available</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no sensor connected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not initialised</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>already running</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not supported</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>inconsistent data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>time-out in the sensor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>read error in the sensor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write error in the sensor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wrong checksum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown command</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wrong format</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>access denied</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>status %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ZipText</name>
+    <message>
+        <source>the zip archive is damaged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a zip archive that is not encrypted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the zip archive could not be made</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1308,6 +3247,127 @@ Examples:
     </message>
     <message>
         <source>Comma-separated values (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>teleta::bracelet::BraceletView</name>
+    <message>
+        <source>Bracelet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;What the six motors of the bracelet do now, on the unrolled forearm: from left to right once around the arm. The fuller a disc, the stronger the motor vibrates.&lt;/p&gt;&lt;p&gt;Where a bracelet is connected, hold a disc with the mouse, or one of the keys 1 to 6, to feel that motor alone.&lt;/p&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>motor %1: %2 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is played</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor %1 at %2°: %3 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>teleta::charts::JointChartView</name>
+    <message>
+        <source>Joint torques and angles of the arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Torque of each joint over time. The coloured band is the torque window: between its ends a touch is evaluated. Grey stretches are touches with their numbers, from the first torque above the noise to the estimate.&lt;/p&gt;&lt;p&gt;Drag or Shift+wheel scrolls, Ctrl+wheel changes the span, Space pauses, End goes back to live.&lt;/p&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No arm. Open a scene or a device with an arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the joint angles too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show %1 s (Ctrl+wheel for other spans)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go Live</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop the picture; samples go on being kept (Space)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at %1 s   arm time %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at %1 s   no sample</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>last %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PAUSED, %1 s behind   %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;pan</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>teleta::charts::JointPlot</name>
+    <message>
+        <source> s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shoulder roll</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shoulder pitch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shoulder yaw</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>elbow pitch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joint torque</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joint angle</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1467,6 +3527,14 @@ Examples:
     </message>
     <message>
         <source>From the read to the screen: %1 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>touch to skin %1 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the completed touch to the first frame of its pattern: %1 ms</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1670,6 +3738,106 @@ Examples:
     </message>
 </context>
 <context>
+    <name>teleta::console::ArmViews</name>
+    <message>
+        <source>%1 (%2 %)</source>
+        <comment>a recognised shape and its confidence</comment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::BraceletStation</name>
+    <message>
+        <source>STOP is engaged: the bracelet is off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No bracelet: what would be played is named in the table of patterns.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connecting to the bracelet…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bracelet is not connected. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bracelet</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::FeedbackPanel</name>
+    <message>
+        <source>shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stiffness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dynamic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>static</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: no pattern</source>
+        <comment>what was recognised</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>what was recognised: id of a pattern</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch %1: %2. There is no pattern for it in the table.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch %1: %2. %3 was felt %4 later.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch %1: %2. %3 was sent.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Felt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stiffness and shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What of a touch is played on the bracelet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was recognised yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::MainWindow</name>
     <message>
         <source>TeleTA Console</source>
@@ -1784,6 +3952,141 @@ Examples:
         <source>&amp;About TeleTA Console</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Demo: an arm touches five materials</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sponge, rubber sponge, rubber, wood and metal: contact point, force, stiffness, bracelet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Demo: an arm explores a round object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The forearm touches it from all around: contact points, spline, recognised shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Demo: an arm explores a rectangular object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same with a box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Demo: an arm explores a triangular object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same with a triangular prism</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Demo: an arm yields</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Somebody pushes the arm, then it meets an object, under joint admittance control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Demo: a pressure mat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A 64 x 27 mat under a body: a head, a trunk that turns, two heels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Run its program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Begin &amp;anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Forget the explored contour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is touched from now on is another object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Bracelet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Simulated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;USB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;None</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::OperateDocks</name>
+    <message>
+        <source>Heatmap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reconstruction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Features over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Processing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bracelet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feedback</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Contour</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::OperatePage</name>
@@ -1805,22 +4108,6 @@ Examples:
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Heatmap</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reconstruction</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Features over time</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Processing</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>No source</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1830,10 +4117,6 @@ Examples:
     </message>
     <message>
         <source>Open &amp;demo scene</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A simulated tactile array that is touched</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1850,6 +4133,18 @@ Examples:
     </message>
     <message>
         <source>A TOML file that lists scenes and recordings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bracelet could not be opened.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A simulated arm that touches five materials</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1963,6 +4258,156 @@ Examples:
     <name>teleta::console::Unattended</name>
     <message>
         <source>teleta-console: %1: cannot write the picture: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>teleta::editor::PatternDocument</name>
+    <message>
+        <source>%1 (copy)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add Breakpoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move Object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move Breakpoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set Breakpoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change Curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale Intensity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stretch in Time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete Object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete Breakpoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Swap Arms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add Object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change Object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bake Object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bake All</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Follow the Law</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit Notes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit Tags</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change Task</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change Condition</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change Duration</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>teleta::editor::TimelineView</name>
+    <message>
+        <source>Time in s; intensity in %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Timeline of the pattern</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Visible time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Six motors over time. The blue line is what is asked of a motor, the thin one what the motor is predicted to do; it is hatched where the motor cannot follow.&lt;/p&gt;&lt;p&gt;Double-click or &lt;b&gt;P&lt;/b&gt;: add breakpoints. Drag: move, with &lt;b&gt;Alt&lt;/b&gt; off the grid. Drag on the ground, or with &lt;b&gt;Shift&lt;/b&gt;: select. Double-click on a breakpoint or &lt;b&gt;Enter&lt;/b&gt;: type its numbers. Arrow keys: move what is selected, with &lt;b&gt;Shift&lt;/b&gt; farther in time and finer in intensity. &lt;b&gt;Page Up&lt;/b&gt;, &lt;b&gt;Page Down&lt;/b&gt;: lane; &lt;b&gt;,&lt;/b&gt; and &lt;b&gt;.&lt;/b&gt;: breakpoint; &lt;b&gt;Insert&lt;/b&gt;: a breakpoint at the playhead.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; and wheel: zoom. &lt;b&gt;Shift&lt;/b&gt; and wheel: scroll. On the ruler a drag moves the playhead and, with &lt;b&gt;Shift&lt;/b&gt;, sets the loop.&lt;/p&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pattern</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Type Numbers…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add &amp;Breakpoint Here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Zoom to Fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clear &amp;Loop</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2201,6 +4646,446 @@ Double-click to type the upper end.</source>
     <message>
         <source>Dead taxel: its value is not used.</source>
         <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>teleta::touch::ContourView</name>
+    <message>
+        <source>Explored contour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The object from above, as far as it was explored: the points at which it was touched, the spline through them, and the vertices or the circle of the shape that was recognised.&lt;/p&gt;&lt;p&gt;The confidence is that of the decision between the known shapes.&lt;/p&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>contour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Forget the explored contour</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>teleta::touch::DriveSign</name>
+    <message>
+        <source>Drive of the arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>teleta::touch::JogPanel</name>
+    <message>
+        <source>%1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog the arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Moves the arm by hand. It moves only while you hold Shift, or the wide button, together with a direction. Let go of either and it stands still.&lt;/p&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the arm&apos;s program go on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold the arm where it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>R&amp;estart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Begin the arm&apos;s program anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tip, x y z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is moved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn single joints, or move the tip of the forearm along the base&apos;s axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of the fastest speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold to enable (or Shift)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dead-man switch: the arm moves only while this button or Shift is held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dead-man switch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angle of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tip along %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold with Shift to move; key Shift+%1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No arm is connected. Open a scene or a device with an arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>STOP is engaged. Hold the STOP button to release it, then jog.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold Shift and a button, or Shift with D A (x), W S (y), E Q (z).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold Shift and a button, or Shift with Q W E R (up), A S D F (down).</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>teleta::touch::JointRange</name>
+    <message>
+        <source>Range %1° … %2°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>teleta::touch::PatternMapTable</name>
+    <message>
+        <source>level %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was recognised and its pattern</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Which pattern the bracelet plays for what was recognised. The marked row was recognised last.&lt;/p&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Patterns for what was recognised</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recognised</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pattern</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Defaults</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The built-in dynamic patterns again; can be undone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pattern for %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (missing)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (now)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was recognised yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recognised: %1. Nothing is played.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recognised: %1. Pattern now: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recognised: %1. Its pattern %2 is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Default patterns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file could not be read: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file could not be written: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export Patterns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import Patterns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Map of patterns (*.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>teleta::touch::StiffnessGauge</name>
+    <message>
+        <source>Stiffness of the touched object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;How stiff the object is that was touched last, on a logarithmic scale. The dot is the estimate, the line through it the interval in which the stiffness lies with 95 %.&lt;/p&gt;&lt;p&gt;An object that yields hardly more than the arm itself cannot be told from a rigid one: then an open arrow shows that its stiffness is at least so large.&lt;/p&gt;&lt;p&gt;Sponge and rubber sponge are safe to touch; rubber, wood and metal are a danger.&lt;/p&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch an object with the forearm: its stiffness appears here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stiffness</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>teleta::touch::TouchModel</name>
+    <message>
+        <source>No force: the skin did not feel where the contact is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 ± %3 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: not observable in this configuration of the arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>condition number %1, unexplained torque %2 Nm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>95 % interval in brackets; %1, %n sample(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No stiffness: the skin did not feel where the contact is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (not certain), %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First torque above the noise at %1 s, estimated %2 ms later; evaluated: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x, y, z in the frame of the arm&apos;s base; the distance is along the forearm, from the elbow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The skin did not feel this contact.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force at the contact; ? marks what the arm cannot observe in its configuration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Condition number of the force: longest over shortest lever; large is bad</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance of the contact from the elbow, along the forearm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Contact x, y, z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Along link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force x, y, z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>teleta::touch::TouchTable</name>
+    <message>
+        <source>Recent touches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Every touch of the arm with what was found out about it. A ? in the force marks a component that the arm cannot observe in its configuration.&lt;/p&gt;&lt;p&gt;Click a title to sort. Ctrl+C copies the selected rows.&lt;/p&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No touch yet. Touch an object with the forearm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>touches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select &amp;All</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Newest First</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n touch(es)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
