@@ -76,7 +76,7 @@ QString ContourPicture::details() const {
 
 QRectF ContourPicture::plotRect(const QSizeF& size) const {
     const double em = QFontMetricsF(font).height();
-    return QRectF(4.0 * em, 3.4 * em, size.width() - 5.0 * em, size.height() - 5.6 * em);
+    return QRectF(4.0 * em, 4.3 * em, size.width() - 5.0 * em, size.height() - 6.5 * em);
 }
 
 std::optional<QTransform> ContourPicture::mapping(const QSizeF& size) const {
