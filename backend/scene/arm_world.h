@@ -93,7 +93,7 @@ struct TouchProgram {
     double approach_radPerS = 0.003;
     double travel_radPerS = 0.12;
     double clearance_rad = 0.004; ///< before the first contact, where the slow approach begins
-    double retract_rad = 0.1;    ///< before the first contact, where the next object takes its place
+    double retract_rad = 0.1;     ///< before the first contact, where the next object takes its place
     double torqueLimit_Nm = 0.08;
     double hold_s = 0.2;
 };

@@ -10,7 +10,8 @@
 
 namespace teleta::study {
 
-/// psychds  DIR/data/subject-P07/subject-P07_session-20261103T142233_task-shape_data.csv, a .json beside each,
+/// psychds  DIR/data/subject-P07/subject-P07_session-20261103T142233_task-shape_data.csv, a .json beside
+/// each,
 ///          DIR/dataset_description.json and DIR/analysis.R; comma, NA.
 /// bids     DIR/bids/sub-P07/ses-20261103T142233/beh/sub-P07_ses-20261103T142233_task-shape_beh.tsv, a .json
 ///          beside each and DIR/bids/dataset_description.json; tab, n/a.
