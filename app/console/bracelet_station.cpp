@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/bracelet_station.h"
 
-#include "app/console/background.h"
 #include "backend/core/device_state.h"
 #include "backend/core/steady_time.h"
 #include "backend/pattern/built_in_patterns.h"
 #include "backend/playback/pattern_program.h"
 
+#include <algorithm>
+#include <chrono>
 #include <utility>
 
 namespace teleta::console {
@@ -39,32 +40,50 @@ BraceletStation::~BraceletStation() {
 void BraceletStation::letGo() {
     m_slot->set(nullptr);
     m_held.reset();
-    // Its end waits for the device's last frame.
     if (m_session)
-        QThreadPool::globalInstance()->start(
-            [session = std::exchange(m_session, nullptr)]() mutable { session.reset(); });
+        close(std::exchange(m_session, nullptr));
+}
+
+void BraceletStation::close(std::shared_ptr<BraceletSession> session) {
+    // Its end waits for the device's last frame.
+    m_closings.push_back(
+        std::async(std::launch::async, [session = std::move(session)]() mutable { session.reset(); }));
 }
 
 void BraceletStation::choose(BraceletChoice choice) {
     letGo();
     m_choice = choice;
+    ++m_chosen;
     emit chosen(choice);
     if (choice == BraceletChoice::none)
         return;
-    runInBackground(
-        this, [choice, &stop = m_stop] { return BraceletSession::open(choice, stop); },
-        [this, choice](core::Expected<std::shared_ptr<BraceletSession>> session) {
-            if (choice != m_choice || m_session)
-                return;
-            if (!session) {
-                m_choice = BraceletChoice::none;
-                emit chosen(m_choice);
-                emit failed(session.error());
-                return;
-            }
-            m_session = std::move(*session);
-            m_slot->set(m_session);
-        });
+    m_openings.push_back({m_chosen, std::async(std::launch::async, [choice, &stop = m_stop] {
+                              return BraceletSession::open(choice, stop);
+                          })});
+}
+
+void BraceletStation::takeOpened() {
+    const auto isReady = [](const auto& future) {
+        return future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    };
+    std::erase_if(m_closings, isReady);
+    const auto ready = std::find_if(m_openings.begin(), m_openings.end(),
+                                    [&](const Opening& opening) { return isReady(opening.result); });
+    if (ready == m_openings.end())
+        return;
+    const bool wanted = ready->number == m_chosen;
+    core::Expected<std::shared_ptr<BraceletSession>> session = ready->result.get();
+    m_openings.erase(ready);
+    if (session && !wanted) {
+        close(std::move(*session));
+    } else if (session) {
+        m_session = std::move(*session);
+        m_slot->set(m_session);
+    } else if (wanted) {
+        m_choice = BraceletChoice::none;
+        emit chosen(m_choice);
+        emit failed(session.error());
+    }
 }
 
 void BraceletStation::setMap(const pattern::PatternMap& map) {
@@ -103,6 +122,7 @@ void BraceletStation::repeatHold() {
 }
 
 void BraceletStation::tick() {
+    takeOpened();
     repeatHold();
     pipeline::FeedbackSent sent;
     while (m_feedback->popSent(sent)) {

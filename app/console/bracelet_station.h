@@ -11,6 +11,8 @@
 #include <QString>
 
 #include <cstddef>
+#include <cstdint>
+#include <future>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -25,7 +27,8 @@ struct FeedbackEvent {
 };
 
 /// The bracelet of the console: opens and closes it off the GUI's thread, lets touches be felt on it, and
-/// tells what it does. Thread: GUI; no call waits.
+/// tells what it does. Thread: GUI; no call waits but the destructor, for a device that is being opened or
+/// closed.
 class BraceletStation : public QObject {
     Q_OBJECT
 
@@ -69,11 +72,22 @@ signals:
     void felt(const FeedbackEvent& event);
 
 private:
+    /// A bracelet that is being opened on a thread of its own; its end waits for that thread.
+    struct Opening {
+        std::uint64_t number = 0;
+        std::future<core::Expected<std::shared_ptr<BraceletSession>>> result;
+    };
+
     void letGo();
+    void close(std::shared_ptr<BraceletSession> session);
+    void takeOpened();
     void repeatHold();
 
     core::StopSwitch& m_stop;
     BraceletChoice m_choice = BraceletChoice::none;
+    std::vector<Opening> m_openings;
+    std::vector<std::future<void>> m_closings;
+    std::uint64_t m_chosen = 0;                 ///< number of the newest choice
     std::shared_ptr<BraceletSession> m_session; ///< null while it is being opened
     /// The same for the pipeline's thread.
     std::shared_ptr<core::LatestCopy<std::shared_ptr<BraceletSession>>> m_slot;

@@ -148,6 +148,26 @@ private slots:
         QVERIFY(!child<touch::JogPanel>()->refusal().isEmpty());
     }
 
+    void aStationEndsWhileItsBraceletsAreBeingOpenedAndClosed() {
+        for (int i = 0; i < 20; ++i) {
+            core::StopSwitch stop; // which devices must not look at any more
+            console::BraceletStation station(stop);
+            for (const BraceletChoice choice :
+                 {BraceletChoice::simulated, BraceletChoice::none, BraceletChoice::simulated}) {
+                station.choose(choice);
+                if (i % 2 == 1)
+                    station.tick();
+            }
+        }
+        core::StopSwitch stop;
+        console::BraceletStation station(stop);
+        station.choose(BraceletChoice::simulated);
+        station.choose(BraceletChoice::none);
+        station.choose(BraceletChoice::simulated);
+        station.tick();
+        QTRY_VERIFY((station.tick(), station.isReady()));
+    }
+
     void aTactorIsFeltWhileItIsHeld() {
         openArm();
         auto& bracelet = m_window->operatePage().bracelet();
