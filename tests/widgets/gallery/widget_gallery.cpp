@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/pattern/built_in_patterns.h"
 #include "tests/widgets/sample_touch.h"
 #include "tests/widgets/touch/sample_arm.h"
 #include "tests/widgets/touch/sample_records.h"
 #include "widgets/base/theme.h"
 #include "widgets/charts/joint_chart_view.h"
 #include "widgets/charts/strip_chart_view.h"
+#include "widgets/pattern/law_list.h"
+#include "widgets/pattern/pattern_editor.h"
+#include "widgets/pattern/timeline_view.h"
 #include "widgets/tactile/heatmap_view.h"
 #include "widgets/touch/jog_panel.h"
 #include "widgets/touch/pattern_map_table.h"
@@ -178,8 +182,33 @@ std::unique_ptr<QWidget> patternMap() {
     return view;
 }
 
+/// Breakpoints with every curve, objects with a broken law, a stroke.
+std::unique_ptr<QWidget> patternEditor() {
+    auto view = std::make_unique<editor::PatternEditor>();
+    pattern::Pattern pattern = *pattern::findBuiltIn("stiffness.C.dynamic");
+    pattern.id = "mine.example";
+    pattern.name = "Rubber, then a stroke";
+    pattern.duration_s = 4.0;
+    pattern.tracks[1] = {{0.2, 0.0, pattern::Easing::easeInOut},
+                         {0.7, 0.9, pattern::Easing::easeInOut},
+                         {1.2, 0.0, pattern::Easing::hold},
+                         {1.5, 0.6},
+                         {1.9, 0.6}};
+    pattern.objects.push_back({"", pattern::Ring{.start_s = 2.0, .duration_s = 1.0, .burst_s = {}}, {}});
+    pattern::Stroke stroke{.start_s = 3.1, .points = {}};
+    for (int i = 0; i <= 20; ++i)
+        stroke.points.push_back({0.04 * i, 0.25 * i, 0.5 + 0.5 * std::sin(0.4 * i)});
+    pattern.objects.push_back({"", stroke, {}});
+    view->document()->setPattern(pattern);
+    view->document()->select({{}, 0});
+    view->setPlayhead(0.9);
+    view->laws()->check();
+    return view;
+}
+
 std::vector<Exhibit> exhibits() {
     return {
+        {QStringLiteral("pattern_editor"), QSize(1440, 860), patternEditor},
         {QStringLiteral("gauge"), QSize(400, 220),
          [] { return gauge(test::estimateOf(1325.9, 1290.0, 1360.0)); }},
         {QStringLiteral("gauge_bound"), QSize(400, 220), [] { return gauge(test::boundOf(21000.0)); }},

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/pattern/pattern_document.h"
+
+#include <QWidget>
+
+class QAction;
+class QLabel;
+class QSplitter;
+class QToolBar;
+
+namespace teleta::editor {
+
+class LawList;
+class PatternInspector;
+class PatternLibrary;
+class StrokePad;
+class TimelineView;
+
+/// The editor of patterns: library, timeline, unrolled forearm, laws and numbers, with a tool bar. It plays
+/// nothing and does no file I/O: it asks for both. Thread: GUI.
+class PatternEditor : public QWidget {
+    Q_OBJECT
+public:
+    explicit PatternEditor(QWidget* parent = nullptr);
+
+    [[nodiscard]] PatternDocument* document() const { return m_document; }
+    [[nodiscard]] TimelineView* timeline() const { return m_timeline; }
+    [[nodiscard]] PatternLibrary* library() const { return m_library; }
+    [[nodiscard]] LawList* laws() const { return m_laws; }
+    [[nodiscard]] StrokePad* strokePad() const { return m_stroke; }
+    [[nodiscard]] PatternInspector* inspector() const { return m_inspector; }
+    /// Beside the forearm there is room for a picture of the bracelet; takes ownership.
+    void setBraceletPicture(QWidget* picture);
+
+    /// Where the pattern plays. Emits nothing.
+    void setPlayhead(double time_s);
+    void setPlaying(bool playing);
+    [[nodiscard]] bool isPlaying() const { return m_playing; }
+    /// Whether play is to begin again at the end; the range is timeline()->loop() or, without it, all.
+    [[nodiscard]] bool looping() const;
+
+signals:
+    void playRequested(const teleta::pattern::Pattern& pattern);
+    void stopRequested();
+    void playheadMoved(double t_s);
+    /// A built-in id or a path from the library; empty: the user is to be asked for a file.
+    void openRequested(const QString& idOrPath);
+    /// Empty: the user is to be asked for a name.
+    void saveRequested(const QString& path);
+    void duplicateRequested(const QString& idOrPath);
+    void compareRequested(const QString& idOrPath);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void makeActions();
+    void retranslate();
+    void updateTitle();
+    void togglePlay();
+    void addObject(const pattern::ObjectForm& form);
+
+    PatternDocument* m_document;
+    PatternLibrary* m_library;
+    TimelineView* m_timeline;
+    StrokePad* m_stroke;
+    LawList* m_laws;
+    PatternInspector* m_inspector;
+    QToolBar* m_bar;
+    QLabel* m_title;
+    QSplitter* m_below;
+    QAction *m_open, *m_save, *m_play, *m_stop, *m_loop, *m_undo, *m_redo, *m_pen, *m_snap, *m_rotateBack,
+        *m_rotate, *m_mirror, *m_swap, *m_fit, *m_add;
+    bool m_playing = false;
+};
+
+} // namespace teleta::editor

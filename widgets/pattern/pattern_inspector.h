@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/pattern/pattern_document.h"
+
+#include <QWidget>
+
+#include <functional>
+#include <vector>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+class QPlainTextEdit;
+class QPushButton;
+
+namespace teleta::editor {
+
+/// The numbers of a document: name, length, tags and notes of the pattern, and below them what is selected,
+/// one breakpoint, several of them, or an object with all its parameters. Thread: GUI.
+class PatternInspector : public QWidget {
+    Q_OBJECT
+public:
+    explicit PatternInspector(PatternDocument* document, QWidget* parent = nullptr);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void showPattern();
+    void showSelection();
+    void rebuild();
+    void buildPoints();
+    void buildObject();
+    /// A row whose number follows the document; set is called when the user changes it.
+    QDoubleSpinBox* number(const char* name, const QString& label, const QString& unit, double low,
+                           double high, int decimals, std::function<double()> get,
+                           std::function<void(double)> set);
+    template <typename Form>
+    void field(const char* name, const QString& label, const QString& unit, double low, double high,
+               int decimals, std::function<double(const Form&)> get, std::function<void(Form&, double)> set);
+    template <typename Form>
+    void tactors();
+
+    PatternDocument* m_document;
+    QLabel* m_nameLabel;
+    QLabel* m_durationLabel;
+    QLabel* m_tagsLabel;
+    QLabel* m_notesLabel;
+    QLabel* m_title;
+    QLineEdit* m_name;
+    QDoubleSpinBox* m_duration;
+    QLineEdit* m_tags;
+    QPlainTextEdit* m_notes;
+    QWidget* m_rows = nullptr;
+    QFormLayout* m_form = nullptr;
+    std::vector<std::function<void()>> m_refresh;
+    QString m_kind; ///< what the rows are for
+    bool m_showing = false;
+};
+
+} // namespace teleta::editor

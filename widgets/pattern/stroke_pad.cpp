@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/pattern/stroke_pad.h"
+
+#include "widgets/base/theme.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace teleta::editor {
+
+using namespace pattern;
+
+namespace {
+
+constexpr double kTurn_rad = 2.0 * std::numbers::pi;
+constexpr double kTactor_rad = kTurn_rad / static_cast<double>(core::kTactors);
+constexpr double kShortestStroke_s = 0.05;
+
+} // namespace
+
+StrokePad::StrokePad(PatternDocument* document, QWidget* parent)
+    : QWidget(parent)
+    , m_document(document) {
+    setFocusPolicy(Qt::StrongFocus);
+    setAutoFillBackground(true);
+    setBackgroundRole(QPalette::Base);
+    setCursor(Qt::CrossCursor);
+    connect(m_document, &PatternDocument::patternChanged, this, qOverload<>(&QWidget::update));
+    connect(m_document, &PatternDocument::selectionChanged, this, qOverload<>(&QWidget::update));
+    retranslate();
+}
+
+void StrokePad::retranslate() {
+    setAccessibleName(tr("Unrolled forearm"));
+    setToolTip(tr("Draw a stroke: it is felt as a point that moves along it"));
+    setWhatsThis(
+        tr("<p>The forearm, unrolled: from left to right once around it. What is drawn here with the "
+           "mouse becomes a stroke of the pattern, from the playhead on, as fast as it was drawn. "
+           "<b>Esc</b> gives it up.</p>"));
+}
+
+QRectF StrokePad::arm() const {
+    const double em = base::em(this, 1.0);
+    return QRectF(rect()).adjusted(0.5 * em, 0.5 * em, -0.5 * em, -0.5 * em);
+}
+
+QPointF StrokePad::placeOf(double angle_rad, double along) const {
+    const QRectF room = arm();
+    // Half a tactor of room at either side of the six; the rows at a quarter and three quarters.
+    return {room.left() +
+                (angle_rad / kTactor_rad + 0.5) / static_cast<double>(core::kTactors) * room.width(),
+            room.top() + (0.25 + 0.5 * along) * room.height()};
+}
+
+StrokePoint StrokePad::pointAt(const QPointF& at) const {
+    const QRectF room = arm();
+    StrokePoint point;
+    point.angle_rad =
+        ((at.x() - room.left()) / room.width() * static_cast<double>(core::kTactors) - 0.5) * kTactor_rad;
+    point.along = std::clamp(((at.y() - room.top()) / room.height() - 0.25) / 0.5, 0.0, 1.0);
+    return point;
+}
+
+void StrokePad::append(const QPointF& at, quint64 timestamp_ms) {
+    StrokePoint point = pointAt(at);
+    const double time_s = 1e-3 * static_cast<double>(timestamp_ms - std::min(m_begin_ms, timestamp_ms));
+    point.time_s = m_drawn.empty() ? 0.0 : std::max(time_s, m_drawn.back().time_s);
+    m_drawn.push_back(point);
+    update();
+}
+
+void StrokePad::mousePressEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton)
+        return;
+    m_drawing = true;
+    m_drawn.clear();
+    m_begin_ms = event->timestamp();
+    append(event->position(), m_begin_ms);
+}
+
+void StrokePad::mouseMoveEvent(QMouseEvent* event) {
+    if (m_drawing && m_drawn.size() < Pattern::kMostBreakpoints)
+        append(event->position(), event->timestamp());
+}
+
+void StrokePad::mouseReleaseEvent(QMouseEvent* event) {
+    if (!m_drawing || event->button() != Qt::LeftButton)
+        return;
+    append(event->position(), event->timestamp());
+    m_drawing = false;
+    Stroke stroke;
+    stroke.start_s = m_start_s;
+    stroke.points = std::move(m_drawn);
+    m_drawn.clear();
+    if (stroke.points.back().time_s >= kShortestStroke_s)
+        m_document->addObject({{}, std::move(stroke), {}});
+    update();
+}
+
+void StrokePad::keyPressEvent(QKeyEvent* event) {
+    if (event->key() != Qt::Key_Escape || !m_drawing) {
+        QWidget::keyPressEvent(event);
+        return;
+    }
+    m_drawing = false;
+    m_drawn.clear();
+    update();
+}
+
+void StrokePad::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const double em = base::em(this, 1.0);
+    const QColor ground = palette().color(QPalette::Base);
+    const QColor text = palette().color(QPalette::Text);
+    const QColor faint = palette().color(QPalette::PlaceholderText);
+    const QColor accent = palette().color(QPalette::Highlight);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(base::mixed(ground, text, 0.05));
+    painter.drawRoundedRect(arm(), 0.6 * em, 0.6 * em);
+    painter.setPen(QPen(base::mixed(ground, text, 0.15), 1.0, Qt::DashLine));
+    for (int i = 0; i + 1 < static_cast<int>(core::kTactors); ++i)
+        painter.drawLine(placeOf(kTactor_rad * i, i % 2), placeOf(kTactor_rad * (i + 1), (i + 1) % 2));
+    painter.setFont(base::sized(font(), base::kSmallText));
+    const double radius = std::min(0.8 * em, 0.12 * arm().height());
+    for (int i = 0; i < static_cast<int>(core::kTactors); ++i) {
+        const QPointF centre = placeOf(kTactor_rad * i, i % 2);
+        painter.setPen(QPen(base::mixed(ground, text, 0.45), 1.2));
+        painter.setBrush(ground);
+        painter.drawEllipse(centre, radius, radius);
+        painter.setPen(text);
+        painter.drawText(QRectF(centre.x() - em, centre.y() - em, 2.0 * em, 2.0 * em), Qt::AlignCenter,
+                         QString::number(i + 1));
+    }
+    const auto draw = [&](const std::vector<StrokePoint>& points, const QColor& colour, double width) {
+        QPolygonF line;
+        for (const StrokePoint& point : points)
+            line << placeOf(point.angle_rad, point.along);
+        if (line.isEmpty())
+            return;
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        // A stroke that goes on around the arm comes in again at the other side.
+        for (const double turns : {-1.0, 0.0, 1.0})
+            painter.drawPolyline(line.translated(turns * arm().width(), 0.0));
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(colour);
+        painter.drawEllipse(line.first(), 1.8 * width, 1.8 * width);
+    };
+    painter.setClipRect(arm());
+    bool any = m_drawing;
+    const auto& objects = m_document->pattern().objects;
+    for (std::size_t k = 0; k < objects.size(); ++k)
+        if (const auto* stroke = std::get_if<Stroke>(&objects[k].form)) {
+            const bool selected = m_document->selection().object == k;
+            draw(stroke->points, selected ? accent : base::mixed(ground, accent, 0.45), selected ? 3.0 : 2.0);
+            any = true;
+        }
+    draw(m_drawn, accent, 3.0);
+    painter.setClipping(false);
+    if (!any) {
+        painter.setPen(faint);
+        painter.drawText(arm().adjusted(0.0, 0.0, 0.0, -0.2 * em), Qt::AlignHCenter | Qt::AlignBottom,
+                         tr("Draw a stroke here"));
+    }
+}
+
+void StrokePad::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+QSize StrokePad::sizeHint() const {
+    return {base::em(this, 26), base::em(this, 10)};
+}
+
+QSize StrokePad::minimumSizeHint() const {
+    return {base::em(this, 14), base::em(this, 6)};
+}
+
+} // namespace teleta::editor

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/pattern/pattern_document.h"
+
+#include <QWidget>
+
+#include <vector>
+
+namespace teleta::editor {
+
+/// The unrolled forearm, on which a stroke is drawn with the mouse: it becomes an object of the pattern, at
+/// the playhead, as fast as it was drawn. From left to right once around the arm (the tactors at 0 to 300
+/// degrees), from the row of the even ones at the top to that of the odd ones below. Thread: GUI.
+class StrokePad : public QWidget {
+    Q_OBJECT
+public:
+    explicit StrokePad(PatternDocument* document, QWidget* parent = nullptr);
+
+    /// Where in the pattern the next stroke begins.
+    void setStart(double start_s) { m_start_s = start_s; }
+    /// A place of the pad for an angle and a place along the arm, and back.
+    [[nodiscard]] QPointF placeOf(double angle_rad, double along) const;
+    [[nodiscard]] pattern::StrokePoint pointAt(const QPointF& at) const;
+
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void retranslate();
+    [[nodiscard]] QRectF arm() const;
+    void append(const QPointF& at, quint64 timestamp_ms);
+
+    PatternDocument* m_document;
+    std::vector<pattern::StrokePoint> m_drawn;
+    quint64 m_begin_ms = 0;
+    double m_start_s = 0.0;
+    bool m_drawing = false;
+};
+
+} // namespace teleta::editor
