@@ -35,6 +35,7 @@ take() {
 take operate-touch-dark "${touch[@]}" --theme dark
 take operate-contour-light "${contour[@]}" --dock contour --theme light
 take operate-touches-dark "${touches[@]}" --dock touches --theme dark
+take patterns-light --page patterns --after 4 --theme light
 take operate-recording-dark "${recording[@]}" --theme dark
 take operate-recording-light "${recording[@]}" --theme light
 take operate-ball-light "${ball[@]}" --theme light

@@ -101,6 +101,23 @@ void BraceletStation::play(const QString& patternId) {
     m_session->player().play(playback::programOf(*pattern));
 }
 
+void BraceletStation::play(const pattern::Pattern& pattern, bool loop) {
+    if (m_session)
+        m_session->player().play(playback::programOf(pattern), loop);
+}
+
+void BraceletStation::stopPlaying() {
+    if (m_session)
+        m_session->player().stop();
+}
+
+std::optional<double> BraceletStation::playingPosition_s() const {
+    if (!m_session)
+        return std::nullopt;
+    const playback::PlayerStatus status = m_session->player().status();
+    return status.mode == playback::PlayerMode::program ? std::optional(status.position_s) : std::nullopt;
+}
+
 void BraceletStation::hold(std::optional<std::size_t> tactor) {
     m_held = tactor;
     if (!m_session)

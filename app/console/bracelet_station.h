@@ -47,6 +47,10 @@ public:
 
     /// Plays a pattern of the library once.
     void play(const QString& patternId);
+    void play(const pattern::Pattern& pattern, bool loop);
+    void stopPlaying();
+    /// Where the pattern that is played stands; empty while none is.
+    [[nodiscard]] std::optional<double> playingPosition_s() const;
     /// Lets one tactor be felt while it is held; empty: none.
     void hold(std::optional<std::size_t> tactor);
 

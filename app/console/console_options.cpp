@@ -204,7 +204,7 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
 } // namespace
 
 QStringList pageNames() {
-    return {QStringLiteral("operate")};
+    return {QStringLiteral("operate"), QStringLiteral("patterns")};
 }
 
 ParsedOptions parseOptions(const QStringList& arguments) {

@@ -6,6 +6,7 @@
 #include "app/console/background.h"
 #include "app/console/bracelet_station.h"
 #include "app/console/operate_page.h"
+#include "app/console/patterns_page.h"
 #include "app/console/recording_dialog.h"
 #include "app/console/source_list.h"
 #include "backend/pattern/pattern_json.h"
@@ -39,6 +40,7 @@ namespace teleta::console {
 namespace {
 
 constexpr char kOperate[] = "operate";
+constexpr char kPatterns[] = "patterns";
 
 struct BraceletName {
     BraceletChoice choice;
@@ -69,6 +71,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     , m_rail(new chrome::PageRail(this))
     , m_pages(new QStackedWidget(this))
     , m_operate(new OperatePage(m_sources, stop, this))
+    , m_patterns(new PatternsPage(m_operate->bracelet(), this))
     , m_devices(new chrome::DeviceStrip(this))
     , m_stopButton(new chrome::StopButton(this))
     , m_seed(options.seed) {
@@ -76,7 +79,10 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     setAcceptDrops(true);
     m_rail->addPage(QLatin1String(kOperate), base::Icon::operate, tr("Operate"),
                     tr("What the arm touches, live or played back"));
+    m_rail->addPage(QLatin1String(kPatterns), base::Icon::patterns, tr("Patterns"),
+                    tr("What the bracelet can say: edit, check and play patterns"));
     m_pages->addWidget(m_operate);
+    m_pages->addWidget(m_patterns);
 
     auto* status = new QWidget(this);
     auto* statusRow = new QHBoxLayout(status);
@@ -97,8 +103,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     row->addLayout(right, 1);
     setCentralWidget(central);
 
-    connect(m_rail, &chrome::PageRail::pageRequested, this,
-            [this](const QString& name) { m_settings.setPage(name); });
+    connect(m_rail, &chrome::PageRail::pageRequested, this, &MainWindow::showPage);
     connect(m_devices, &chrome::DeviceStrip::deviceActivated, this, [this](int index) {
         if (index < static_cast<int>(m_sources.items().size()))
             m_sources.activate(m_sources.items()[static_cast<std::size_t>(index)].key);
@@ -148,6 +153,9 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     if (!m_settings.layout(QLatin1String(kOperate)).isEmpty())
         m_operate->docks().restoreLayouts(m_settings.layout(QLatin1String(kOperate)));
 
+    const QString page = options.page.isEmpty() ? m_settings.page() : options.page;
+    if (pageNames().contains(page))
+        showPage(page);
     if (!options.dock.isEmpty())
         m_operate->docks().bringForward(options.dock);
 
@@ -162,6 +170,7 @@ MainWindow::~MainWindow() {
 void MainWindow::onTick() {
     m_sources.poll();
     m_operate->tick();
+    m_patterns->tick();
     m_devices->setReadings(m_operate->readings());
     showStop();
 }
@@ -424,6 +433,13 @@ void MainWindow::saveFeedback() {
             m_settings.setFeedbackMode(QLatin1String(known.name));
 }
 
+void MainWindow::showPage(const QString& name) {
+    m_rail->setCurrentPage(name);
+    m_pages->setCurrentWidget(name == QLatin1String(kPatterns) ? static_cast<QWidget*>(m_patterns)
+                                                               : m_operate);
+    m_settings.setPage(name);
+}
+
 void MainWindow::setTheme(const QString& theme) {
     m_settings.setTheme(theme);
     base::applyTheme(themeFromName(theme));
@@ -457,6 +473,8 @@ void MainWindow::changeEvent(QEvent* event) {
         setWindowTitle(tr("TeleTA Console"));
         m_rail->setTitle(QLatin1String(kOperate), tr("Operate"),
                          tr("What the arm touches, live or played back"));
+        m_rail->setTitle(QLatin1String(kPatterns), tr("Patterns"),
+                         tr("What the bracelet can say: edit, check and play patterns"));
         fillDemos();
         buildMenus();
     }

@@ -21,6 +21,7 @@ class StopButton;
 namespace teleta::console {
 
 class OperatePage;
+class PatternsPage;
 
 /// The console's window: rail of pages, status bar with the devices, STOP, menus. Composition only: what a
 /// page shows is the page's business, what is open is the SourceManager's. Thread: GUI.
@@ -37,6 +38,7 @@ public:
 
     [[nodiscard]] GuiClock& clock() { return m_clock; }
     [[nodiscard]] SourceManager& sources() { return m_sources; }
+    [[nodiscard]] PatternsPage& patternsPage() { return *m_patterns; }
     [[nodiscard]] OperatePage& operatePage() { return *m_operate; }
     /// Whether a source failed to open since the start; decides the exit code of --screenshot.
     [[nodiscard]] bool anyFailure() const { return m_anyFailure; }
@@ -66,6 +68,7 @@ private:
     void askForFile(const QString& title, const QString& filter, void (MainWindow::*open)(const QString&));
     void openScene(const QString& path);
     void saveState();
+    void showPage(const QString& name);
     void showAbout();
     void showShortcuts();
 
@@ -76,6 +79,7 @@ private:
     chrome::PageRail* m_rail;
     QStackedWidget* m_pages;
     OperatePage* m_operate;
+    PatternsPage* m_patterns;
     chrome::DeviceStrip* m_devices;
     chrome::StopButton* m_stopButton;
     std::uint64_t m_seed;

@@ -4,9 +4,13 @@
 #include "app/console/main_window.h"
 #include "app/console/operate_docks.h"
 #include "app/console/operate_page.h"
+#include "app/console/patterns_page.h"
 #include "widgets/base/theme.h"
 #include "widgets/bracelet/bracelet_view.h"
 #include "widgets/charts/joint_chart_view.h"
+#include "widgets/chrome/page_rail.h"
+#include "widgets/pattern/pattern_document.h"
+#include "widgets/pattern/pattern_editor.h"
 #include "widgets/touch/contour_view.h"
 #include "widgets/touch/jog_panel.h"
 #include "widgets/touch/pattern_map_table.h"
@@ -110,7 +114,9 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(bracelet.lastEvent().has_value(), 30'000);
         QVERIFY(!bracelet.lastEvent()->onset_s);
         QVERIFY(!bracelet.reading());
-        QVERIFY(child<bracelet::BraceletView>()->accessibleDescription().contains("stiffness.E.dynamic"));
+        QVERIFY(
+            m_window->operatePage().findChild<bracelet::BraceletView*>()->accessibleDescription().contains(
+                "stiffness.E.dynamic"));
     }
 
     void jogsWhileTheDeadManIsHeldAndStandsStillAfterwards() {
@@ -171,7 +177,7 @@ private slots:
     void aTactorIsFeltWhileItIsHeld() {
         openArm();
         auto& bracelet = m_window->operatePage().bracelet();
-        auto* view = child<bracelet::BraceletView>();
+        auto* view = m_window->operatePage().findChild<bracelet::BraceletView*>();
         QTRY_VERIFY(bracelet.isReady());
         view->setFocus();
         QTRY_VERIFY(view->hasFocus());
@@ -181,6 +187,37 @@ private slots:
         QCOMPARE(bracelet.given()[0], 0.0);
         QTest::keyRelease(view, Qt::Key_3);
         QTRY_COMPARE(bracelet.given(), core::Intensities{});
+    }
+
+    void thePatternsPageEditsPlaysSavesAndOpensAgain() {
+        openArm();
+        auto& page = m_window->patternsPage();
+        auto* rail = child<chrome::PageRail>();
+        emit rail->pageRequested(QStringLiteral("patterns"));
+        QVERIFY(page.isVisible());
+        auto& bracelet = m_window->operatePage().bracelet();
+        m_window->operatePage().armViews().setProgramRunning(false); // no touch may play in between
+        QTRY_VERIFY(bracelet.isReady());
+        page.open(QStringLiteral("stiffness.E.static"));
+        emit page.editor().playRequested(page.editor().document()->pattern());
+        QTRY_VERIFY(bracelet.given()[5] > 0.5);
+        QTRY_VERIFY(page.editor().isPlaying());
+        emit page.editor().stopRequested();
+        QTRY_COMPARE(bracelet.given(), core::Intensities{});
+        QTRY_VERIFY(!page.editor().isPlaying());
+
+        page.editor().document()->setName(QStringLiteral("Mine"));
+        QVERIFY(page.editor().document()->isDirty());
+        const QString path = m_folder.filePath(QStringLiteral("mine.json"));
+        page.save(path);
+        QTRY_VERIFY(!page.editor().document()->isDirty());
+        QCOMPARE(page.editor().document()->path(), path);
+        page.open(QStringLiteral("shape.A.static"));
+        page.open(path);
+        QTRY_COMPARE(page.editor().document()->pattern().name, std::string("Mine"));
+        page.open(m_folder.filePath(QStringLiteral("none.json")));
+        QTRY_COMPARE(page.messages().count(), 1);
+        QCOMPARE(page.editor().document()->pattern().name, std::string("Mine"));
     }
 
     void anArrayAndAnArmHaveLayoutsOfTheirOwn() {
