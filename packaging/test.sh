@@ -73,7 +73,7 @@ check_build() {
 }
 
 # Folders of tests/ that run under a sanitizer. A part joins its list once all of its tests have run clean there.
-tsan_parts=(backend/core devices/replay)
+tsan_parts=(backend/core backend/playback devices/replay)
 asan_parts=(backend/core backend/contact backend/stiffness backend/arm backend/contour)
 
 export TSAN_OPTIONS="halt_on_error=1 second_deadlock_stack=1"
