@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QApplication>
+#include <QLineEdit>
 #include <QTest>
 #include <QWheelEvent>
 #include <QWidget>
@@ -23,6 +24,22 @@ inline bool turnWheel(QWidget* widget, const QPointF& position, int notches,
     event.ignore();
     QApplication::sendEvent(widget, &event);
     return event.isAccepted();
+}
+
+/// Double-clicks a place of a picture and types into the line that opens in the view; empty text: deletes
+/// what stands there.
+inline void typeAt(QWidget* view, QWidget* picture, const QPoint& place, const QString& text) {
+    QTest::mouseDClick(picture, Qt::LeftButton, {}, place);
+    QTest::mouseRelease(picture, Qt::LeftButton, {}, place); // a double click alone leaves the button down
+    auto* edit = view->findChild<QLineEdit*>();
+    QVERIFY(edit);
+    edit->selectAll();
+    if (text.isEmpty())
+        QTest::keyClick(edit, Qt::Key_Delete);
+    else
+        QTest::keyClicks(edit, text);
+    QTest::keyClick(edit, Qt::Key_Return);
+    QTRY_VERIFY(!view->findChild<QLineEdit*>());
 }
 
 } // namespace teleta::test

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/charts/strips.h"
 
-#include "widgets/base/colour_maps.h"
-#include "widgets/base/theme.h"
-
-#include <cmath>
 #include <numbers>
 
 namespace teleta::charts {
@@ -60,10 +56,6 @@ std::array<StripDefinition, kStrips> makeDefinitions() {
 }
 
 } // namespace
-
-double Display::of(double value) const {
-    return scale * (root ? std::sqrt(value) : value);
-}
 
 const StripDefinition& definitionOf(Strip strip) {
     static const std::array<StripDefinition, kStrips> definitions = makeDefinitions();
@@ -144,12 +136,6 @@ QString StripTexts::key(Strip strip) {
     constexpr std::array<const char*, kStrips> kKeys{"force",       "position_x", "position_y", "dzmp",
                                                      "orientation", "spread",     "edge_ratio", "active"};
     return QString::fromLatin1(kKeys[static_cast<std::size_t>(strip)]);
-}
-
-QColor seriesColour(const Series& series, const QPalette& palette) {
-    if (series.colour == 0)
-        return palette.color(QPalette::PlaceholderText);
-    return base::identityColour(series.colour, base::isDark(palette));
 }
 
 } // namespace teleta::charts

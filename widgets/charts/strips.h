@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/charts/display.h"
 #include "widgets/charts/feature_history.h"
 
-#include <QColor>
 #include <QCoreApplication>
-#include <QPalette>
 #include <QString>
 
 #include <array>
@@ -20,14 +19,6 @@ inline constexpr std::size_t kStrips = 8;
 inline constexpr std::array<Strip, kStrips> kAllStrips{Strip::force, Strip::positionX,   Strip::positionY,
                                                        Strip::dzmp,  Strip::orientation, Strip::spread,
                                                        Strip::ratio, Strip::active};
-
-/// How a channel's SI value becomes the number on the axis.
-struct Display {
-    double scale = 1.0;
-    bool root = false; ///< the square root, then scaled: eigenvalues are shown as standard deviations
-
-    [[nodiscard]] double of(double value) const;
-};
 
 struct Series {
     Channel channel = Channel::force;
@@ -63,7 +54,5 @@ public:
     /// Stable word for settings.
     [[nodiscard]] static QString key(Strip strip);
 };
-
-[[nodiscard]] QColor seriesColour(const Series& series, const QPalette& palette);
 
 } // namespace teleta::charts

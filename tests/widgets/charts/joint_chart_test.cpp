@@ -7,6 +7,7 @@
 
 #include <QApplication>
 #include <QFile>
+#include <QMenu>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -205,6 +206,54 @@ private slots:
         QVERIFY(!test::turnWheel(chart.view.plot(), middle, 1));
         QVERIFY(test::turnWheel(chart.view.plot(), middle, 1, Qt::ControlModifier));
         QCOMPARE(chart.view.span_s(), 8.0); // one step of 1.25 from 10 s
+    }
+
+    void theEndsOfAnAxisAreTyped() {
+        Chart chart;
+        chart.view.anglesAction()->trigger();
+        chart.draw();
+        JointPlot* plot = chart.view.plot();
+        const auto type = [&](JointPlot::Row row, const QString& text) {
+            const QRect area = plot->plotRect(row);
+            test::typeAt(&chart.view, plot, QPoint(area.left() - 10, area.center().y()), text);
+            chart.draw();
+        };
+        const ValueRange automatic = plot->rangeOf(JointPlot::Row::torque);
+        type(JointPlot::Row::torque, QStringLiteral("-20 80"));
+        QVERIFY(plot->fixedRange(JointPlot::Row::torque));
+        QVERIFY(std::abs(plot->rangeOf(JointPlot::Row::torque).low + 20.0) < 1e-9);
+        QVERIFY(std::abs(plot->rangeOf(JointPlot::Row::torque).high - 80.0) < 1e-9);
+        // 80 mNm lie above 60 mNm by a fifth of the axis, which is 110 % as high as what was typed.
+        const double perNm = (plot->yOfTorque(0.06) - plot->yOfTorque(0.08)) / 0.02;
+        const QRect area = plot->plotRect(JointPlot::Row::torque);
+        QVERIFY(std::abs(perNm * 0.11 - area.height()) <= 2.0);
+        QVERIFY(!plot->fixedRange(JointPlot::Row::angle));
+        type(JointPlot::Row::angle, QStringLiteral("0 90"));
+        QVERIFY(std::abs(plot->rangeOf(JointPlot::Row::angle).high - 90.0) < 1e-9);
+        type(JointPlot::Row::torque, QStringLiteral("80 -20"));
+        QCOMPARE(plot->fixedRange(JointPlot::Row::torque)->high, 80.0);
+        type(JointPlot::Row::torque, QString());
+        QVERIFY(!plot->fixedRange(JointPlot::Row::torque));
+        QVERIFY(std::abs(plot->rangeOf(JointPlot::Row::torque).high - automatic.high) < 1e-9);
+    }
+
+    void theContextMenuTellsWhetherAnAxisIsAutomatic() {
+        Chart chart;
+        const auto automatic = [&] {
+            QMenu menu;
+            chart.view.populateMenu(menu, JointPlot::Row::torque);
+            for (const QAction* action : menu.actions())
+                if (action->text().remove(u'&') == QStringLiteral("Automatic Range"))
+                    return action->isChecked();
+            return false;
+        };
+        QVERIFY(automatic());
+        chart.view.plot()->setFixedRange(JointPlot::Row::torque, ValueRange{-20.0, 80.0});
+        QVERIFY(!automatic());
+        QMenu elsewhere;
+        chart.view.populateMenu(elsewhere);
+        for (const QAction* action : elsewhere.actions())
+            QVERIFY(!action->text().contains(QStringLiteral("Range")));
     }
 
     void theDataAreTheShownStretch() {

@@ -6,7 +6,6 @@
 #include "widgets/charts/strip_plot.h"
 
 #include <QClipboard>
-#include <QLineEdit>
 #include <QMenu>
 #include <QMimeData>
 #include <QMouseEvent>
@@ -263,16 +262,7 @@ private slots:
         const QPoint axis(m_view->plot()->plotRect(Strip::dzmp).left() - 10,
                           m_view->plot()->plotRect(Strip::dzmp).center().y());
         const auto type = [&](const QString& text) {
-            QTest::mouseDClick(m_view->plot(), Qt::LeftButton, {}, axis);
-            auto* edit = m_view->findChild<QLineEdit*>();
-            QVERIFY(edit);
-            edit->selectAll();
-            if (text.isEmpty())
-                QTest::keyClick(edit, Qt::Key_Delete);
-            else
-                QTest::keyClicks(edit, text);
-            QTest::keyClick(edit, Qt::Key_Return);
-            QTRY_VERIFY(!m_view->findChild<QLineEdit*>());
+            test::typeAt(m_view.get(), m_view->plot(), axis, text);
         };
         type(QStringLiteral("-3 7"));
         const auto fixed = m_view->plot()->fixedRange(Strip::dzmp);
