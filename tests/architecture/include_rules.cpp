@@ -28,6 +28,7 @@ const std::vector<Rule> kRules = {
     {"backend/stiffness", {"backend/core"}, {"expected", "Eigen", "Boost.Math"}},
     {"backend/contour", {"backend/core"}, {"expected", "Eigen", "Boost.Math"}},
     {"backend/arm", {"backend/core"}, {"expected", "Eigen"}},
+    {"backend/servo", {"backend/core", "backend/contact"}, {"expected", "Eigen"}},
     {"backend/simulation", {"backend/core", "backend/scene", "backend/arm"}, {"expected", "Eigen"}},
     {"backend/pattern", {"backend/core"}, {"QtCore", "expected", "nlohmann_json", "libzip"}},
     {"backend/playback", {"backend/core", "backend/pattern"}, {"QtCore", "expected"}},

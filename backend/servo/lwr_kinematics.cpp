@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/servo/lwr_kinematics.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace teleta::servo {
+
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+/// Sign of the twist of +-90 degrees after each joint; 0 for the last.
+constexpr std::array<double, kLwrJoints> kTwistSign = {1.0, -1.0, -1.0, 1.0, 1.0, -1.0, 0.0};
+
+constexpr std::array<double, kLwrJoints> kOffset_m = {
+    LwrKinematics::kBaseToShoulder_m, 0.0, LwrKinematics::kShoulderToElbow_m, 0.0,
+    LwrKinematics::kElbowToWrist_m,   0.0, LwrKinematics::kWristToFlange_m};
+
+/// A frame that moves out along the chain; the columns of the rotation.
+struct Frame {
+    Eigen::Vector3d x = Eigen::Vector3d::UnitX();
+    Eigen::Vector3d y = Eigen::Vector3d::UnitY();
+    Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+    Eigen::Vector3d p = Eigen::Vector3d::Zero();
+
+    /// Over one joint: Rz(q) Tz(d) Rx(+-90 degrees).
+    void advance(std::size_t joint, double q_rad) {
+        const double c = std::cos(q_rad);
+        const double s = std::sin(q_rad);
+        const Eigen::Vector3d turned = c * y - s * x;
+        x = c * x + s * y;
+        p += kOffset_m[joint] * z;
+        if (joint + 1 == kLwrJoints) {
+            y = turned;
+            return;
+        }
+        y = kTwistSign[joint] * z;
+        z = -kTwistSign[joint] * turned;
+    }
+
+    [[nodiscard]] Eigen::Isometry3d pose() const {
+        Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
+        X.linear() << x, y, z;
+        X.translation() = p;
+        return X;
+    }
+};
+
+} // namespace
+
+LwrVector LwrLimits::highest() {
+    LwrVector degrees;
+    degrees << 170.0, 120.0, 170.0, 120.0, 170.0, 120.0, 170.0;
+    return kDegree * degrees;
+}
+
+LwrVector LwrLimits::fastest() {
+    LwrVector degrees;
+    degrees << 110.0, 110.0, 128.0, 128.0, 204.0, 184.0, 184.0;
+    return kDegree * degrees;
+}
+
+LwrVector LwrLimits::torque() {
+    LwrVector torque_Nm;
+    torque_Nm << 176.0, 176.0, 100.0, 100.0, 100.0, 38.0, 38.0;
+    return torque_Nm;
+}
+
+LwrPosture LwrKinematics::forward(const LwrVector& q_rad) const {
+    LwrPosture posture;
+    Frame frame;
+    for (std::size_t joint = 0; joint < kLwrJoints; ++joint) {
+        posture.axis[joint] = frame.z;
+        posture.p_Base_Joint[joint] = frame.p;
+        frame.advance(joint, q_rad[static_cast<Eigen::Index>(joint)]);
+    }
+    posture.X_Base_Tool = frame.pose() * m_X_Flange_Tool;
+    const Eigen::Vector3d p_Base_Tool = posture.X_Base_Tool.translation();
+    for (std::size_t joint = 0; joint < kLwrJoints; ++joint) {
+        auto column = posture.jacobian.col(static_cast<Eigen::Index>(joint));
+        column.head<3>() = posture.axis[joint].cross(p_Base_Tool - posture.p_Base_Joint[joint]);
+        column.tail<3>() = posture.axis[joint];
+    }
+    return posture;
+}
+
+Eigen::Isometry3d LwrKinematics::X_Base_Tool(const LwrVector& q_rad) const {
+    Frame frame;
+    for (std::size_t joint = 0; joint < kLwrJoints; ++joint)
+        frame.advance(joint, q_rad[static_cast<Eigen::Index>(joint)]);
+    return frame.pose() * m_X_Flange_Tool;
+}
+
+} // namespace teleta::servo
