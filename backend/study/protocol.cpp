@@ -2,13 +2,12 @@
 #include "backend/study/protocol.h"
 
 #include "backend/scene/toml_table.h"
+#include "backend/study/identifier.h"
 
 #include <QCoreApplication>
 #include <QFile>
 #include <QString>
 
-#include <algorithm>
-#include <iterator>
 #include <set>
 
 namespace teleta::study {
@@ -24,26 +23,6 @@ struct ProtocolText {
 
 constexpr long long kMostRepetitions = 1000;
 
-/// Letters, digits, - and _: what may stand in file names and identifiers of every export.
-bool isIdentifier(const std::string& text) {
-    return std::all_of(text.begin(), text.end(), [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
-               c == '_';
-    });
-}
-
-std::string identifier(TomlTable& table, std::string_view key, std::set<std::string>& used) {
-    std::string text = table.text(key);
-    if (!isIdentifier(text))
-        table.fail(key,
-                   ProtocolText::tr("\"%1\" cannot be part of a file name").arg(text.c_str()).toStdString(),
-                   ProtocolText::tr("letters, digits, - and _").toStdString());
-    else if (!text.empty() && !used.insert(text).second)
-        table.fail(key, ProtocolText::tr("\"%1\" is there twice").arg(text.c_str()).toStdString(),
-                   ProtocolText::tr("each one once").toStdString());
-    return text;
-}
-
 PhaseSettings readPhase(TomlTable table) {
     PhaseSettings phase;
     phase.repetitions = static_cast<std::size_t>(table.integer("repetitions", 0, kMostRepetitions));
@@ -55,12 +34,12 @@ PhaseSettings readPhase(TomlTable table) {
 
 StudyTask readTask(TomlTable& table, std::set<std::string>& usedIds) {
     StudyTask task;
-    task.id = identifier(table, "id", usedIds);
+    task.id = readIdentifier(table, "id", usedIds);
     task.name = table.text("name", task.id);
     std::set<std::string> letters;
     for (TomlTable& entry : table.tables("pattern", 2)) {
         StudyPattern pattern;
-        pattern.letter = identifier(entry, "letter", letters);
+        pattern.letter = readIdentifier(entry, "letter", letters);
         // These words stand for something else in the columns stimulus and response.
         if (pattern.letter == "NA" || pattern.letter == "NONE")
             entry.fail("letter",
@@ -72,7 +51,7 @@ StudyTask readTask(TomlTable& table, std::set<std::string>& usedIds) {
     }
     std::set<std::string> conditions;
     for (TomlTable& entry : table.tables("condition", 1)) {
-        task.conditions.push_back(identifier(entry, "id", conditions));
+        task.conditions.push_back(readIdentifier(entry, "id", conditions));
         entry.finish();
     }
     table.finish();
@@ -102,6 +81,7 @@ core::Expected<Protocol> readDocument(const scene::TomlDocument& document) {
     std::set<std::string> ids;
     for (TomlTable& task : root.tables("task", 1))
         protocol.tasks.push_back(readTask(task, ids));
+    protocol.questionnaires = readQuestionnaires(root);
     root.finish();
     if (const std::optional<core::Error>& error = document.firstError())
         return core::Unexpected(*error);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/core/error.h"
+#include "backend/study/questionnaire.h"
 #include "backend/study/trial_order.h"
 
 #include <cstddef>
@@ -50,6 +51,7 @@ struct Protocol {
     std::string noiseColour; ///< "pink", or "none"
     double noise_dBA = 0.0;
     std::vector<StudyTask> tasks;
+    std::vector<Questionnaire> questionnaires;
     std::string source; ///< text of the file, kept with the study
 
     /// Trials of the test phase that one participant goes through.

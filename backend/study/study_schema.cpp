@@ -6,6 +6,7 @@
 #include <QSqlQuery>
 #include <QStringList>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,37 +18,113 @@ struct SchemaText {
     Q_DECLARE_TR_FUNCTIONS(StudySchema)
 };
 
-/// Step i leads from schema i to schema i + 1.
+/// Step i leads from schema i to schema i + 1. AUTOKEY and FLOAT stand for what the two databases call a key
+/// that counts by itself and a double.
 const std::vector<QStringList>& steps() {
     static const std::vector<QStringList> kSteps = {
         {QStringLiteral(
              "CREATE TABLE study (one INTEGER PRIMARY KEY CHECK (one = 1), protocol TEXT NOT NULL, "
              "seed TEXT NOT NULL, mode TEXT NOT NULL CHECK (mode IN ('run', 'pilot', 'simulated')), "
-             "planned_participants INTEGER NOT NULL, lapses REAL NOT NULL, created_utc TEXT NOT NULL, "
+             "planned_participants INTEGER NOT NULL, lapses FLOAT NOT NULL, created_utc TEXT NOT NULL, "
              "app_version TEXT NOT NULL)"),
-         QStringLiteral("CREATE TABLE participant (key INTEGER PRIMARY KEY, id TEXT NOT NULL UNIQUE, "
+         QStringLiteral("CREATE TABLE participant (key AUTOKEY, id TEXT NOT NULL UNIQUE, "
                         "enrolment INTEGER NOT NULL UNIQUE CHECK (enrolment >= 0))"),
-         QStringLiteral("CREATE TABLE session (key INTEGER PRIMARY KEY, "
+         QStringLiteral("CREATE TABLE session (key AUTOKEY, "
                         "participant INTEGER NOT NULL REFERENCES participant (key), id TEXT NOT NULL, "
                         "plan_index INTEGER NOT NULL, seed TEXT NOT NULL, "
                         "finished INTEGER NOT NULL DEFAULT 0 CHECK (finished IN (0, 1)), "
                         "UNIQUE (participant, id), UNIQUE (participant, plan_index))"),
          QStringLiteral(
-             "CREATE TABLE trial (key INTEGER PRIMARY KEY, session INTEGER NOT NULL REFERENCES session "
-             "(key), "
+             "CREATE TABLE trial (key AUTOKEY, session INTEGER NOT NULL REFERENCES session (key), "
              "phase TEXT NOT NULL CHECK (phase IN ('practice', 'test')), trial INTEGER NOT NULL, "
              "attempt INTEGER NOT NULL, trial_in_block INTEGER NOT NULL, repetition INTEGER NOT NULL, "
              "stimulus INTEGER NOT NULL, response INTEGER, outcome TEXT NOT NULL CHECK (outcome IN "
-             "('correct', "
-             "'incorrect', 'timeout', 'aborted', 'device_error')), response_time_s REAL, "
-             "response_time_offset_s REAL, response_device TEXT, response_key TEXT, n_replays INTEGER NOT "
-             "NULL, "
-             "early_presses INTEGER NOT NULL, onset_s REAL NOT NULL, duration_s REAL NOT NULL, "
-             "device_latency_ms REAL, device_faults INTEGER NOT NULL, time_utc TEXT NOT NULL, "
+             "('correct', 'incorrect', 'timeout', 'aborted', 'device_error')), response_time_s FLOAT, "
+             "response_time_offset_s FLOAT, response_device TEXT, response_key TEXT, n_replays INTEGER NOT "
+             "NULL, early_presses INTEGER NOT NULL, onset_s FLOAT NOT NULL, duration_s FLOAT NOT NULL, "
+             "device_latency_ms FLOAT, device_faults INTEGER NOT NULL, time_utc TEXT NOT NULL, "
              "UNIQUE (session, phase, trial, attempt), UNIQUE (session, phase, trial_in_block))")},
-        {QStringLiteral("ALTER TABLE study ADD COLUMN stimulus_set_sha256 TEXT NOT NULL DEFAULT ''")}};
+        {QStringLiteral("ALTER TABLE study ADD COLUMN stimulus_set_sha256 TEXT NOT NULL DEFAULT ''")},
+        // Those of a participant as a whole have no session, and NULLs are not the same to UNIQUE.
+        {QStringLiteral("CREATE TABLE answer (key AUTOKEY, "
+                        "participant INTEGER NOT NULL REFERENCES participant (key), "
+                        "session INTEGER REFERENCES session (key), questionnaire TEXT NOT NULL, "
+                        "item TEXT NOT NULL, value TEXT, time_utc TEXT NOT NULL)"),
+         QStringLiteral("CREATE UNIQUE INDEX answer_once_a_session ON answer (session, questionnaire, item) "
+                        "WHERE session IS NOT NULL"),
+         QStringLiteral("CREATE UNIQUE INDEX answer_once ON answer (participant, questionnaire, item) "
+                        "WHERE session IS NULL")}};
     return kSteps;
 }
+
+bool isServer(const QSqlDatabase& database) {
+    return database.driverName() == QStringLiteral("QPSQL");
+}
+
+QString inDialectOf(const QSqlDatabase& database, QString statement) {
+    return statement
+        .replace(QStringLiteral("AUTOKEY"),
+                 isServer(database) ? QStringLiteral("BIGINT GENERATED ALWAYS AS IDENTITY PRIMARY KEY")
+                                    : QStringLiteral("INTEGER PRIMARY KEY"))
+        .replace(QStringLiteral("FLOAT"),
+                 isServer(database) ? QStringLiteral("DOUBLE PRECISION") : QStringLiteral("REAL"));
+}
+
+/// One migration, in a transaction that others wait for.
+class Migration {
+public:
+    explicit Migration(QSqlDatabase& database)
+        : m_database(database)
+        , m_query(database) {}
+    ~Migration() {
+        if (m_begun)
+            (void)m_query.exec(QStringLiteral("ROLLBACK"));
+    }
+    Migration(const Migration&) = delete;
+    Migration& operator=(const Migration&) = delete;
+
+    /// The schema of the database; empty when it cannot be told.
+    std::optional<int> begin() {
+        const bool server = isServer(m_database);
+        m_begun = m_query.exec(server ? QStringLiteral("BEGIN") : QStringLiteral("BEGIN IMMEDIATE"));
+        // Any number does that all versions of the program use.
+        const bool ready =
+            m_begun &&
+            (!server ||
+             (m_query.exec(QStringLiteral("SELECT pg_advisory_xact_lock(7305)")) &&
+              m_query.exec(QStringLiteral("CREATE TABLE IF NOT EXISTS schema_version (version INTEGER)"))));
+        const QString version = server
+                                    ? QStringLiteral("SELECT COALESCE(MAX(version), 0) FROM schema_version")
+                                    : QStringLiteral("PRAGMA user_version");
+        if (!ready || !m_query.exec(version) || !m_query.next())
+            return std::nullopt;
+        const int found = m_query.value(0).toInt();
+        m_query.finish();
+        return found;
+    }
+
+    bool step(int schema) {
+        bool done = true;
+        for (const QString& statement : steps()[static_cast<std::size_t>(schema)])
+            done = done && m_query.exec(inDialectOf(m_database, statement));
+        const QString version = isServer(m_database)
+                                    ? QStringLiteral("INSERT INTO schema_version VALUES (%1)")
+                                    : QStringLiteral("PRAGMA user_version = %1");
+        return done && m_query.exec(version.arg(schema + 1));
+    }
+
+    bool commit() {
+        m_begun = !m_query.exec(QStringLiteral("COMMIT"));
+        return !m_begun;
+    }
+
+    [[nodiscard]] QSqlError lastError() const { return m_query.lastError(); }
+
+private:
+    QSqlDatabase& m_database;
+    QSqlQuery m_query;
+    bool m_begun = false;
+};
 
 } // namespace
 
@@ -55,32 +132,40 @@ int currentSchema() {
     return static_cast<int>(steps().size());
 }
 
-core::Expected<void> migrateSchema(QSqlDatabase& database, const std::string& file) {
-    QSqlQuery query(database);
+core::Expected<void> migrateSchema(QSqlDatabase& database, const std::string& name) {
     const auto failed = [&](core::ErrorKind kind, const QString& message) {
-        database.rollback();
-        return core::Unexpected(core::Error{kind, message.toStdString(), {}, {file}});
+        return core::Unexpected(core::Error{kind, message.toStdString(), {}, {name}});
     };
-    if (!query.exec(QStringLiteral("PRAGMA user_version")) || !query.next())
-        return failed(core::ErrorKind::badInput,
-                      SchemaText::tr("this is no study: %1").arg(query.lastError().databaseText()));
-    const int found = query.value(0).toInt();
-    query.finish();
-    if (found > currentSchema())
+    if (!isServer(database)) {
+        // Most often there is nothing to do, and then nobody has to wait.
+        QSqlQuery query(database);
+        if (query.exec(QStringLiteral("PRAGMA user_version")) && query.next() &&
+            query.value(0).toInt() == currentSchema())
+            return {};
+    }
+    Migration migration(database);
+    const std::optional<int> found = migration.begin();
+    if (!found) {
+        constexpr int kNotADatabase = 26;
+        const QSqlError error = migration.lastError();
+        return failed(error.nativeErrorCode().toInt() == kNotADatabase ? core::ErrorKind::badInput
+                                                                       : core::ErrorKind::ioFailed,
+                      SchemaText::tr("cannot read the study: %1").arg(error.databaseText()));
+    }
+    if (*found > currentSchema())
         return failed(core::ErrorKind::refused,
                       SchemaText::tr("a newer program made this study (schema %1, this one knows %2)")
-                          .arg(found)
+                          .arg(*found)
                           .arg(currentSchema()));
-    for (int schema = found; schema < currentSchema(); ++schema) {
-        bool done = database.transaction();
-        for (const QString& statement : steps()[static_cast<std::size_t>(schema)])
-            done = done && query.exec(statement);
-        done = done && query.exec(QStringLiteral("PRAGMA user_version = %1").arg(schema + 1));
-        if (!done || !database.commit())
-            return failed(core::ErrorKind::ioFailed,
-                          SchemaText::tr("cannot write the study: %1")
-                              .arg((done ? database.lastError() : query.lastError()).databaseText()));
+    for (int schema = *found; schema < currentSchema(); ++schema) {
+        if (!migration.step(schema))
+            return failed(
+                core::ErrorKind::ioFailed,
+                SchemaText::tr("cannot write the study: %1").arg(migration.lastError().databaseText()));
     }
+    if (!migration.commit())
+        return failed(core::ErrorKind::ioFailed,
+                      SchemaText::tr("cannot write the study: %1").arg(migration.lastError().databaseText()));
     return {};
 }
 

@@ -11,8 +11,9 @@ namespace teleta::study {
 /// The schema that this program writes.
 [[nodiscard]] int currentSchema();
 
-/// Brings a database from its schema (PRAGMA user_version; 0: empty) to the current one, each step in a
-/// transaction of its own. Error: refused when it is newer, ioFailed. Thread: that of the connection.
+/// Brings a database, SQLite or PostgreSQL, from its schema (0: empty) to the current one in one transaction;
+/// of several programs that do it at once, one does. Error: refused when it is newer, badInput when it is no
+/// database, ioFailed. Thread: that of the connection.
 [[nodiscard]] core::Expected<void> migrateSchema(QSqlDatabase& database, const std::string& file);
 
 } // namespace teleta::study

@@ -3,10 +3,10 @@
 
 #include "backend/core/error.h"
 #include "backend/study/protocol.h"
+#include "backend/study/study_connection.h"
 #include "backend/study/trial.h"
 
 #include <QDateTime>
-#include <QSqlDatabase>
 
 #include <cstddef>
 #include <cstdint>
@@ -47,30 +47,65 @@ struct StoredTrial {
     QDateTime time; ///< UTC of its end
 };
 
+/// Answers to a questionnaire, as they were kept.
+struct StoredAnswer {
+    std::optional<long long> session; ///< key; empty for those of a participant as a whole
+    std::string questionnaire;
+    std::string item;
+    std::optional<std::string> value; ///< empty: left out
+    QDateTime time;                   ///< UTC
+};
+
+/// Keeps everybody else from running a participant, as long as it lives; a program that ends in any way, or
+/// loses the server, frees it too. It may outlive its store.
+class ParticipantClaim {
+public:
+    ~ParticipantClaim();
+    ParticipantClaim(ParticipantClaim&&) noexcept;
+    ParticipantClaim& operator=(ParticipantClaim&&) noexcept;
+
+private:
+    friend class StudyStore;
+    struct Hold;
+    explicit ParticipantClaim(std::unique_ptr<Hold> hold);
+    std::unique_ptr<Hold> m_hold;
+};
+
 /// The truth of a study: one SQLite file, study.sqlite, in the folder of the study. Write-ahead log,
 /// synchronous FULL, one transaction a trial: whatever was reported as kept is there after a crash of the
 /// program or of the machine. Unique keys refuse what is there already; nothing is ever overwritten.
-/// Thread: the one that made it; several processes may have the same study open.
+/// Several stations share a study on a PostgreSQL server (StoreLocation); their exports stay in their
+/// folders. When the server is away, every call tries once to reach it and else fails with
+/// ErrorKind::unavailable. Thread: the one that made it; several processes may have the same study open.
 class StudyStore {
 public:
-    /// Makes the folder and the store. Error: refused when there is a study already, ioFailed.
-    [[nodiscard]] static core::Expected<StudyStore> create(const std::string& folder, const StudyHead& head);
+    /// Makes the folder and the store. Error: refused when there is a study already, ioFailed, unavailable.
+    [[nodiscard]] static core::Expected<StudyStore> create(const StoreLocation& location,
+                                                           const StudyHead& head);
 
-    /// Opens a store and brings its schema up to date. Error: notFound, badInput when the file is no study,
-    /// refused when a newer program made it, ioFailed.
-    [[nodiscard]] static core::Expected<StudyStore> open(const std::string& folder);
+    /// Opens a store, brings its schema up to date, and sends trials that wait in the folder to the server.
+    /// Error: notFound, badInput when the file is no study, refused when a newer program made it, ioFailed,
+    /// unavailable.
+    [[nodiscard]] static core::Expected<StudyStore> open(const StoreLocation& location);
 
     ~StudyStore();
     StudyStore(StudyStore&&) noexcept;
     StudyStore& operator=(StudyStore&&) noexcept;
 
     [[nodiscard]] const StudyHead& head() const { return m_head; }
-    [[nodiscard]] const std::string& folder() const { return m_folder; }
+    [[nodiscard]] const std::string& folder() const;
+    /// The file, or the server without any password: for people.
+    [[nodiscard]] const std::string& shownName() const;
 
     /// id: any text of 1 to 64 characters but NA, n/a, NONE and GROUP. Error: refused when it is there
     /// already or not fit, ioFailed.
     [[nodiscard]] core::Expected<Participant> enrol(const std::string& id);
     [[nodiscard]] core::Expected<std::vector<Participant>> participants() const;
+
+    /// Takes a participant for a session. Error: refused when somebody has him, naming who.
+    [[nodiscard]] core::Expected<ParticipantClaim> claim(const Participant& participant);
+    /// Who runs a participant now, this program too; empty: nobody.
+    [[nodiscard]] core::Expected<std::optional<std::string>> runner(const Participant& participant) const;
 
     /// The session of a place in the participant's plan; begun now unless it is there already.
     [[nodiscard]] core::Expected<SessionRecord> beginSession(const Participant& participant,
@@ -81,20 +116,35 @@ public:
     [[nodiscard]] core::Expected<std::vector<SessionRecord>> sessions(const Participant& participant) const;
 
     /// Keeps a result; it is safe when this returns. Error: refused when this attempt of the trial is there
-    /// already, ioFailed.
+    /// already, ioFailed; unavailable when the server is away: then the trial is safe in the folder, and the
+    /// same call, or opening the study again, sends it once the server is back.
     [[nodiscard]] core::Expected<void> keepTrial(const SessionRecord& session, const TrialResult& result,
                                                  const QDateTime& now);
     /// In the order in which they were kept.
     [[nodiscard]] core::Expected<std::vector<StoredTrial>> trials(const SessionRecord& session) const;
 
-private:
-    class Connection;
-    StudyStore(std::string folder, std::unique_ptr<Connection> connection);
-    [[nodiscard]] core::Expected<void> readHead();
+    /// Keeps all answers of a questionnaire, or none. session: the one that it belongs to; empty for those of
+    /// a participant as a whole. Error: refused when they are there already or do not fit, ioFailed,
+    /// unavailable.
+    [[nodiscard]] core::Expected<void> keepAnswers(const Participant& participant,
+                                                   const std::optional<SessionRecord>& session,
+                                                   const Questionnaire& questionnaire,
+                                                   const std::vector<ItemAnswer>& answers,
+                                                   const QDateTime& now);
+    /// In the order in which they were kept.
+    [[nodiscard]] core::Expected<std::vector<StoredAnswer>> answers(const Participant& participant) const;
 
-    std::string m_folder;
-    std::unique_ptr<Connection> m_connection;
+private:
+    explicit StudyStore(std::shared_ptr<StudyConnection> connection);
+    [[nodiscard]] core::Expected<void> readHead();
+    [[nodiscard]] core::Expected<void> insertTrial(long long session, const StoredTrial& trial);
+    [[nodiscard]] core::Expected<void> insertUnlessKept(long long session, const StoredTrial& trial);
+    [[nodiscard]] core::Expected<void> sendPending(long long session);
+    [[nodiscard]] core::Expected<void> keepOnServer(const SessionRecord& session, const StoredTrial& trial);
+
+    std::shared_ptr<StudyConnection> m_connection;
     StudyHead m_head;
+    bool m_unsure = false; ///< the server went away before it said whether it has the last trial
 };
 
 } // namespace teleta::study

@@ -34,7 +34,7 @@ const std::vector<Rule> kRules = {
     {"backend/playback", {"backend/core", "backend/pattern"}, {"QtCore", "expected"}},
     {"backend/study",
      {"backend/core", "backend/pattern", "backend/scene"},
-     {"QtCore", "QtSql", "expected", "toml++", "nlohmann_json", "Eigen", "Boost.Math"}},
+     {"QtCore", "QtSql", "posix", "expected", "toml++", "nlohmann_json", "Eigen", "Boost.Math"}},
     // Services.
     {"backend/scene", {"backend/core"}, {"QtCore", "expected", "toml++"}},
     {"backend/pipeline",
@@ -87,6 +87,7 @@ struct Library {
 
 constexpr std::array kLibraries = {
     Library{"Eigen/", "Eigen"},
+    Library{"unsupported/Eigen/", "Eigen"},
     Library{"boost/math/", "Boost.Math"},
     Library{"readerwriterqueue/", "readerwriterqueue"},
     Library{"tl/", "expected"},

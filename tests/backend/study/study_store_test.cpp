@@ -16,6 +16,8 @@
 #include <csignal>
 #include <filesystem>
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace teleta::study {
 
@@ -254,6 +256,7 @@ TEST_F(StudyStoreTest, bringsAnOlderStudyUpToDateAndKeepsItsTrials) {
         ASSERT_TRUE(store.keepTrial(session, answered(), kNow));
         EXPECT_EQ(store.head().stimulusSetSha256.size(), 64U);
     }
+    runSql(QStringLiteral("DROP TABLE answer"));
     runSql(QStringLiteral("ALTER TABLE study DROP COLUMN stimulus_set_sha256"));
     runSql(QStringLiteral("PRAGMA user_version = 1"));
     const auto store = StudyStore::open(folder());
@@ -262,6 +265,74 @@ TEST_F(StudyStoreTest, bringsAnOlderStudyUpToDateAndKeepsItsTrials) {
     const Participant participant = store->participants()->front();
     const SessionRecord session = store->sessions(participant)->front();
     EXPECT_EQ(store->trials(session)->size(), 1U);
+}
+
+TEST_F(StudyStoreTest, keepsAnswersOfAQuestionnaireTogetherAndOnce) {
+    StudyStore store = create();
+    const Participant participant = store.enrol("P07").value();
+    const auto plan = planSessions(store.head().protocol, store.head().seed, 0);
+    const SessionRecord first = store.beginSession(participant, 0, plan[0], kNow).value();
+    const SessionRecord second = store.beginSession(participant, 1, plan[1], kNow).value();
+    const auto item = [](const char* id, ItemKind kind, bool required) {
+        QuestionnaireItem made;
+        made.id = id;
+        made.kind = kind;
+        made.required = required;
+        return made;
+    };
+    const Questionnaire person{"person",
+                               "About you",
+                               QuestionnaireTime::beforeStudy,
+                               {item("name", ItemKind::text, true), item("more", ItemKind::text, false)}};
+    const Questionnaire effort{
+        "effort", "Effort", QuestionnaireTime::afterSession, {item("hard", ItemKind::likert, true)}};
+    ASSERT_TRUE(store.keepAnswers(participant, {}, person, {{"name", "O'Neil, \"参\""}, {"more", {}}}, kNow));
+    EXPECT_EQ(store.keepAnswers(participant, {}, person, {{"name", "x"}, {"more", {}}}, kNow).error().kind,
+              core::ErrorKind::refused);
+    ASSERT_TRUE(store.keepAnswers(participant, first, effort, {{"hard", "7"}}, kNow));
+    ASSERT_TRUE(store.keepAnswers(participant, second, effort, {{"hard", "2"}}, kNow));
+    EXPECT_FALSE(store.keepAnswers(participant, first, effort, {{"hard", "1"}}, kNow));
+    EXPECT_FALSE(store.keepAnswers(participant, {}, effort, {{"hard", "1"}}, kNow));
+    EXPECT_FALSE(store.keepAnswers(store.enrol("P08").value(), {}, person, {{"name", "x"}}, kNow));
+    const auto answers = StudyStore::open(folder())->answers(participant).value();
+    ASSERT_EQ(answers.size(), 4U);
+    EXPECT_EQ(answers[0].value, "O'Neil, \"参\"");
+    EXPECT_FALSE(answers[0].session);
+    EXPECT_EQ(answers[0].time, kNow);
+    EXPECT_FALSE(answers[1].value);
+    EXPECT_EQ(answers[2].session, first.key);
+    EXPECT_EQ(answers[3].value, "2");
+}
+
+TEST_F(StudyStoreTest, aParticipantIsInOneSessionAtATime) {
+    StudyStore one = create();
+    StudyStore two = StudyStore::open(folder()).value();
+    const Participant participant = one.enrol("P07").value();
+    EXPECT_FALSE(one.runner(participant).value());
+    {
+        const auto claim = one.claim(participant);
+        ASSERT_TRUE(claim) << core::describe(claim.error());
+        EXPECT_EQ(two.claim(participant).error().kind, core::ErrorKind::refused);
+        EXPECT_TRUE(two.runner(participant).value());
+        EXPECT_TRUE(two.claim(one.enrol("P08").value()));
+    }
+    EXPECT_FALSE(two.runner(participant).value());
+    EXPECT_TRUE(two.claim(participant));
+}
+
+TEST_F(StudyStoreTest, aProgramThatWasKilledDoesNotKeepItsParticipant) {
+    StudyStore store = create();
+    const Participant participant = store.enrol("P07").value();
+    const pid_t child = fork();
+    if (child == 0) {
+        const auto claim = store.claim(participant);
+        kill(getpid(), claim ? SIGKILL : SIGABRT);
+    }
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFSIGNALED(status));
+    ASSERT_EQ(WTERMSIG(status), SIGKILL);
+    EXPECT_TRUE(store.claim(participant));
 }
 
 TEST_F(StudyStoreTest, numbersThatTheProtocolDoesNotHaveAreDamage) {

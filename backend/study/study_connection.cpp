@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/study/study_connection.h"
+
+#include "backend/study/study_schema.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QRegularExpression>
+#include <QSqlError>
+#include <QStringList>
+#include <QSysInfo>
+#include <QUrl>
+#include <QUrlQuery>
+#include <QUuid>
+
+#include <utility>
+
+namespace teleta::study {
+
+namespace {
+
+struct StoreText {
+    Q_DECLARE_TR_FUNCTIONS(StudyStore)
+};
+
+constexpr int kWaitForOthers_ms = 10'000;
+constexpr int kWaitForServer_s = 5;
+
+std::string fileIn(const std::string& folder) {
+    return QDir(QString::fromStdString(folder)).filePath(QStringLiteral("study.sqlite")).toStdString();
+}
+
+/// The URL as it may stand in messages and logs.
+std::string withoutPassword(const std::string& url) {
+    QUrl shown(QString::fromStdString(url));
+    shown.setPassword({});
+    QUrlQuery query(shown);
+    query.removeAllQueryItems(QStringLiteral("password"));
+    shown.setQuery(query);
+    return shown.toString().toStdString();
+}
+
+/// Options that go through to libpq as they are.
+const QStringList& passedOptions() {
+    static const QStringList kOptions{QStringLiteral("sslmode"), QStringLiteral("sslrootcert"),
+                                      QStringLiteral("sslcert"), QStringLiteral("sslkey")};
+    return kOptions;
+}
+
+} // namespace
+
+StudyConnection::StudyConnection(StoreLocation location)
+    : m_location(std::move(location))
+    , m_shownName(isServer() ? withoutPassword(m_location.server) : fileIn(m_location.folder))
+    , m_name(QUuid::createUuid().toString())
+    , m_database(QSqlDatabase::addDatabase(isServer() ? QStringLiteral("QPSQL") : QStringLiteral("QSQLITE"),
+                                           m_name)) {
+}
+
+StudyConnection::~StudyConnection() {
+    m_database.close();
+    m_database = QSqlDatabase();
+    QSqlDatabase::removeDatabase(m_name);
+}
+
+core::Expected<void> StudyConnection::configureServer() {
+    const QUrl url(QString::fromStdString(m_location.server), QUrl::StrictMode);
+    const bool isPostgres =
+        url.scheme() == QStringLiteral("postgresql") || url.scheme() == QStringLiteral("postgres");
+    const auto badUrl = [&](const QString& message, const QString& expected) {
+        return core::Unexpected(core::Error{
+            core::ErrorKind::badInput, message.toStdString(), expected.toStdString(), {m_shownName}});
+    };
+    if (!url.isValid() || !isPostgres)
+        return badUrl(StoreText::tr("this is no address of a PostgreSQL server"),
+                      QStringLiteral("postgresql://user@host/database?study=name"));
+    QStringList options{
+        QStringLiteral("connect_timeout=%1").arg(kWaitForServer_s),
+        QStringLiteral("tcp_user_timeout=%1").arg(kWaitForOthers_ms),
+        QStringLiteral("application_name='%1'").arg(QSysInfo::machineHostName().remove(QLatin1Char('\'')))};
+    m_schema = QStringLiteral("study");
+    m_database.setHostName(url.host(QUrl::FullyDecoded));
+    m_database.setPort(url.port());
+    const auto items = QUrlQuery(url).queryItems(QUrl::FullyDecoded);
+    for (const auto& [key, value] : items) {
+        if (key == QStringLiteral("study"))
+            m_schema = value;
+        else if (key == QStringLiteral("host"))
+            m_database.setHostName(value);
+        else if (key == QStringLiteral("port"))
+            m_database.setPort(value.toInt());
+        else if (passedOptions().contains(key) && !value.contains(QLatin1Char(';')))
+            options << key + QLatin1Char('=') + value;
+        else
+            return badUrl(StoreText::tr("the address has the unknown option \"%1\"").arg(key),
+                          QStringLiteral("study, host, port, ") + passedOptions().join(QStringLiteral(", ")));
+    }
+    static const QRegularExpression kName(QStringLiteral("^[a-z_][a-z0-9_]{0,62}$"));
+    if (!kName.match(m_schema).hasMatch())
+        return badUrl(StoreText::tr("\"%1\" cannot name a study on a server").arg(m_schema),
+                      StoreText::tr("small letters, digits and _, not a digit first"));
+    m_database.setDatabaseName(url.path(QUrl::FullyDecoded).mid(1));
+    m_database.setUserName(url.userName(QUrl::FullyDecoded));
+    m_database.setPassword(url.password(QUrl::FullyDecoded));
+    m_database.setConnectOptions(options.join(QLatin1Char(';')));
+    return {};
+}
+
+core::Expected<void> StudyConnection::open(Purpose purpose) {
+    if (isServer()) {
+        if (!m_database.isValid())
+            return core::Unexpected(core::Error{
+                core::ErrorKind::notFound,
+                StoreText::tr("Qt's driver for PostgreSQL is not installed").toStdString(),
+                StoreText::tr("the package %1").arg(QStringLiteral("libqt6sql6-psql")).toStdString(),
+                {}});
+        if (const core::Expected<void> configured = configureServer(); !configured)
+            return configured;
+    } else {
+        m_database.setDatabaseName(QString::fromStdString(m_shownName));
+        m_database.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=%1").arg(kWaitForOthers_ms));
+        if (purpose == Purpose::open && !QFileInfo::exists(QString::fromStdString(m_shownName)))
+            return core::Unexpected(core::Error{core::ErrorKind::notFound,
+                                                StoreText::tr("there is no study here").toStdString(),
+                                                StoreText::tr("a folder with study.sqlite").toStdString(),
+                                                {m_location.folder}});
+    }
+    return connect().and_then([&] { return chooseSchema(purpose); }).and_then([&] {
+        return migrateSchema(m_database, m_shownName);
+    });
+}
+
+core::Expected<void> StudyConnection::connect() {
+    if (!m_database.open())
+        return failed(StoreText::tr("cannot open the study: %1"), m_database.lastError());
+    const auto settings =
+        isServer() ? QStringList{QStringLiteral("SET synchronous_commit = on"),
+                                 QStringLiteral("SET statement_timeout = %1").arg(3 * kWaitForOthers_ms)}
+                   : QStringList{QStringLiteral("PRAGMA journal_mode = WAL"),
+                                 QStringLiteral("PRAGMA synchronous = FULL"),
+                                 QStringLiteral("PRAGMA foreign_keys = ON")};
+    for (const QString& setting : settings) {
+        QSqlQuery query(m_database);
+        if (!query.exec(setting))
+            return failed(StoreText::tr("cannot open the study: %1"), query.lastError());
+    }
+    return {};
+}
+
+core::Expected<void> StudyConnection::chooseSchema(Purpose purpose) {
+    if (!isServer())
+        return {};
+    auto found = execute(QStringLiteral("SELECT 1 FROM pg_namespace WHERE nspname = ?"), {m_schema});
+    if (!found)
+        return core::Unexpected(found.error());
+    if (!found->next()) {
+        if (purpose == Purpose::open)
+            return core::Unexpected(
+                core::Error{core::ErrorKind::notFound,
+                            StoreText::tr("the server has no study \"%1\"").arg(m_schema).toStdString(),
+                            StoreText::tr("the name of a study that was begun there").toStdString(),
+                            {m_shownName}});
+        const auto made = execute(QStringLiteral("CREATE SCHEMA IF NOT EXISTS %1").arg(m_schema), {});
+        // Another station may make it at the same moment.
+        if (!made && made.error().kind != core::ErrorKind::refused)
+            return core::Unexpected(made.error());
+    }
+    const auto chosen = execute(QStringLiteral("SET search_path = %1").arg(m_schema), {});
+    if (!chosen)
+        return core::Unexpected(chosen.error());
+    return {};
+}
+
+core::Expected<void> StudyConnection::reconnect() {
+    m_database.close();
+    ++m_reconnections;
+    if (const core::Expected<void> opened = connect().and_then([&] { return chooseSchema(Purpose::open); });
+        !opened)
+        return opened;
+    for (const long long key : std::exchange(m_locks, {})) {
+        const core::Expected<bool> taken = lock(key);
+        if (!taken)
+            return core::Unexpected(taken.error());
+        if (!*taken)
+            return refused(StoreText::tr("another station went on with this participant while the server "
+                                         "was away"),
+                           StoreText::tr("one session of a participant at a time"));
+    }
+    return {};
+}
+
+core::Expected<QSqlQuery> StudyConnection::run(const QString& sql, const QVariantList& values) {
+    core::Expected<QSqlQuery> done = execute(sql, values);
+    if (done || m_inTransaction || done.error().kind != core::ErrorKind::unavailable)
+        return done;
+    if (const core::Expected<void> back = reconnect(); !back)
+        return core::Unexpected(back.error());
+    return execute(sql, values);
+}
+
+core::Expected<QSqlQuery> StudyConnection::execute(const QString& sql, const QVariantList& values) {
+    QSqlQuery query(m_database);
+    query.setForwardOnly(!isServer()); // PostgreSQL would have nothing else run before all rows are read
+    bool done = query.prepare(sql);
+    for (const QVariant& value : values)
+        query.addBindValue(value);
+    done = done && query.exec();
+    if (!done)
+        return failed(StoreText::tr("cannot use the study: %1"), query.lastError());
+    return query;
+}
+
+core::Expected<void> StudyConnection::inTransaction(const std::function<core::Expected<void>()>& work) {
+    const auto begun = run(QStringLiteral("BEGIN"));
+    if (!begun)
+        return core::Unexpected(begun.error());
+    m_inTransaction = true;
+    core::Expected<void> done = work();
+    if (done) {
+        if (const auto committed = execute(QStringLiteral("COMMIT"), {}); !committed)
+            done = core::Unexpected(committed.error());
+    }
+    if (!done)
+        (void)execute(QStringLiteral("ROLLBACK"), {});
+    m_inTransaction = false;
+    return done;
+}
+
+core::Expected<bool> StudyConnection::lock(long long key) {
+    if (m_locks.contains(key))
+        return false;
+    auto query = run(QStringLiteral("SELECT pg_try_advisory_lock(hashtext(?), ?)"), {m_schema, key});
+    if (!query)
+        return core::Unexpected(query.error());
+    query->next();
+    const bool taken = query->value(0).toBool();
+    if (taken)
+        m_locks.insert(key);
+    return taken;
+}
+
+void StudyConnection::unlock(long long key) {
+    // Without a connection there is no lock any more.
+    if (m_locks.erase(key) > 0)
+        (void)execute(QStringLiteral("SELECT pg_advisory_unlock(hashtext(?), ?)"), {m_schema, key});
+}
+
+core::Expected<std::string> StudyConnection::lockedBy(long long key) {
+    if (m_locks.contains(key))
+        return QSysInfo::machineHostName().toStdString();
+    auto query = run(
+        QStringLiteral("SELECT application_name FROM pg_locks JOIN pg_stat_activity USING (pid) "
+                       "WHERE locktype = 'advisory' AND classid::bigint = hashtext(?)::bigint & 4294967295 "
+                       "AND objid::bigint = ? AND objsubid = 2 AND granted AND pid <> pg_backend_pid()"),
+        {m_schema, key});
+    if (!query)
+        return core::Unexpected(query.error());
+    if (!query->next())
+        return std::string();
+    const std::string name = query->value(0).toString().toStdString();
+    return name.empty() ? StoreText::tr("another station").toStdString() : name;
+}
+
+core::ErrorKind StudyConnection::kindOf(const QSqlError& error) const {
+    if (isServer()) {
+        // Codes of the SQL standard; there is none when the connection broke or was never there.
+        const QString code = error.nativeErrorCode();
+        if (code.startsWith(QStringLiteral("23")) || code == QStringLiteral("42P06"))
+            return core::ErrorKind::refused;
+        const bool isAway = code.isEmpty() || code.startsWith(QStringLiteral("08")) ||
+                            code.startsWith(QStringLiteral("57P")) || code == QStringLiteral("53300");
+        return isAway ? core::ErrorKind::unavailable : core::ErrorKind::ioFailed;
+    }
+    // SQLite's primary code says whose fault it is; extended codes have it in their low byte.
+    constexpr int kCorrupt = 11;
+    constexpr int kConstraint = 19;
+    constexpr int kNotADatabase = 26;
+    const int code = error.nativeErrorCode().toInt() & 0xFF;
+    if (code == kConstraint)
+        return core::ErrorKind::refused;
+    return code == kNotADatabase || code == kCorrupt ? core::ErrorKind::badInput : core::ErrorKind::ioFailed;
+}
+
+core::Unexpected StudyConnection::failed(const QString& what, const QSqlError& error) const {
+    const QString reason =
+        error.databaseText().isEmpty() ? error.driverText() : error.databaseText().simplified();
+    return core::Unexpected(core::Error{kindOf(error), what.arg(reason).toStdString(), {}, {m_shownName}});
+}
+
+core::Unexpected StudyConnection::damaged() const {
+    return core::Unexpected(core::Error{
+        core::ErrorKind::badInput,
+        StoreText::tr(
+            "the study is damaged: a session or a trial has a number that its protocol does not have")
+            .toStdString(),
+        {},
+        {m_shownName}});
+}
+
+core::Unexpected StudyConnection::refused(const QString& message, const QString& expected) const {
+    return core::Unexpected(
+        core::Error{core::ErrorKind::refused, message.toStdString(), expected.toStdString(), {m_shownName}});
+}
+
+} // namespace teleta::study

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/error.h"
+
+#include <QSqlDatabase>
+#include <QSqlQuery>
+#include <QString>
+#include <QVariant>
+
+#include <cstddef>
+#include <functional>
+#include <set>
+#include <string>
+#include <utility>
+
+class QSqlError;
+
+namespace teleta::study {
+
+/// Where a study is kept: in study.sqlite of its folder, or on a PostgreSQL server, then with its exports in
+/// the folder.
+struct StoreLocation {
+    StoreLocation(std::string studyFolder, std::string serverUrl = {}) // NOLINT: a folder is a location
+        : folder(std::move(studyFolder))
+        , server(std::move(serverUrl)) {}
+
+    std::string folder;
+    /// postgresql://[user[:password]@][host][:port][/database][?study=NAME&host=..&port=..&sslmode=..];
+    /// empty: SQLite. What the URL lacks comes from the PG* environment and ~/.pgpass. study: the schema that
+    /// the study is in, "study" unless given.
+    std::string server;
+};
+
+/// A connection of Qt to the database of a study, SQLite or PostgreSQL, with what differs between them.
+/// SQLite: write-ahead log, synchronous FULL. PostgreSQL: a connection that was lost is opened again at the
+/// next statement. Thread: the one that made it.
+class StudyConnection {
+public:
+    enum class Purpose { create, open };
+
+    explicit StudyConnection(StoreLocation location);
+    ~StudyConnection();
+    StudyConnection(const StudyConnection&) = delete;
+    StudyConnection& operator=(const StudyConnection&) = delete;
+
+    /// Connects and brings the schema up to date. Error: notFound where there is no study and none is made;
+    /// badInput, refused, ioFailed; unavailable when the server does not answer.
+    [[nodiscard]] core::Expected<void> open(Purpose purpose);
+
+    /// Executes one statement. Outside of transactions a lost connection is opened again, once, and the
+    /// statement repeated: reconnections() tells. Error: refused for a constraint, badInput for a damaged
+    /// file, unavailable when the server is away, ioFailed.
+    [[nodiscard]] core::Expected<QSqlQuery> run(const QString& sql, const QVariantList& values = {});
+
+    /// All that the function does, or nothing of it.
+    [[nodiscard]] core::Expected<void> inTransaction(const std::function<core::Expected<void>()>& work);
+
+    [[nodiscard]] bool isServer() const { return !m_location.server.empty(); }
+    [[nodiscard]] std::size_t reconnections() const { return m_reconnections; }
+    [[nodiscard]] const StoreLocation& location() const { return m_location; }
+    /// The file, or the server without any password.
+    [[nodiscard]] const std::string& shownName() const { return m_shownName; }
+
+    /// Server only: takes or gives back a lock of the session, which the server frees when the connection
+    /// ends. Taken locks are taken again after a reconnection. False: it is taken.
+    [[nodiscard]] core::Expected<bool> lock(long long key);
+    void unlock(long long key);
+    /// Server only: the name of the machine that has the lock; empty when nobody has it.
+    [[nodiscard]] core::Expected<std::string> lockedBy(long long key);
+
+    [[nodiscard]] core::Unexpected damaged() const;
+    [[nodiscard]] core::Unexpected refused(const QString& message, const QString& expected) const;
+
+private:
+    [[nodiscard]] core::Expected<void> configureServer();
+    [[nodiscard]] core::Expected<void> connect();
+    [[nodiscard]] core::Expected<void> chooseSchema(Purpose purpose);
+    [[nodiscard]] core::Expected<void> reconnect();
+    [[nodiscard]] core::Expected<QSqlQuery> execute(const QString& sql, const QVariantList& values);
+    [[nodiscard]] core::Unexpected failed(const QString& what, const QSqlError& error) const;
+    [[nodiscard]] core::ErrorKind kindOf(const QSqlError& error) const;
+
+    StoreLocation m_location;
+    std::string m_shownName;
+    QString m_schema; ///< server only
+    QString m_name;
+    QSqlDatabase m_database;
+    std::set<long long> m_locks;
+    std::size_t m_reconnections = 0;
+    bool m_inTransaction = false;
+};
+
+} // namespace teleta::study
