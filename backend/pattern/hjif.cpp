@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pattern/hjif.h"
 
+#include "backend/core/json_document.h"
 #include "backend/pattern/bake.h"
-#include "backend/pattern/json_document.h"
 #include "backend/pattern/motor_model.h"
 #include "backend/pattern/track_builder.h"
 
@@ -17,6 +17,8 @@ namespace teleta::pattern {
 
 namespace {
 
+using core::JsonDocument;
+using core::JsonReader;
 using nlohmann::ordered_json;
 
 struct HjifText {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pattern/motor_model.h"
 
-#include "backend/pattern/json_document.h"
+#include "backend/core/json_document.h"
 #include "backend/pattern/sampled_output.h"
 
 #include <QCoreApplication>
@@ -15,6 +15,8 @@ namespace teleta::pattern {
 
 namespace {
 
+using core::JsonDocument;
+using core::JsonReader;
 using nlohmann::ordered_json;
 
 struct MotorText {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pattern/pattern_file.h"
 
+#include "backend/core/json_document.h"
 #include "backend/core/output_file.h"
 #include "backend/pattern/ahap.h"
 #include "backend/pattern/bake.h"
 #include "backend/pattern/built_in_patterns.h"
 #include "backend/pattern/haptic_file.h"
 #include "backend/pattern/hjif.h"
-#include "backend/pattern/json_document.h"
 #include "backend/pattern/pattern_format.h"
 #include "backend/pattern/pattern_json.h"
 #include "backend/pattern/sampled_output.h"
@@ -43,13 +43,13 @@ core::Expected<std::string> readBytes(const std::string& path) {
     if (!file.open(QIODevice::ReadOnly))
         return core::Unexpected(failure(core::ErrorKind::ioFailed, path, file.errorString(), {}));
     // One byte more shows that the limit is passed, also with a pipe, whose size is not known.
-    const QByteArray bytes = file.read(static_cast<qint64>(JsonDocument::kMostBytes) + 1);
+    const QByteArray bytes = file.read(static_cast<qint64>(core::JsonDocument::kMostBytes) + 1);
     if (file.error() != QFileDevice::NoError)
         return core::Unexpected(failure(core::ErrorKind::ioFailed, path, file.errorString(), {}));
-    if (static_cast<std::size_t>(bytes.size()) > JsonDocument::kMostBytes)
-        return core::Unexpected(failure(core::ErrorKind::badInput, path,
-                                        FileText::tr("the file is too large"),
-                                        FileText::tr("at most %1 MiB").arg(JsonDocument::kMostBytes >> 20U)));
+    if (static_cast<std::size_t>(bytes.size()) > core::JsonDocument::kMostBytes)
+        return core::Unexpected(
+            failure(core::ErrorKind::badInput, path, FileText::tr("the file is too large"),
+                    FileText::tr("at most %1 MiB").arg(core::JsonDocument::kMostBytes >> 20U)));
     return bytes.toStdString();
 }
 

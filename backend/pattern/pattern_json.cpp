@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pattern/pattern_json.h"
 
-#include "backend/pattern/json_document.h"
+#include "backend/core/json_document.h"
 
 #include <QCoreApplication>
 
@@ -14,6 +14,8 @@ namespace teleta::pattern {
 
 namespace {
 
+using core::JsonDocument;
+using core::JsonReader;
 using nlohmann::ordered_json;
 
 struct PatternText {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pattern/tact.h"
 
+#include "backend/core/json_document.h"
 #include "backend/pattern/bake.h"
-#include "backend/pattern/json_document.h"
 #include "backend/pattern/track_builder.h"
 
 #include <QCoreApplication>
@@ -16,6 +16,8 @@ namespace teleta::pattern {
 
 namespace {
 
+using core::JsonDocument;
+using core::JsonReader;
 using nlohmann::ordered_json;
 
 struct TactText {

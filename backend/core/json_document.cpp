@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/pattern/json_document.h"
+#include "backend/core/json_document.h"
 
 #include "backend/core/number_text.h"
 
@@ -9,23 +9,23 @@
 #include <utility>
 #include <vector>
 
-namespace teleta::pattern {
+namespace teleta::core {
 
 namespace {
 
 using nlohmann::ordered_json;
 
 struct JsonText {
-    Q_DECLARE_TR_FUNCTIONS(PatternJson)
+    Q_DECLARE_TR_FUNCTIONS(JsonDocument)
 };
 
 std::string digits(double value) {
-    return std::string(core::NumberText(value).view());
+    return std::string(NumberText(value).view());
 }
 
 /// Line and column in characters, from 1.
-core::SourcePlace placeOf(const std::string& file, const std::string& text, std::size_t offset) {
-    core::SourcePlace place{file, 1, 1};
+SourcePlace placeOf(const std::string& file, const std::string& text, std::size_t offset) {
+    SourcePlace place{file, 1, 1};
     for (std::size_t i = 0; i < std::min(offset, text.size()); ++i) {
         const auto byte = static_cast<unsigned char>(text[i]);
         if (byte == '\n') {
@@ -175,12 +175,11 @@ const ordered_json kEmptyArray = ordered_json::array();
 
 } // namespace
 
-core::Expected<JsonDocument> JsonDocument::parse(std::string text, const std::string& file) {
+Expected<JsonDocument> JsonDocument::parse(std::string text, const std::string& file) {
     const auto failure = [&](std::optional<std::size_t> offset, const QString& message,
                              const QString& expected) {
-        return core::Unexpected(
-            core::Error{core::ErrorKind::badInput, message.toStdString(), expected.toStdString(),
-                        offset ? placeOf(file, text, *offset) : core::SourcePlace{file, 0, 0}});
+        return Unexpected(Error{ErrorKind::badInput, message.toStdString(), expected.toStdString(),
+                                offset ? placeOf(file, text, *offset) : SourcePlace{file, 0, 0}});
     };
     if (text.size() > kMostBytes)
         return failure({}, JsonText::tr("the file is too large"),
@@ -205,9 +204,9 @@ core::Expected<JsonDocument> JsonDocument::parse(std::string text, const std::st
     return document;
 }
 
-core::Error JsonDocument::errorAt(const ordered_json& value, const std::string& message,
-                                  const std::string& expected) const {
-    core::Error error{core::ErrorKind::badInput, message, expected, {m_file, 0, 0}};
+Error JsonDocument::errorAt(const ordered_json& value, const std::string& message,
+                            const std::string& expected) const {
+    Error error{ErrorKind::badInput, message, expected, {m_file, 0, 0}};
     std::vector<std::size_t> way;
     if (!findWay(*m_root, &value, way))
         return error;
@@ -343,4 +342,4 @@ std::string JsonReader::text(Value object, const char* key, const std::string& m
     return found == nullptr ? missing : text(*found);
 }
 
-} // namespace teleta::pattern
+} // namespace teleta::core

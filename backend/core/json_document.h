@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-namespace teleta::pattern {
+namespace teleta::core {
 
 /// A JSON text, read with limits, that can say where each of its values stands.
 /// Thread: one.
@@ -22,13 +22,13 @@ public:
 
     /// file: for errors. Error: badInput with line and column: not JSON, not UTF-8, nested deeper than
     /// kDeepest, a number out of range, a key that is there twice; without them: longer than kMostBytes.
-    [[nodiscard]] static core::Expected<JsonDocument> parse(std::string text, const std::string& file);
+    [[nodiscard]] static Expected<JsonDocument> parse(std::string text, const std::string& file);
 
     [[nodiscard]] const nlohmann::ordered_json& root() const { return *m_root; }
 
     /// An error about a value of this document: with its path (tracks/2/0), line and column.
-    [[nodiscard]] core::Error errorAt(const nlohmann::ordered_json& value, const std::string& message,
-                                      const std::string& expected) const;
+    [[nodiscard]] Error errorAt(const nlohmann::ordered_json& value, const std::string& message,
+                                const std::string& expected) const;
 
 private:
     JsonDocument() = default;
@@ -64,11 +64,11 @@ public:
 
     /// Keeps the first error.
     void fail(Value value, const std::string& message, const std::string& expected);
-    [[nodiscard]] const std::optional<core::Error>& error() const { return m_error; }
+    [[nodiscard]] const std::optional<Error>& error() const { return m_error; }
 
 private:
     const JsonDocument& m_document;
-    std::optional<core::Error> m_error;
+    std::optional<Error> m_error;
 };
 
-} // namespace teleta::pattern
+} // namespace teleta::core
