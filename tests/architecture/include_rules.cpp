@@ -22,13 +22,14 @@ struct Rule {
 
 // A folder below another one has its own row; the longest match counts.
 const std::vector<Rule> kRules = {
-    {"backend/core", {}, {"QtCore", "posix", "expected", "readerwriterqueue"}},
+    {"backend/core", {}, {"QtCore", "posix", "expected", "readerwriterqueue", "nlohmann_json"}},
     // Pure parts: no Qt.
     {"backend/contact", {"backend/core"}, {"expected", "Eigen"}},
     {"backend/stiffness", {"backend/core"}, {"expected", "Eigen", "Boost.Math"}},
     {"backend/contour", {"backend/core"}, {"expected", "Eigen", "Boost.Math"}},
     {"backend/arm", {"backend/core"}, {"expected", "Eigen"}},
     {"backend/servo", {"backend/core", "backend/contact"}, {"expected", "Eigen"}},
+    {"backend/vision", {"backend/core"}, {"QtCore", "expected", "Eigen", "Ceres", "nlohmann_json"}},
     {"backend/simulation", {"backend/core", "backend/scene", "backend/arm"}, {"expected", "Eigen"}},
     {"backend/pattern", {"backend/core"}, {"QtCore", "expected", "nlohmann_json", "libzip"}},
     {"backend/playback", {"backend/core", "backend/pattern"}, {"QtCore", "expected"}},
