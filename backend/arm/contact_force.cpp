@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/arm/contact_force.h"
 
+#include "backend/arm/largest_input.h"
+
 #include <Eigen/SVD>
 
 #include <cmath>
 #include <limits>
 
 namespace teleta::arm {
-
-namespace {
-
-/// Larger numbers are refused, so that no product below overflows.
-constexpr double kLargest = 1e100;
-
-} // namespace
 
 tl::expected<ContactForce, ForceRefusal> solveContactForce(const PointJacobian& jacobian,
                                                            const JointVector& torque_Nm,
@@ -22,10 +17,10 @@ tl::expected<ContactForce, ForceRefusal> solveContactForce(const PointJacobian& 
     if (!jacobian.array().isFinite().all() || !torque_Nm.array().isFinite().all() ||
         !std::isfinite(settings.torqueNoise_Nm) || !std::isfinite(settings.leastLever_m))
         return tl::unexpected(ForceRefusal::notFinite);
-    if (jacobian.cwiseAbs().maxCoeff() > kLargest || torque_Nm.cwiseAbs().maxCoeff() > kLargest ||
-        std::abs(settings.torqueNoise_Nm) > kLargest || std::abs(settings.leastLever_m) > kLargest)
+    if (jacobian.cwiseAbs().maxCoeff() > kLargestInput || torque_Nm.cwiseAbs().maxCoeff() > kLargestInput ||
+        std::abs(settings.torqueNoise_Nm) > kLargestInput || std::abs(settings.leastLever_m) > kLargestInput)
         return tl::unexpected(ForceRefusal::outOfRange);
-    if (settings.leastLever_m < 1.0 / kLargest || settings.torqueNoise_Nm < 0.0)
+    if (settings.leastLever_m < 1.0 / kLargestInput || settings.torqueNoise_Nm < 0.0)
         return tl::unexpected(ForceRefusal::badSetting);
 
     const Eigen::JacobiSVD<PointJacobian> svd(jacobian, Eigen::ComputeFullU | Eigen::ComputeFullV);

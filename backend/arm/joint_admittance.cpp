@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/arm/joint_admittance.h"
 
+#include "backend/arm/largest_input.h"
+
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -10,8 +12,6 @@ namespace teleta::arm {
 namespace {
 
 constexpr double kGamma = 1.0 - 1.0 / std::numbers::sqrt2;
-/// Larger numbers are refused, so that no product below overflows.
-constexpr double kLargest = 1e100;
 
 std::optional<AdmittanceRefusal> refuse(const AdmittanceParameters& parameters) {
     const double inertia = parameters.inertia_kgm2;
@@ -23,7 +23,7 @@ std::optional<AdmittanceRefusal> refuse(const AdmittanceParameters& parameters) 
         return AdmittanceRefusal::negative;
     if (inertia == 0.0 && damping == 0.0 && stiffness == 0.0)
         return AdmittanceRefusal::undetermined;
-    if (inertia > kLargest || damping > kLargest || stiffness > kLargest)
+    if (inertia > kLargestInput || damping > kLargestInput || stiffness > kLargestInput)
         return AdmittanceRefusal::outOfRange;
     return std::nullopt;
 }
@@ -31,7 +31,7 @@ std::optional<AdmittanceRefusal> refuse(const AdmittanceParameters& parameters) 
 std::optional<AdmittanceRefusal> refuse(const JointState& state) {
     if (!std::isfinite(state.angle_rad) || !std::isfinite(state.rate_radPerS))
         return AdmittanceRefusal::notFinite;
-    if (std::abs(state.angle_rad) > kLargest || std::abs(state.rate_radPerS) > kLargest)
+    if (std::abs(state.angle_rad) > kLargestInput || std::abs(state.rate_radPerS) > kLargestInput)
         return AdmittanceRefusal::outOfRange;
     return std::nullopt;
 }
@@ -67,7 +67,7 @@ tl::expected<JointState, AdmittanceRefusal> JointAdmittance::step(double externa
         return tl::unexpected(AdmittanceRefusal::notFinite);
     if (step_s < kShortestStep_s || step_s > kLongestStep_s)
         return tl::unexpected(AdmittanceRefusal::badStep);
-    if (std::abs(externalTorque_Nm) > kLargest || std::abs(reference_rad) > kLargest)
+    if (std::abs(externalTorque_Nm) > kLargestInput || std::abs(reference_rad) > kLargestInput)
         return tl::unexpected(AdmittanceRefusal::outOfRange);
 
     const double inertia = m_parameters.inertia_kgm2;

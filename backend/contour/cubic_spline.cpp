@@ -13,10 +13,6 @@ namespace {
 // Inputs are rounded to half an ulp, the system amplifies by at most 3, second differences by at most 4.
 constexpr double kRoundingUlps = 32.0;
 
-double cross(const Point& a, const Point& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
-
 /// Solves the tridiagonal system with off-diagonals 1 and the given diagonal in place.
 void solveTridiagonal(std::span<const double> diagonal, std::span<Point> rightSide) {
     const std::size_t n = diagonal.size();

@@ -11,12 +11,7 @@ namespace teleta::contour {
 namespace {
 
 constexpr double kSmallestE2 = 1e-6;
-constexpr double kStartScale = 0.1;
-constexpr std::size_t kStartsRefined = 3;
-
-double cross(const Point& a, const Point& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
+constexpr std::size_t kCurveStartsRefined = 3;
 
 Point meanOf(std::span<const Point> points) {
     return std::accumulate(points.begin(), points.end(), Point(Point::Zero())) /
@@ -241,7 +236,7 @@ CurvedLineFit fitCurvedLine(std::span<const Point> points) {
     std::sort(order.begin(), order.end());
 
     CurvedLineFit best;
-    for (std::size_t k = 0; k < std::min(kStartsRefined, order.size()); ++k) {
+    for (std::size_t k = 0; k < std::min(kCurveStartsRefined, order.size()); ++k) {
         const CurvedLine& s = starts[order[k].second];
         const Residuals evaluate = [&](const Eigen::VectorXd& p, Eigen::VectorXd& r, Eigen::MatrixXd& j) {
             curvedResiduals(points, s.reference, p, r, j);

@@ -5,6 +5,7 @@
 #include "backend/contour/robust_fit.h"
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace teleta::contour {
@@ -16,6 +17,9 @@ struct Evidence {
     std::vector<bool> outliers; ///< one a point: more probably an outlier than noise
     [[nodiscard]] std::size_t outlierCount() const;
 };
+
+/// Logarithm of the evidence of what cannot be.
+inline constexpr double kImpossibleEvidence = -std::numeric_limits<double>::infinity();
 
 /// What is assumed of a model beside its fit.
 struct Assumptions {

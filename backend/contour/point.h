@@ -14,6 +14,11 @@ using Point = Eigen::Vector2d;
 inline constexpr double kMaximumCoordinate_m = 1e150;
 
 /// Whether every coordinate is finite and within the valid range.
+/// z component of the cross product of two vectors in the plane.
+[[nodiscard]] inline double cross(const Point& a, const Point& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+
 [[nodiscard]] bool areUsable(std::span<const Point> points_m);
 
 } // namespace teleta::contour

@@ -5,19 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace teleta::contour {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kImpossible = -std::numeric_limits<double>::infinity();
 constexpr double kTouchedMargin =
     0.05; ///< of an edge; nearer to a vertex the point may belong to the next edge
-constexpr double kStartScale = 0.1;
-constexpr std::size_t kStartsRefined = 4;
+constexpr std::size_t kPolygonStartsRefined = 4;
 
 /// (centre x, centre y, angle, half width, half height) to the coordinates of four vertices.
 Eigen::VectorXd corners(const Eigen::VectorXd& box) {
@@ -56,7 +52,7 @@ std::vector<Eigen::VectorXd> boxesAround(std::span<const Point> points) {
     std::vector<double> v(points.size());
     const std::size_t cut = points.size() / 20;
     for (int k = 0; k < kAngles; ++k) {
-        const double angle = 0.5 * kPi * k / kAngles;
+        const double angle = 0.5 * std::numbers::pi * k / kAngles;
         const double c = std::cos(angle);
         const double s = std::sin(angle);
         for (std::size_t i = 0; i < points.size(); ++i) {
@@ -121,10 +117,10 @@ PolygonFit fitRectangle(std::span<const Point> points, const std::vector<Eigen::
         order.emplace_back(robustLoss(residuals, kStartScale), i);
     }
     std::sort(order.begin(), order.end());
-    order.resize(std::min(order.size(), kStartsRefined));
+    order.resize(std::min(order.size(), kPolygonStartsRefined));
 
     PolygonFit best;
-    best.judged.logEvidence = kImpossible;
+    best.judged.logEvidence = kImpossibleEvidence;
     for (const auto& [loss, start] : order) {
         RobustFit fit = fitRobustly(evaluate, starts[start]);
         Evidence judged = evidence(fit, polylineLength(corners(fit.parameters), true));
@@ -138,7 +134,7 @@ PolygonFit fitRectangle(std::span<const Point> points, const std::vector<Eigen::
 
 PolygonFit fitRegularPolygon(std::span<const Point> points, int sides, const Point& centre, double radius) {
     constexpr int kAngles = 3;
-    const double turn = 2.0 * kPi / sides;
+    const double turn = 2.0 * std::numbers::pi / sides;
     const auto vertices = [&](const Eigen::VectorXd& p) {
         Eigen::VectorXd chain(2 * sides);
         for (int i = 0; i < sides; ++i) {
@@ -161,7 +157,7 @@ PolygonFit fitRegularPolygon(std::span<const Point> points, int sides, const Poi
         j = byVertices * derivatives;
     };
     PolygonFit best;
-    best.judged.logEvidence = kImpossible;
+    best.judged.logEvidence = kImpossibleEvidence;
     for (int k = 0; k < kAngles; ++k) {
         const Eigen::Vector4d start(centre.x(), centre.y(), std::log(1.1 * radius), turn * k / kAngles);
         RobustFit fit = fitRobustly(evaluate, start);

@@ -11,12 +11,8 @@ namespace {
 
 constexpr double kShortestEdge = 1e-9;
 constexpr double kParallelSine = 0.05;
-constexpr double kFarthestVertex = 0.6; ///< from the ends of the runs that meet in it
+constexpr double kFarthestRunVertex = 0.6; ///< from the ends of the runs that meet in it
 constexpr std::size_t kPointsOfRun = 2;
-
-double cross(const Point& a, const Point& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 struct Nearest {
     Eigen::Index edge = 0;
@@ -229,7 +225,7 @@ Eigen::VectorXd EdgeRuns::vertices(std::size_t edges) const {
         if (std::abs(sine) < kParallelSine)
             return between;
         const Point vertex = a.middle + cross(b.middle - a.middle, b.direction) / sine * a.direction;
-        return (vertex - between).norm() > kFarthestVertex ? between : vertex;
+        return (vertex - between).norm() > kFarthestRunVertex ? between : vertex;
     };
 
     std::vector<Point> chain;

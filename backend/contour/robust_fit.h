@@ -25,6 +25,9 @@ struct RobustFit {
 /// taken smaller than a hundredth. Without outliers and noise it converges to rounding. Thread: any (pure).
 [[nodiscard]] RobustFit fitRobustly(const Residuals& residuals, Eigen::VectorXd start);
 
+/// Scale of robustLoss at which starts are compared.
+inline constexpr double kStartScale = 0.1;
+
 /// Mean biweight loss, 0 (all residuals zero) .. 1 (all beyond the scale); compares starts before they are
 /// fitted.
 [[nodiscard]] double robustLoss(const Eigen::VectorXd& residuals, double scale);

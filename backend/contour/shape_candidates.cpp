@@ -15,7 +15,6 @@ namespace teleta::contour {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kImpossible = -std::numeric_limits<double>::infinity();
 constexpr double kWidestGapOfCircle_rad = 0.25 * kPi;
 constexpr double kWidestGapOfPolygon = 0.25; ///< of the perimeter
 constexpr std::size_t kEdgesTried = 10;
@@ -181,7 +180,7 @@ private:
 
     /// What only looks like the best named shape: a curve that follows it roughly, and a random walk.
     void addDepartures() {
-        if (m_bestWeight == kImpossible)
+        if (m_bestWeight == kImpossibleEvidence)
             return;
         Evidence rough = evidence(m_bestFit, m_bestWay.length, {.correlation = kRoughness});
         addOther(rough.logEvidence, m_bestFit, rough, kRoughShare);
@@ -193,7 +192,7 @@ private:
     std::vector<Point> m_points;
     std::vector<Point> m_ordered; ///< one lap
     ShapeCandidates m_result;
-    double m_bestWeight = kImpossible; ///< of the named shapes
+    double m_bestWeight = kImpossibleEvidence; ///< of the named shapes
     RobustFit m_bestFit;
     Explored m_bestWay;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pattern/bake.h"
 
+#include "backend/core/tactor_ring.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -24,11 +26,6 @@ constexpr double kBeside_s = 1e-9;
 constexpr double kStep = 1e-6; ///< values are rounded to it, since they are read beside the corners
 constexpr std::size_t kFirstParts = 4;
 
-std::size_t wrapped(int tactor) {
-    constexpr int kRing = static_cast<int>(core::kTactors);
-    return static_cast<std::size_t>(((tactor % kRing) + kRing) % kRing);
-}
-
 /// Times at which an object may have a corner on a tactor; false when there are too many.
 class Corners {
 public:
@@ -39,7 +36,7 @@ public:
     bool operator()(const Sweep& sweep) {
         const double onset_s = onsetOf_s(sweep);
         for (std::size_t k = 0; k < sweep.tactors.size(); ++k) {
-            if (wrapped(sweep.tactors[k]) == m_tactor)
+            if (core::wrappedTactor(sweep.tactors[k]) == m_tactor)
                 add(sweep.start_s + static_cast<double>(k) * onset_s, sweep.burst_s);
         }
         return fits();
@@ -77,7 +74,8 @@ private:
         m_times_s.push_back(begin_s + length_s);
     }
     [[nodiscard]] bool has(const std::vector<int>& tactors) const {
-        return std::any_of(tactors.begin(), tactors.end(), [&](int i) { return wrapped(i) == m_tactor; });
+        return std::any_of(tactors.begin(), tactors.end(),
+                           [&](int i) { return core::wrappedTactor(i) == m_tactor; });
     }
     [[nodiscard]] bool fits() const { return m_times_s.size() <= Pattern::kMostBreakpoints; }
 
@@ -151,7 +149,8 @@ bool touches(const ObjectForm& form, double duration_s, std::size_t tactor) {
     if (!(span.begin_s < span.end_s && span.begin_s < duration_s && span.end_s > 0.0))
         return false;
     const auto has = [tactor](const std::vector<int>& tactors) {
-        return std::any_of(tactors.begin(), tactors.end(), [&](int i) { return wrapped(i) == tactor; });
+        return std::any_of(tactors.begin(), tactors.end(),
+                           [&](int i) { return core::wrappedTactor(i) == tactor; });
     };
     if (const auto* sweep = std::get_if<Sweep>(&form))
         return has(sweep->tactors);

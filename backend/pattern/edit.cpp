@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pattern/edit.h"
 
+#include "backend/core/tactor_ring.h"
 #include "backend/pattern/easing.h"
 
 #include <QCoreApplication>
@@ -9,7 +10,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 namespace teleta::pattern {
@@ -20,12 +20,10 @@ struct EditText {
     Q_DECLARE_TR_FUNCTIONS(PatternFile)
 };
 
-constexpr int kRing = static_cast<int>(core::kTactors);
-constexpr double kTactorAngle_rad = 2.0 * std::numbers::pi / kRing;
 constexpr int kCutParts = 32; ///< lines of an eased segment: at most 0.6e-3 off
 
-int wrapped(int tactor) {
-    return ((tactor % kRing) + kRing) % kRing;
+int placeInRing(int tactor) {
+    return static_cast<int>(core::wrappedTactor(tactor));
 }
 
 /// A way to give every tactor another place.
@@ -65,7 +63,7 @@ struct MoveForm {
 
 Pattern moved(const Pattern& pattern, const Move& move) {
     Pattern result = pattern;
-    for (int i = 0; i < kRing; ++i)
+    for (int i = 0; i < static_cast<int>(core::kTactors); ++i)
         result.tracks[static_cast<std::size_t>(move.tactor(i))] = pattern.tracks[static_cast<std::size_t>(i)];
     for (PatternObject& object : result.objects)
         std::visit(MoveForm{move}, object.form);
@@ -169,16 +167,16 @@ constexpr double kForever_s = std::numeric_limits<double>::infinity();
 } // namespace
 
 Pattern rotated(const Pattern& pattern, int steps) {
-    const int turn = wrapped(steps);
-    return moved(pattern, {[turn](int tactor) { return wrapped(wrapped(tactor) + turn); },
-                           [turn](double angle_rad) { return angle_rad + turn * kTactorAngle_rad; },
+    const int turn = placeInRing(steps);
+    return moved(pattern, {[turn](int tactor) { return placeInRing(placeInRing(tactor) + turn); },
+                           [turn](double angle_rad) { return angle_rad + turn * core::kTactorAngle_rad; },
                            turn % 2 != 0, false});
 }
 
 Pattern mirrored(const Pattern& pattern, int axis) {
-    const int middle = wrapped(axis);
-    return moved(pattern, {[middle](int tactor) { return wrapped(middle - wrapped(tactor)); },
-                           [middle](double angle_rad) { return middle * kTactorAngle_rad - angle_rad; },
+    const int middle = placeInRing(axis);
+    return moved(pattern, {[middle](int tactor) { return placeInRing(middle - placeInRing(tactor)); },
+                           [middle](double angle_rad) { return middle * core::kTactorAngle_rad - angle_rad; },
                            middle % 2 != 0, true});
 }
 

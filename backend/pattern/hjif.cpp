@@ -2,6 +2,7 @@
 #include "backend/pattern/hjif.h"
 
 #include "backend/core/json_document.h"
+#include "backend/core/tactor_ring.h"
 #include "backend/pattern/bake.h"
 #include "backend/pattern/motor_model.h"
 #include "backend/pattern/track_builder.h"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace teleta::pattern {
@@ -28,7 +28,6 @@ struct HjifText {
 constexpr int kTimescale = 1000;
 constexpr int kRightForearm = 0x1000;
 constexpr double kDirectionLength = 127.0;
-constexpr double kTactorAngle_rad = 2.0 * std::numbers::pi / core::kTactors;
 constexpr long long kMostTicks = 1'000'000'000'000;
 
 long long toTicks(double time_s) {
@@ -36,7 +35,7 @@ long long toTicks(double time_s) {
 }
 
 ordered_json direction(std::size_t tactor) {
-    const double angle_rad = kTactorAngle_rad * static_cast<double>(tactor);
+    const double angle_rad = core::kTactorAngle_rad * static_cast<double>(tactor);
     // 63.5 comes out a little above or below; it shall be 64 on both sides of the ring.
     const auto whole = [](double value) { return std::lround(std::round(1e6 * value) / 1e6); };
     return {{"X", whole(kDirectionLength * std::cos(angle_rad))},
@@ -83,9 +82,8 @@ std::size_t tactorOf(JsonReader& reader, const ordered_json& channel, std::size_
     const double y = reader.number(reader.member(*found, "Y"), -128.0, 127.0);
     if (x == 0.0 && y == 0.0)
         return order;
-    const long nearest = std::lround(std::atan2(y, x) / kTactorAngle_rad);
-    constexpr auto kRing = static_cast<long>(core::kTactors);
-    return static_cast<std::size_t>((nearest + kRing) % kRing);
+    const long nearest = std::lround(std::atan2(y, x) / core::kTactorAngle_rad);
+    return core::wrappedTactor(nearest);
 }
 
 void expectText(JsonReader& reader, const ordered_json& object, const char* key, const char* expected) {

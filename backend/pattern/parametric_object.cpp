@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pattern/parametric_object.h"
 
+#include "backend/core/tactor_ring.h"
 #include "backend/pattern/easing.h"
 #include "backend/pattern/laws.h"
 
@@ -15,16 +16,12 @@ namespace {
 constexpr int kRing = static_cast<int>(core::kTactors);
 constexpr int kMostTurns = 100'000'000; ///< what can be counted; the next onset would be no time away
 
-std::size_t wrapped(int tactor) {
-    return static_cast<std::size_t>(((tactor % kRing) + kRing) % kRing);
-}
-
 double limited(double intensity) {
     return intensity > 0.0 ? std::min(intensity, 1.0) : 0.0; // NaN is off
 }
 
 void raise(core::Intensities& intensities, int tactor, double value) {
-    double& intensity = intensities[wrapped(tactor)];
+    double& intensity = intensities[core::wrappedTactor(tactor)];
     intensity = std::max(intensity, limited(value));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pipeline/arm_channel.h"
 
+#include "backend/core/elapsed.h"
 #include "backend/core/steady_time.h"
 
 #include <limits>
@@ -8,14 +9,6 @@
 #include <utility>
 
 namespace teleta::pipeline {
-
-namespace {
-
-double seconds(std::int64_t from_ns, std::int64_t to_ns) {
-    return static_cast<double>(to_ns - from_ns) * 1e-9;
-}
-
-} // namespace
 
 ArmChannel::ArmChannel(std::unique_ptr<core::ArmSource> arm, std::shared_ptr<TouchChannel> skin,
                        const ArmSettings& settings)
@@ -63,8 +56,8 @@ std::size_t ArmChannel::process() {
     changed = changed || !m_joints.empty() || !m_contacts.empty();
     if (!m_joints.empty()) {
         m_newest = m_joints.back();
-        m_stages.queue_s = seconds(m_joints.front().time_ns, start_ns);
-        m_stages.touch_s = seconds(start_ns, core::steadyNow_ns()) - m_stages.contour_s;
+        m_stages.queue_s = core::elapsed_s(m_joints.front().time_ns, start_ns);
+        m_stages.touch_s = core::elapsed_s(start_ns, core::steadyNow_ns()) - m_stages.contour_s;
         m_samplesProcessed.fetch_add(m_joints.size(), std::memory_order_relaxed);
     }
     if (m_stages.contour_s == 0.0)
@@ -96,7 +89,7 @@ void ArmChannel::take(TouchRecord&& touch) {
     if (touch.located) {
         const std::int64_t start_ns = core::steadyNow_ns();
         m_explorer.add(touch.p_Base_Contact_m);
-        m_stages.contour_s += seconds(start_ns, core::steadyNow_ns());
+        m_stages.contour_s += core::elapsed_s(start_ns, core::steadyNow_ns());
         if (feedback)
             feedback->onContour(touch, m_explorer.contour());
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pipeline/touch_channel.h"
 
+#include "backend/core/elapsed.h"
 #include "backend/core/steady_time.h"
 
 #include <algorithm>
@@ -14,10 +15,6 @@ namespace {
 
 /// Parts of one contact on both sides of a seam are no further apart than this.
 constexpr double kSeamGate_taxels = 3.0;
-
-double seconds(std::int64_t from_ns, std::int64_t to_ns) {
-    return static_cast<double>(to_ns - from_ns) * 1e-9;
-}
 
 } // namespace
 
@@ -172,10 +169,10 @@ void TouchChannel::analyse(const core::SampleBlock& block, std::size_t index) {
     m_current.threshold_N = m_current.features.threshold_N;
     const std::int64_t done_ns = core::steadyNow_ns();
 
-    m_current.stages = {.conditioning_s = seconds(start_ns, conditioned_ns),
-                        .contacts_s = seconds(conditioned_ns, segmented_ns),
-                        .features_s = seconds(segmented_ns, done_ns),
-                        .queue_s = seconds(block.time_ns[index], start_ns)};
+    m_current.stages = {.conditioning_s = core::elapsed_s(start_ns, conditioned_ns),
+                        .contacts_s = core::elapsed_s(conditioned_ns, segmented_ns),
+                        .features_s = core::elapsed_s(segmented_ns, done_ns),
+                        .queue_s = core::elapsed_s(block.time_ns[index], start_ns)};
 }
 
 void TouchChannel::accumulateTare(const core::SampleBlock& block, std::size_t index) {

@@ -9,20 +9,20 @@ namespace teleta::study {
 
 namespace {
 
-TrialCell text(std::string value) {
+TrialCell textCell(std::string value) {
     if (value.empty())
         return {};
     return {TrialCell::Kind::text, std::move(value)};
 }
 
 template <typename Number>
-TrialCell number(Number value) {
+TrialCell numberCell(Number value) {
     return {TrialCell::Kind::number, std::string(core::NumberText(value).view())};
 }
 
 template <typename Number>
-TrialCell number(const std::optional<Number>& value) {
-    return value ? number(*value) : TrialCell{};
+TrialCell numberCell(const std::optional<Number>& value) {
+    return value ? numberCell(*value) : TrialCell{};
 }
 
 std::string maskingNoise(const Protocol& protocol) {
@@ -76,43 +76,43 @@ std::vector<TrialRow> trialRows(const StudyHead& head, const Participant& partic
         const bool practice = result.planned.phase == Phase::practice;
         const bool feedback = (practice ? protocol.practice : protocol.test).feedback;
         rows.push_back({
-            number(1),
-            text(participant.id),
-            text(session.id),
-            text(toString(head.mode)),
-            text(task.id),
-            text(task.conditions[plan.condition]),
-            number(plan.conditionPosition + 1),
-            number(plan.sequenceRow + 1),
-            text(toString(result.planned.phase)),
-            number(practice ? 1 : 2),
-            number(result.planned.trial),
-            number(result.trialInBlock),
-            number(result.planned.repetition),
-            number(result.planned.attempt),
-            text(task.patterns.at(result.planned.stimulus).letter),
-            result.response ? text(task.patterns.at(*result.response).letter) : TrialCell{},
-            text(toString(result.outcome)),
-            result.isComplete() ? number(result.outcome == Outcome::correct ? 1 : 0) : TrialCell{},
-            number(result.responseTime_s),
-            number(result.responseTimeOffset_s),
-            number(protocol.responseLimit_s),
-            number(task.patterns.size()),
-            text(result.responseDevice),
-            text(result.responseKey),
-            number(result.replays),
-            number(result.earlyPresses),
-            number(result.onset_s),
-            number(result.duration_s),
-            number(result.deviceLatency_ms),
-            number(result.deviceFaults),
-            number(feedback ? 1 : 0),
-            text(maskingNoise(protocol)),
-            text(stored.time.toString(Qt::ISODateWithMs).toStdString()),
-            text(std::to_string(plan.seed)),
-            text(toString(protocol.order)),
-            text(head.stimulusSetSha256),
-            text(head.appVersion),
+            numberCell(1),
+            textCell(participant.id),
+            textCell(session.id),
+            textCell(toString(head.mode)),
+            textCell(task.id),
+            textCell(task.conditions[plan.condition]),
+            numberCell(plan.conditionPosition + 1),
+            numberCell(plan.sequenceRow + 1),
+            textCell(toString(result.planned.phase)),
+            numberCell(practice ? 1 : 2),
+            numberCell(result.planned.trial),
+            numberCell(result.trialInBlock),
+            numberCell(result.planned.repetition),
+            numberCell(result.planned.attempt),
+            textCell(task.patterns.at(result.planned.stimulus).letter),
+            result.response ? textCell(task.patterns.at(*result.response).letter) : TrialCell{},
+            textCell(toString(result.outcome)),
+            result.isComplete() ? numberCell(result.outcome == Outcome::correct ? 1 : 0) : TrialCell{},
+            numberCell(result.responseTime_s),
+            numberCell(result.responseTimeOffset_s),
+            numberCell(protocol.responseLimit_s),
+            numberCell(task.patterns.size()),
+            textCell(result.responseDevice),
+            textCell(result.responseKey),
+            numberCell(result.replays),
+            numberCell(result.earlyPresses),
+            numberCell(result.onset_s),
+            numberCell(result.duration_s),
+            numberCell(result.deviceLatency_ms),
+            numberCell(result.deviceFaults),
+            numberCell(feedback ? 1 : 0),
+            textCell(maskingNoise(protocol)),
+            textCell(stored.time.toString(Qt::ISODateWithMs).toStdString()),
+            textCell(std::to_string(plan.seed)),
+            textCell(toString(protocol.order)),
+            textCell(head.stimulusSetSha256),
+            textCell(head.appVersion),
         });
     }
     return rows;

@@ -19,7 +19,7 @@ namespace {
 constexpr unsigned short kGenericDesktop = 0x01;
 constexpr unsigned short kMultiAxisController = 0x08;
 
-struct Mouse3d {
+struct MouseTexts {
     Q_DECLARE_TR_FUNCTIONS(Mouse3d)
 };
 
@@ -68,14 +68,14 @@ core::Expected<std::unique_ptr<HidInput>> openMouse(const Mouse3dInfo& mouse) {
         return std::make_unique<HidapiInput>(device, mouse.product);
     const QString where = QString::fromStdString(mouse.path);
     if (access(mouse.path.c_str(), F_OK) == 0 && access(mouse.path.c_str(), R_OK | W_OK) != 0)
-        return core::Unexpected(
-            core::Error{core::ErrorKind::ioFailed,
-                        Mouse3d::tr("The 3D mouse at %1 may not be opened.").arg(where).toStdString(),
-                        Mouse3d::tr("read and write access to it, which the udev rule gives").toStdString(),
-                        {}});
+        return core::Unexpected(core::Error{
+            core::ErrorKind::ioFailed,
+            MouseTexts::tr("The 3D mouse at %1 may not be opened.").arg(where).toStdString(),
+            MouseTexts::tr("read and write access to it, which the udev rule gives").toStdString(),
+            {}});
     return core::Unexpected(
         core::Error{core::ErrorKind::unavailable,
-                    Mouse3d::tr("The 3D mouse at %1 cannot be opened.").arg(where).toStdString(),
+                    MouseTexts::tr("The 3D mouse at %1 cannot be opened.").arg(where).toStdString(),
                     {},
                     {}});
 }
@@ -83,8 +83,10 @@ core::Expected<std::unique_ptr<HidInput>> openMouse(const Mouse3dInfo& mouse) {
 core::Expected<std::unique_ptr<HidInput>> openFirstMouse() {
     const std::vector<Mouse3dInfo> mice = listMice();
     if (mice.empty())
-        return core::Unexpected(core::Error{
-            core::ErrorKind::unavailable, Mouse3d::tr("No 3D mouse is plugged in.").toStdString(), {}, {}});
+        return core::Unexpected(core::Error{core::ErrorKind::unavailable,
+                                            MouseTexts::tr("No 3D mouse is plugged in.").toStdString(),
+                                            {},
+                                            {}});
     return openMouse(mice.front());
 }
 

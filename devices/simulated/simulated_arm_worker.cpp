@@ -2,6 +2,7 @@
 #include "devices/simulated/simulated_arm_worker.h"
 
 #include "backend/core/device_state.h"
+#include "devices/simulated/simulated_times.h"
 
 #include <QCoreApplication>
 
@@ -15,13 +16,6 @@ namespace teleta::simulated {
 namespace {
 
 constexpr std::size_t kStepsAtOnce = 64;
-constexpr double kLongestLag_s = 3600.0;
-constexpr std::int64_t kFirstRetry_ns = 100'000'000;
-constexpr std::int64_t kLongestRetry_ns = 2'000'000'000;
-
-std::int64_t toNs(double time_s) {
-    return static_cast<std::int64_t>(std::llround(time_s * 1e9));
-}
 
 std::size_t samplesIn(double duration_s, double rate_Hz) {
     const double samples = duration_s * rate_Hz;

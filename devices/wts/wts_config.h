@@ -11,6 +11,8 @@
 
 namespace teleta::wts {
 
+inline constexpr std::int64_t kMs_ns = 1'000'000;
+
 struct SerialAddress {
     std::string path;
     int baud = 115200; ///< one that the system knows: 9600 .. 4000000

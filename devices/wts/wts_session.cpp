@@ -19,7 +19,6 @@ using Outcome = WtsLink::Outcome;
 constexpr std::size_t kLargestAnswer = 256;
 constexpr std::size_t kLargestPayload = 0xFFFF;
 constexpr int kAttempts = 3;
-constexpr std::int64_t kMs_ns = 1'000'000;
 
 std::int64_t deadlineIn(int time_ms) {
     return core::steadyNow_ns() + time_ms * kMs_ns;

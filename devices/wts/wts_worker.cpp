@@ -18,7 +18,6 @@ namespace {
 using core::DeviceState;
 using Rest = MessageDecoder::Rest;
 
-constexpr std::int64_t kMs_ns = 1'000'000;
 constexpr double kPeriodsUntilLost = 5.0;
 
 MessageDecoder::Counters sum(MessageDecoder::Counters a, const MessageDecoder::Counters& b) {

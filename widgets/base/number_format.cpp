@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/base/number_format.h"
 
+#include "widgets/base/tabular_text.h"
+
 #include <QLocale>
 
 #include <array>
@@ -10,7 +12,6 @@ namespace teleta::base {
 
 namespace {
 
-constexpr QChar kFigureSpace(0x2007);
 constexpr QChar kMinus(0x2212);
 constexpr QChar kNoBreakSpace(0x00a0);
 

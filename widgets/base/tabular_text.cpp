@@ -9,8 +9,6 @@ namespace teleta::base {
 
 namespace {
 
-constexpr QChar kFigureSpace(0x2007);
-
 bool isCell(QChar c) {
     return (c >= u'0' && c <= u'9') || c == kFigureSpace;
 }

@@ -9,6 +9,9 @@ class QPainter;
 
 namespace teleta::base {
 
+/// As wide as a digit of a font with tabular figures.
+inline constexpr QChar kFigureSpace(0x2007);
+
 /// Width of a text whose digits and figure spaces all take the room of the widest digit.
 [[nodiscard]] double tabularWidth(const QFontMetricsF& metrics, const QString& text);
 

@@ -11,7 +11,7 @@ namespace teleta::charts {
 namespace {
 
 constexpr double kMilli = 1e3;
-constexpr double kDegrees = 180.0 / std::numbers::pi;
+constexpr double kDegreesPerRad = 180.0 / std::numbers::pi;
 constexpr double kLeastTorqueSpan_mNm = 20.0;
 constexpr double kLeastAngleSpan_deg = 5.0;
 
@@ -30,7 +30,7 @@ JointPlot::JointPlot(QWidget* parent)
     m_touches = new Shades(this, QStringLiteral("background"), Shades::Kind::times);
     m_window = new Shades(this, QStringLiteral("background"), Shades::Kind::values);
     addRow(Row::torque, kMilli, kLeastTorqueSpan_mNm);
-    addRow(Row::angle, kDegrees, kLeastAngleSpan_deg);
+    addRow(Row::angle, kDegreesPerRad, kLeastAngleSpan_deg);
     setAnglesShown(false);
 }
 

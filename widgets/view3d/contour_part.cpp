@@ -23,7 +23,7 @@ void keepFinite(std::span<const Eigen::Vector3d> from, std::vector<Eigen::Vector
     }
 }
 
-bool isDrawable(const ArmLink& link) {
+bool isDrawableLink(const ArmLink& link) {
     return link.X_World_Link.matrix().allFinite() && std::isfinite(link.length_m) &&
            std::isfinite(link.radius_m) && link.length_m >= 0.0 && link.radius_m > 0.0;
 }
@@ -93,7 +93,7 @@ void ArmPart::applyColours(const SceneColours& colours) {
 
 void ArmPart::set(std::span<const ArmLink> links) {
     m_links.clear();
-    std::copy_if(links.begin(), links.end(), std::back_inserter(m_links), isDrawable);
+    std::copy_if(links.begin(), links.end(), std::back_inserter(m_links), isDrawableLink);
     rebuild();
 }
 
