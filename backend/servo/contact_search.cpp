@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/servo/contact_search.h"
+
+#include <algorithm>
+
+namespace teleta::servo {
+
+namespace {
+
+/// Below this the sensor does not slide, and the direction of the way is the one before.
+constexpr double kSliding_mPerS = 1e-4;
+/// The sensor is at its target.
+constexpr double kThere_m = 1e-6;
+constexpr double kTurn_radPerS = 0.2;
+
+} // namespace
+
+const char* toString(ContactState state) {
+    switch (state) {
+    case ContactState::none:
+        return "none";
+    case ContactState::touching:
+        return "touching";
+    case ContactState::searching:
+        return "searching";
+    case ContactState::lost:
+        return "lost";
+    }
+    return "";
+}
+
+void ContactSearch::touched(const Eigen::Isometry3d& X_Base_Sensor, const Eigen::Vector3d& slide_Base_mPerS) {
+    m_touched = true;
+    m_X_Base_Last = X_Base_Sensor;
+    Eigen::Vector3d slide_Sensor = X_Base_Sensor.linear().transpose() * slide_Base_mPerS;
+    slide_Sensor.z() = 0.0;
+    if (slide_Sensor.norm() > kSliding_mPerS)
+        m_back_Last = -slide_Sensor.normalized();
+}
+
+void ContactSearch::begin() {
+    m_running = true;
+    m_stage = Stage::retreat;
+    m_probe = 0;
+}
+
+void ContactSearch::reset() {
+    m_touched = false;
+    m_running = false;
+}
+
+Eigen::Isometry3d ContactSearch::target(const SearchSettings& settings) const {
+    const int probe = m_probe < 0 ? settings.probes - 1 : m_probe;
+    Eigen::Vector3d p_Last = (probe * settings.probeStep_m) * m_back_Last;
+    p_Last.z() = m_stage == Stage::approach && m_probe >= 0 ? settings.depth_m : -settings.retreat_m;
+    return m_X_Base_Last * Eigen::Translation3d(p_Last);
+}
+
+void ContactSearch::advance(const SearchSettings& settings) {
+    switch (m_stage) {
+    case Stage::retreat:
+    case Stage::shift:
+        m_stage = Stage::approach;
+        break;
+    case Stage::approach:
+        m_stage = Stage::withdraw;
+        break;
+    case Stage::withdraw:
+        m_probe = m_probe + 1 < settings.probes ? m_probe + 1 : -1;
+        m_stage = m_probe < 0 ? Stage::withdraw : Stage::shift;
+        break;
+    }
+}
+
+Twist ContactSearch::step(const Eigen::Isometry3d& X_Base_Sensor_commanded, double dt_s,
+                          const SearchSettings& settings) {
+    Twist difference = poseDifference(X_Base_Sensor_commanded, target(settings));
+    if (!exhausted() && difference.head<3>().norm() < kThere_m) {
+        advance(settings);
+        difference = poseDifference(X_Base_Sensor_commanded, target(settings));
+    }
+    const double way_m = difference.head<3>().norm();
+    const double turn_rad = difference.tail<3>().norm();
+    const double needed_s = std::max({way_m / settings.speed_mPerS, turn_rad / kTurn_radPerS, dt_s});
+    return difference / needed_s;
+}
+
+} // namespace teleta::servo

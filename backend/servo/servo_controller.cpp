@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/servo/servo_controller.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace teleta::servo {
+
+namespace {
+
+bool finite(const std::optional<double>& value) {
+    return !value || std::isfinite(*value);
+}
+
+bool usable(const ServoInput& input) {
+    const contact::TactileFeatures& f = input.features;
+    return input.dt_s > 0.0 && std::isfinite(input.dt_s) && std::isfinite(f.force_N) &&
+           std::isfinite(f.peak_N) && finite(f.copX_m) && finite(f.copY_m) && finite(f.cocX_m) &&
+           finite(f.cocY_m) && finite(f.alphaZ_rad) &&
+           input.X_Base_Sensor.matrix().array().isFinite().all() &&
+           (!input.q_rad || input.q_rad->array().isFinite().all());
+}
+
+Twist feedForward(const FeedForward& forward, double time_s) {
+    return forward.constant_Sensor +
+           std::cos(2.0 * std::numbers::pi * time_s / forward.period_s) * forward.sway_Sensor;
+}
+
+/// The part of a velocity that would lead further away from where it is already too far.
+Eigen::Vector3d kept(const Eigen::Vector3d& velocity, const Eigen::Vector3d& away, double bound,
+                     double dt_s) {
+    const Eigen::Vector3d next = away + dt_s * velocity;
+    if (next.norm() <= bound || next.norm() <= away.norm())
+        return velocity;
+    const Eigen::Vector3d outward = next.normalized();
+    const double allowed = std::max(0.0, (bound - away.dot(outward)) / dt_s);
+    return velocity - std::max(0.0, velocity.dot(outward) - allowed) * outward;
+}
+
+} // namespace
+
+const char* toString(Limit limit) {
+    switch (limit) {
+    case Limit::toolSpeed:
+        return "tool_speed";
+    case Limit::turnRate:
+        return "turn_rate";
+    case Limit::force:
+        return "force";
+    case Limit::saturation:
+        return "saturation";
+    case Limit::deviation:
+        return "deviation";
+    case Limit::jointSpeed:
+        return "joint_speed";
+    case Limit::jointEnd:
+        return "joint_end";
+    case Limit::singular:
+        return "singular";
+    case Limit::gap:
+        return "gap";
+    case Limit::badInput:
+        return "bad_input";
+    }
+    return "";
+}
+
+tl::expected<ServoController, TaskRefusal> ServoController::create(ServoPlan plan,
+                                                                   const std::optional<ArmGuard>& arm) {
+    if (const auto fine = check(plan); !fine)
+        return tl::unexpected(fine.error());
+    return ServoController(std::move(plan), arm);
+}
+
+tl::expected<void, TaskRefusal> ServoController::setTask(std::size_t index, const ServoTask& task) {
+    if (index >= m_plan.tasks.size())
+        return tl::unexpected(TaskRefusal::badReference);
+    const ServoTask before = m_plan.tasks[index];
+    m_plan.tasks[index] = task;
+    if (const auto fine = check(m_plan); !fine) {
+        m_plan.tasks[index] = before;
+        return fine;
+    }
+    return {};
+}
+
+tl::expected<void, TaskRefusal> ServoController::enter(std::size_t index) {
+    if (index >= m_plan.tasks.size())
+        return tl::unexpected(TaskRefusal::badReference);
+    m_phases.enter(index);
+    m_phaseBegan = true;
+    return {};
+}
+
+void ServoController::reset() {
+    m_phases = ServoPhases(m_plan);
+    m_regulator.reset();
+    m_direction.reset();
+    m_search.reset();
+    m_started = false;
+    m_phaseBegan = true;
+    m_untouched_s = 0.0;
+    m_path_m = 0.0;
+    m_velocity_Base_mPerS.setZero();
+}
+
+void ServoController::updateContact(const ServoInput& input, double dt_s, ServoOutput& output) {
+    const bool needed = m_plan.tasks[m_phases.index()].needsContact;
+    if (input.features.active > 0) {
+        m_untouched_s = 0.0;
+        m_search.touched(input.X_Base_Sensor, m_velocity_Base_mPerS);
+        if (m_search.running()) {
+            m_search.end();
+            m_regulator.reset();
+            if (m_phases.foundAgain(m_plan))
+                m_phaseBegan = true;
+        }
+        output.contact = ContactState::touching;
+        return;
+    }
+    m_untouched_s += dt_s;
+    m_direction.reset();
+    if (!needed) {
+        output.contact = ContactState::none;
+        return;
+    }
+    if (!m_search.running() && m_untouched_s < m_plan.search.lostAfter_s) {
+        output.contact = ContactState::touching;
+        return;
+    }
+    if (!m_search.running()) {
+        if (!m_search.hasTouched())
+            m_search.touched(input.X_Base_Sensor, Eigen::Vector3d::Zero());
+        m_search.begin();
+        m_regulator.reset();
+    }
+    output.contact = m_search.exhausted() ? ContactState::lost : ContactState::searching;
+}
+
+std::array<bool, 6> ServoController::observe(const ServoInput& input, const ServoTask& task,
+                                             ServoOutput& output) {
+    MeasuredFeatures measured = featureVector(input.features, task.normalCompliance_mPerN);
+    if (measured.defined[kWz])
+        measured.s[kWz] = m_direction.follow(measured.s[kWz], task.desired.alphaZ_rad);
+
+    output.kind = task.kind;
+    output.edge = task.jacobian == JacobianRule::edge ||
+                  (task.jacobian == JacobianRule::touch && input.features.type == contact::ContactType::edge);
+    output.inverseJacobian = inverseTactileJacobian(output.edge);
+    output.projection = projectionMatrix(task.projection);
+    const DesiredFeatures& desired = task.desired;
+    output.desired << desired.copX_m, desired.copY_m, task.normalCompliance_mPerN * desired.force_N,
+        desired.wx_m, desired.wy_m, desired.alphaZ_rad;
+    output.actual = output.inverseJacobian * measured.s;
+
+    Vector6 error = output.desired - output.actual;
+    std::array<bool, 6> known{};
+    for (std::size_t row = 0; row < 6; ++row) {
+        known[row] = input.features.active > 0 && measured.defined[row];
+        // A point has no direction to control, whatever is wanted of it.
+        if (row == kWz && !output.edge)
+            known[row] = false;
+        if (!known[row])
+            error[static_cast<Eigen::Index>(row)] = 0.0;
+    }
+    output.error = output.projection * error;
+    return known;
+}
+
+ServoController::Wanted ServoController::law(const ServoInput& input, const ServoTask& task,
+                                             const std::array<bool, 6>& known, double dt_s,
+                                             const ServoOutput& output) {
+    if (m_search.running())
+        return {m_search.step(m_X_Base_Sensor, dt_s, m_plan.search), false};
+
+    const Projection& P = task.projection;
+    const std::array<bool, 6> takesPart = {P.x || P.com, P.y, P.z, P.wx, P.wy, P.wz};
+    std::array<bool, 6> rows = known;
+    rows[kX] = (P.x && known[kX]) || (P.com && known[kWy]);
+    Twist twist = m_regulator.step(output.error, takesPart, rows, dt_s, task.gains);
+    // A moment without contact is no reason to slide on.
+    if (input.features.active > 0 || !task.needsContact)
+        twist += feedForward(task.feedForward, m_phases.timeInTask_s());
+    if (task.turnsAboutContact && input.features.cocX_m && input.features.cocY_m) {
+        const Eigen::Vector3d p_Sensor_Contact(*input.features.cocX_m, *input.features.cocY_m, 0.0);
+        twist.head<3>() -= twist.tail<3>().cross(p_Sensor_Contact);
+    }
+    return {twist, true};
+}
+
+Twist ServoController::limited(const Twist& wanted, const ServoInput& input, const ServoTask& task,
+                               bool regulated, ServoOutput& output) const {
+    const ServoLimits& limits = task.limits;
+    Twist twist = wanted;
+    if (input.features.force_N > limits.force_N) {
+        output.limits.set(Limit::force);
+        twist << 0.0, 0.0, std::min(twist[kZ], 0.0), 0.0, 0.0, 0.0;
+    }
+    if (regulated && limits.saturation_N && input.features.peak_N >= *limits.saturation_N &&
+        twist[kZ] > 0.0) {
+        output.limits.set(Limit::saturation);
+        twist[kZ] = 0.0;
+    }
+    const double speed_mPerS = twist.head<3>().norm();
+    if (speed_mPerS > limits.toolSpeed_mPerS) {
+        output.limits.set(Limit::toolSpeed);
+        twist.head<3>() *= limits.toolSpeed_mPerS / speed_mPerS;
+    }
+    const double turn_radPerS = twist.tail<3>().norm();
+    if (turn_radPerS > limits.turnRate_radPerS) {
+        output.limits.set(Limit::turnRate);
+        twist.tail<3>() *= limits.turnRate_radPerS / turn_radPerS;
+    }
+    if (!m_arm || !input.q_rad)
+        return twist;
+
+    const LwrPosture posture = m_arm->kinematics.forward(*input.q_rad);
+    const Eigen::Matrix3d R_Base_Sensor = m_X_Base_Sensor.linear();
+    Twist atSensor_Base;
+    atSensor_Base << R_Base_Sensor * twist.head<3>(), R_Base_Sensor * twist.tail<3>();
+    const JointMotion motion = solveRates(*input.q_rad, posture.jacobian, atSensor_Base, m_arm->inverse);
+    if (motion.scale < 1.0)
+        output.limits.set(Limit::jointSpeed);
+    if (motion.atEnd.any())
+        output.limits.set(Limit::jointEnd);
+    if (motion.damping > 0.0)
+        output.limits.set(Limit::singular);
+    if (!motion.limited() && motion.damping == 0.0)
+        return twist;
+    twist << R_Base_Sensor.transpose() * motion.achieved.head<3>(),
+        R_Base_Sensor.transpose() * motion.achieved.tail<3>();
+    return twist;
+}
+
+Twist ServoController::withinDeviation(const Twist& twist, const ServoInput& input, const ServoTask& task,
+                                       double dt_s, ServoOutput& output) const {
+    const Eigen::Matrix3d R_Sensor_Base = m_X_Base_Sensor.linear().transpose();
+    const Eigen::Vector3d away_m =
+        R_Sensor_Base * (m_X_Base_Sensor.translation() - input.X_Base_Sensor.translation());
+    const Eigen::Vector3d away_rad =
+        logSO3(input.X_Base_Sensor.linear().transpose() * m_X_Base_Sensor.linear());
+    Twist result;
+    result << kept(twist.head<3>(), away_m, task.limits.deviation_m, dt_s),
+        kept(twist.tail<3>(), away_rad, task.limits.deviation_rad, dt_s);
+    if (result != twist)
+        output.limits.set(Limit::deviation);
+    return result;
+}
+
+ServoOutput ServoController::step(const ServoInput& input) {
+    ServoOutput output;
+    const bool good = usable(input);
+    if (!good)
+        output.limits.set(Limit::badInput);
+    if (good && !m_started) {
+        m_X_Base_Sensor = input.X_Base_Sensor;
+        m_started = true;
+    }
+    if (!good || input.hold) {
+        m_regulator.reset();
+        m_velocity_Base_mPerS.setZero();
+        m_path_m = 0.0;
+        output.X_Base_Sensor = m_X_Base_Sensor;
+        output.phase = m_phases.index();
+        output.finished = m_phases.finished();
+        if (good) {
+            observe(input, m_plan.tasks[output.phase], output);
+            output.contact = input.features.active > 0 ? ContactState::touching : ContactState::none;
+        }
+        return output;
+    }
+
+    const double longest_s = m_plan.tasks[m_phases.index()].limits.longestStep_s;
+    const double dt_s = std::min(input.dt_s, longest_s);
+    if (input.dt_s > longest_s)
+        output.limits.set(Limit::gap);
+
+    updateContact(input, dt_s, output);
+    if (!m_search.running()) {
+        const double desired_rad = m_plan.tasks[m_phases.index()].desired.alphaZ_rad;
+        const double alphaError_rad =
+            input.features.alphaZ_rad
+                ? desired_rad - EdgeDirection(m_direction).follow(*input.features.alphaZ_rad, desired_rad)
+                : 0.0;
+        if (m_phases.update(m_plan, input.features, alphaError_rad, m_path_m, dt_s))
+            m_phaseBegan = true;
+    }
+    const ServoTask& task = m_plan.tasks[m_phases.index()];
+    output.phase = m_phases.index();
+    output.phaseBegan = std::exchange(m_phaseBegan, false);
+    output.finished = m_phases.finished();
+
+    const std::array<bool, 6> known = observe(input, task, output);
+    const Wanted wanted = law(input, task, known, dt_s, output);
+    const Twist twist = withinDeviation(limited(wanted.twist, input, task, wanted.regulated, output), input,
+                                        task, dt_s, output);
+    if (wanted.regulated)
+        m_regulator.giveBack(wanted.twist - twist);
+
+    output.integral = m_regulator.integral();
+    output.twist_Sensor = twist;
+    output.twist_Base = twistTo(m_X_Base_Sensor, twist);
+    m_velocity_Base_mPerS = m_X_Base_Sensor.linear() * twist.head<3>();
+    m_path_m = twist.head<3>().norm() * dt_s;
+    m_X_Base_Sensor = moved(m_X_Base_Sensor, dt_s * output.twist_Base);
+    output.X_Base_Sensor = m_X_Base_Sensor;
+    return output;
+}
+
+} // namespace teleta::servo

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/contact/tactile_features.h"
+#include "backend/servo/contact_search.h"
+#include "backend/servo/lwr_inverse.h"
+#include "backend/servo/pi_regulator.h"
+#include "backend/servo/servo_phases.h"
+#include "backend/servo/servo_task.h"
+
+#include <tl/expected.hpp>
+
+#include <array>
+#include <bitset>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+namespace teleta::servo {
+
+/// Limits that can act on a command.
+enum class Limit : std::size_t {
+    toolSpeed,  ///< the sensor's speed was lowered
+    turnRate,   ///< its turn was lowered
+    force,      ///< the measured force is over the limit: the sensor only retreats
+    saturation, ///< a taxel is saturated: the sensor pushes no further
+    deviation,  ///< the command would have run away from the measured pose
+    jointSpeed, ///< a joint would have been too fast
+    jointEnd,   ///< a joint is at the end of its range
+    singular,   ///< the arm is near a singularity, where the motion is damped
+    gap,        ///< the step was longer than the task counts
+    badInput,   ///< a number was not finite, or the step not > 0: nothing moves
+};
+inline constexpr std::size_t kLimits = 10;
+
+/// "tool_speed", "turn_rate", "force", ...
+[[nodiscard]] const char* toString(Limit limit);
+
+/// Those limits that acted in one step.
+class ActiveLimits {
+public:
+    void set(Limit limit) { m_bits.set(static_cast<std::size_t>(limit)); }
+    [[nodiscard]] bool has(Limit limit) const { return m_bits[static_cast<std::size_t>(limit)]; }
+    [[nodiscard]] bool any() const { return m_bits.any(); }
+    bool operator==(const ActiveLimits&) const = default;
+
+private:
+    std::bitset<kLimits> m_bits;
+};
+
+struct ServoInput {
+    contact::TactileFeatures features;
+    double dt_s = 0.0;                                               ///< since the frame before; > 0
+    Eigen::Isometry3d X_Base_Sensor = Eigen::Isometry3d::Identity(); ///< measured
+    std::optional<LwrVector> q_rad; ///< measured joints; without them joint limits are not looked at
+    bool hold = false;              ///< STOP: the command stays where it is
+};
+
+struct ServoOutput {
+    Eigen::Isometry3d X_Base_Sensor = Eigen::Isometry3d::Identity(); ///< desired
+    Twist twist_Sensor = Twist::Zero();                              ///< commanded, in {s}
+    Twist twist_Base = Twist::Zero();                                ///< the same by the adjoint (13)
+    std::size_t phase = 0;                                           ///< index of the plan's task
+    TaskKind kind = TaskKind::freeMotion;
+    bool phaseBegan = false; ///< this step is the first of its task
+    bool finished = false;   ///< the last task's exit has been reached
+    ContactState contact = ContactState::none;
+    bool edge = false;                             ///< beta of the inverse Jacobian
+    ActiveLimits limits;                           ///< that acted in this step
+    FeatureVector desired = FeatureVector::Zero(); ///< s_d
+    FeatureVector actual = FeatureVector::Zero();  ///< J^-1 s
+    Vector6 error = Vector6::Zero();               ///< P (s_d - J^-1 s)
+    Vector6 integral = Vector6::Zero();            ///< share of the integral in the twist
+    Matrix6 inverseJacobian = Matrix6::Identity();
+    Matrix6 projection = Matrix6::Zero();
+};
+
+/// The arm that carries the sensor.
+struct ArmGuard {
+    LwrKinematics kinematics; ///< its tool is the sensor
+    InverseSettings inverse;
+};
+
+/// Tactile servo controller: features of one frame -> where the sensor shall be.
+///   ds = s_d - J^-1 s,  ds_task = P ds,  u = K_P ds_task + K_I int ds_task dt        (7)-(10), (13)
+///   twist_Base = Ad(X_Base_Sensor) u,   X_Base_Sensor <- exp(twist_Base dt) X_Base_Sensor
+/// The pose is measured once, in the first step; then the commanded pose is taken as current (12), (15). A
+/// feature that is not defined has no error. Turns leave the contact's centre where it is. Limits act after
+/// the law, in the order force, saturation, speed, joints, deviation; each that acted is reported, and takes
+/// its part back from the integrals. Usable at any rate: a step longer than the task's longestStep_s counts
+/// as that. Without contact for lostAfter_s a task that needs it searches (ContactSearch) and in the end
+/// stands still and says "lost"; contact at any moment goes on with the plan. Thread: one; step() allocates
+/// nothing.
+class ServoController {
+public:
+    /// plan: must be good for check(). arm: for joint limits and singularities.
+    [[nodiscard]] static tl::expected<ServoController, TaskRefusal>
+    create(ServoPlan plan, const std::optional<ArmGuard>& arm = {});
+
+    ServoOutput step(const ServoInput& input);
+
+    /// A changed task of the plan, used from the next step on; what is not good changes nothing.
+    tl::expected<void, TaskRefusal> setTask(std::size_t index, const ServoTask& task);
+    /// Begins a task of the plan now. Error: badReference.
+    tl::expected<void, TaskRefusal> enter(std::size_t index);
+    [[nodiscard]] const ServoPlan& plan() const { return m_plan; }
+    [[nodiscard]] std::size_t phase() const { return m_phases.index(); }
+
+    /// Forgets the pose, the contact and the integrals and begins the plan anew.
+    void reset();
+
+private:
+    ServoController(ServoPlan plan, const std::optional<ArmGuard>& arm)
+        : m_plan(std::move(plan))
+        , m_arm(arm)
+        , m_phases(m_plan) {}
+
+    struct Wanted {
+        Twist twist = Twist::Zero();
+        bool regulated = false; ///< by the law; false: by the search
+    };
+
+    void updateContact(const ServoInput& input, double dt_s, ServoOutput& output);
+    /// Features, matrices and errors of a task; returns which rows of the error are known.
+    std::array<bool, 6> observe(const ServoInput& input, const ServoTask& task, ServoOutput& output);
+    [[nodiscard]] Wanted law(const ServoInput& input, const ServoTask& task, const std::array<bool, 6>& known,
+                             double dt_s, const ServoOutput& output);
+    [[nodiscard]] Twist limited(const Twist& wanted, const ServoInput& input, const ServoTask& task,
+                                bool regulated, ServoOutput& output) const;
+    [[nodiscard]] Twist withinDeviation(const Twist& twist, const ServoInput& input, const ServoTask& task,
+                                        double dt_s, ServoOutput& output) const;
+
+    ServoPlan m_plan;
+    std::optional<ArmGuard> m_arm;
+    ServoPhases m_phases;
+    PiRegulator m_regulator;
+    EdgeDirection m_direction;
+    ContactSearch m_search;
+    bool m_started = false;
+    bool m_phaseBegan = true;
+    double m_untouched_s = 0.0;
+    double m_path_m = 0.0; ///< of the last step
+    Eigen::Isometry3d m_X_Base_Sensor = Eigen::Isometry3d::Identity();
+    Eigen::Vector3d m_velocity_Base_mPerS = Eigen::Vector3d::Zero();
+};
+
+} // namespace teleta::servo

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/servo/servo_task.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace teleta::servo {
+
+namespace {
+
+/// The paper's pseudo-measurement of CoP_x that makes the sensor slide.
+constexpr double kSlideCopX_m = -0.025;
+/// Nothing is felt further from the sensor's centre.
+constexpr double kFarthestFeature_m = 0.050;
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+Vector6 vector(double x, double y, double z, double wx, double wy, double wz) {
+    Vector6 v;
+    v << x, y, z, wx, wy, wz;
+    return v;
+}
+
+bool positive(double value) {
+    return value > 0.0 && std::isfinite(value);
+}
+
+bool notNegative(double value) {
+    return value >= 0.0 && std::isfinite(value);
+}
+
+bool notNegative(const std::optional<double>& value) {
+    return !value || notNegative(*value);
+}
+
+/// What all tasks with contact have in common: the force, and the contact in the middle of the sensor's y.
+ServoTask contactTask(TaskKind kind, double force_N) {
+    ServoTask task;
+    task.kind = kind;
+    task.projection.y = true;
+    task.projection.z = true;
+    task.desired.force_N = force_N;
+    task.gains.proportional = vector(0.0, -3.0, 3.0, 0.0, 0.0, 0.0);
+    task.gains.integral = vector(0.0, -0.5, 1.5, 0.0, 0.0, 0.0);
+    task.gains.integralLimit = vector(0.01, 0.01, 0.01, 0.05, 0.05, 0.05);
+    return task;
+}
+
+} // namespace
+
+const char* toString(TaskKind kind) {
+    switch (kind) {
+    case TaskKind::freeMotion:
+        return "free_motion";
+    case TaskKind::align:
+        return "align";
+    case TaskKind::edgeControl:
+        return "edge_control";
+    case TaskKind::explore:
+        return "explore";
+    case TaskKind::roll:
+        return "roll";
+    case TaskKind::pointFollowing:
+        return "point_following";
+    case TaskKind::comanipulation:
+        return "comanipulation";
+    }
+    return "";
+}
+
+Vector6 highestGain() {
+    return vector(20.0, 20.0, 20.0, 100.0, 100.0, 20.0);
+}
+
+tl::expected<void, TaskRefusal> check(const ServoTask& task) {
+    const DesiredFeatures& desired = task.desired;
+    const Vector6 s_d = vector(desired.copX_m, desired.copY_m, desired.force_N, desired.wx_m, desired.wy_m,
+                               desired.alphaZ_rad);
+    for (const Vector6& values : {s_d, task.gains.proportional, task.gains.integral, task.gains.integralLimit,
+                                  task.feedForward.constant_Sensor, task.feedForward.sway_Sensor})
+        if (!values.array().isFinite().all())
+            return tl::unexpected(TaskRefusal::notFinite);
+
+    const ServoLimits& limits = task.limits;
+    const ExitCondition& exit = task.exit;
+    if (!positive(limits.toolSpeed_mPerS) || !positive(limits.turnRate_radPerS) ||
+        !positive(limits.force_N) || !positive(limits.deviation_m) || !positive(limits.deviation_rad) ||
+        !positive(limits.longestStep_s) || (limits.saturation_N && !positive(*limits.saturation_N)) ||
+        !positive(task.normalCompliance_mPerN) || !positive(task.feedForward.period_s) ||
+        !notNegative(task.pointFor_s) || !notNegative(exit.hold_s) || !notNegative(exit.alphaWithin_rad) ||
+        !notNegative(exit.dzmpYWithin_m) || !notNegative(exit.copYWithin_m) || !notNegative(exit.path_m) ||
+        !notNegative(exit.time_s) || task.gains.integralLimit.minCoeff() < 0.0)
+        return tl::unexpected(TaskRefusal::badLimit);
+    if (desired.force_N < 0.0 || desired.force_N > limits.force_N)
+        return tl::unexpected(TaskRefusal::forceTooHigh);
+    for (const double place_m : {desired.copX_m, desired.copY_m, desired.wx_m, desired.wy_m})
+        if (std::abs(place_m) > kFarthestFeature_m)
+            return tl::unexpected(TaskRefusal::featureOutside);
+    if (std::abs(desired.alphaZ_rad) > 90.0 * kDegree)
+        return tl::unexpected(TaskRefusal::featureOutside);
+    const Vector6 highest = highestGain();
+    if ((task.gains.proportional.cwiseAbs().array() > highest.array()).any() ||
+        (task.gains.integral.cwiseAbs().array() > highest.array()).any())
+        return tl::unexpected(TaskRefusal::gainTooHigh);
+    return {};
+}
+
+tl::expected<void, TaskRefusal> check(const ServoPlan& plan) {
+    const auto missing = [&](const std::optional<std::size_t>& index) {
+        return index && *index >= plan.tasks.size();
+    };
+    if (plan.start >= plan.tasks.size())
+        return tl::unexpected(TaskRefusal::badReference);
+    for (const ServoTask& task : plan.tasks) {
+        if (missing(task.next) || missing(task.ifPoint) || missing(task.afterSearch))
+            return tl::unexpected(TaskRefusal::badReference);
+        if (const auto fine = check(task); !fine)
+            return fine;
+    }
+    const SearchSettings& search = plan.search;
+    if (!notNegative(search.lostAfter_s) || !notNegative(search.retreat_m) || !notNegative(search.depth_m) ||
+        !notNegative(search.probeStep_m) || !positive(search.speed_mPerS) || search.probes < 1 ||
+        search.probes > 20)
+        return tl::unexpected(TaskRefusal::badLimit);
+    return {};
+}
+
+ServoTask freeMotion(double speed_mPerS) {
+    ServoTask task;
+    task.kind = TaskKind::freeMotion;
+    task.needsContact = false;
+    task.feedForward.constant_Sensor[kZ] = speed_mPerS;
+    task.exit.contact = true;
+    return task;
+}
+
+ServoTask alignTask(double force_N) {
+    ServoTask task = contactTask(TaskKind::align, force_N);
+    task.jacobian = JacobianRule::point;
+    task.projection.wy = true;
+    // A contact at +x turns the sensor about +y: that side recedes, and the other one comes down.
+    task.gains.proportional[kWy] = -2.5;
+    task.exit.edge = true;
+    task.exit.hold_s = 0.1;
+    return task;
+}
+
+ServoTask edgeControlTask(double force_N) {
+    ServoTask task = contactTask(TaskKind::edgeControl, force_N);
+    task.jacobian = JacobianRule::edge;
+    task.projection.wy = true;
+    task.projection.wz = true;
+    // Row 5 is -DZMP_y, so its error is +DZMP_y: more load at +x turns the sensor about +y.
+    task.gains.proportional[kWy] = 5.0;
+    task.gains.integral[kWy] = 2.5;
+    task.gains.proportional[kWz] = -2.0;
+    task.gains.integral[kWz] = -0.3;
+    return task;
+}
+
+ServoTask exploreTask(double force_N, double speed_mPerS) {
+    ServoTask task = edgeControlTask(force_N);
+    task.kind = TaskKind::explore;
+    task.projection.x = true;
+    task.desired.copX_m = kSlideCopX_m;
+    task.gains.proportional[kX] = speed_mPerS / kSlideCopX_m;
+    return task;
+}
+
+ServoTask pointFollowingTask(double force_N) {
+    ServoTask task = contactTask(TaskKind::pointFollowing, force_N);
+    task.jacobian = JacobianRule::point;
+    task.projection.x = true;
+    task.gains.proportional[kX] = task.gains.proportional[kY];
+    task.gains.integral[kX] = task.gains.integral[kY];
+    return task;
+}
+
+ServoTask rollTask(double force_N, double angle_rad, double period_s) {
+    ServoTask task = pointFollowingTask(force_N);
+    task.kind = TaskKind::roll;
+    // The integral of a cosine of this amplitude swings by +-angle.
+    task.feedForward.sway_Sensor[kWy] = angle_rad * 2.0 * std::numbers::pi / period_s;
+    task.feedForward.period_s = period_s;
+    return task;
+}
+
+ServoTask comanipulationTask(double force_N) {
+    ServoTask task = contactTask(TaskKind::comanipulation, force_N);
+    task.jacobian = JacobianRule::edge;
+    task.projection.com = true;
+    task.projection.wz = true;
+    // More load at +x moves the sensor there, below the centre of mass.
+    task.gains.proportional[kX] = 2.0;
+    task.gains.proportional[kWz] = -2.0;
+    task.gains.integral[kWz] = -0.3;
+    return task;
+}
+
+ServoPlan explorePlan(double force_N, double speed_mPerS, bool dzmp) {
+    ServoPlan plan;
+    plan.name = dzmp ? "explore" : "explore_baseline";
+    plan.tasks = {freeMotion(), alignTask(force_N), edgeControlTask(force_N),
+                  exploreTask(force_N, speed_mPerS), edgeControlTask(force_N)};
+    for (std::size_t i = 0; i + 1 < plan.tasks.size(); ++i)
+        plan.tasks[i].next = i + 1;
+    ExitCondition& aligned = plan.tasks[2].exit;
+    aligned.edge = true;
+    aligned.alphaWithin_rad = 1.0 * kDegree;
+    aligned.dzmpYWithin_m = 0.0005;
+    aligned.copYWithin_m = 0.0005;
+    aligned.hold_s = 0.2;
+    for (std::size_t i = 1; i < plan.tasks.size(); ++i) {
+        if (i > 1 && dzmp)
+            plan.tasks[i].ifPoint = 1;
+        plan.tasks[i].afterSearch = 1;
+    }
+    if (!dzmp)
+        for (std::size_t i = 3; i < plan.tasks.size(); ++i) {
+            plan.tasks[i].projection.wy = false;
+            plan.tasks[i].limits.saturation_N.reset();
+        }
+    return plan;
+}
+
+ServoPlan comanipulationPlan(double force_N) {
+    ServoPlan plan;
+    plan.name = "comanipulation";
+    plan.tasks = {freeMotion(), alignTask(force_N), comanipulationTask(force_N)};
+    plan.tasks[0].next = 1;
+    plan.tasks[1].next = 2;
+    plan.tasks[2].afterSearch = 1;
+    return plan;
+}
+
+ServoPlan rollPlan(double force_N, double angle_rad, double period_s) {
+    ServoPlan plan;
+    plan.name = "roll";
+    plan.tasks = {freeMotion(), pointFollowingTask(force_N), rollTask(force_N, angle_rad, period_s)};
+    plan.tasks[0].next = 1;
+    plan.tasks[1].next = 2;
+    plan.tasks[1].exit.time_s = 3.0;
+    return plan;
+}
+
+ServoPlan pointPlan(double force_N) {
+    ServoPlan plan;
+    plan.name = "point";
+    plan.tasks = {freeMotion(), pointFollowingTask(force_N)};
+    plan.tasks[0].next = 1;
+    return plan;
+}
+
+} // namespace teleta::servo
