@@ -171,23 +171,36 @@ std::array<bool, 6> ServoController::observe(const ServoInput& input, const Serv
 
 ServoController::Wanted ServoController::law(const ServoInput& input, const ServoTask& task,
                                              const std::array<bool, 6>& known, double dt_s,
-                                             const ServoOutput& output) {
-    if (m_search.running())
-        return {m_search.step(m_X_Base_Sensor, dt_s, m_plan.search), false};
+                                             ServoOutput& output) {
+    Wanted wanted;
+    if (m_search.running()) {
+        wanted.twist = m_search.step(m_X_Base_Sensor, dt_s, m_plan.search);
+        return wanted;
+    }
+    wanted.regulated = true;
 
     const Projection& P = task.projection;
     const std::array<bool, 6> takesPart = {P.x || P.com, P.y, P.z, P.wx, P.wy, P.wz};
     std::array<bool, 6> rows = known;
     rows[kX] = (P.x && known[kX]) || (P.com && known[kWy]);
-    Twist twist = m_regulator.step(output.error, takesPart, rows, dt_s, task.gains);
+    Twist& twist = wanted.twist;
+    twist = m_regulator.step(output.error, takesPart, rows, dt_s, task.gains);
     // A moment without contact is no reason to slide on.
     if (input.features.active > 0 || !task.needsContact)
         twist += feedForward(task.feedForward, m_phases.timeInTask_s());
+
+    // The turn is limited before what holds the contact in its place is computed from it.
+    const double turn_radPerS = twist.tail<3>().norm();
+    if (turn_radPerS > task.limits.turnRate_radPerS) {
+        output.limits.set(Limit::turnRate);
+        wanted.cut.tail<3>() = (1.0 - task.limits.turnRate_radPerS / turn_radPerS) * twist.tail<3>();
+        twist -= wanted.cut;
+    }
     if (task.turnsAboutContact && input.features.cocX_m && input.features.cocY_m) {
         const Eigen::Vector3d p_Sensor_Contact(*input.features.cocX_m, *input.features.cocY_m, 0.0);
         twist.head<3>() -= twist.tail<3>().cross(p_Sensor_Contact);
     }
-    return {twist, true};
+    return wanted;
 }
 
 Twist ServoController::limited(const Twist& wanted, const ServoInput& input, const ServoTask& task,
@@ -203,15 +216,11 @@ Twist ServoController::limited(const Twist& wanted, const ServoInput& input, con
         output.limits.set(Limit::saturation);
         twist[kZ] = 0.0;
     }
+    // Together, so that the screw stays the same and the contact in its place.
     const double speed_mPerS = twist.head<3>().norm();
     if (speed_mPerS > limits.toolSpeed_mPerS) {
         output.limits.set(Limit::toolSpeed);
-        twist.head<3>() *= limits.toolSpeed_mPerS / speed_mPerS;
-    }
-    const double turn_radPerS = twist.tail<3>().norm();
-    if (turn_radPerS > limits.turnRate_radPerS) {
-        output.limits.set(Limit::turnRate);
-        twist.tail<3>() *= limits.turnRate_radPerS / turn_radPerS;
+        twist *= limits.toolSpeed_mPerS / speed_mPerS;
     }
     if (!m_arm || !input.q_rad)
         return twist;
@@ -297,7 +306,7 @@ ServoOutput ServoController::step(const ServoInput& input) {
     const Twist twist = withinDeviation(limited(wanted.twist, input, task, wanted.regulated, output), input,
                                         task, dt_s, output);
     if (wanted.regulated)
-        m_regulator.giveBack(wanted.twist - twist);
+        m_regulator.giveBack(wanted.twist + wanted.cut - twist);
 
     output.integral = m_regulator.integral();
     output.twist_Sensor = twist;

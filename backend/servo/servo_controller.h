@@ -117,14 +117,15 @@ private:
 
     struct Wanted {
         Twist twist = Twist::Zero();
-        bool regulated = false; ///< by the law; false: by the search
+        Twist cut = Twist::Zero(); ///< of the turn, by its limit
+        bool regulated = false;    ///< by the law; false: by the search
     };
 
     void updateContact(const ServoInput& input, double dt_s, ServoOutput& output);
     /// Features, matrices and errors of a task; returns which rows of the error are known.
     std::array<bool, 6> observe(const ServoInput& input, const ServoTask& task, ServoOutput& output);
     [[nodiscard]] Wanted law(const ServoInput& input, const ServoTask& task, const std::array<bool, 6>& known,
-                             double dt_s, const ServoOutput& output);
+                             double dt_s, ServoOutput& output);
     [[nodiscard]] Twist limited(const Twist& wanted, const ServoInput& input, const ServoTask& task,
                                 bool regulated, ServoOutput& output) const;
     [[nodiscard]] Twist withinDeviation(const Twist& twist, const ServoInput& input, const ServoTask& task,

@@ -148,11 +148,12 @@ TEST(ServoController, limitsActAndAreReported) {
     EXPECT_GT(out.twist_Sensor[kY], 0.0);
 
     task.gains.proportional[kY] = -20.0;
-    task.gains.proportional[kWz] = -20.0;
-    out = controllerOf(task).step(inputOf(feel(ContactType::edge, 5.0, 0.0, 0.009, 0.0, 0.009, 0.5)));
+    out = controllerOf(task).step(inputOf(feel(ContactType::edge, 5.0, 0.0, 0.009, 0.0, 0.009)));
     EXPECT_TRUE(out.limits.has(Limit::toolSpeed));
-    EXPECT_TRUE(out.limits.has(Limit::turnRate));
     EXPECT_NEAR(out.twist_Sensor.head<3>().norm(), task.limits.toolSpeed_mPerS, 1e-15);
+    task.gains.proportional[kWz] = -20.0;
+    out = controllerOf(task).step(inputOf(feel(ContactType::edge, 5.0, 0.0, 0.0, 0.0, 0.0, 0.5)));
+    EXPECT_TRUE(out.limits.has(Limit::turnRate));
     EXPECT_NEAR(out.twist_Sensor.tail<3>().norm(), task.limits.turnRate_radPerS, 1e-15);
     EXPECT_FALSE(controllerOf(edgeControlTask(5.0)).step(inputOf(kEven)).limits.any());
 }
