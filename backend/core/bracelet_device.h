@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace teleta::core {
@@ -80,6 +81,13 @@ struct BraceletTelemetry {
     std::uint64_t zeroedByDevice = 0; ///< times the device turned the motors off because no frame came
 };
 
+/// What a bracelet that measures its motors knows of them at one instant.
+struct MotorSpeeds {
+    std::int64_t time_ns = 0; ///< steady time of the measurement
+    Drive drive{};            ///< what the motors were told then
+    Intensities speeds_Hz{};
+};
+
 /// A bracelet of tactors, real or simulated: facade over a worker thread that keeps the connection.
 /// Safety, below whatever drives it:
 ///   - the first frame of every connection is zero, and so is the last one before it is closed;
@@ -108,6 +116,8 @@ public:
     [[nodiscard]] virtual std::uint64_t connection() const = 0;
     /// Writes all tactors in one report and returns when the kernel has it. Waits for nothing else.
     virtual WriteResult write(const BraceletFrame& frame) = 0;
+    /// How fast the motors turn now. Empty: the bracelet has no sensor for it. Never waits for the device.
+    [[nodiscard]] virtual std::optional<MotorSpeeds> motorSpeeds() const { return std::nullopt; }
 };
 
 } // namespace teleta::core

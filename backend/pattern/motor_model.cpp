@@ -1,29 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pattern/motor_model.h"
 
-#include "backend/core/json_document.h"
 #include "backend/pattern/sampled_output.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 namespace teleta::pattern {
 
 namespace {
 
-using core::JsonDocument;
-using core::JsonReader;
-using nlohmann::ordered_json;
-
-struct MotorText {
-    Q_DECLARE_TR_FUNCTIONS(PatternFile)
-};
-
-constexpr const char* kFormat = "teleta-motors";
 constexpr double kOverdriveReturn = 0.1;
 constexpr double kLongestStep_s = 0.001; ///< with which a prediction follows a pattern
 
@@ -35,9 +22,9 @@ double onLine(const SpeedPoint& a, const SpeedPoint& b, double drive) {
 
 bool MotorProfile::valid() const {
     const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
-    if (!(startDrive > 0.0 && startDrive < 1.0 && positive(riseTime_s) && positive(fallTime_s) &&
-          std::isfinite(overdrive) && overdrive >= 1.0 && std::isfinite(longestOverdrive_s) &&
-          longestOverdrive_s >= 0.0 && curve.size() >= 2))
+    if (!(startDrive > 0.0 && startDrive < fullDrive && fullDrive <= 1.0 && positive(riseTime_s) &&
+          positive(fallTime_s) && std::isfinite(overdrive) && overdrive >= 1.0 &&
+          std::isfinite(longestOverdrive_s) && longestOverdrive_s >= 0.0 && curve.size() >= 2))
         return false;
     if (!(curve.front().drive >= 0.0 && curve.front().drive <= startDrive && curve.front().speed_Hz >= 0.0 &&
           curve.back().drive == 1.0 && std::isfinite(curve.back().speed_Hz)))
@@ -52,7 +39,6 @@ bool MotorProfile::valid() const {
 MotorProfile MotorProfile::assumedCoinMotor() {
     MotorProfile profile;
     profile.name = "Coin motor (assumed)";
-    profile.assumed = true;
     profile.startDrive = 1.0 / 3.0;
     profile.riseTime_s = 0.055;
     profile.fallTime_s = 0.075;
@@ -71,7 +57,7 @@ MotorProfiles assumedMotors() {
 double driveOf(const MotorProfile& profile, double intensity) {
     if (!(intensity > 0.0))
         return 0.0;
-    return profile.startDrive + std::min(intensity, 1.0) * (1.0 - profile.startDrive);
+    return profile.startDrive + std::min(intensity, 1.0) * (profile.fullDrive - profile.startDrive);
 }
 
 double steadySpeed_Hz(const MotorProfile& profile, double drive) {
@@ -94,7 +80,7 @@ double intensityOfSpeed(const MotorProfile& profile, double speed_Hz) {
     const SpeedPoint& a = *(next - 1);
     const double drive =
         a.drive + (speed_Hz - a.speed_Hz) / (next->speed_Hz - a.speed_Hz) * (next->drive - a.drive);
-    return std::clamp((drive - profile.startDrive) / (1.0 - profile.startDrive), 0.0, 1.0);
+    return std::clamp((drive - profile.startDrive) / (profile.fullDrive - profile.startDrive), 0.0, 1.0);
 }
 
 double forceShare(const MotorProfile& profile, double speed_Hz) {
@@ -153,66 +139,6 @@ void forEachPredictedSample(const Pattern& pattern, const MotorProfiles& profile
                 motors[i].step(driveOf(profiles[i], wanted[i]), step_s);
         }
     }
-}
-
-core::Expected<MotorProfiles> motorsFromJson(std::string text, const std::string& file) {
-    const core::Expected<JsonDocument> document = JsonDocument::parse(std::move(text), file);
-    if (!document)
-        return core::Unexpected(document.error());
-    JsonReader reader(*document);
-    const ordered_json& format = reader.member(reader.root(), "format");
-    if (reader.text(format) != kFormat)
-        reader.fail(format, MotorText::tr("this is another format").toStdString(), kFormat);
-    const ordered_json& version = reader.member(reader.root(), "version");
-    if (reader.integer(version, 1, 1'000'000) > 1)
-        reader.fail(version, MotorText::tr("the file is of a newer version").toStdString(), "1");
-    MotorProfiles profiles;
-    const ordered_json& motors =
-        reader.array(reader.member(reader.root(), "motors"), core::kTactors, core::kTactors);
-    for (std::size_t i = 0; i < motors.size(); ++i) {
-        MotorProfile& profile = profiles[i];
-        const ordered_json& motor = motors[i];
-        profile.name = reader.text(motor, "name", {});
-        profile.assumed = reader.boolean(motor, "assumed", false);
-        profile.startDrive = reader.number(reader.member(motor, "start_drive"), 0.0, 1.0);
-        profile.riseTime_s = reader.number(reader.member(motor, "rise_s"), 0.0, 10.0);
-        profile.fallTime_s = reader.number(reader.member(motor, "fall_s"), 0.0, 10.0);
-        for (const ordered_json& entry : reader.array(reader.member(motor, "curve"), 2, 1000)) {
-            const ordered_json& point = reader.array(entry, 2, 2);
-            if (!reader.error())
-                profile.curve.push_back(
-                    {reader.number(point[0], 0.0, 1.0), reader.number(point[1], 0.0, 1e4)});
-        }
-        profile.overdrive = reader.number(motor, "overdrive", 1.0, 10.0, 1.0);
-        profile.longestOverdrive_s = reader.number(motor, "longest_overdrive_s", 0.0, 10.0, 0.0);
-        if (!reader.error() && !profile.valid())
-            reader.fail(motor, MotorText::tr("these values contradict each other").toStdString(),
-                        MotorText::tr("a start between 0 and 1, times above 0, a curve that rises from the "
-                                      "start or before it to the drive 1")
-                            .toStdString());
-    }
-    if (reader.error())
-        return core::Unexpected(*reader.error());
-    return profiles;
-}
-
-std::string motorsToJson(const MotorProfiles& profiles) {
-    ordered_json motors = ordered_json::array();
-    for (const MotorProfile& profile : profiles) {
-        ordered_json curve = ordered_json::array();
-        for (const SpeedPoint& point : profile.curve)
-            curve.push_back(ordered_json::array({point.drive, point.speed_Hz}));
-        motors.push_back({{"name", profile.name},
-                          {"assumed", profile.assumed},
-                          {"start_drive", profile.startDrive},
-                          {"rise_s", profile.riseTime_s},
-                          {"fall_s", profile.fallTime_s},
-                          {"curve", std::move(curve)},
-                          {"overdrive", profile.overdrive},
-                          {"longest_overdrive_s", profile.longestOverdrive_s}});
-    }
-    const ordered_json root{{"format", kFormat}, {"version", 1}, {"motors", std::move(motors)}};
-    return root.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
 } // namespace teleta::pattern

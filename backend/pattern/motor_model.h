@@ -23,13 +23,15 @@ struct SpeedPoint {
     bool operator==(const SpeedPoint&) const = default;
 };
 
-/// What a calibration knows of one motor. Above zero, intensity i is the drive start + i (1 - start).
-/// valid(): 0 < startDrive < 1; times > 0; at least two points of the curve, rising in both, the first not
-/// above the start, the last at drive 1; overdrive >= 1; finite all.
+/// What a calibration knows of one motor. Above zero, intensity i is the drive start + i (full - start).
+/// valid(): 0 < startDrive < fullDrive <= 1; times > 0; at least two points of the curve, rising in both, the
+/// first not above the start, the last at drive 1; overdrive >= 1; finite all.
 struct MotorProfile {
     std::string name;
-    bool assumed = true;             ///< nobody has measured it
+    bool assumed = true;             ///< lag and curve: nobody has measured them
+    bool rangeAssumed = true;        ///< start and full drive: nobody has measured them
     double startDrive = 0.0;         ///< below it the motor stands
+    double fullDrive = 1.0;          ///< of intensity 1, so that all motors of a bracelet are equally strong
     double riseTime_s = 0.0;         ///< from rest to 90 % of a speed
     double fallTime_s = 0.0;         ///< from a speed to 10 % of it
     std::vector<SpeedPoint> curve;   ///< straight lines between its points
@@ -53,7 +55,7 @@ using MotorProfiles = std::array<MotorProfile, core::kTactors>;
 [[nodiscard]] double driveOf(const MotorProfile& profile, double intensity);
 /// Speed to which a drive leads in the end; 0 below the start. Above 1 the last line goes on.
 [[nodiscard]] double steadySpeed_Hz(const MotorProfile& profile, double drive);
-/// The intensity with this steady speed; 0 below the speed at the start, 1 above the full speed.
+/// The intensity with this steady speed; 0 below the speed at the start, 1 above that of the full drive.
 [[nodiscard]] double intensityOfSpeed(const MotorProfile& profile, double speed_Hz);
 /// Force of the eccentric mass as a share of that at full speed: it goes with the square of speed.
 [[nodiscard]] double forceShare(const MotorProfile& profile, double speed_Hz);
@@ -97,11 +99,5 @@ private:
 void forEachPredictedSample(const Pattern& pattern, const MotorProfiles& profiles, double rate_Hz,
                             const std::function<bool(double t_s, const core::Intensities& intensities,
                                                      const core::Intensities& speeds_Hz)>& visit);
-
-/// {"format": "teleta-motors", "version": 1, "motors": [6 x {"name", "assumed", "start_drive", "rise_s",
-///  "fall_s", "curve": [[drive, speed_hz] ...], "overdrive", "longest_overdrive_s"}]}
-/// Error: badInput with the place. Thread: any (pure).
-[[nodiscard]] core::Expected<MotorProfiles> motorsFromJson(std::string text, const std::string& file);
-[[nodiscard]] std::string motorsToJson(const MotorProfiles& profiles);
 
 } // namespace teleta::pattern

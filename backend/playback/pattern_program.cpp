@@ -12,4 +12,12 @@ Program programOf(const pattern::Pattern& pattern) {
     return {[compiled = std::move(compiled)](double t_s) { return compiled->evaluate(t_s); }, duration_s};
 }
 
+DriveRanges rangesOf(const pattern::MotorProfiles& motors) {
+    DriveRanges ranges{};
+    for (std::size_t i = 0; i < ranges.size(); ++i)
+        if (!motors[i].rangeAssumed)
+            ranges[i] = {motors[i].startDrive, motors[i].fullDrive};
+    return ranges;
+}
+
 } // namespace teleta::playback

@@ -33,20 +33,21 @@ PlaybackCycle::PlaybackCycle(core::BraceletSource& bracelet, const core::StopSwi
     const double threePeriods_ms = std::ceil(3e3 / m_rate_Hz);
     m_config.boardTimeout_ms =
         std::max(m_config.boardTimeout_ms, static_cast<std::uint16_t>(threePeriods_ms));
+    // A board that waits less stands still sooner.
+    m_config.boardTimeout_ms = std::clamp<std::uint16_t>(
+        m_config.boardTimeout_ms, 1, std::max<std::uint16_t>(bracelet.description().longestTimeout_ms, 1));
 }
 
 std::int64_t PlaybackCycle::run(PlayerCommands commands) {
     if (m_stopSwitch.engaged()) {
         if (m_mode != PlayerMode::idle || commands.start)
             end(PlayerEnding::stopSwitch);
-        if (commands.limits)
-            m_limiter.setLimits(*commands.limits);
+        takeSettings(commands);
         return core::PacingClock::kNever_ns;
     }
     if (commands.stop && m_mode != PlayerMode::idle)
         end(PlayerEnding::stopped);
-    if (commands.limits)
-        m_limiter.setLimits(*commands.limits);
+    takeSettings(commands);
     if (commands.start)
         std::visit([this](auto& request) { begin(std::move(request)); }, *commands.start);
     if (commands.loop)
@@ -63,6 +64,13 @@ std::int64_t PlaybackCycle::run(PlayerCommands commands) {
     return m_mode == PlayerMode::idle ? core::PacingClock::kNever_ns : deadline_ns(m_cycle);
 }
 
+void PlaybackCycle::takeSettings(const PlayerCommands& commands) {
+    if (commands.limits)
+        m_limiter.setLimits(*commands.limits);
+    if (commands.ranges)
+        m_config.ranges = *commands.ranges;
+}
+
 void PlaybackCycle::close() {
     if (m_mode != PlayerMode::idle)
         end(PlayerEnding::stopped);
@@ -75,11 +83,16 @@ PlayerCounters PlaybackCycle::counters() const {
     // A bracelet that was started anew counts from 0.
     counters.framesLost = lost >= m_lostBefore ? lost - m_lostBefore : lost;
     counters.setpointsReplaced = m_setpoints.replaced() - m_replacedBefore;
-    counters.writeMedian_ns = m_writeTimes.median_ns();
-    counters.writeLongest_ns = m_writeTimes.longest_ns();
-    counters.latencyMedian_ns = m_latencies.median_ns();
-    counters.latencyLongest_ns = m_latencies.longest_ns();
+    counters.writeMedian_ns = m_timings.write.quantile_ns(0.5);
+    counters.writeLongest_ns = m_timings.write.longest_ns();
+    counters.latencyMedian_ns = m_timings.latency.quantile_ns(0.5);
+    counters.latencyLongest_ns = m_timings.latency.longest_ns();
     return counters;
+}
+
+PlayerTimings PlaybackCycle::timings() const {
+    const std::scoped_lock lock(m_countersMutex);
+    return m_timings;
 }
 
 void PlaybackCycle::begin(ProgramRequest request) {
@@ -116,8 +129,7 @@ void PlaybackCycle::beginAny(PlayerMode mode) {
         const std::scoped_lock lock(m_countersMutex);
         m_counters = {};
         m_counters.begun_ns = now;
-        m_writeTimes.clear();
-        m_latencies.clear();
+        m_timings = {};
         m_rate.reset();
         m_lostBefore = lost;
         m_replacedBefore = m_setpoints.replaced();
@@ -163,6 +175,10 @@ bool PlaybackCycle::takeSetpoint() {
 void PlaybackCycle::writeDue(std::int64_t now) {
     const std::int64_t due_ns = deadline_ns(m_cycle);
     const bool regular = now >= due_ns;
+    if (regular) {
+        const std::scoped_lock lock(m_countersMutex);
+        m_timings.lateness.add(now - due_ns);
+    }
     if (now - due_ns > boardTimeout_ns()) {
         end(PlayerEnding::stalled);
         return;
@@ -170,7 +186,9 @@ void PlaybackCycle::writeDue(std::int64_t now) {
     core::Intensities wanted{};
     if (!evaluate(now, wanted))
         return;
-    const core::Drive drive = m_limiter.step(wanted, sinceLastFrame_s(now));
+    const bool raw = m_mode == PlayerMode::program && m_program.raw;
+    const core::Drive drive =
+        m_limiter.step(wanted, sinceLastFrame_s(now), raw ? DriveRanges{} : m_config.ranges);
     const std::int64_t begun_ns = now_ns();
     // The program may have taken its time.
     if (m_stopSwitch.engaged()) {
@@ -252,9 +270,9 @@ void PlaybackCycle::account(const core::Drive& drive, std::int64_t begun_ns, std
     ++m_counters.framesWritten;
     if (m_counters.onset_ns == 0 && !core::isOff(drive))
         m_counters.onset_ns = written_ns;
-    m_writeTimes.add(written_ns - begun_ns);
+    m_timings.write.add(written_ns - begun_ns);
     if (std::exchange(m_freshSetpoint, false) && m_mode == PlayerMode::live && !m_status.silent)
-        m_latencies.add(written_ns - m_setpoint.made_ns);
+        m_timings.latency.add(written_ns - m_setpoint.made_ns);
     m_rate.add(written_ns);
     m_counters.rate_Hz = m_rate.rate_Hz(written_ns);
 }

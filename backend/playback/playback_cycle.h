@@ -6,7 +6,6 @@
 #include "backend/core/rate_meter.h"
 #include "backend/core/stop_switch.h"
 #include "backend/playback/player_types.h"
-#include "backend/playback/recent_times.h"
 #include "backend/playback/safety_limiter.h"
 
 #include <cstdint>
@@ -37,9 +36,11 @@ public:
 
     [[nodiscard]] PlayerStatus status() const { return m_published.get(); }
     [[nodiscard]] PlayerCounters counters() const;
+    [[nodiscard]] PlayerTimings timings() const;
     [[nodiscard]] double rate_Hz() const { return m_rate_Hz; }
 
 private:
+    void takeSettings(const PlayerCommands& commands);
     void begin(ProgramRequest request);
     void begin(LiveRequest);
     void beginAny(PlayerMode mode);
@@ -88,8 +89,7 @@ private:
 
     mutable std::mutex m_countersMutex; ///< of what follows
     PlayerCounters m_counters;
-    RecentTimes m_writeTimes;
-    RecentTimes m_latencies;
+    PlayerTimings m_timings;
     core::RateMeter m_rate;
     std::uint64_t m_lostBefore = 0;
     std::uint64_t m_replacedBefore = 0;

@@ -56,6 +56,10 @@ void Player::setLimits(const SafetyLimits& limits) {
     command([&limits](PlayerCommands& commands) { commands.limits = limits; });
 }
 
+void Player::setRanges(const DriveRanges& ranges) {
+    command([&ranges](PlayerCommands& commands) { commands.ranges = ranges; });
+}
+
 void Player::post(const core::Intensities& intensities, std::int64_t made_ns) {
     m_cycle.setpoints().post({intensities, made_ns});
     const std::scoped_lock lock(m_mutex);
@@ -74,6 +78,7 @@ void Player::command(const Change& change) {
 }
 
 void Player::run(const std::stop_token& stop) {
+    m_urgency = core::makeThreadUrgent();
     std::unique_lock lock(m_mutex);
     while (!stop.stop_requested()) {
         PlayerCommands commands = std::exchange(m_commands, {});

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "backend/core/stop_switch.h"
+#include "backend/core/urgent_thread.h"
 #include "backend/playback/playback_cycle.h"
 #include "backend/playback/player_types.h"
 
+#include <atomic>
 #include <condition_variable>
 #include <mutex>
 #include <stop_token>
@@ -36,6 +38,8 @@ public:
     void seek(double time_s);
     void setLoop(bool loop);
     void setLimits(const SafetyLimits& limits);
+    /// How intensities are mapped to drives of the device, from the next frame on.
+    void setRanges(const DriveRanges& ranges);
 
     /// made_ns: steady time of what it was made from, by which its age counts; one of the future counts as
     /// now. Ignored while not live.
@@ -43,6 +47,9 @@ public:
 
     [[nodiscard]] PlayerStatus status() const { return m_cycle.status(); }
     [[nodiscard]] PlayerCounters counters() const { return m_cycle.counters(); }
+    [[nodiscard]] PlayerTimings timings() const { return m_cycle.timings(); }
+    /// What the system permits the playback thread.
+    [[nodiscard]] core::ThreadUrgency urgency() const { return m_urgency; }
     /// Of the frames: the configured one, or the highest of the bracelet.
     [[nodiscard]] double rate_Hz() const { return m_cycle.rate_Hz(); }
 
@@ -56,8 +63,9 @@ private:
 
     std::mutex m_mutex;
     std::condition_variable m_condition;
-    PlayerCommands m_commands;    ///< guarded by m_mutex
-    bool m_commanded = false;     ///< guarded by m_mutex
+    PlayerCommands m_commands; ///< guarded by m_mutex
+    bool m_commanded = false;  ///< guarded by m_mutex
+    std::atomic<core::ThreadUrgency> m_urgency{core::ThreadUrgency::ordinary};
     bool m_takesSetpoint = false; ///< guarded by m_mutex: a setpoint ends the wait
 
     std::jthread m_thread;

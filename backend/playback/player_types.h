@@ -5,6 +5,7 @@
 #include "backend/core/pacing_clock.h"
 #include "backend/core/tactors.h"
 #include "backend/playback/safety_limiter.h"
+#include "backend/playback/time_histogram.h"
 
 #include <cstdint>
 #include <functional>
@@ -20,6 +21,7 @@ namespace teleta::playback {
 struct Program {
     std::function<core::Intensities(double t_s)> evaluate;
     double duration_s = 0.0; ///< infinity: without an end
+    bool raw = false;        ///< what it gives are drives of the device, not mapped by the motors' ranges
 };
 
 struct PlayerConfig {
@@ -30,8 +32,10 @@ struct PlayerConfig {
     std::int64_t setpointLifetime_ns = 100'000'000;
     /// After so long without a frame the board stops by itself, at least three periods; a cycle that is later
     /// than this ends the playing, since the bracelet stood still meanwhile.
+    /// The board's own limit of it counts for both.
     std::uint16_t boardTimeout_ms = 100;
     SafetyLimits limits{};
+    DriveRanges ranges{};
     std::shared_ptr<core::PacingClock> clock = std::make_shared<core::PacingClock>();
 };
 
@@ -79,6 +83,13 @@ struct PlayerCounters {
     std::int64_t onset_ns = 0; ///< steady time at which the first frame other than zero was written; 0: none
 };
 
+/// How punctual the playing that runs, or the last one, is.
+struct PlayerTimings {
+    TimeHistogram lateness; ///< of regular frames: from the deadline to the begin of the frame's work
+    TimeHistogram write;    ///< of a frame
+    TimeHistogram latency;  ///< from the making of a setpoint to its first frame written
+};
+
 struct Setpoint {
     core::Intensities intensities{};
     std::int64_t made_ns = 0; ///< steady time of what it was made from
@@ -95,6 +106,7 @@ struct LiveRequest {};
 struct PlayerCommands {
     bool stop = false;
     std::optional<SafetyLimits> limits;
+    std::optional<DriveRanges> ranges;
     std::optional<std::variant<ProgramRequest, LiveRequest>> start;
     std::optional<bool> loop;
     std::optional<double> seek_s;

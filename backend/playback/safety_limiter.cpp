@@ -33,10 +33,22 @@ double way(double speed_perS, double time_s) {
     return std::isinf(speed_perS) ? speed_perS : speed_perS * time_s;
 }
 
-std::uint16_t toDrive(double intensity) {
+std::uint16_t toDrive(double share) {
     // A count that went through a division comes back as the same count.
     constexpr double kRounding = 1e-9;
-    return static_cast<std::uint16_t>(std::min(intensity, 1.0) * core::kFullDrive + kRounding);
+    return static_cast<std::uint16_t>(std::min(share, 1.0) * core::kFullDrive + kRounding);
+}
+
+DriveRange sane(const DriveRange& range) {
+    return range.start >= 0.0 && range.start < range.full && range.full <= 1.0 ? range : DriveRange{};
+}
+
+double driveOf(const DriveRange& range, double intensity) {
+    return intensity > 0.0 ? range.start + intensity * (range.full - range.start) : 0.0;
+}
+
+double intensityOf(const DriveRange& range, double drive) {
+    return std::clamp((drive - range.start) / (range.full - range.start), 0.0, 1.0);
 }
 
 } // namespace
@@ -50,7 +62,8 @@ void SafetyLimiter::setLimits(const SafetyLimits& limits) {
     m_limits = sane(limits);
 }
 
-core::Drive SafetyLimiter::step(const core::Intensities& wanted, double elapsed_s) {
+core::Drive SafetyLimiter::step(const core::Intensities& wanted, double elapsed_s,
+                                const DriveRanges& ranges) {
     const double passed_s = elapsed_s > 0.0 ? elapsed_s : 0.0;
     warm(passed_s);
     const double slewTime_s = std::min(passed_s, 2.0 * m_period_s);
@@ -67,8 +80,14 @@ core::Drive SafetyLimiter::step(const core::Intensities& wanted, double elapsed_
         // A fall is eased, but not above a limit that was lowered.
         intensity = std::min({intensity, m_output[i] + rise, m_limits.userLimit[i]});
         const double highestPower = m_heat[i] + (m_limits.heatBudget - m_heat[i]) / share;
-        intensity = std::min(intensity, std::sqrt(std::max(highestPower, 0.0)));
-        drive[i] = toDrive(intensity);
+        const DriveRange range = sane(ranges[i]);
+        const double highestDrive = std::sqrt(std::max(highestPower, 0.0));
+        // Of a motor without heat to spare, and of one that would not turn with what is left, nothing is
+        // asked.
+        if (driveOf(range, intensity) > highestDrive)
+            intensity = intensityOf(range, highestDrive);
+        m_drive[i] = driveOf(range, intensity);
+        drive[i] = toDrive(m_drive[i]);
         // The slew goes on from what was asked for: whole counts would hold a slow rise at 0 for ever.
         m_output[i] = intensity;
     }
@@ -78,12 +97,13 @@ core::Drive SafetyLimiter::step(const core::Intensities& wanted, double elapsed_
 void SafetyLimiter::off(double elapsed_s) {
     warm(elapsed_s > 0.0 ? elapsed_s : 0.0);
     m_output = {};
+    m_drive = {};
 }
 
 void SafetyLimiter::warm(double elapsed_s) {
     const double share = -std::expm1(-elapsed_s / m_limits.heatTime_s);
     for (std::size_t i = 0; i < core::kTactors; ++i)
-        m_heat[i] += (m_output[i] * m_output[i] - m_heat[i]) * share;
+        m_heat[i] += (m_drive[i] * m_drive[i] - m_heat[i]) * share;
 }
 
 } // namespace teleta::playback

@@ -4,6 +4,7 @@
 #include "backend/core/bracelet_device.h"
 #include "backend/core/tactors.h"
 
+#include <array>
 #include <limits>
 
 namespace teleta::playback {
@@ -17,7 +18,7 @@ struct SafetyLimits {
     /// since less is never unsafe.
     double rise_perS = 50.0;
     double fall_perS = std::numeric_limits<double>::infinity();
-    /// Heat of a motor: h' = (u^2 - h) / heatTime_s with the intensity u. h never exceeds heatBudget, the
+    /// Heat of a motor: h' = (u^2 - h) / heatTime_s with the drive u. h never exceeds heatBudget, the
     /// share of the full power that a motor bears for ever, 0 .. 1.
     double heatTime_s = 30.0;
     double heatBudget = 0.5;
@@ -25,11 +26,24 @@ struct SafetyLimits {
     bool operator==(const SafetyLimits&) const = default;
 };
 
+/// What the device is told for the weakest intensity above 0 and for intensity 1, as shares of its full
+/// drive:
+///   drive = start + intensity (full - start)
+/// The default passes intensities on: the board has a start voltage of its own. Values out of 0 .. 1, NaN,
+/// and a full drive below the start are taken as that default.
+struct DriveRange {
+    double start = 0.0;
+    double full = 1.0;
+
+    bool operator==(const DriveRange&) const = default;
+};
+using DriveRanges = std::array<DriveRange, core::kTactors>;
+
 /// The last thing before a frame, below every source of intensities. In this order:
 ///   clamp to 0 .. 1 (NaN is off) -> user's limit -> slew limit -> heat budget -> integer, rounded down
-/// Heat is that of the intensity that was really given, over the time that it was given. From rest at full
-/// intensity the budget is reached after t = -heatTime ln(1 - heatBudget); then the intensity is
-/// sqrt(heatBudget). Pure, nothing is allocated. Thread: one.
+/// Heat is that of the drive that was really given, over the time that it was given: u is the drive. From
+/// rest at full drive the budget is reached after t = -heatTime ln(1 - heatBudget); then the drive is
+/// sqrt(heatBudget), or 0 where that is below the motor's start. Pure, nothing is allocated. Thread: one.
 class SafetyLimiter {
 public:
     /// period_s: time for which an output is expected to hold, > 0.
@@ -41,7 +55,8 @@ public:
     /// elapsed_s: since the last call; the last output held for so long. The slew limit counts no more than
     /// two periods of it: after a pause tactors rise from rest. Not above 0, or NaN: no time has passed.
     /// NaN among the intensities is off at once, however slow a fall may be.
-    [[nodiscard]] core::Drive step(const core::Intensities& wanted, double elapsed_s);
+    [[nodiscard]] core::Drive step(const core::Intensities& wanted, double elapsed_s,
+                                   const DriveRanges& ranges = {});
 
     /// All off, at once, whatever the limits are.
     void off(double elapsed_s);
@@ -57,6 +72,7 @@ private:
     SafetyLimits m_limits;
     double m_period_s;
     core::Intensities m_output{};
+    core::Intensities m_drive{}; ///< of the last output, as a share of the full one
     core::Intensities m_heat{};
 };
 

@@ -16,6 +16,7 @@ namespace teleta::simulated {
 namespace {
 
 constexpr std::size_t kStepsAtOnce = 64;
+constexpr std::int64_t kSilentLook_ns = 10'000'000;
 
 std::size_t samplesIn(double duration_s, double rate_Hz) {
     const double samples = duration_s * rate_Hz;
@@ -67,6 +68,8 @@ void SimulatedArmWorker::run(const std::stop_token& stop) {
             m_epoch_ns = now_ns;
             m_sinceEpoch = 0;
         }
+        if (faults.silent)
+            obeyStop(now_ns);
         const std::int64_t next_ns = faults.silent ? core::PacingClock::kNever_ns : due_ns(faults.lag_s);
         if (next_ns <= now_ns) {
             lock.unlock();
@@ -74,7 +77,7 @@ void SimulatedArmWorker::run(const std::stop_token& stop) {
             lock.lock();
             continue;
         }
-        std::int64_t deadline_ns = next_ns;
+        std::int64_t deadline_ns = faults.silent ? now_ns + kSilentLook_ns : next_ns;
         const auto watchAge = [&](auto& outlet, std::int64_t staleAfter_ns) {
             if (outlet.state() != core::DeviceState::live)
                 return;
@@ -91,6 +94,14 @@ void SimulatedArmWorker::run(const std::stop_token& stop) {
     m_drive.begin(false);
     setState(core::DeviceState::closed);
     m_jointDiscontinuity = m_skinDiscontinuity = true;
+}
+
+/// An arm that tells nothing still stops, and does not go on by itself when it tells again.
+void SimulatedArmWorker::obeyStop(std::int64_t now_ns) {
+    if (m_stopSwitch.engaged())
+        (void)m_drive.decide(true, m_generator->programDone(), now_ns, m_reference_rad);
+    else if (m_drive.drive() == core::ArmDrive::stopped)
+        m_drive.begin(false);
 }
 
 void SimulatedArmWorker::wake() {

@@ -50,6 +50,7 @@ private:
     using Lock = std::unique_lock<std::mutex>;
 
     void connect();
+    void obeyStop(std::int64_t now_ns);
     void waitForPlug(Lock& lock, const std::stop_token& stop);
     void setState(core::DeviceState state, const std::string& message = {});
     [[nodiscard]] std::int64_t due_ns(double lag_s) const;

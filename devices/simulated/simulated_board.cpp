@@ -17,9 +17,11 @@ constexpr double kTemperature_degC = 25.0;
 
 SimulatedBoard::SimulatedBoard(const SimulatedBraceletConfig& config)
     : m_clock(config.link.clock)
-    , m_lag(config.lag)
+    , m_kinds(config.motors)
+    , m_speedNoise_Hz(config.speedNoise_Hz)
     , m_faults(config.faults)
     , m_dropRandom(config.faultSeed)
+    , m_noiseRandom(config.faultSeed + 1)
     , m_now_ns(m_clock->now_ns()) {
 }
 
@@ -84,6 +86,20 @@ core::Intensities SimulatedBoard::motors() {
     return m_motors;
 }
 
+std::optional<core::MotorSpeeds> SimulatedBoard::motorSpeeds() {
+    if (!m_kinds)
+        return std::nullopt;
+    const std::scoped_lock lock(m_mutex);
+    core::MotorSpeeds speeds;
+    speeds.time_ns = m_clock->now_ns();
+    advance(speeds.time_ns);
+    speeds.drive = m_drive;
+    for (std::size_t i = 0; i < core::kTactors; ++i)
+        speeds.speeds_Hz[i] =
+            (*m_kinds)[i].fullSpeed_Hz * m_motors[i] + m_speedNoise_Hz * m_noise(m_noiseRandom);
+    return speeds;
+}
+
 void SimulatedBoard::advance(std::int64_t now_ns) {
     if (!core::isOff(m_drive) && now_ns >= m_timeoutAt_ns) {
         turn(m_timeoutAt_ns);
@@ -97,12 +113,14 @@ void SimulatedBoard::turn(std::int64_t until_ns) {
     const double step_s = static_cast<double>(until_ns - m_now_ns) * 1e-9;
     m_now_ns = until_ns;
     for (std::size_t i = 0; i < core::kTactors; ++i) {
-        const double target = static_cast<double>(m_drive[i]) / core::kFullDrive;
-        if (!m_lag) {
-            m_motors[i] = target;
+        const double drive = static_cast<double>(m_drive[i]) / core::kFullDrive;
+        if (!m_kinds) {
+            m_motors[i] = drive;
             continue;
         }
-        const double time_s = target > m_motors[i] ? m_lag->rise_s : m_lag->fall_s;
+        const SimulatedMotor& kind = (*m_kinds)[i];
+        const double target = drive > 0.0 && drive >= kind.start ? std::pow(drive, kind.bend) : 0.0;
+        const double time_s = target > m_motors[i] ? kind.rise_s : kind.fall_s;
         m_motors[i] += (target - m_motors[i]) * -std::expm1(-step_s / time_s);
     }
 }

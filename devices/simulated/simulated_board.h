@@ -31,18 +31,23 @@ public:
     [[nodiscard]] core::Drive drive();
     /// How strongly the motors turn now, 0 .. 1.
     [[nodiscard]] core::Intensities motors();
+    /// What the motors' sensor tells; empty: there is none.
+    [[nodiscard]] std::optional<core::MotorSpeeds> motorSpeeds();
 
 private:
     void advance(std::int64_t now_ns);
     void turn(std::int64_t until_ns);
 
     std::shared_ptr<core::PacingClock> m_clock;
-    std::optional<MotorLag> m_lag;
+    std::optional<SimulatedMotors> m_kinds;
+    double m_speedNoise_Hz;
 
     mutable std::mutex m_mutex; ///< of what follows
     std::condition_variable m_never;
     BraceletFaults m_faults;
     std::mt19937_64 m_dropRandom;
+    std::mt19937_64 m_noiseRandom;
+    std::normal_distribution<double> m_noise;
     std::deque<core::BoardReport> m_answers;
     core::Drive m_drive{};
     core::Intensities m_motors{};

@@ -34,6 +34,7 @@ core::BraceletDescription describe(const SimulatedBraceletConfig& config) {
         config.name.empty()
             ? QCoreApplication::translate("SimulatedBracelet", "Simulated bracelet").toStdString()
             : config.name;
+    description.serial = "simulated";
     description.simulated = true;
     description.maximumRate_Hz = config.maximumRate_Hz;
     return description;

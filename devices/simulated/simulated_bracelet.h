@@ -29,6 +29,10 @@ public:
     [[nodiscard]] std::uint64_t connection() const override { return m_link.connection(); }
     core::WriteResult write(const core::BraceletFrame& frame) override { return m_link.write(frame); }
 
+    [[nodiscard]] std::optional<core::MotorSpeeds> motorSpeeds() const override {
+        return m_board->motorSpeeds();
+    }
+
     void setFaults(const BraceletFaults& faults) { m_board->setFaults(faults); }
     [[nodiscard]] BraceletFaults faults() const { return m_board->faults(); }
     /// What the motors are told now, with the board's time-out.

@@ -3,6 +3,7 @@
 
 #include "backend/core/bracelet_worker.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -20,16 +21,36 @@ struct BraceletFaults {
     bool operator==(const BraceletFaults&) const = default;
 };
 
-/// First-order lag of a motor: x' = (drive - x) / rise_s upwards, / fall_s downwards; > 0. The times of a
-/// real motor have to be measured; these are an assumption.
-struct MotorLag {
-    double rise_s = 0.05;
-    double fall_s = 0.08;
+/// How a motor turns: it stands below a drive, has a speed for every drive above it,
+///   steady = fullSpeed_Hz drive^bend
+/// and reaches it late: x' = (steady - x) / rise_s upwards, / fall_s downwards; > 0. What a real motor does
+/// has to be measured; this is an assumption, which the calibration must find out.
+struct SimulatedMotor {
+    double rise_s = 0.024;
+    double fall_s = 0.033;
+    double start = 0.0; ///< share of the full drive
+    double fullSpeed_Hz = 250.0;
+    double bend = 1.0;
 };
+using SimulatedMotors = std::array<SimulatedMotor, core::kTactors>;
+
+/// Six motors of one kind as they come out of the box: none starts, follows or ends like another.
+[[nodiscard]] inline SimulatedMotors unequalMotors() {
+    return {
+        SimulatedMotor{.rise_s = 0.024, .fall_s = 0.033, .start = 0.163, .fullSpeed_Hz = 250.0, .bend = 0.80},
+        SimulatedMotor{.rise_s = 0.021, .fall_s = 0.030, .start = 0.188, .fullSpeed_Hz = 262.0, .bend = 0.85},
+        SimulatedMotor{.rise_s = 0.028, .fall_s = 0.037, .start = 0.141, .fullSpeed_Hz = 241.0, .bend = 0.75},
+        SimulatedMotor{.rise_s = 0.023, .fall_s = 0.031, .start = 0.212, .fullSpeed_Hz = 255.0, .bend = 0.90},
+        SimulatedMotor{.rise_s = 0.026, .fall_s = 0.036, .start = 0.172, .fullSpeed_Hz = 236.0, .bend = 0.78},
+        SimulatedMotor{
+            .rise_s = 0.022, .fall_s = 0.029, .start = 0.155, .fullSpeed_Hz = 247.0, .bend = 0.83}};
+}
 
 struct SimulatedBraceletConfig {
     std::string name{}; ///< empty: "Simulated bracelet"
-    std::optional<MotorLag> lag = std::nullopt;
+    /// Empty: motors that follow at once, from 0 on, and are not measured.
+    std::optional<SimulatedMotors> motors = std::nullopt;
+    double speedNoise_Hz = 0.0; ///< standard deviation of the speeds that it measures
     double maximumRate_Hz = 1000.0;
     BraceletFaults faults{};
     std::uint64_t faultSeed = 1; ///< which frames are dropped

@@ -36,6 +36,9 @@ const std::vector<Rule> kRules = {
     {"backend/study",
      {"backend/core", "backend/pattern", "backend/scene"},
      {"QtCore", "QtSql", "posix", "expected", "toml++", "nlohmann_json", "Eigen", "Boost.Math"}},
+    {"backend/motors",
+     {"backend/core", "backend/pattern", "backend/scene", "backend/playback"},
+     {"QtCore", "expected", "Eigen"}},
     // Services.
     {"backend/scene", {"backend/core"}, {"QtCore", "expected", "toml++"}},
     {"backend/pipeline",
@@ -105,9 +108,9 @@ constexpr std::array kLibraries = {
 };
 
 const std::set<std::string_view> kPosixHeaders = {
-    "fcntl.h",    "netdb.h",      "netinet/tcp.h", "poll.h",      "pthread.h",
-    "sched.h",    "stdlib.h",     "termios.h",     "time.h",      "unistd.h",
-    "sys/mman.h", "sys/socket.h", "sys/stat.h",    "sys/types.h", "sys/ioctl.h"};
+    "fcntl.h",    "netdb.h",     "netinet/tcp.h", "poll.h",      "pthread.h",     "sched.h",
+    "stdlib.h",   "termios.h",   "time.h",        "unistd.h",    "sys/mman.h",    "sys/socket.h",
+    "sys/stat.h", "sys/types.h", "sys/ioctl.h",   "sys/prctl.h", "sys/resource.h"};
 
 bool isStandard(std::string_view header) {
     return !header.empty() && std::all_of(header.begin(), header.end(), [](char c) {

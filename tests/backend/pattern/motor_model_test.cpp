@@ -9,7 +9,6 @@
 #include <numbers>
 
 using namespace teleta::pattern;
-using teleta::core::Expected;
 using teleta::core::Intensities;
 
 namespace {
@@ -71,6 +70,16 @@ TEST(MotorProfile, speedAndIntensityAreInverse) {
     EXPECT_EQ(intensityOfSpeed(profile, std::nan("")), 0.0);
 }
 
+TEST(MotorProfile, withAFullDriveBelowOneEndsThere) {
+    MotorProfile profile = bent();
+    profile.fullDrive = 0.9;
+    EXPECT_DOUBLE_EQ(driveOf(profile, 0.5), 0.7);
+    EXPECT_DOUBLE_EQ(driveOf(profile, 1.0), 0.9);
+    EXPECT_NEAR(intensityOfSpeed(profile, 160.0), 1.0, 1e-14);
+    EXPECT_EQ(intensityOfSpeed(profile, 190.0), 1.0);
+    EXPECT_NEAR(intensityOfSpeed(profile, steadySpeed_Hz(profile, driveOf(profile, 0.3))), 0.3, 1e-14);
+}
+
 TEST(MotorProfile, thatContradictsItselfIsNotValid) {
     const double inf = std::numeric_limits<double>::infinity();
     const auto broken = [](auto change) {
@@ -81,6 +90,8 @@ TEST(MotorProfile, thatContradictsItselfIsNotValid) {
     EXPECT_TRUE(bent().valid());
     EXPECT_TRUE(broken([](MotorProfile& p) { p.startDrive = 0.0; }));
     EXPECT_TRUE(broken([](MotorProfile& p) { p.startDrive = std::nan(""); }));
+    EXPECT_TRUE(broken([](MotorProfile& p) { p.fullDrive = 0.5; }));
+    EXPECT_TRUE(broken([](MotorProfile& p) { p.fullDrive = 1.01; }));
     EXPECT_TRUE(broken([](MotorProfile& p) { p.startDrive = 0.4; })); // the curve begins at 0.5
     EXPECT_TRUE(broken([](MotorProfile& p) { p.riseTime_s = 0.0; }));
     EXPECT_TRUE(broken([&](MotorProfile& p) { p.fallTime_s = inf; }));
@@ -154,17 +165,4 @@ TEST(Prediction, ofAStepIsTheClosedFormOfTheLag) {
                                return true;
                            });
     EXPECT_EQ(samples, 400);
-}
-
-TEST(Motors, comeBackFromTheirFileAndWrongOnesAreRefusedWithThePlace) {
-    MotorProfiles motors = assumedMotors();
-    motors[3] = bent();
-    const Expected<MotorProfiles> again = motorsFromJson(motorsToJson(motors), "motors.json");
-    ASSERT_TRUE(again) << describe(again.error());
-    EXPECT_EQ(*again, motors);
-    motors[2].curve[1].drive = 0.5;
-    const Expected<MotorProfiles> wrong = motorsFromJson(motorsToJson(motors), "motors.json");
-    ASSERT_FALSE(wrong);
-    EXPECT_GT(wrong.error().where.line, 1);
-    EXPECT_NE(wrong.error().message.find("motors/2"), std::string::npos) << wrong.error().message;
 }

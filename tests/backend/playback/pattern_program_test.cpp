@@ -37,3 +37,13 @@ TEST(PatternProgram, isWrittenToTheBraceletAsItWasDrawn) {
     EXPECT_TRUE(core::isOff(frames[400].frame.drive));
     EXPECT_EQ(cycle.status().ending, playback::PlayerEnding::finished);
 }
+
+TEST(PatternProgram, mapsOnlyMotorsThatSomebodyHasMeasured) {
+    pattern::MotorProfiles motors = pattern::assumedMotors();
+    motors[2].rangeAssumed = false;
+    motors[2].startDrive = 0.3;
+    motors[2].fullDrive = 0.9;
+    playback::DriveRanges expected{};
+    expected[2] = {0.3, 0.9};
+    EXPECT_EQ(playback::rangesOf(motors), expected);
+}

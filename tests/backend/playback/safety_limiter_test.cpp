@@ -177,3 +177,38 @@ TEST(SafetyLimiter, holdsEveryLimitUnderRandomInput) {
         before = limiter.output();
     }
 }
+
+TEST(SafetyLimiter, mapsIntensitiesToTheRangeOfTheMotor) {
+    SafetyLimiter limiter(free(), kPeriod_s);
+    const playback::DriveRanges ranges{
+        {{0.2, 0.8}, {0.2, 0.8}, {0.2, 0.8}, {0.0, 1.0}, {0.25, 1.0}, {0.2, 0.8}}};
+    const Drive drive = limiter.step({0.0, 1e-9, 1.0, 0.5, 0.5, kNan}, kPeriod_s, ranges);
+    EXPECT_EQ(drive, (Drive{0, 819, 3276, 2047, 2559, 0})) << "4095 (start + i (full - start)), rounded down";
+    EXPECT_DOUBLE_EQ(limiter.output()[2], 1.0) << "told in intensities";
+}
+
+TEST(SafetyLimiter, takesARangeThatMakesNoSenseAsNone) {
+    for (const playback::DriveRange range :
+         {playback::DriveRange{0.9, 0.2}, playback::DriveRange{kNan, 1.0}, playback::DriveRange{0.2, 1.5},
+          playback::DriveRange{-0.1, 1.0}}) {
+        SafetyLimiter limiter(free(), kPeriod_s);
+        playback::DriveRanges ranges;
+        ranges.fill(range);
+        EXPECT_EQ(limiter.step(all(0.5), kPeriod_s, ranges), allDrive(2047));
+    }
+}
+
+// h' = (u^2 - h) / T with the drive u: a motor that starts at 0.6 is heated by 0.6 at the weakest intensity.
+TEST(SafetyLimiter, countsTheHeatOfTheDriveNotOfTheIntensity) {
+    SafetyLimits limits = free();
+    limits.heatBudget = 0.3;
+    limits.heatTime_s = 1.0;
+    SafetyLimiter limiter(limits, kPeriod_s);
+    playback::DriveRanges ranges;
+    ranges.fill({0.6, 1.0});
+    double on_s = 0.0;
+    while (limiter.step(all(1e-6), kPeriod_s, ranges)[0] > 0 && on_s < 10.0)
+        on_s += kPeriod_s;
+    EXPECT_NEAR(on_s, -std::log(1.0 - 0.3 / 0.36), 0.02) << "then what is left does not turn the motor";
+    EXPECT_LE(limiter.heat()[0], 0.3 + 1e-12);
+}

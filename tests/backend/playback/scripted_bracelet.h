@@ -62,6 +62,7 @@ public:
         const std::scoped_lock lock(m_mutex);
         m_connection = connection;
     }
+    void setLongestTimeout_ms(std::uint16_t timeout_ms) { m_description.longestTimeout_ms = timeout_ms; }
     void setMaximumRate_Hz(double rate_Hz) { m_description.maximumRate_Hz = rate_Hz; }
     void setFramesLost(std::uint64_t frames) {
         const std::scoped_lock lock(m_mutex);

@@ -16,9 +16,10 @@ using core::isOff;
 using core::kFullDrive;
 using core::WriteOutcome;
 using simulated::BraceletFaults;
-using simulated::MotorLag;
 using simulated::SimulatedBracelet;
 using simulated::SimulatedBraceletConfig;
+using simulated::SimulatedMotor;
+using simulated::SimulatedMotors;
 using test::eventually;
 using test::ManualClock;
 
@@ -27,6 +28,12 @@ namespace {
 constexpr std::int64_t kMs_ns = 1'000'000;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr Drive kFull{kFullDrive, kFullDrive, kFullDrive, kFullDrive, kFullDrive, kFullDrive};
+
+SimulatedMotors allAlike(const SimulatedMotor& motor) {
+    SimulatedMotors motors;
+    motors.fill(motor);
+    return motors;
+}
 
 class SimulatedBraceletTest : public testing::Test {
 protected:
@@ -64,7 +71,7 @@ TEST_F(SimulatedBraceletTest, isLiveAndSaysThatItIsSimulated) {
 
 // x(t) = 1 - exp(-t / rise), then x exp(-t / fall).
 TEST_F(SimulatedBraceletTest, letsMotorsFollowWithALag) {
-    make({.lag = MotorLag{.rise_s = 0.05, .fall_s = 0.08}});
+    make({.motors = allAlike({.rise_s = 0.05, .fall_s = 0.08})});
     write(kFull);
     m_clock->advance(50 * kMs_ns);
     const double risen = 1.0 - std::exp(-1.0);
@@ -75,7 +82,7 @@ TEST_F(SimulatedBraceletTest, letsMotorsFollowWithALag) {
 }
 
 TEST_F(SimulatedBraceletTest, stopsItsMotorsByItselfAfterTheTimeoutOfTheLastFrame) {
-    make({.lag = MotorLag{.rise_s = 0.01, .fall_s = 0.02}});
+    make({.motors = allAlike({.rise_s = 0.01, .fall_s = 0.02})});
     write(kFull, 40);
     m_clock->advance(39 * kMs_ns);
     EXPECT_EQ(m_bracelet->drive(), kFull);

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/error.h"
+#include "backend/pattern/motor_model.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace teleta::motors {
+
+/// What is known of one motor, how well, and from where.
+struct CalibratedMotor {
+    enum class Origin { assumed, answers, recording };
+
+    pattern::MotorProfile profile = pattern::MotorProfile::assumedCoinMotor();
+    Origin startFrom = Origin::assumed;
+    Origin lagFrom = Origin::assumed; ///< of rise, fall and curve
+    double startError = 0.0;          ///< standard errors; 0: not known
+    double riseError_s = 0.0;
+    double fallError_s = 0.0;
+
+    bool operator==(const CalibratedMotor&) const = default;
+};
+
+/// The motors of one bracelet.
+struct MotorCalibration {
+    std::string bracelet; ///< its serial number
+    std::array<CalibratedMotor, core::kTactors> motors;
+
+    bool operator==(const MotorCalibration&) const = default;
+
+    [[nodiscard]] pattern::MotorProfiles profiles() const;
+    /// Something was measured.
+    [[nodiscard]] bool measured() const;
+};
+
+/// A motor with another start; its curve goes on down to it along its first line. start: 0 < start < full.
+[[nodiscard]] pattern::MotorProfile withStart(pattern::MotorProfile motor, double start);
+
+/// Reads and writes a profile:
+///   format = "teleta-motors", version = 1, bracelet = "SERIAL", six times
+///   [[motor]] start_drive, full_drive, rise_s, fall_s, curve = [{ drive, speed_Hz } ...], overdrive,
+///   longest_overdrive_s, start_from and lag_from ("assumed", "answers", "recording"), standard errors
+/// Drives are shares of the full one. Error: notFound, ioFailed, badInput with line and column: an unknown or
+/// missing key, values that contradict each other, a newer version. Thread: any.
+[[nodiscard]] core::Expected<MotorCalibration> readMotors(const std::string& path);
+[[nodiscard]] core::Expected<MotorCalibration> parseMotors(std::string_view text, const std::string& file);
+[[nodiscard]] std::string motorsText(const MotorCalibration& calibration);
+/// The file is whole or as it was; its folder is made.
+[[nodiscard]] core::Expected<void> writeMotors(const MotorCalibration& calibration, const std::string& path);
+
+/// Where the profile of a bracelet is kept: "motors/SERIAL.toml" in the user's configuration, the serial
+/// number with what a file name cannot bear as %XX. Empty serial: empty.
+[[nodiscard]] std::string profilePath(const std::string& serial);
+/// Reads that file. Empty: there is none.
+[[nodiscard]] core::Expected<std::optional<MotorCalibration>> findMotors(const std::string& serial);
+
+} // namespace teleta::motors
