@@ -88,6 +88,9 @@ WriteResult BraceletWorker::write(const BraceletFrame& frame) {
     if (!send(drive, frame.timeout_ms))
         return {WriteOutcome::lost, now_ns()};
     const std::int64_t written_ns = now_ns();
+    // STOP came while the device took its time: nobody else has to notice first.
+    if (!isOff(drive) && m_stopSwitch.engaged() && !send({}, kIdleTimeout_ms))
+        return {WriteOutcome::lost, now_ns()};
     readReports();
     return {WriteOutcome::written, written_ns};
 }

@@ -10,6 +10,7 @@ namespace teleta::modbus {
 namespace {
 
 constexpr std::int64_t kBoardPeriod_ns = 100'000'000;
+constexpr std::int64_t kLongestFrame_ns = 20'000'000;
 
 std::vector<InputRegister> boardInputs(const RegisterMap& map) {
     std::vector<InputRegister> inputs;
@@ -78,12 +79,14 @@ core::BraceletPort::Read ModbusBraceletPort::read(core::BoardReport& report) {
 }
 
 Answer ModbusBraceletPort::writeAll(const core::Drive& drive) {
+    const std::int64_t begin_ns = m_clock->now_ns();
     Answer answer = m_link->write(m_tactors.address, tactorWords(m_tactors, toIntensities(drive)));
     if (answer.done() && m_watchdogAddress) {
         const std::array<std::uint16_t, 1> count = {++m_watchdog};
         answer = m_link->write(*m_watchdogAddress, count);
     }
-    return answer.done() ? readBoard() : answer;
+    const bool inTime = core::isOff(drive) || m_clock->now_ns() - begin_ns <= kLongestFrame_ns;
+    return answer.done() && inTime ? readBoard() : answer;
 }
 
 Answer ModbusBraceletPort::readBoard() {

@@ -14,7 +14,8 @@
 namespace teleta::modbus {
 
 /// The motors of a bracelet in the registers of a Modbus server. A frame is one write of all six; then the
-/// watchdog register counts up; ten times a second the status and the board's own inputs are read. The
+/// watchdog register counts up; ten times a second the status and the board's own inputs are read, with
+/// motors that turn only when the frame took no longer than 20 ms: the next one may be that of STOP. The
 /// server's answer to the write is the echo of the frame. Whatever fails is a loss of the connection, and the
 /// motors are set to zero on the way out: answered where the server still answers, else sent blindly.
 /// Thread: one at a time; write waits for the answers.

@@ -72,17 +72,23 @@ struct JointRegisters {
     std::size_t torque = 0; ///< in N m
 };
 
-/// A Modbus device as its TOML file describes it.
+/// A frame that is under way may wait so long for an answer, and STOP with it.
+inline constexpr double kLongestMotorTimeout_s = 0.2;
+
+/// A Modbus device as its TOML file describes it. One with motors has a watchdog of its own: nothing else
+/// stops them when the program is killed.
 struct RegisterMap {
     std::string name;
     std::variant<TcpLink, RtuLink> link;
     int server = 1;               ///< unit identifier
-    double answerTimeout_s = 0.1; ///< also for connecting
+    double answerTimeout_s = 0.1; ///< also for connecting; with motors at most kLongestMotorTimeout_s
     double inputRate_Hz = 50.0;   ///< of reading the inputs
     std::optional<TactorRegisters> tactors;
     /// Holding register that counts up with every cycle; the driver turns its motors off when it stands
     /// still.
     std::optional<std::uint16_t> watchdogAddress;
+    /// The driver needs no such register: it turns its motors off when nothing is written.
+    bool watchedByTraffic = false;
     std::optional<StatusRegister> status;
     std::vector<InputRegister> inputs;
     std::optional<std::size_t> supply;      ///< input in V

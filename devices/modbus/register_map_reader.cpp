@@ -112,6 +112,11 @@ TactorRegisters readTactors(TomlTable table) {
     if (tactors.full == tactors.off)
         fail(table, "full", RegisterMapReader::tr("\"full\" and \"off\" are the same"),
              RegisterMapReader::tr("a value at which the motor runs as fast as it can"));
+    // A driver may work the other way round: the more, the slower.
+    const double ofFull = (tactors.start - tactors.off) / (tactors.full - tactors.off);
+    if (!(ofFull >= 0.0 && ofFull <= 1.0))
+        fail(table, "start", RegisterMapReader::tr("\"start\" is not between \"off\" and \"full\""),
+             RegisterMapReader::tr("the value of the weakest intensity"));
     return tactors;
 }
 
@@ -216,9 +221,11 @@ core::Expected<RegisterMap> readDocument(const TomlDocument& document) {
         map.status = readStatus(*status);
     if (watchdog) {
         TomlTable table = *watchdog;
-        const int first = address(table);
+        map.watchedByTraffic = table.boolean("by_traffic", false);
+        const int first = map.watchedByTraffic && !table.has("address") ? -1 : address(table);
         table.finish();
-        map.watchdogAddress = static_cast<std::uint16_t>(first);
+        if (first >= 0)
+            map.watchdogAddress = static_cast<std::uint16_t>(first);
         const bool inTactors = map.tactors && first >= map.tactors->address &&
                                first < map.tactors->address + static_cast<int>(map.tactors->registers());
         if (inTactors)
@@ -228,6 +235,17 @@ core::Expected<RegisterMap> readDocument(const TomlDocument& document) {
             fail(root, "watchdog", RegisterMapReader::tr("there is no motor to watch"),
                  RegisterMapReader::tr("a table [tactors]"));
     }
+    if (map.tactors && !watchdog)
+        fail(root, "tactors",
+             RegisterMapReader::tr(
+                 "nothing turns the motors off when the program is killed or the line is cut"),
+             RegisterMapReader::tr("[watchdog] with the address of the driver's watchdog register, or with "
+                                   "by_traffic = true where it turns them off when nothing is written"));
+    if (map.tactors && map.answerTimeout_s > kLongestMotorTimeout_s)
+        fail(root, "link",
+             RegisterMapReader::tr(
+                 "\"answer_timeout_s\" is too long for motors: STOP may have to wait for it"),
+             RegisterMapReader::tr("at most %1 s").arg(kLongestMotorTimeout_s));
     if (!map.tactors && map.inputs.empty())
         fail(root, "link", RegisterMapReader::tr("the file names no register"),
              RegisterMapReader::tr("[tactors] or [[input]]"));

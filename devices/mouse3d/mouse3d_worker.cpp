@@ -94,10 +94,14 @@ void Mouse3dWorker::take(std::span<const std::uint8_t> report) {
         m_now.axes = scaleAxes(m_raw, m_config.limits);
         m_now.axesTime_ns = time_ns;
         break;
-    case ReportKind::buttons:
+    case ReportKind::buttons: {
+        const bool held = ((m_raw.buttons >> static_cast<unsigned>(m_config.deadManButton)) & 1U) != 0;
         m_now.buttons = m_raw.buttons;
-        m_now.deadManHeld = ((m_raw.buttons >> static_cast<unsigned>(m_config.deadManButton)) & 1U) != 0;
+        // A button that was held when the mouse was connected shows with the first change of any other one.
+        m_deadManSeenReleased = m_deadManSeenReleased || !held;
+        m_now.deadManHeld = held && m_deadManSeenReleased;
         break;
+    }
     case ReportKind::other:
         return;
     case ReportKind::damaged:
@@ -116,6 +120,7 @@ void Mouse3dWorker::take(std::span<const std::uint8_t> report) {
 void Mouse3dWorker::forget() {
     m_raw = {};
     m_now = {};
+    m_deadManSeenReleased = false;
     m_reading.set(m_now);
 }
 

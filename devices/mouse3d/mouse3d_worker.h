@@ -21,7 +21,7 @@ namespace teleta::mouse3d {
 struct Mouse3dReading {
     SixAxes axes;                 ///< as deflected, whether the dead-man button is held or not
     std::uint32_t buttons = 0;    ///< bit i: button i is held
-    bool deadManHeld = false;     ///< pressed since the mouse was connected, and not let go
+    bool deadManHeld = false;     ///< seen let go since the mouse was connected, pressed since, and held
     std::int64_t axesTime_ns = 0; ///< steady time of the newest report of the axes
 };
 
@@ -60,6 +60,7 @@ private:
     std::condition_variable m_condition;
     std::unique_ptr<HidInput> m_input;
     RawAxes m_raw;
+    bool m_deadManSeenReleased = false; ///< since the mouse was connected
     Mouse3dReading m_now;
     core::RateMeter m_rate;
     core::DeviceStatus m_status;

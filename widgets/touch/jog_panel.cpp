@@ -50,6 +50,7 @@ KeyPair keysOf(JogPanel::Mode mode, std::size_t axis) {
 JogPanel::JogPanel(QWidget* parent)
     : QWidget(parent)
     , m_message(new QLabel(this))
+    , m_handText(new QLabel(this))
     , m_driveSign(new DriveSign(this))
     , m_run(new QPushButton(base::themeIcon(base::Icon::play), {}, this))
     , m_hold(new QPushButton(base::themeIcon(base::Icon::pause), {}, this))
@@ -61,6 +62,8 @@ JogPanel::JogPanel(QWidget* parent)
     , m_deadMan(new HoldButton(this)) {
     setFocusPolicy(Qt::StrongFocus);
     m_message->setWordWrap(true);
+    m_handText->setWordWrap(true);
+    m_handText->hide();
     m_modeBox->addItems({QString(), QString()});
     m_speed->setRange(1, 100);
     m_speed->setValue(kFirstSpeed_percent);
@@ -104,6 +107,7 @@ JogPanel::JogPanel(QWidget* parent)
     layout->addLayout(grid);
     layout->addLayout(speed);
     layout->addWidget(m_deadMan);
+    layout->addWidget(m_handText);
     layout->addStretch(1);
 
     for (QWidget* child : findChildren<QWidget*>())
@@ -137,6 +141,8 @@ JogPanel::JogPanel(QWidget* parent)
 }
 
 JogPanel::~JogPanel() {
+    // The parts that are destroyed after this may lose the focus.
+    disconnect(qApp, nullptr, this, nullptr);
     releaseAll();
 }
 
@@ -197,14 +203,18 @@ QString JogPanel::refusal() const {
         return tr("No arm is connected. Open a scene or a device with an arm.");
     if (m_stopEngaged)
         return tr("STOP is engaged. Hold the STOP button to release it, then jog.");
+    if (m_readingsOld)
+        return tr("The joint readings are old: nothing is moved until they come again.");
     return {};
 }
 
 void JogPanel::enableParts() {
     const QString reason = refusal();
     const bool able = reason.isEmpty();
-    if (!able)
+    if (!able) {
+        m_handReady = false;
         releaseAll();
+    }
     const bool tip = m_mode == Mode::tip;
     m_message->setText(!able ? reason
                        : tip ? tr("Hold Shift and a button, or Shift with D A (x), W S (y), E Q (z).")
@@ -223,12 +233,16 @@ void JogPanel::enableParts() {
     }
     for (QPushButton* button : {m_run, m_hold, m_restart})
         button->setEnabled(able && m_arm->hasProgram);
+    // What can only make it safer stays possible.
+    m_hold->setEnabled(m_arm && m_arm->hasProgram && !m_stopEngaged);
 }
 
 void JogPanel::setArm(const std::optional<core::ArmDescription>& arm) {
+    m_handReady = false;
     releaseAll();
     m_arm = arm;
     m_hasSample = false;
+    m_readingsOld = false;
     for (std::size_t joint = 0; joint < core::kArmJoints; ++joint) {
         m_ranges[joint]->setRange(arm ? arm->lowest_rad[joint] : 0.0, arm ? arm->highest_rad[joint] : 0.0);
         m_ranges[joint]->setAngle(std::numeric_limits<double>::quiet_NaN());
@@ -259,6 +273,24 @@ void JogPanel::setStopEngaged(bool engaged) {
     enableParts();
 }
 
+void JogPanel::setReadingsOld(bool old) {
+    if (old == m_readingsOld)
+        return;
+    m_readingsOld = old;
+    enableParts();
+}
+
+void JogPanel::setHand(const std::optional<HandMotion>& hand) {
+    m_hand = hand.value_or(HandMotion{});
+    m_handReady = hand && (m_handReady || !m_hand.deadManHeld);
+    take();
+}
+
+void JogPanel::setHandText(const QString& text) {
+    m_handText->setText(text);
+    m_handText->setVisible(!text.isEmpty());
+}
+
 void JogPanel::setMode(Mode mode) {
     if (mode == m_mode)
         return;
@@ -280,26 +312,32 @@ bool JogPanel::isMoving() const {
     return std::ranges::any_of(m_rate, [](double rate) { return rate != 0.0; });
 }
 
+std::array<double, 3> JogPanel::handVelocity() const {
+    return m_handReady && m_hand.deadManHeld ? m_hand.velocity : std::array<double, 3>{};
+}
+
+JointArray JogPanel::tipRate(const std::array<double, 3>& share) const {
+    const Eigen::Vector3d velocity =
+        0.01 * m_speed->value() * kFullTipSpeed_mPerS * Eigen::Vector3d(share[0], share[1], share[2]);
+    return m_hasSample && !velocity.isZero() ? tipRates(*m_arm, m_sample.angle_rad, velocity) : JointArray{};
+}
+
 JointArray JogPanel::wanted() const {
-    if (!m_arm || m_stopEngaged || !(m_shift || m_deadMan->isHeld()))
+    if (!m_arm || m_stopEngaged || m_readingsOld)
         return {};
+    if (!(m_shift || m_deadMan->isHeld()))
+        return tipRate(handVelocity());
     std::array<double, core::kArmJoints> direction{};
     for (std::size_t axis = 0; axis < axes(); ++axis)
         for (const std::size_t side : {0U, 1U})
             if (m_keys[axis][side] || m_buttons[axis][side]->isHeld())
                 direction[axis] += side == 1 ? 1.0 : -1.0;
-    const double share = 0.01 * m_speed->value();
+    if (m_mode == Mode::tip)
+        return tipRate({direction[0], direction[1], direction[2]});
     JointArray rate{};
-    if (m_mode == Mode::joints) {
-        for (std::size_t joint = 0; joint < core::kArmJoints; ++joint)
-            rate[joint] = share * direction[joint] * m_arm->fastest_radPerS[joint];
-        return rate;
-    }
-    if (!m_hasSample)
-        return rate;
-    const Eigen::Vector3d velocity =
-        share * kFullTipSpeed_mPerS * Eigen::Vector3d(direction[0], direction[1], direction[2]);
-    return velocity.isZero() ? rate : tipRates(*m_arm, m_sample.angle_rad, velocity);
+    for (std::size_t joint = 0; joint < core::kArmJoints; ++joint)
+        rate[joint] = 0.01 * m_speed->value() * direction[joint] * m_arm->fastest_radPerS[joint];
+    return rate;
 }
 
 void JogPanel::take() {

@@ -17,6 +17,12 @@ class QSlider;
 
 namespace teleta::touch {
 
+/// What a hand on a 3D mouse wants.
+struct HandMotion {
+    std::array<double, 3> velocity{}; ///< -1 .. 1 of the full speed, right, away, up: x, y, z of the base
+    bool deadManHeld = false;
+};
+
 class DriveSign;
 class HoldButton;
 class JointRange;
@@ -25,6 +31,9 @@ class JointRange;
 /// dead-man switch (Shift, or the button on the screen) and a direction (a button, or its key) are both held.
 /// Letting go of either, losing the keyboard focus or the window, hiding, STOP, or losing the arm sends zero
 /// at once and takes all holds back, so that nothing goes on by itself.
+///
+/// A 3D mouse moves the tip, whatever the mode, while its own dead-man button is held; it needs no focus.
+/// STOP, another arm and old joint readings take it out of effect until its button was let go.
 ///
 /// Keys while the panel has the focus: Q W E R turn the joints 1 to 4 up, A S D F down; with the tip, D A
 /// move along x, W S along y, E Q along z. Thread: GUI.
@@ -43,6 +52,12 @@ public:
     void setSample(const core::JointSample& sample);
     void setDrive(core::ArmDrive drive);
     void setStopEngaged(bool engaged);
+    /// The joint readings do not come any more: nothing is moved blindly.
+    void setReadingsOld(bool old);
+    /// What a 3D mouse tells now; empty: none is there.
+    void setHand(const std::optional<HandMotion>& hand);
+    /// Its state, in a line; empty: not shown.
+    void setHandText(const QString& text);
 
     void setMode(Mode mode);
     [[nodiscard]] Mode mode() const { return m_mode; }
@@ -83,6 +98,8 @@ protected:
 private:
     [[nodiscard]] bool isOwnKey(int key) const;
     void onKey(const QKeyEvent& event, bool pressed);
+    [[nodiscard]] std::array<double, 3> handVelocity() const;
+    [[nodiscard]] core::JointArray tipRate(const std::array<double, 3>& share) const;
     void onDirectionHeld(bool held, Qt::KeyboardModifiers modifiers);
     void take();
     [[nodiscard]] core::JointArray wanted() const;
@@ -94,6 +111,9 @@ private:
     core::JointSample m_sample;
     bool m_hasSample = false;
     bool m_stopEngaged = false;
+    bool m_readingsOld = false;
+    HandMotion m_hand;
+    bool m_handReady = false; ///< its button was let go since it was taken out of effect
     Mode m_mode = Mode::joints;
     core::JointArray m_rate{};
     bool m_shift = false;
@@ -101,6 +121,7 @@ private:
     QTimer m_timer;
 
     QLabel* m_message;
+    QLabel* m_handText;
     DriveSign* m_driveSign;
     QPushButton* m_run;
     QPushButton* m_hold;

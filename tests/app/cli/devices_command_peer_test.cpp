@@ -27,7 +27,8 @@ TEST(DevicesCommandPeer, readsTheInputsAndMeasuresTheRates) {
     const std::string file = folder.write(
         "d.toml", "kind = 'modbus'\nname = 'driver'\n[link]\nkind = 'tcp'\nhost = '127.0.0.1'\nport = " +
                       ready->substr(6) +
-                      "\n[tactors]\naddress = 10\ntype = 'uint16'\nunit = '1'\nfull = 100\n[[input]]\nname = "
+                      "\n[tactors]\naddress = 10\ntype = 'uint16'\nunit = '1'\nfull = "
+                      "100\n[watchdog]\naddress = 20\n[[input]]\nname = "
                       "'supply'\naddress = 100\ntype = 'uint16'\nscale = 0.01\nunit = 'V'\n");
     const ProgramResult result = teleta::test::run({"devices", "--probe", file, "--json"});
     EXPECT_EQ(result.exitCode, 0) << result.err;
@@ -43,7 +44,7 @@ TEST(DevicesCommandPeer, readsTheInputsAndMeasuresTheRates) {
     ASSERT_TRUE(server.command("sync"));
     bool zeroed = false;
     for (const std::string& line : server.takeLines()) {
-        if (line.starts_with("write")) {
+        if (line.starts_with("write 10 ")) {
             EXPECT_EQ(line, "write 10 0 0 0 0 0 0");
         }
         zeroed = zeroed || line == "write 10 0 0 0 0 0 0";

@@ -14,7 +14,7 @@ namespace {
 /// Nobody listens on the loopback address at the port of discard.
 const std::string kNobody =
     "kind = 'modbus'\nname = 'driver'\n[link]\nkind = 'tcp'\nhost = '127.0.0.1'\nport = 9\n"
-    "[tactors]\naddress = 0\ntype = 'uint16'\nunit = 'V'\nfull = 3\n";
+    "[tactors]\naddress = 0\ntype = 'uint16'\nunit = 'V'\nfull = 3\n[watchdog]\naddress = 6\n";
 
 class DevicesCommand : public testing::Test {
 protected:

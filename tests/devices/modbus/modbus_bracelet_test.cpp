@@ -213,6 +213,46 @@ TEST_F(ModbusBraceletTest, staysZeroWhileStopIsEngaged) {
     EXPECT_EQ(motorWords(m_server.takeWrites()), std::vector<Words>{kZero});
 }
 
+// One connection takes one request after the other: STOP cannot overtake the one that is under way, but
+// nothing else comes before it.
+TEST_F(ModbusBraceletTest, zeroesTheMotorsRightBehindTheFrameThatWasUnderWayWhenStopCame) {
+    start();
+    m_server.takeWrites();
+    m_server.onRequest([this] { m_stop.engage(); });
+    EXPECT_EQ(write(kDriven).outcome, WriteOutcome::written);
+    EXPECT_EQ(motorWords(m_server.takeWrites()), (std::vector<Words>{kFull, kZero}))
+        << "in the same call, not in the next cycle of somebody";
+}
+
+TEST_F(ModbusBraceletTest, zeroesTheMotorsBlindlyWhenStopCameWhileTheServerFellSilent) {
+    start();
+    m_server.takeWrites();
+    m_server.onRequest([this] { m_stop.engage(); });
+    m_server.answerNext({kTimedOut});
+    EXPECT_EQ(write(kDriven).outcome, WriteOutcome::lost);
+    EXPECT_EQ(m_server.takeWrites(), (std::vector<PlayedServer::Write>{{10, kZero, false}}))
+        << "after one time-out, which a map limits to 0.2 s";
+}
+
+TEST(ModbusBraceletPort, doesNotReadItsStatusBehindASlowFrameOfMotorsThatTurn) {
+    RegisterMap map = motorMap();
+    map.status = StatusRegister{.input = {.name = "status", .address = 30, .format = {}, .unit = "1"},
+                                .timedOutBit = 0,
+                                .tooHotBit = std::nullopt,
+                                .supplyLowBit = std::nullopt};
+    PlayedServer server;
+    const auto clock = std::make_shared<RequestClock>();
+    auto opened = modbusBraceletOpener(map, server.opener(), clock)();
+    ASSERT_TRUE(opened);
+    clock->m_now_ns += 200 * kMs_ns;
+    const int before = server.reads();
+    server.onRequest([&] { clock->m_now_ns += 90 * kMs_ns; });
+    ASSERT_TRUE(opened->port->write(1, kDriven, 100));
+    EXPECT_EQ(server.reads(), before);
+    ASSERT_TRUE(opened->port->write(2, {}, 100));
+    EXPECT_EQ(server.reads(), before + 1);
+}
+
 TEST(ModbusBraceletOpener, takesItsRateFromTheTimeOfAFrame) {
     const auto rateWith = [](std::int64_t request_ns) {
         PlayedServer server;

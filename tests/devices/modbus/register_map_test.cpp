@@ -140,6 +140,7 @@ torque = 'torque'
 TEST(RegisterMap, saysWhereAFileIsWrong) {
     const std::string begin = "kind = 'modbus'\nname = 'n'\n" + kLink;
     const std::string tactors = "[tactors]\naddress = 0\ntype = 'uint16'\nunit = 'V'\nfull = 3\n";
+    const std::string watchdog = "[watchdog]\naddress = 20\n";
     struct Case {
         std::string text;
         std::string error;
@@ -171,6 +172,22 @@ TEST(RegisterMap, saysWhereAFileIsWrong) {
         {begin + tactors + "off = 3\n", "d.toml:10:8: \"full\" and \"off\" are the same (expected a value at "
                                         "which the motor runs as fast as "
                                         "it can)"},
+        {begin + tactors + "off = 1\nstart = 3.5\n" + watchdog,
+         "d.toml:12:9: \"start\" is not between \"off\" and \"full\" (expected the value of the weakest "
+         "intensity)"},
+        {begin + tactors + "off = 1\nstart = 0\n" + watchdog,
+         "d.toml:12:9: \"start\" is not between \"off\" and \"full\" (expected the value of the weakest "
+         "intensity)"},
+        {begin + tactors,
+         "d.toml:6:1: nothing turns the motors off when the program is killed or the line is cut (expected "
+         "[watchdog] with the address of the driver's watchdog register, or with by_traffic = true where it "
+         "turns "
+         "them off when nothing is written)"},
+        {begin + "answer_timeout_s = 0.3\n" + tactors + watchdog,
+         "d.toml:3:1: \"answer_timeout_s\" is too long for motors: STOP may have to wait for it (expected at "
+         "most "
+         "0.2 s)"},
+        {begin + tactors + "[watchdog]\nby_traffic = false\n", "d.toml:11:1: \"address\" is missing"},
         {begin + tactors + "[watchdog]\naddress = 5\n",
          "d.toml:12:11: the watchdog is a register of a motor (expected a register of its own)"},
         {begin + "[watchdog]\naddress = 5\n[[input]]\nname = 'a'\naddress = 0\ntype = 'int16'\nunit = '1'\n",
@@ -199,6 +216,19 @@ TEST(RegisterMap, saysWhereAFileIsWrong) {
         EXPECT_EQ(error.substr(0, c.error.ends_with(": ") ? c.error.size() : std::string::npos), c.error)
             << c.text;
     }
+}
+
+TEST(RegisterMap, takesMotorsThatRunTheOtherWayRoundAndWatchTheTraffic) {
+    const auto map =
+        parseRegisterMap("kind = 'modbus'\nname = 'n'\n" + kLink +
+                             "[tactors]\naddress = 0\ntype = 'uint16'\nunit = 'V'\noff = 10\nstart = "
+                             "7\nfull = 2\n[watchdog]\nby_traffic = true\n",
+                         "d.toml");
+    ASSERT_TRUE(map) << describe(map.error());
+    EXPECT_TRUE(map->watchedByTraffic);
+    EXPECT_FALSE(map->watchdogAddress);
+    EXPECT_EQ(tactorWords(*map->tactors, {0.0, 1e-9, 1.0, 0.5, 0.0, 0.0}),
+              (std::vector<std::uint16_t>{10, 7, 2, 5, 10, 10}));
 }
 
 TEST(RegisterMap, mapsIntensitiesToTheRangeOfTheMotor) {

@@ -130,11 +130,11 @@ TEST_F(Mouse3dTest, movesOnlyWhileTheDeadManButtonIsHeld) {
     ASSERT_TRUE(send({kRight}));
     EXPECT_EQ(m_device->reading().axes.translation[0], 1.0);
     EXPECT_EQ(m_device->motion(), SixAxes{});
-    ASSERT_TRUE(send({kPressed}));
+    ASSERT_TRUE(send({kReleased, kPressed}));
     EXPECT_EQ(m_device->motion().translation[0], 1.0);
     ASSERT_TRUE(send({kReleased}));
     EXPECT_EQ(m_device->motion(), SixAxes{});
-    EXPECT_EQ(m_device->status().framesRead, 3U);
+    EXPECT_EQ(m_device->status().framesRead, 4U);
 }
 
 TEST_F(Mouse3dTest, takesTheButtonThatItIsToldTo) {
@@ -150,7 +150,7 @@ TEST_F(Mouse3dTest, takesTheButtonThatItIsToldTo) {
 TEST_F(Mouse3dTest, comesToRestWhenADeflectedCapFallsSilent) {
     start();
     ASSERT_TRUE(becomes(DeviceState::live));
-    ASSERT_TRUE(send({kPressed, kRight}));
+    ASSERT_TRUE(send({kReleased, kPressed, kRight}));
     m_clock->advanceAlone(200 * kMs_ns);
     EXPECT_EQ(m_device->motion().translation[0], 1.0);
     m_clock->advanceAlone(1);
@@ -162,7 +162,7 @@ TEST_F(Mouse3dTest, comesToRestWhenADeflectedCapFallsSilent) {
 TEST_F(Mouse3dTest, comesToRestWhenUnpluggedAndWantsTheButtonAnew) {
     start();
     ASSERT_TRUE(becomes(DeviceState::live));
-    ASSERT_TRUE(send({kPressed, kRight}));
+    ASSERT_TRUE(send({kReleased, kPressed, kRight}));
     m_mouse.plug(false);
     ASSERT_TRUE(becomes(DeviceState::lost));
     EXPECT_FALSE(m_device->status().message.empty());
@@ -175,7 +175,29 @@ TEST_F(Mouse3dTest, comesToRestWhenUnpluggedAndWantsTheButtonAnew) {
     EXPECT_TRUE(m_device->status().message.empty());
     ASSERT_TRUE(send({kRight}));
     EXPECT_EQ(m_device->motion(), SixAxes{}) << "the button was not pressed since";
-    ASSERT_TRUE(send({kPressed}));
+    ASSERT_TRUE(send({kReleased, kPressed}));
+    EXPECT_EQ(m_device->motion().translation[0], 1.0);
+}
+
+// A report tells of all buttons at once: one that has been held since before the mouse was connected shows
+// with the first change of another one.
+TEST_F(Mouse3dTest, isNotMovedByAButtonThatWasHeldAllTheTimeWhenAnotherOneIsPressed) {
+    start();
+    ASSERT_TRUE(becomes(DeviceState::live));
+    ASSERT_TRUE(send({kReleased, kPressed, kRight}));
+    ASSERT_EQ(m_device->motion().translation[0], 1.0);
+    m_mouse.plug(false);
+    ASSERT_TRUE(becomes(DeviceState::lost));
+    m_mouse.plug(true);
+    m_clock->settle();
+    m_clock->advanceAlone(250 * kMs_ns);
+    ASSERT_TRUE(becomes(DeviceState::live));
+    const Report kBoth = {0x03, 0x03, 0x00};
+    ASSERT_TRUE(send({kRight, kBoth}));
+    EXPECT_EQ(m_device->motion(), SixAxes{});
+    ASSERT_TRUE(send({kPressed, kRight}));
+    EXPECT_EQ(m_device->motion(), SixAxes{}) << "the other one was let go";
+    ASSERT_TRUE(send({kReleased, kPressed, kRight}));
     EXPECT_EQ(m_device->motion().translation[0], 1.0);
 }
 
@@ -197,7 +219,7 @@ TEST_F(Mouse3dTest, looksForAMouseLessAndLessOften) {
 TEST_F(Mouse3dTest, countsDamagedReports) {
     start();
     ASSERT_TRUE(becomes(DeviceState::live));
-    ASSERT_TRUE(send({kPressed, kRight, Report{0x01, 0x00}}));
+    ASSERT_TRUE(send({kReleased, kPressed, kRight, Report{0x01, 0x00}}));
     EXPECT_EQ(m_device->status().framesLost, 1U);
     EXPECT_EQ(m_device->motion().translation[0], 1.0);
 }

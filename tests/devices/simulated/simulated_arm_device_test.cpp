@@ -537,3 +537,22 @@ TEST(SimulatedArmDevice, streamsTheArmOfASceneWithItsSkin) {
     EXPECT_EQ(device.status().framesLost, 0U);
     EXPECT_EQ(skin->status().framesLost, 0U);
 }
+
+TEST_F(SimulatedArmDeviceTest, takesAStopWhileItTellsNothingAndDoesNotGoOnByItselfAfterwards) {
+    make({.startProgram = true});
+    start();
+    advance_ms(20);
+    ASSERT_EQ(drive(), ArmDrive::program);
+    m_device->setFaults({.silent = true});
+    m_clock->settle();
+    m_stop.engage();
+    m_clock->advance(20 * kMs_ns);
+    EXPECT_EQ(drive(), ArmDrive::stopped);
+    m_stop.release();
+    m_clock->advance(20 * kMs_ns);
+    EXPECT_EQ(drive(), ArmDrive::held);
+    m_device->setFaults({});
+    m_clock->settle();
+    advance_ms(20);
+    EXPECT_EQ(drive(), ArmDrive::held) << "STOP was pressed meanwhile";
+}

@@ -12,6 +12,7 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSlider>
 #include <QTest>
 #include <QVBoxLayout>
 
@@ -73,6 +74,97 @@ private slots:
         QTest::mousePress(desk.panel->directionButton(1, true), Qt::LeftButton);
         QVERIFY(!desk.panel->isMoving());
         QCOMPARE(desk.requests.size(), 0);
+    }
+
+    void aTipThatIsJoggedStopsWhenTheReadingsGetOldAndDoesNotGoOnByItself() {
+        Desk desk;
+        QVERIFY(desk.active);
+        desk.panel->setMode(JogPanel::Mode::tip);
+        desk.press(Qt::Key_Shift);
+        desk.press(Qt::Key_D, Qt::ShiftModifier);
+        QVERIFY(desk.panel->isMoving());
+        desk.panel->setReadingsOld(true);
+        QVERIFY(!desk.panel->isMoving());
+        QVERIFY(desk.sentOneZeroAtTheEnd());
+        QVERIFY(desk.panel->refusal().contains(QLatin1String("old")));
+        QVERIFY2(desk.panel->holdButton()->isEnabled(), "holding the arm stays possible");
+        desk.panel->setReadingsOld(false);
+        QVERIFY(!desk.panel->isMoving());
+        desk.press(Qt::Key_W, Qt::ShiftModifier);
+        QVERIFY(desk.panel->isMoving());
+    }
+
+    void theHandOnAMouseMovesTheTipWhileItsButtonIsHeld() {
+        Desk desk;
+        desk.panel->setHand(HandMotion{{1.0, 0.0, 0.0}, false});
+        QVERIFY(!desk.panel->isMoving());
+        desk.panel->setHand(HandMotion{{1.0, 0.0, 0.0}, true});
+        QVERIFY(desk.panel->isMoving());
+        const JointArray byHand = desk.last();
+        desk.panel->setHand(std::nullopt);
+        QVERIFY2(!desk.panel->isMoving(), "unplugged");
+        QVERIFY(desk.sentOneZeroAtTheEnd());
+        desk.panel->setMode(JogPanel::Mode::tip);
+        desk.press(Qt::Key_Shift);
+        desk.press(Qt::Key_D, Qt::ShiftModifier);
+        QCOMPARE(desk.last(), byHand);
+    }
+
+    void theHandIsWithoutEffectAfterStopAnotherArmOrAReplugUntilItsButtonWasLetGo_data() {
+        QTest::addColumn<int>("event");
+        QTest::newRow("stop") << 0;
+        QTest::newRow("arm") << 1;
+        QTest::newRow("replug") << 2;
+        QTest::newRow("old readings") << 3;
+    }
+    void theHandIsWithoutEffectAfterStopAnotherArmOrAReplugUntilItsButtonWasLetGo() {
+        QFETCH(int, event);
+        Desk desk;
+        const HandMotion held{{0.0, 0.5, 0.0}, true};
+        desk.panel->setHand(HandMotion{});
+        desk.panel->setHand(held);
+        QVERIFY(desk.panel->isMoving());
+        if (event == 0) {
+            desk.panel->setStopEngaged(true);
+            QVERIFY(!desk.panel->isMoving());
+            desk.panel->setStopEngaged(false);
+        } else if (event == 1) {
+            desk.panel->setArm(std::nullopt);
+            QVERIFY(!desk.panel->isMoving());
+            desk.panel->setArm(test::sampleArm());
+            desk.panel->setSample(core::JointSample{.angle_rad = {0.1, -0.2, 0.3, 1.5}});
+        } else if (event == 2) {
+            desk.panel->setHand(std::nullopt);
+        } else {
+            desk.panel->setReadingsOld(true);
+            QVERIFY(!desk.panel->isMoving());
+            desk.panel->setReadingsOld(false);
+        }
+        desk.panel->setHand(held);
+        QVERIFY(!desk.panel->isMoving());
+        desk.panel->setHand(HandMotion{});
+        desk.panel->setHand(held);
+        QVERIFY(desk.panel->isMoving());
+    }
+
+    void aPanelThatIsDestroyedWithTheFocusInItAsksForNothingAnyMore() {
+        auto* window = new QWidget;
+        auto* panel = new JogPanel(window);
+        panel->setArm(test::sampleArm());
+        window->show();
+        QVERIFY(QTest::qWaitForWindowActive(window));
+        auto* speed = panel->findChild<QSlider*>();
+        speed->setFocus();
+        QCOMPARE(QApplication::focusWidget(), speed);
+        int requests = 0;
+        connect(panel, &JogPanel::jogRequested, this, [&requests] { ++requests; });
+        bool gone = false;
+        // The last thing of a panel: its parts are destroyed after it, one of them with the focus.
+        connect(panel, &QObject::destroyed, this, [&gone] { gone = true; });
+        delete panel;
+        QVERIFY(gone);
+        QCOMPARE(requests, 0);
+        delete window;
     }
 
     void aMenuThatOpensEndsTheMotionBecauseItGetsTheKeysFromThenOn() {
