@@ -20,10 +20,12 @@ packages=(
     libtomlplusplus-dev nlohmann-json3-dev libzip-dev libreaderwriterqueue-dev libcli11-dev libexpected-dev
     # the bracelet over USB HID
     libhidapi-dev
+    # the camera in the soft tube
+    libopencv-dev
     # motor drivers and joints over Modbus
     libmodbus-dev
     # tests and benchmarks
-    libgtest-dev libgmock-dev libbenchmark-dev libopencv-dev
+    libgtest-dev libgmock-dev libbenchmark-dev
     # a screen, OpenGL in software and a font where there are none
     xvfb xauth libgl1-mesa-dri fonts-dejavu-core
 )

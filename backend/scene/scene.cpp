@@ -2,6 +2,7 @@
 #include "backend/scene/scene.h"
 
 #include "backend/scene/arm_world_check.h"
+#include "backend/scene/camera_world_check.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -52,7 +53,7 @@ bool isValid(const std::vector<Keyframe>& keyframes) {
 }
 
 struct EffectIsValid {
-    const core::ArrayLayout& layout;
+    core::ArrayLayout layout;
 
     bool operator()(const NoiseSpec& spec) const { return isNotNegative(spec.sd_N); }
     bool operator()(const QuantizationSpec& spec) const { return isPositive(spec.step_N); }
@@ -78,6 +79,12 @@ struct EffectIsValid {
         return isNotNegative(spec.amplitude_Nm) && isPositive(spec.wavesPerTurn);
     }
     bool operator()(const NonlinearObjectSpec& spec) const { return isPositive(spec.doublingDepth_m); }
+    bool operator()(const LensDistortionSpec& spec) const { return isCameraEffect(spec); }
+    bool operator()(const UnevenLightSpec& spec) const { return isCameraEffect(spec); }
+    bool operator()(const SensorNoiseSpec& spec) const { return isCameraEffect(spec); }
+    bool operator()(const MotionBlurSpec& spec) const { return isCameraEffect(spec); }
+    bool operator()(const MarkerPrintErrorSpec& spec) const { return isCameraEffect(spec); }
+    bool operator()(const VignettingSpec& spec) const { return isCameraEffect(spec); }
 };
 
 struct EffectName {
@@ -93,6 +100,12 @@ struct EffectName {
     std::string_view operator()(const GravityErrorSpec&) const { return "gravity_error"; }
     std::string_view operator()(const GearRippleSpec&) const { return "gear_ripple"; }
     std::string_view operator()(const NonlinearObjectSpec&) const { return "nonlinear_object"; }
+    std::string_view operator()(const LensDistortionSpec&) const { return "lens_distortion"; }
+    std::string_view operator()(const UnevenLightSpec&) const { return "uneven_light"; }
+    std::string_view operator()(const SensorNoiseSpec&) const { return "sensor_noise"; }
+    std::string_view operator()(const MotionBlurSpec&) const { return "motion_blur"; }
+    std::string_view operator()(const MarkerPrintErrorSpec&) const { return "marker_print_error"; }
+    std::string_view operator()(const VignettingSpec&) const { return "vignetting"; }
 };
 
 core::Expected<void> refused(const QString& message) {
@@ -137,6 +150,22 @@ core::Expected<void> checkWorld(const ArmWorld& world) {
     return refused(SceneCheck::tr("the program of the arm is out of range"));
 }
 
+core::Expected<void> checkWorld(const CameraWorld& world) {
+    switch (checkCameraWorld(world)) {
+    case CameraWorldFault::none:
+        return {};
+    case CameraWorldFault::camera:
+        return refused(SceneCheck::tr("a property of the camera is out of range"));
+    case CameraWorldFault::skin:
+        return refused(SceneCheck::tr("a property of the soft tube is out of range"));
+    case CameraWorldFault::finger:
+        return refused(SceneCheck::tr("a finger's size or motion is out of range"));
+    case CameraWorldFault::arm:
+        break;
+    }
+    return refused(SceneCheck::tr("what the arm under the soft tube does is out of range"));
+}
+
 } // namespace
 
 std::string_view nameOf(const Effect& effect) {
@@ -154,7 +183,10 @@ core::Expected<void> checkScene(const Scene& scene) {
         const QString name = QString::fromUtf8(nameOf(*effect).data());
         if (!std::visit(EffectIsValid{scene.taxels()}, effect->parameters))
             return refused(SceneCheck::tr("a parameter of effect \"%1\" is out of range").arg(name));
-        if (!scene.isArm() && effect->parameters.index() >= kTaxelEffectKinds)
+        if (scene.isCamera() != (effect->parameters.index() >= kFirstCameraEffect))
+            return refused(scene.isCamera() ? SceneCheck::tr("a camera has no effect \"%1\"").arg(name)
+                                            : SceneCheck::tr("effect \"%1\" needs a camera").arg(name));
+        if (!scene.isArm() && !scene.isCamera() && effect->parameters.index() >= kTaxelEffectKinds)
             return refused(SceneCheck::tr("effect \"%1\" needs an arm").arg(name));
         const bool again = std::any_of(scene.effects.begin(), effect, [&](const Effect& earlier) {
             return earlier.parameters.index() == effect->parameters.index();
@@ -166,14 +198,20 @@ core::Expected<void> checkScene(const Scene& scene) {
 }
 
 core::Expected<void> checkArrayScene(const Scene& scene) {
-    if (scene.isArm())
-        return refused(SceneCheck::tr("the scene is that of an arm, not of a tactile array"));
+    if (!std::holds_alternative<ArrayWorld>(scene.world))
+        return refused(SceneCheck::tr("the scene is not that of a tactile array"));
     return checkScene(scene);
 }
 
 core::Expected<void> checkArmScene(const Scene& scene) {
     if (!scene.isArm())
-        return refused(SceneCheck::tr("the scene is that of a tactile array, not of an arm"));
+        return refused(SceneCheck::tr("the scene is not that of an arm"));
+    return checkScene(scene);
+}
+
+core::Expected<void> checkCameraScene(const Scene& scene) {
+    if (!scene.isCamera())
+        return refused(SceneCheck::tr("the scene is not that of a camera in a soft tube"));
     return checkScene(scene);
 }
 

@@ -4,6 +4,7 @@
 #include "backend/core/error.h"
 #include "backend/scene/arm_world.h"
 #include "backend/scene/array_world.h"
+#include "backend/scene/camera_world.h"
 
 #include <cstddef>
 #include <string>
@@ -83,17 +84,22 @@ struct NonlinearObjectSpec {
 };
 
 /// One imperfection that the scene calls for. What is not listed is not simulated. The first seven are of
-/// taxels, the others of an arm.
+/// taxels, the next of an arm, the last six of a camera.
 struct Effect {
     std::string why; ///< what the scene would lose without it
     std::variant<NoiseSpec, QuantizationSpec, SaturationSpec, DeadTaxelsSpec, CrosstalkSpec, HysteresisSpec,
                  DriftSpec, TorqueNoiseSpec, EncoderQuantizationSpec, GravityErrorSpec, GearRippleSpec,
-                 NonlinearObjectSpec>
+                 NonlinearObjectSpec, LensDistortionSpec, UnevenLightSpec, SensorNoiseSpec, MotionBlurSpec,
+                 MarkerPrintErrorSpec, VignettingSpec>
         parameters;
 };
 
 /// Kinds of effects that a tactile array can have; those after them need an arm.
 inline constexpr std::size_t kTaxelEffectKinds = 7;
+/// Kinds that a camera can have, the last ones.
+inline constexpr std::size_t kCameraEffectKinds = 6;
+inline constexpr std::size_t kFirstCameraEffect =
+    std::variant_size_v<decltype(Effect::parameters)> - kCameraEffectKinds;
 
 /// Name of an effect in files, in summaries and of its random stream: "noise", "dead_taxels".
 [[nodiscard]] std::string_view nameOf(const Effect& effect);
@@ -103,18 +109,23 @@ struct Scene {
     std::string name;
     std::string description;
     double duration_s = 0.0;
-    double rate_Hz = 0.0; ///< frames of an array, or joint samples of an arm, a second
-    std::variant<ArrayWorld, ArmWorld> world;
+    double rate_Hz = 0.0; ///< frames of an array or a camera, or joint samples of an arm, a second
+    std::variant<ArrayWorld, ArmWorld, CameraWorld> world;
     std::vector<Effect> effects; ///< each kind at most once
 
     [[nodiscard]] bool isArm() const { return std::holds_alternative<ArmWorld>(world); }
+    [[nodiscard]] bool isCamera() const { return std::holds_alternative<CameraWorld>(world); }
     /// The world of a scene of that kind; throws std::bad_variant_access with the other.
     [[nodiscard]] const ArrayWorld& array() const { return std::get<ArrayWorld>(world); }
     [[nodiscard]] ArrayWorld& array() { return std::get<ArrayWorld>(world); }
     [[nodiscard]] const ArmWorld& arm() const { return std::get<ArmWorld>(world); }
     [[nodiscard]] ArmWorld& arm() { return std::get<ArmWorld>(world); }
-    /// Taxels of the array, or of the arm's skin.
-    [[nodiscard]] const core::ArrayLayout& taxels() const {
+    [[nodiscard]] const CameraWorld& camera() const { return std::get<CameraWorld>(world); }
+    [[nodiscard]] CameraWorld& camera() { return std::get<CameraWorld>(world); }
+    /// Taxels of the array, or of the arm's skin; a camera has none.
+    [[nodiscard]] core::ArrayLayout taxels() const {
+        if (isCamera())
+            return {.rows = 0, .columns = 0};
         return isArm() ? arm().skin.layout : array().sensor.layout;
     }
 };
@@ -127,5 +138,6 @@ struct Scene {
 /// The same, and that the scene is of this kind.
 [[nodiscard]] core::Expected<void> checkArrayScene(const Scene& scene);
 [[nodiscard]] core::Expected<void> checkArmScene(const Scene& scene);
+[[nodiscard]] core::Expected<void> checkCameraScene(const Scene& scene);
 
 } // namespace teleta::scene

@@ -2,6 +2,7 @@
 #include "backend/scene/scene_reader.h"
 
 #include "backend/scene/arm_world_reader.h"
+#include "backend/scene/camera_world_reader.h"
 #include "backend/scene/toml_table.h"
 
 #include <QCoreApplication>
@@ -108,6 +109,8 @@ DeadTaxelsSpec readDeadTaxels(TomlTable& table, const core::ArrayLayout& layout)
 }
 
 Effect readEffect(TomlTable table, const Scene& scene, std::set<std::size_t>& listed) {
+    if (scene.isCamera())
+        return readCameraEffect(table, listed);
     Effect effect;
     std::vector<std::string_view> names{"noise",     "quantization", "saturation", "dead_taxels",
                                         "crosstalk", "hysteresis",   "drift"};
@@ -183,6 +186,11 @@ core::Expected<Scene> readDocument(const TomlDocument& document) {
         effects = root.tables("effects", 0);
         root.finish();
         scene.world = readArmWorld(arm, skin, program, objects);
+    } else if (root.has("camera")) {
+        CameraTables tables(root);
+        effects = root.tables("effects", 0);
+        root.finish();
+        scene.world = readCameraWorld(tables);
     } else {
         const TomlTable sensor = root.table("sensor");
         const std::vector<TomlTable> indenters = root.tables("indenter", 1);

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/scene/camera_world_reader.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+#include <array>
+#include <string_view>
+
+namespace teleta::scene {
+
+namespace {
+
+struct CameraWorldReader {
+    Q_DECLARE_TR_FUNCTIONS(SceneReader)
+};
+
+std::optional<TomlTable> tableIfThere(TomlTable& root, std::string_view key) {
+    if (!root.has(key))
+        return std::nullopt;
+    return root.table(key);
+}
+
+void readSize(TomlTable& table, std::string_view key, double& value) {
+    value = table.number(key, NumberRange::positive(), value);
+}
+
+TubeCamera readCamera(TomlTable& table) {
+    TubeCamera camera;
+    camera.width_px = static_cast<int>(table.integer("width_px", 1, kLargestImageSide_px, camera.width_px));
+    camera.height_px =
+        static_cast<int>(table.integer("height_px", 1, kLargestImageSide_px, camera.height_px));
+    readSize(table, "focal_length_px", camera.focalLength_px);
+    readSize(table, "behind_m", camera.behind_m);
+    camera.offsetX_m = table.number("offset_x_m", NumberRange::any(), 0.0);
+    camera.offsetY_m = table.number("offset_y_m", NumberRange::any(), 0.0);
+    table.finish();
+    return camera;
+}
+
+CameraSkin readSkin(TomlTable& table) {
+    CameraSkin skin;
+    readSize(table, "radius_m", skin.radius_m);
+    skin.begin_m = table.number("begin_m", NumberRange::any(), skin.begin_m);
+    readSize(table, "length_m", skin.length_m);
+    readSize(table, "dot_pitch_m", skin.dotPitch_m);
+    readSize(table, "dot_diameter_m", skin.dotDiameter_m);
+    readSize(table, "reach_m", skin.reach_m);
+    skin.dragPerDepth = table.number("drag_per_depth", NumberRange::notNegative(), 0.0);
+    if (skin.dotDiameter_m >= skin.dotPitch_m)
+        table.fail("dot_diameter_m", CameraWorldReader::tr("the dots touch each other").toStdString(),
+                   CameraWorldReader::tr("less than the pitch of %1 m").arg(skin.dotPitch_m).toStdString());
+    table.finish();
+    return skin;
+}
+
+Finger readFinger(TomlTable& table) {
+    Finger finger;
+    finger.name = table.text("name");
+    finger.radius_m = table.number("radius_m", NumberRange::positive());
+    for (TomlTable& entry : table.tables("keyframes", 1)) {
+        FingerKeyframe frame;
+        frame.time_s = entry.number("time_s", NumberRange::notNegative());
+        frame.angle_rad = entry.number("angle_rad", NumberRange::any());
+        frame.z_m = entry.number("z_m", NumberRange::any());
+        frame.depth_m = entry.number("depth_m", NumberRange::any());
+        entry.finish();
+        if (!finger.keyframes.empty() && frame.time_s <= finger.keyframes.back().time_s)
+            entry.fail(
+                "time_s", CameraWorldReader::tr("the keyframes are not in the order of time").toStdString(),
+                CameraWorldReader::tr("a time after %1 s").arg(finger.keyframes.back().time_s).toStdString());
+        finger.keyframes.push_back(frame);
+    }
+    table.finish();
+    return finger;
+}
+
+Reaction readReaction(TomlTable& table) {
+    Reaction reaction;
+    switch (table.choice("kind", {"none", "bump", "follow"})) {
+    case 1: {
+        BumpReaction bump;
+        readSize(table, "speed_m_per_s", bump.speed_mPerS);
+        readSize(table, "depth_m", bump.depth_m);
+        readSize(table, "retreat_m", bump.retreat_m);
+        reaction = bump;
+        break;
+    }
+    case 2: {
+        FollowReaction follow;
+        readSize(table, "gain_per_s", follow.gain_perS);
+        reaction = follow;
+        break;
+    }
+    default:
+        break;
+    }
+    table.finish();
+    return reaction;
+}
+
+CarrierLimits readLimits(TomlTable& table) {
+    CarrierLimits limits;
+    readSize(table, "speed_m_per_s", limits.speed_mPerS);
+    readSize(table, "acceleration_m_per_s2", limits.acceleration_mPerS2);
+    readSize(table, "turn_rad_per_s", limits.turn_radPerS);
+    readSize(table, "turn_acceleration_rad_per_s2", limits.turnAcceleration_radPerS2);
+    table.finish();
+    return limits;
+}
+
+} // namespace
+
+CameraTables::CameraTables(TomlTable& root)
+    : camera(root.table("camera"))
+    , skin(root.table("skin"))
+    , fingers(root.tables("finger", 0))
+    , reaction(tableIfThere(root, "reaction"))
+    , limits(tableIfThere(root, "limits")) {
+}
+
+CameraWorld readCameraWorld(CameraTables& tables) {
+    CameraWorld world;
+    world.camera = readCamera(tables.camera);
+    world.skin = readSkin(tables.skin);
+    for (TomlTable& finger : tables.fingers)
+        world.fingers.push_back(readFinger(finger));
+    if (tables.reaction)
+        world.reaction = readReaction(*tables.reaction);
+    if (tables.limits)
+        world.limits = readLimits(*tables.limits);
+    return world;
+}
+
+Effect readCameraEffect(TomlTable& table, std::set<std::size_t>& listed) {
+    Effect effect;
+    const std::size_t kind = table.choice("name", {"lens_distortion", "uneven_light", "sensor_noise",
+                                                   "motion_blur", "marker_print_error", "vignetting"});
+    if (!listed.insert(kind).second)
+        table.fail("name", CameraWorldReader::tr("the effect is listed twice").toStdString(),
+                   CameraWorldReader::tr("each effect at most once").toStdString());
+    effect.why = table.text("why");
+    switch (kind) {
+    case 1:
+        effect.parameters =
+            UnevenLightSpec{.lamps = static_cast<int>(table.integer("lamps", 1, 100)),
+                            .ripple = table.number("ripple", NumberRange::between(0.0, 1.0)),
+                            .fallPerMetre = table.number("fall_per_m", NumberRange::notNegative())};
+        break;
+    case 2:
+        effect.parameters = SensorNoiseSpec{.read = table.number("read", NumberRange::notNegative()),
+                                            .shot = table.number("shot", NumberRange::notNegative())};
+        break;
+    case 3:
+        effect.parameters = MotionBlurSpec{.exposure_s = table.number("exposure_s", NumberRange::positive()),
+                                           .samples = static_cast<int>(table.integer("samples", 2, 32, 4))};
+        break;
+    case 4:
+        effect.parameters =
+            MarkerPrintErrorSpec{.sd_m = table.number("sd_m", NumberRange::notNegative()),
+                                 .sizeShare = table.number("size_share", NumberRange::notNegative())};
+        break;
+    case 5:
+        effect.parameters = VignettingSpec{.share = table.number("share", NumberRange::between(0.0, 1.0))};
+        break;
+    default: {
+        LensDistortionSpec spec;
+        constexpr std::array<std::string_view, 6> kRadial{"k1", "k2", "k3", "k4", "k5", "k6"};
+        for (std::size_t i = 0; i < kRadial.size(); ++i)
+            spec.radial[i] = table.number(kRadial[i], NumberRange::any(), 0.0);
+        spec.tangential[0] = table.number("p1", NumberRange::any(), 0.0);
+        spec.tangential[1] = table.number("p2", NumberRange::any(), 0.0);
+        effect.parameters = spec;
+    }
+    }
+    table.finish();
+    return effect;
+}
+
+} // namespace teleta::scene

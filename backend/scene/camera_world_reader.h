@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/scene/scene.h"
+#include "backend/scene/toml_table.h"
+
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <vector>
+
+namespace teleta::scene {
+
+/// The tables of a scene file that describe a camera's world, which must be asked for before the root is
+/// finished.
+struct CameraTables {
+    explicit CameraTables(TomlTable& root);
+
+    TomlTable camera;
+    TomlTable skin;
+    std::vector<TomlTable> fingers;
+    std::optional<TomlTable> reaction, limits;
+};
+
+/// Errors are kept by the document.
+[[nodiscard]] CameraWorld readCameraWorld(CameraTables& tables);
+
+/// An effect of a camera; listed: kinds that were read before.
+[[nodiscard]] Effect readCameraEffect(TomlTable& table, std::set<std::size_t>& listed);
+
+} // namespace teleta::scene

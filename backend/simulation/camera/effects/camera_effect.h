@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/simulation/camera/printed_dots.h"
+#include "backend/vision/camera_model.h"
+
+#include <opencv2/core.hpp>
+
+#include <string_view>
+
+namespace teleta::simulation {
+
+/// One imperfection of the camera inside the tube. Each overrides what it acts on. Thread: one.
+class CameraEffect {
+public:
+    explicit CameraEffect(std::string_view name)
+        : m_name(name) {}
+    virtual ~CameraEffect() = default;
+    CameraEffect(const CameraEffect&) = delete;
+    CameraEffect& operator=(const CameraEffect&) = delete;
+
+    /// Once, in this order.
+    virtual void changeLens(vision::CameraParameters& /*camera*/) {}
+    virtual void changePrint(PrintedDots& /*dots*/) {}
+    /// light: factor of each pixel's brightness; places: angle and z of the skin behind it, NaN without any.
+    virtual void changeLight(cv::Mat1f& /*light*/, const cv::Mat2f& /*places*/) {}
+
+    /// How long before the end of the exposure each of the moments is that a frame averages.
+    [[nodiscard]] virtual int moments() const { return 1; }
+    [[nodiscard]] virtual double before_s(int /*moment*/) const { return 0.0; }
+
+    /// Each frame, in grey levels, for an effect that says so.
+    [[nodiscard]] virtual bool changesFrame() const { return false; }
+    virtual void changeFrame(cv::Mat1f& /*frame*/) {}
+
+    [[nodiscard]] std::string_view name() const { return m_name; }
+
+private:
+    std::string_view m_name;
+};
+
+} // namespace teleta::simulation

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/scene/camera_world.h"
+#include "backend/simulation/camera/effects/camera_effect.h"
+#include "backend/simulation/random_stream.h"
+
+#include <vector>
+
+namespace teleta::simulation {
+
+/// See scene::SensorNoiseSpec. Normal numbers are drawn once; each row of a frame reads them from a place
+/// that is drawn anew.
+class SensorNoise : public CameraEffect {
+public:
+    SensorNoise(std::string_view name, const scene::SensorNoiseSpec& spec, RandomStream random);
+
+    [[nodiscard]] bool changesFrame() const override { return true; }
+    void changeFrame(cv::Mat1f& frame) override;
+
+private:
+    RandomStream m_random;
+    std::vector<float> m_normal;
+    std::vector<float> m_sd; ///< at each grey level
+};
+
+} // namespace teleta::simulation

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/simulation/camera/simulated_tube.h"
+
+#include "backend/simulation/camera/effects/camera_effect_factory.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+namespace teleta::simulation {
+
+namespace {
+
+struct TubeText {
+    Q_DECLARE_TR_FUNCTIONS(SimulatedTube)
+};
+
+constexpr int kArmSteps = 5; ///< a frame
+
+std::vector<scene::Keyframe> keyframes(const scene::Finger& finger) {
+    std::vector<scene::Keyframe> frames;
+    for (const scene::FingerKeyframe& frame : finger.keyframes)
+        frames.push_back({.time_s = frame.time_s,
+                          .x_m = frame.z_m,
+                          .depth_m = frame.depth_m,
+                          .angle_rad = frame.angle_rad});
+    return frames;
+}
+
+vision::CameraParameters ideal(const scene::TubeCamera& camera) {
+    vision::CameraParameters parameters;
+    parameters.width_px = camera.width_px;
+    parameters.height_px = camera.height_px;
+    parameters.fx_px = parameters.fy_px = camera.focalLength_px;
+    parameters.cx_px = 0.5 * (camera.width_px - 1);
+    parameters.cy_px = 0.5 * (camera.height_px - 1);
+    parameters.p_Sensor_Camera_m = {camera.offsetX_m, camera.offsetY_m, -camera.behind_m};
+    parameters.mirrored = true;
+    return parameters;
+}
+
+class Stopwatch {
+public:
+    explicit Stopwatch(double& total_s)
+        : m_total_s(total_s)
+        , m_start(std::chrono::steady_clock::now()) {}
+    ~Stopwatch() {
+        m_total_s += std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
+    }
+    Stopwatch(const Stopwatch&) = delete;
+    Stopwatch& operator=(const Stopwatch&) = delete;
+
+private:
+    double& m_total_s;
+    std::chrono::steady_clock::time_point m_start;
+};
+
+} // namespace
+
+core::Expected<std::unique_ptr<SimulatedTube>> SimulatedTube::make(const scene::Scene& scene,
+                                                                   std::uint64_t seed) {
+    if (const auto valid = checkCameraScene(scene); !valid)
+        return core::Unexpected(valid.error());
+    std::unique_ptr<SimulatedTube> tube(new SimulatedTube(scene, seed));
+    if (!tube->m_renderer)
+        return core::Unexpected(
+            core::Error{core::ErrorKind::badInput,
+                        TubeText::tr("the lens of the camera folds: no camera has it").toStdString(),
+                        {},
+                        {}});
+    return tube;
+}
+
+SimulatedTube::SimulatedTube(const scene::Scene& scene, std::uint64_t seed)
+    : m_world(scene.camera())
+    , m_rate_Hz(scene.rate_Hz)
+    , m_arm(m_world.limits) {
+    for (const scene::Finger& finger : m_world.fingers)
+        m_motions.emplace_back(keyframes(finger), false);
+    for (std::unique_ptr<CameraEffect>& effect : makeCameraEffects(scene, seed))
+        m_effects.push_back({.effect = std::move(effect)});
+    vision::CameraParameters parameters = ideal(m_world.camera);
+    PrintedDots dots(m_world.skin);
+    for (TimedEffect& timed : m_effects) {
+        const Stopwatch stopwatch(timed.time_s);
+        timed.effect->changeLens(parameters);
+        timed.effect->changePrint(dots);
+    }
+    const auto camera = vision::CameraModel::create(parameters);
+    if (!camera)
+        return;
+    m_renderer = std::make_unique<SkinRenderer>(
+        vision::CylinderCamera(*camera, {.radius_m = m_world.skin.radius_m,
+                                         .lowest_z_m = m_world.skin.begin_m,
+                                         .highest_z_m = m_world.skin.begin_m + m_world.skin.length_m}),
+        m_world.skin, std::move(dots));
+    cv::Mat1f light(parameters.height_px, parameters.width_px, 1.0F);
+    for (TimedEffect& timed : m_effects) {
+        const Stopwatch stopwatch(timed.time_s);
+        timed.effect->changeLight(light, m_renderer->places());
+    }
+    m_renderer->setLight(light);
+    m_image = m_renderer->atRest().clone();
+    for (std::size_t i = 0; i < m_motions.size(); ++i)
+        m_truth.push_back(fingerAt(i, 0.0));
+}
+
+FingerTruth SimulatedTube::fingerAt(std::size_t finger, double time_s) const {
+    const scene::Finger& spec = m_world.fingers[finger];
+    const Pose pose = m_motions[finger].at(time_s);
+    const TubePose& tube = m_arm.pose();
+    const double radius_m = m_world.skin.radius_m;
+    // The ball in the base, then beside the tube's axis where it is now.
+    const double outside_m = radius_m - pose.depth_m + spec.radius_m;
+    const Eigen::Vector2d ball_m =
+        outside_m * Eigen::Vector2d(std::cos(pose.angle_rad), std::sin(pose.angle_rad)) - tube.aside_m;
+    FingerTruth truth;
+    truth.name = spec.name;
+    truth.inBase = {pose.angle_rad, pose.x_m};
+    truth.press.ballRadius_m = spec.radius_m;
+    truth.press.depth_m = radius_m + spec.radius_m - ball_m.norm();
+    truth.press.centre = {
+        std::remainder(std::atan2(ball_m.y(), ball_m.x()) - tube.turn_rad, 2.0 * std::numbers::pi),
+        pose.x_m - tube.along_m};
+    const SphereImprint imprint(spec.radius_m, truth.press.depth_m, m_world.skin.reach_m);
+    truth.touches = imprint.deepest_m() > 0.0 && truth.press.centre.z_m >= m_world.skin.begin_m &&
+                    truth.press.centre.z_m <= m_world.skin.begin_m + m_world.skin.length_m;
+    truth.contactRadius_m = imprint.contactRadius_m();
+    truth.p_Sensor_Centre_m = {radius_m * std::cos(truth.press.centre.angle_rad),
+                               radius_m * std::sin(truth.press.centre.angle_rad), truth.press.centre.z_m};
+    return truth;
+}
+
+void SimulatedTube::drag(FingerTruth& now, const FingerTruth& before) const {
+    if (!now.touches || !before.touches)
+        return;
+    const double radius_m = m_world.skin.radius_m;
+    Eigen::Vector2d drag_m(before.press.dragAround_m +
+                               radius_m *
+                                   std::remainder(now.press.centre.angle_rad - before.press.centre.angle_rad,
+                                                  2.0 * std::numbers::pi),
+                           before.press.dragAlong_m + now.press.centre.z_m - before.press.centre.z_m);
+    // It sticks until the friction is used up, then it slides.
+    if (const double most_m = m_world.skin.dragPerDepth * now.press.depth_m; drag_m.norm() > most_m)
+        drag_m *= most_m / drag_m.norm();
+    now.press.dragAround_m = drag_m.x();
+    now.press.dragAlong_m = drag_m.y();
+}
+
+void SimulatedTube::next(const TubeVelocity& asked, cv::Mat1b& frame) {
+    for (int i = 0; i < kArmSteps; ++i)
+        m_arm.step(asked, 1.0 / (m_rate_Hz * kArmSteps));
+    ++m_frame;
+    std::vector<double> before_s{0.0};
+    for (const TimedEffect& timed : m_effects) {
+        if (timed.effect->moments() <= 1)
+            continue;
+        before_s.clear();
+        for (int i = 0; i < timed.effect->moments(); ++i)
+            before_s.push_back(timed.effect->before_s(i));
+    }
+    std::vector<std::vector<SkinPress>> moments(before_s.size());
+    for (std::size_t i = 0; i < m_motions.size(); ++i) {
+        FingerTruth now = fingerAt(i, time_s());
+        drag(now, m_truth[i]);
+        for (std::size_t moment = 0; moment < before_s.size(); ++moment) {
+            FingerTruth then = fingerAt(i, time_s() - before_s[moment]);
+            then.press.dragAround_m = now.press.dragAround_m;
+            then.press.dragAlong_m = now.press.dragAlong_m;
+            if (then.touches)
+                moments[moment].push_back(then.press);
+        }
+        m_truth[i] = std::move(now);
+    }
+    expose(moments, frame);
+}
+
+void SimulatedTube::untouched(cv::Mat1b& frame) {
+    expose({{}}, frame);
+}
+
+void SimulatedTube::pressed(const std::vector<SkinPress>& presses, cv::Mat1b& frame) {
+    expose({presses}, frame);
+}
+
+void SimulatedTube::expose(const std::vector<std::vector<SkinPress>>& moments, cv::Mat1b& frame) {
+    if (!m_drawn.empty())
+        m_renderer->atRest()(m_drawn).copyTo(m_image(m_drawn));
+    std::vector<SkinDeformation> deformations;
+    m_drawn = {};
+    for (const std::vector<SkinPress>& presses : moments) {
+        deformations.emplace_back(m_world.skin.radius_m, m_world.skin.reach_m);
+        deformations.back().set(presses);
+        const cv::Rect reach = m_renderer->reach(deformations.back());
+        m_drawn = m_drawn.empty() ? reach : m_drawn | reach;
+    }
+    if (!m_drawn.empty() && moments.size() == 1) {
+        m_renderer->draw(deformations.front(), m_drawn, m_image);
+    } else if (!m_drawn.empty()) {
+        for (TimedEffect& timed : m_effects) {
+            if (timed.effect->moments() <= 1)
+                continue;
+            const Stopwatch stopwatch(timed.time_s);
+            m_part.create(m_image.size());
+            m_sum.create(m_drawn.size());
+            m_sum.setTo(0.0F);
+            for (const SkinDeformation& deformation : deformations) {
+                m_renderer->draw(deformation, m_drawn, m_part);
+                m_sum += m_part(m_drawn);
+            }
+            m_sum *= 1.0 / static_cast<double>(deformations.size());
+            m_sum.copyTo(m_image(m_drawn));
+        }
+    }
+    cv::Mat1f* finished = &m_image;
+    for (TimedEffect& timed : m_effects) {
+        const Stopwatch stopwatch(timed.time_s);
+        if (timed.effect->changesFrame() && finished == &m_image) {
+            m_image.copyTo(m_part);
+            finished = &m_part;
+        }
+        if (timed.effect->changesFrame())
+            timed.effect->changeFrame(*finished);
+    }
+    finished->convertTo(frame, CV_8U);
+}
+
+std::vector<EffectTime> SimulatedTube::effectTimes() const {
+    std::vector<EffectTime> times;
+    for (const TimedEffect& timed : m_effects)
+        times.push_back({.name = timed.effect->name(), .time_s = timed.time_s});
+    return times;
+}
+
+} // namespace teleta::simulation

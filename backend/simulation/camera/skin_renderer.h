@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/scene/camera_world.h"
+#include "backend/simulation/camera/printed_dots.h"
+#include "backend/simulation/camera/skin_deformation.h"
+#include "backend/vision/cylinder_projection.h"
+
+#include <opencv2/core.hpp>
+
+#include <vector>
+
+namespace teleta::simulation {
+
+/// What the camera inside the tube sees of the printed skin, in grey levels 0 .. 255 before the image sensor.
+/// Each pixel's ray is followed to its first point of the deformed surface, so that a deep press hides what
+/// is behind it; a dot's share of a pixel is its exact share of the pixel's footprint on the skin, at first
+/// order. What no press reaches is drawn once. Thread: one.
+class SkinRenderer {
+public:
+    SkinRenderer(const vision::CylinderCamera& camera, const scene::CameraSkin& skin, PrintedDots dots);
+
+    /// Multiplies the brightness of each pixel, before the first image. light: as large as the image.
+    void setLight(const cv::Mat1f& light);
+
+    /// Rectangle of the image that the presses can change.
+    [[nodiscard]] cv::Rect reach(const SkinDeformation& deformation) const;
+
+    /// Draws the skin into a part of the image; the rest of it stays.
+    void draw(const SkinDeformation& deformation, const cv::Rect& part, cv::Mat1f& image) const;
+
+    [[nodiscard]] const vision::CylinderCamera& camera() const { return m_camera; }
+    /// The image without any press.
+    [[nodiscard]] const cv::Mat1f& atRest() const { return m_atRest; }
+    /// Angle and z of the skin behind each pixel at rest; NaN where there is none.
+    [[nodiscard]] const cv::Mat2f& places() const { return m_place; }
+    [[nodiscard]] const PrintedDots& dots() const { return m_dots; }
+
+private:
+    /// Skin place at rest of what the ray of a pixel meets first.
+    [[nodiscard]] SkinPlace seen(const SkinDeformation& deformation, float angle_rad, float z_m) const;
+    [[nodiscard]] float brightness(const SkinPlace& place, const Eigen::Vector2d& right_m,
+                                   const Eigen::Vector2d& down_m) const;
+
+    vision::CylinderCamera m_camera;
+    scene::CameraSkin m_skin;
+    PrintedDots m_dots;
+    Eigen::Vector3d m_lens_m;
+    cv::Mat2f m_place;
+    cv::Mat1f m_light;
+    cv::Mat1f m_atRest;
+};
+
+} // namespace teleta::simulation

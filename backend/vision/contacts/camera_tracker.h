@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/error.h"
+#include "backend/vision/contacts/contact_finder.h"
+#include "backend/vision/contacts/contact_identities.h"
+#include "backend/vision/contacts/contact_reactions.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace teleta::vision {
+
+/// From frames to followed contacts and bumps. The first frame is the reference. A frame that cannot be used
+/// (none, wrong size, the skin not to be seen) is counted; contacts then stay as they were for a while.
+/// Thread: one.
+class CameraTracker {
+public:
+    struct Settings {
+        ContactIdentities::Settings identities;
+        BumpDetector::Settings bump;
+        double longestGap_s = 0.5; ///< after a longer gap all contacts are new
+    };
+    CameraTracker(std::unique_ptr<ContactFinder> finder, const Settings& settings);
+
+    /// Takes the next frame; time_s: of its capture, rising. frame: may be empty. Returns the contacts that
+    /// are there or end with this frame. Error: that of the finder when the first frame is no reference; the
+    /// tracker then waits for another one.
+    [[nodiscard]] core::Expected<std::vector<FollowedContact>> next(const cv::Mat1b& frame, double time_s);
+    /// The next frame is a new reference.
+    void renewReference();
+
+    [[nodiscard]] bool hasReference() const { return m_hasReference; }
+    /// The bump of the newest frame.
+    [[nodiscard]] const std::optional<BumpDetector::Bump>& bump() const { return m_bump; }
+    [[nodiscard]] std::uint64_t frames() const { return m_frames; }
+    [[nodiscard]] std::uint64_t unusableFrames() const { return m_unusable; }
+    /// Why the newest unusable frame was that; empty without any.
+    [[nodiscard]] const std::string& whyUnusable() const { return m_whyUnusable; }
+    [[nodiscard]] const ContactFinder& finder() const { return *m_finder; }
+
+private:
+    std::unique_ptr<ContactFinder> m_finder;
+    Settings m_settings;
+    ContactIdentities m_identities;
+    BumpDetector m_bumps;
+    std::optional<BumpDetector::Bump> m_bump;
+    bool m_hasReference = false;
+    std::optional<double> m_last_s;
+    std::uint64_t m_frames = 0;
+    std::uint64_t m_unusable = 0;
+    std::string m_whyUnusable;
+};
+
+} // namespace teleta::vision

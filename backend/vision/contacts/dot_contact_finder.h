@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/vision/contacts/contact_finder.h"
+#include "backend/vision/contacts/contact_ladder.h"
+#include "backend/vision/contacts/dot_tracker.h"
+#include "backend/vision/contacts/skin_patches.h"
+#include "backend/vision/contacts/skin_sample.h"
+
+#include <optional>
+#include <vector>
+
+namespace teleta::vision {
+
+/// Contacts from the displacements of the printed dots. The reference is unrolled to find the dots, which
+/// then are tracked in the image itself. Thread: one.
+class DotContactFinder : public ContactFinder {
+public:
+    DotContactFinder(const CylinderCamera& camera, const ContactSettings& settings);
+
+    [[nodiscard]] core::Expected<void> setReference(const cv::Mat1b& frame) override;
+    [[nodiscard]] core::Expected<std::vector<CameraContact>> find(const cv::Mat1b& frame) override;
+    void forget() override;
+    [[nodiscard]] std::vector<Arrow> arrows(std::size_t about) const override;
+
+    /// Dots that were found in the newest frame.
+    [[nodiscard]] std::size_t dotsFound() const { return m_found; }
+    [[nodiscard]] const std::optional<DotTracker>& tracker() const { return m_tracker; }
+
+private:
+    struct Unrolled {
+        cv::Mat2f toImage;
+        cv::Mat1b mask;
+        double step_m = 0.0;
+        int wrap = 0; ///< columns that are repeated on each side
+    };
+    [[nodiscard]] Unrolled unrolled() const;
+    [[nodiscard]] cv::Mat1b skinMask() const;
+    void findNeighbours(const std::vector<SkinSample>& samples);
+    [[nodiscard]] CameraContact contactOf(const SkinPatch& patch) const;
+    void outline(const SkinPatch& patch, CameraContact& contact) const;
+
+    CylinderCamera m_camera;
+    CylinderSurface m_skin;
+    ContactSettings m_settings;
+    SkinPatches m_patches;
+    std::optional<DotTracker> m_tracker;
+    std::vector<SkinSample> m_samples; ///< of each dot
+    std::vector<SkinNode> m_nodes;
+    std::vector<std::vector<std::size_t>> m_neighbours;
+    double m_pitch_m = 0.0; ///< median distance of the nearest dot
+    std::size_t m_found = 0;
+};
+
+} // namespace teleta::vision

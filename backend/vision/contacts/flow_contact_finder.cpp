@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/vision/contacts/flow_contact_finder.h"
+
+#include "backend/core/steady_time.h"
+#include "backend/vision/contacts/vision_text.h"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace teleta::vision {
+
+namespace {
+
+const cv::Size kPaperSize(512, 288);
+constexpr int kSmallestSide_px = 64;  ///< that the flow has patches for
+constexpr double kLeastTexture = 1.5; ///< standard deviation of the reference's Laplacian, in grey levels
+constexpr int kChanged = 10;          ///< grey levels that are more than noise after the image was made small
+constexpr int kLeastChanged_px = 4;
+constexpr int kChangedMargin_px = 24;
+constexpr double kLeastArea_m2 = 4e-6; ///< of a contact
+
+int preset(FlowMethod method) {
+    switch (method) {
+    case FlowMethod::disUltrafast:
+        return cv::DISOpticalFlow::PRESET_ULTRAFAST;
+    case FlowMethod::disFast:
+        return cv::DISOpticalFlow::PRESET_FAST;
+    default:
+        return cv::DISOpticalFlow::PRESET_MEDIUM;
+    }
+}
+
+} // namespace
+
+core::Expected<std::unique_ptr<ContactFinder>> FlowContactFinder::make(const ContactRung& rung,
+                                                                       const CylinderCamera& camera,
+                                                                       const ContactSettings& settings) {
+    std::unique_ptr<FlowContactFinder> finder(new FlowContactFinder(rung, camera, settings));
+    if (finder->m_samples.empty())
+        return refused(VisionText::tr("The camera sees none of the skin."));
+    if (std::min(finder->m_sampleOf.rows, finder->m_sampleOf.cols) < kSmallestSide_px)
+        return refused(VisionText::tr("The image is too small for optical flow: %1 x %2 pixels.")
+                           .arg(finder->m_sampleOf.cols)
+                           .arg(finder->m_sampleOf.rows),
+                       VisionText::tr("at least %1 pixels on each side").arg(kSmallestSide_px));
+    return finder;
+}
+
+FlowContactFinder::FlowContactFinder(const ContactRung& rung, const CylinderCamera& camera,
+                                     const ContactSettings& settings)
+    : m_rung(rung)
+    , m_camera(camera)
+    , m_skin(camera.surface())
+    , m_settings(settings)
+    , m_crop(0, 0, camera.camera().parameters().width_px, camera.camera().parameters().height_px)
+    , m_dis(cv::DISOpticalFlow::create(preset(rung.method))) {
+    const auto onSkin = [&](int u, int v) { return m_camera.locate_m({u, v}).has_value(); };
+    m_cropMask.create(m_crop.size());
+    for (int v = 0; v < m_cropMask.rows; ++v) {
+        for (int u = 0; u < m_cropMask.cols; ++u)
+            m_cropMask(v, u) = onSkin(u, v) ? 255 : 0;
+    }
+    cv::Size size = kPaperSize;
+    if (!rung.paper) {
+        m_crop = cv::boundingRect(m_cropMask);
+        m_cropMask = m_cropMask(m_crop).clone();
+        size = {static_cast<int>(std::lround(m_crop.width * rung.scale)),
+                static_cast<int>(std::lround(m_crop.height * rung.scale))};
+    }
+    if (m_crop.empty() || size.width < 1 || size.height < 1)
+        return;
+    m_sampleOf.create(size);
+    for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x) {
+            const auto sample = skinSample(m_camera, inImage_px(x, y));
+            m_sampleOf(y, x) = sample ? static_cast<int>(m_samples.size()) : -1;
+            if (sample)
+                m_samples.push_back(*sample);
+        }
+    }
+}
+
+Eigen::Vector2d FlowContactFinder::inImage_px(double x, double y) const {
+    const double scaleX = static_cast<double>(m_crop.width) / m_sampleOf.cols;
+    const double scaleY = static_cast<double>(m_crop.height) / m_sampleOf.rows;
+    return {m_crop.x + (x + 0.5) * scaleX - 0.5, m_crop.y + (y + 0.5) * scaleY - 0.5};
+}
+
+void FlowContactFinder::prepare(const cv::Mat1b& frame, cv::Mat1b& small) const {
+    cv::Mat1b masked(m_cropMask.size(), std::uint8_t{0});
+    frame(m_crop).copyTo(masked, m_cropMask);
+    cv::resize(masked, small, m_sampleOf.size(), 0.0, 0.0, m_rung.paper ? cv::INTER_LINEAR : cv::INTER_AREA);
+}
+
+core::Expected<void> FlowContactFinder::setReference(const cv::Mat1b& frame) {
+    m_reference.release();
+    m_warm = false;
+    if (const auto sized = checkSize(frame.cols, frame.rows, m_camera); !sized)
+        return sized;
+    prepare(frame, m_small);
+    cv::Mat1f laplacian;
+    cv::Laplacian(m_small, laplacian, CV_32F);
+    cv::Mat1b inner;
+    cv::erode(m_sampleOf >= 0, inner, cv::Mat1b(7, 7, std::uint8_t{1}));
+    cv::Scalar mean;
+    cv::Scalar deviation;
+    cv::meanStdDev(laplacian, mean, deviation, inner);
+    if (deviation[0] < kLeastTexture)
+        return refused(VisionText::tr("The image shows no pattern on the skin whose movement could be seen."),
+                       VisionText::tr("a frame in focus, in which nothing touches the skin"));
+    m_reference = m_small.clone();
+    return {};
+}
+
+core::Expected<std::vector<CameraContact>> FlowContactFinder::find(const cv::Mat1b& frame) {
+    if (m_reference.empty())
+        return core::Unexpected(noReference());
+    if (const auto sized = checkSize(frame.cols, frame.rows, m_camera); !sized)
+        return core::Unexpected(sized.error());
+    const std::int64_t start_ns = core::steadyNow_ns();
+    prepare(frame, m_small);
+    const std::int64_t prepared_ns = core::steadyNow_ns();
+    const cv::Rect whole(0, 0, m_small.cols, m_small.rows);
+    const cv::Rect part = m_rung.changedOnly ? changed() : whole;
+    if (part == whole) {
+        // DIS starts from the matrix that it is given when that has the right size.
+        if (!(m_rung.warmStart && m_warm))
+            m_flow.release();
+        m_dis->calc(m_reference, m_small, m_flow);
+        m_warm = true;
+    } else {
+        m_flow.create(m_small.size());
+        m_flow.setTo(cv::Scalar::all(0.0));
+        if (!part.empty()) {
+            cv::Mat2f flow;
+            m_dis->calc(m_reference(part), m_small(part), flow);
+            flow.copyTo(m_flow(part));
+        }
+    }
+    const std::int64_t flown_ns = core::steadyNow_ns();
+    measure(part);
+    const std::int64_t measured_ns = core::steadyNow_ns();
+    std::vector<CameraContact> found = contacts();
+    m_stage_ns = {prepared_ns - start_ns, flown_ns - prepared_ns, measured_ns - flown_ns,
+                  core::steadyNow_ns() - measured_ns};
+    return found;
+}
+
+cv::Rect FlowContactFinder::changed() const {
+    cv::Mat1b difference;
+    cv::absdiff(m_small, m_reference, difference);
+    cv::Mat1b few;
+    cv::threshold(difference, few, kChanged, 255, cv::THRESH_BINARY);
+    if (cv::countNonZero(few) < kLeastChanged_px)
+        return {};
+    cv::Rect box = cv::boundingRect(few);
+    box = cv::Rect(box.x - kChangedMargin_px, box.y - kChangedMargin_px, box.width + 2 * kChangedMargin_px,
+                   box.height + 2 * kChangedMargin_px);
+    const int least = kSmallestSide_px;
+    if (box.width < least)
+        box = {box.x - (least - box.width) / 2, box.y, least, box.height};
+    if (box.height < least)
+        box = {box.x, box.y - (least - box.height) / 2, box.width, least};
+    box.x = std::clamp(box.x, 0, std::max(0, m_small.cols - least));
+    box.y = std::clamp(box.y, 0, std::max(0, m_small.rows - least));
+    return box & cv::Rect(0, 0, m_small.cols, m_small.rows);
+}
+
+void FlowContactFinder::measure(const cv::Rect& part) {
+    const double scaleX = static_cast<double>(m_crop.width) / m_sampleOf.cols;
+    const double scaleY = static_cast<double>(m_crop.height) / m_sampleOf.rows;
+    m_moved.create(m_sampleOf.size());
+    m_moved.setTo(0.0F);
+    for (int y = part.y; y < part.y + part.height; ++y) {
+        const int* sampleOf = m_sampleOf[y];
+        const cv::Vec2f* flow = m_flow[y];
+        float* moved = m_moved[y];
+        for (int x = part.x; x < part.x + part.width; ++x) {
+            if (sampleOf[x] < 0)
+                continue;
+            const Eigen::Vector2d flow_px(static_cast<double>(flow[x][0]), static_cast<double>(flow[x][1]));
+            moved[x] = static_cast<float>(
+                m_rung.paper ? flow_px.norm()
+                             : (m_samples[static_cast<std::size_t>(sampleOf[x])].metresPerPixel *
+                                Eigen::Vector2d(scaleX * flow_px.x(), scaleY * flow_px.y()))
+                                   .norm());
+        }
+    }
+    if (m_rung.paper) {
+        // Values below the threshold count as no movement before the maximum filter spreads the others.
+        cv::threshold(m_moved, m_moved, m_settings.paperThreshold_px, 0.0, cv::THRESH_TOZERO);
+        cv::dilate(m_moved, m_moved, cv::Mat1b(5, 5, std::uint8_t{1}));
+        m_active = m_moved > 0.0F;
+    } else {
+        m_active = m_moved > static_cast<float>(m_settings.threshold_m);
+    }
+}
+
+std::vector<CameraContact> FlowContactFinder::contacts() {
+    std::vector<std::vector<cv::Point>> contours;
+    cv::findContours(m_active, contours, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
+    cv::Mat1i labels(m_active.size(), 0);
+    std::vector<std::pair<double, CameraContact>> found;
+    for (std::size_t i = 0; i < contours.size(); ++i) {
+        const int label = static_cast<int>(i) + 1;
+        cv::drawContours(labels, contours, static_cast<int>(i), label, cv::FILLED);
+        CameraContact contact = contactOf(contours[i], labels, label);
+        if (contact.located)
+            found.emplace_back(contact.depth_m, std::move(contact));
+    }
+    std::ranges::stable_sort(found, [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::vector<CameraContact> sorted;
+    for (auto& [depth_m, contact] : found)
+        sorted.push_back(std::move(contact));
+    return sorted;
+}
+
+CameraContact FlowContactFinder::contactOf(const std::vector<cv::Point>& contour, const cv::Mat1i& labels,
+                                           int label) {
+    const cv::Rect box = cv::boundingRect(contour);
+    const double scaleX = static_cast<double>(m_crop.width) / m_sampleOf.cols;
+    const double scaleY = static_cast<double>(m_crop.height) / m_sampleOf.rows;
+    CameraContact contact;
+    Eigen::Vector3d place_m = Eigen::Vector3d::Zero();
+    Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
+    double sum = 0.0;
+    double area_m2 = 0.0;
+    double depth_m = 0.0;
+    std::size_t pixels = 0;
+    for (int y = box.y; y < box.y + box.height; ++y) {
+        for (int x = box.x; x < box.x + box.width; ++x) {
+            if (labels(y, x) != label)
+                continue;
+            pixel += Eigen::Vector2d(x, y);
+            ++pixels;
+            if (m_sampleOf(y, x) < 0)
+                continue;
+            const SkinSample& sample = m_samples[static_cast<std::size_t>(m_sampleOf(y, x))];
+            const cv::Vec2f& flow = m_flow(y, x);
+            const Eigen::Vector2d moved_m =
+                sample.metresPerPixel *
+                Eigen::Vector2d(scaleX * static_cast<double>(flow[0]), scaleY * static_cast<double>(flow[1]));
+            const double part_m2 = sample.areaPerPixel_m2() * scaleX * scaleY;
+            area_m2 += part_m2;
+            depth_m = std::max(depth_m, moved_m.y());
+            const double weight = part_m2 * std::max(0.0, moved_m.norm() - m_settings.threshold_m);
+            sum += weight;
+            const double angle_rad = sample.angle_rad() + moved_m.x() / m_skin.radius_m;
+            place_m += weight * Eigen::Vector3d(m_skin.radius_m * std::cos(angle_rad),
+                                                m_skin.radius_m * std::sin(angle_rad), sample.p_Sensor_m.z());
+        }
+    }
+    if (pixels == 0 || area_m2 < kLeastArea_m2)
+        return contact;
+    if (m_rung.paper) {
+        pixel /= static_cast<double>(pixels);
+        const auto hit = m_camera.locate_m(inImage_px(pixel.x(), pixel.y()));
+        contact.located = hit.has_value();
+        if (hit)
+            contact.p_Sensor_Centre_m = *hit;
+    } else if (sum > 0.0) {
+        place_m /= sum;
+        const double rho_m = place_m.head<2>().norm();
+        if (rho_m > 0.0) {
+            contact.located = true;
+            contact.p_Sensor_Centre_m = {place_m.x() * m_skin.radius_m / rho_m,
+                                         place_m.y() * m_skin.radius_m / rho_m, place_m.z()};
+        }
+    }
+    if (!contact.located)
+        return contact;
+    if (const auto seen = m_camera.camera().project(contact.p_Sensor_Centre_m))
+        contact.centre_px = *seen;
+    contact.sd_m = m_camera.standardDeviation_m(contact.p_Sensor_Centre_m).value_or(contact.sd_m);
+    contact.depth_m = depth_m;
+    for (const cv::Point& point : contour) {
+        const Eigen::Vector2d at_px = inImage_px(point.x, point.y);
+        contact.contour_px.emplace_back(static_cast<float>(at_px.x()), static_cast<float>(at_px.y()));
+        const int sample = m_sampleOf(point);
+        if (sample >= 0)
+            contact.contour_m.push_back(m_samples[static_cast<std::size_t>(sample)].p_Sensor_m);
+    }
+    contact.area_px = static_cast<double>(pixels) * scaleX * scaleY;
+    return contact;
+}
+
+std::vector<ContactFinder::Arrow> FlowContactFinder::arrows(std::size_t about) const {
+    std::vector<Arrow> arrows;
+    if (m_flow.empty() || about == 0)
+        return arrows;
+    const int step = std::max(
+        1, static_cast<int>(std::sqrt(static_cast<double>(m_samples.size()) / static_cast<double>(about))));
+    const auto scaleX = static_cast<float>(m_crop.width) / static_cast<float>(m_sampleOf.cols);
+    const auto scaleY = static_cast<float>(m_crop.height) / static_cast<float>(m_sampleOf.rows);
+    for (int y = step / 2; y < m_flow.rows; y += step) {
+        for (int x = step / 2; x < m_flow.cols; x += step) {
+            if (m_sampleOf(y, x) < 0)
+                continue;
+            const Eigen::Vector2d at_px = inImage_px(x, y);
+            arrows.push_back({{static_cast<float>(at_px.x()), static_cast<float>(at_px.y())},
+                              {scaleX * m_flow(y, x)[0], scaleY * m_flow(y, x)[1]}});
+        }
+    }
+    return arrows;
+}
+
+} // namespace teleta::vision

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/vision/contacts/contact_finder.h"
+#include "backend/vision/contacts/contact_ladder.h"
+#include "backend/vision/contacts/skin_sample.h"
+
+#include <opencv2/video/tracking.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace teleta::vision {
+
+/// Contacts from the dense flow between the reference and a frame.
+///   mask -> resize -> dense inverse search -> displacement on the skin -> threshold -> contours -> mean on
+///   the skin
+/// The paper's rung: 512 x 288 whatever the proportions, threshold of the flow in pixels, maximum filter,
+/// mean of the patch's pixels projected back. Thread: one. Source: VTacArm, section III-B; T. Kroeger et al.,
+/// Fast optical flow using dense inverse search (2016).
+class FlowContactFinder : public ContactFinder {
+public:
+    /// Error: refused when the camera's image is too small, or shows none of the skin.
+    [[nodiscard]] static core::Expected<std::unique_ptr<ContactFinder>>
+    make(const ContactRung& rung, const CylinderCamera& camera, const ContactSettings& settings);
+
+    [[nodiscard]] core::Expected<void> setReference(const cv::Mat1b& frame) override;
+    [[nodiscard]] core::Expected<std::vector<CameraContact>> find(const cv::Mat1b& frame) override;
+    void forget() override { m_warm = false; }
+    [[nodiscard]] std::vector<Arrow> arrows(std::size_t about) const override;
+
+private:
+    FlowContactFinder(const ContactRung& rung, const CylinderCamera& camera, const ContactSettings& settings);
+    /// Pixel of the camera's image in which a pixel of the small image lies.
+    [[nodiscard]] Eigen::Vector2d inImage_px(double x, double y) const;
+    void prepare(const cv::Mat1b& frame, cv::Mat1b& small) const;
+    /// Part of the small image in which the flow is needed; empty: nothing has changed.
+    [[nodiscard]] cv::Rect changed() const;
+    void measure(const cv::Rect& part);
+    [[nodiscard]] std::vector<CameraContact> contacts();
+    [[nodiscard]] CameraContact contactOf(const std::vector<cv::Point>& contour, const cv::Mat1i& labels,
+                                          int label);
+
+    ContactRung m_rung;
+    CylinderCamera m_camera;
+    CylinderSurface m_skin;
+    ContactSettings m_settings;
+    cv::Rect m_crop; ///< of the camera's image
+    cv::Mat1b m_cropMask;
+    std::vector<SkinSample> m_samples; ///< of the small image's pixels on the skin
+    cv::Mat1i m_sampleOf;              ///< -1: not on the skin
+    cv::Ptr<cv::DISOpticalFlow> m_dis;
+    cv::Mat1b m_reference, m_small;
+    cv::Mat2f m_flow;  ///< 0 where it was not needed
+    cv::Mat1f m_moved; ///< in metres, of the paper's rung in pixels
+    cv::Mat1b m_active;
+    bool m_warm = false;
+};
+
+} // namespace teleta::vision

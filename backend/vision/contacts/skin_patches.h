@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace teleta::vision {
+
+/// A point of the skin whose displacement is known.
+struct SkinNode {
+    double angle_rad = 0.0; ///< at rest, about the tube's axis
+    double z_m = 0.0;
+    double around_m = 0.0; ///< displacement
+    double inward_m = 0.0;
+    bool known = false; ///< in this frame
+};
+
+/// Points that belong to one contact.
+struct SkinPatch {
+    double angle_rad = 0.0; ///< centre
+    double z_m = 0.0;
+    double depth_m = 0.0;           ///< largest inward displacement of a point
+    double peak_m = 0.0;            ///< largest displacement
+    std::vector<std::size_t> nodes; ///< falling displacement
+};
+
+/// Contacts among scattered points of a tube's skin: watershed over the graph of neighbours in order of
+/// falling displacement, and the centre of each as the mean of its points weighted by their displacement:
+/// over evenly spread points that is the centre of a smooth summit itself, also between them. Thread: one;
+/// after the first frames nothing is allocated but the result.
+class SkinPatches {
+public:
+    struct Settings {
+        double radius_m = 0.025;
+        double threshold_m = 0.00012; ///< of the summit of a contact
+        double prominence = 0.4;
+        double floorShare = 0.25; ///< of the threshold, down to which points still belong to a contact
+        std::size_t leastNodes = 3;
+    };
+    explicit SkinPatches(const Settings& settings)
+        : m_settings(settings) {}
+
+    /// neighbours: of each node. Largest peak first.
+    [[nodiscard]] std::vector<SkinPatch> find(std::span<const SkinNode> nodes,
+                                              std::span<const std::vector<std::size_t>> neighbours);
+
+    /// Displacement at a place, a mean of the known nodes among the candidates with weights that fall with
+    /// the distance (Gaussian of the given width); 0 without any.
+    [[nodiscard]] double smoothed_m(std::span<const SkinNode> nodes, std::span<const std::size_t> candidates,
+                                    double angle_rad, double z_m, double width_m) const;
+
+private:
+    Settings m_settings;
+    std::vector<double> m_moved_m;
+    std::vector<std::size_t> m_order;
+    std::vector<std::size_t> m_parent; ///< union-find; kNone: not active yet
+    std::vector<double> m_peak_m;
+};
+
+} // namespace teleta::vision

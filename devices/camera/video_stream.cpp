@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/camera/video_stream.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+
+namespace teleta::camera {
+
+namespace {
+
+struct CameraText {
+    Q_DECLARE_TR_FUNCTIONS(Camera)
+};
+
+constexpr double kUnknownRate_Hz = 30.0;
+constexpr int kMostFailures = 25; ///< pictures in a row that cannot be decoded are the end of a file
+constexpr double kHighestRate_Hz = 10000.0;
+constexpr double kLongestGap = 1e6; ///< frames; what is longer is a damaged time stamp
+
+std::optional<int> cameraNumber(const std::string& source) {
+    int number = 0;
+    const auto [end, error] = std::from_chars(source.data(), source.data() + source.size(), number);
+    if (error != std::errc() || end != source.data() + source.size() || number < 0)
+        return std::nullopt;
+    return number;
+}
+
+core::Unexpected failed(core::ErrorKind kind, const QString& message, const QString& expected,
+                        const std::string& source) {
+    return core::Unexpected(core::Error{kind, message.toStdString(), expected.toStdString(), {source, 0, 0}});
+}
+
+} // namespace
+
+core::Expected<VideoStream> VideoStream::open(const std::string& source, const Options& options) {
+    VideoStream stream;
+    try {
+        if (const std::optional<int> number = cameraNumber(source)) {
+            stream.m_isCamera = true;
+            stream.m_capture.open(*number, cv::CAP_V4L2);
+            if (!stream.m_capture.isOpened())
+                return failed(core::ErrorKind::unavailable,
+                              CameraText::tr("camera %1 cannot be opened").arg(*number), {}, source);
+            if (options.width_px > 0 && options.height_px > 0) {
+                stream.m_capture.set(cv::CAP_PROP_FRAME_WIDTH, options.width_px);
+                stream.m_capture.set(cv::CAP_PROP_FRAME_HEIGHT, options.height_px);
+            }
+            if (options.rate_Hz > 0.0)
+                stream.m_capture.set(cv::CAP_PROP_FPS, options.rate_Hz);
+        } else {
+            std::error_code ignored;
+            if (source.find('%') == std::string::npos && !std::filesystem::exists(source, ignored))
+                return failed(core::ErrorKind::notFound, CameraText::tr("the file does not exist"), {},
+                              source);
+            if (std::filesystem::is_directory(source, ignored))
+                return failed(core::ErrorKind::badInput, CameraText::tr("this is a folder"),
+                              CameraText::tr("a video, or the number of a camera"), source);
+            stream.m_capture.open(source, cv::CAP_ANY);
+            if (!stream.m_capture.isOpened())
+                return failed(
+                    core::ErrorKind::badInput, CameraText::tr("the file is no video that can be read"),
+                    CameraText::tr("a video, a pattern like frame_%04d.png, or the number of a camera"),
+                    source);
+        }
+        const double rate_Hz = stream.m_capture.get(cv::CAP_PROP_FPS);
+        stream.m_rate_Hz = rate_Hz > 0.0 && rate_Hz < kHighestRate_Hz ? rate_Hz : 0.0;
+        const double total = stream.m_isCamera ? 0.0 : stream.m_capture.get(cv::CAP_PROP_FRAME_COUNT);
+        stream.m_total = total > 0.0 && total < 1e12 ? static_cast<std::uint64_t>(total) : 0;
+    } catch (const cv::Exception& error) {
+        return failed(core::ErrorKind::badInput, QString::fromStdString(error.err), {}, source);
+    }
+    return stream;
+}
+
+VideoStream::Outcome VideoStream::next(cv::Mat1b& frame, double& time_s) {
+    try {
+        if (!m_capture.grab()) {
+            // The reader takes a damaged picture for the end; the file says how many there should be.
+            if (m_isCamera || m_read >= m_total || ++m_failures > kMostFailures)
+                return m_isCamera ? Outcome::gone : Outcome::ended;
+            time_s = m_last_s += m_read == 0 ? 0.0 : 1.0 / (m_rate_Hz > 0.0 ? m_rate_Hz : kUnknownRate_Hz);
+            ++m_read;
+            return Outcome::undecodable;
+        }
+        m_failures = 0;
+        time_s = captureTime_s();
+        ++m_read;
+        if (!m_capture.retrieve(m_image) || m_image.empty() || m_image.depth() != CV_8U)
+            return Outcome::undecodable;
+        if (m_image.channels() == 1)
+            m_image.copyTo(frame);
+        else
+            cv::cvtColor(m_image, frame, m_image.channels() == 4 ? cv::COLOR_BGRA2GRAY : cv::COLOR_BGR2GRAY);
+        return Outcome::frame;
+    } catch (const cv::Exception&) {
+        return Outcome::undecodable;
+    }
+}
+
+double VideoStream::captureTime_s() {
+    const double time_ms = m_capture.get(cv::CAP_PROP_POS_MSEC);
+    const double rate_Hz = m_rate_Hz > 0.0 ? m_rate_Hz : kUnknownRate_Hz;
+    if (m_read == 0) {
+        m_first_ms = time_ms;
+        m_last_s = 0.0;
+        return 0.0;
+    }
+    // A container without time stamps says 0, one with damaged ones goes back.
+    const double stamped_s = (time_ms - m_first_ms) * 1e-3;
+    if (!std::isfinite(stamped_s) || stamped_s <= m_last_s) {
+        m_last_s += 1.0 / rate_Hz;
+        return m_last_s;
+    }
+    if (const double periods = (stamped_s - m_last_s) * m_rate_Hz; periods > 1.5 && periods < kLongestGap)
+        m_skipped += static_cast<std::uint64_t>(std::lround(periods)) - 1;
+    m_last_s = stamped_s;
+    return m_last_s;
+}
+
+} // namespace teleta::camera

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/error.h"
+
+#include <opencv2/core.hpp>
+#include <opencv2/videoio.hpp>
+
+#include <cstdint>
+#include <string>
+
+namespace teleta::camera {
+
+/// Frames of a camera (V4L2) or of a file that OpenCV reads, in grey levels, with the time of their capture:
+/// the driver's, the file's, and where neither gives one that rises, the number of the frame over the rate.
+/// Thread: one.
+class VideoStream {
+public:
+    struct Options {
+        int width_px = 0; ///< asked of a camera; 0: its own
+        int height_px = 0;
+        double rate_Hz = 0.0;
+    };
+    /// source: a file, a pattern of numbered images, or the number of a camera.
+    /// Error: notFound, badInput (no video), unavailable (a camera that does not open).
+    [[nodiscard]] static core::Expected<VideoStream> open(const std::string& source, const Options& options);
+    [[nodiscard]] static core::Expected<VideoStream> open(const std::string& source) {
+        return open(source, {});
+    }
+
+    enum class Outcome {
+        frame,
+        undecodable, ///< there was a frame, but it could not be decoded
+        ended,       ///< of a file
+        gone,        ///< the camera gives no frames any more
+    };
+    /// Waits for the next frame. frame: changed only when there is one.
+    [[nodiscard]] Outcome next(cv::Mat1b& frame, double& time_s);
+
+    [[nodiscard]] bool isCamera() const { return m_isCamera; }
+    [[nodiscard]] double rate_Hz() const { return m_rate_Hz; }          ///< 0: unknown
+    [[nodiscard]] std::uint64_t framesTotal() const { return m_total; } ///< 0: unknown
+    [[nodiscard]] std::uint64_t framesRead() const { return m_read; }
+    /// Frames that are missing by the time stamps: the reader passed over what it could not decode, or the
+    /// driver dropped them. 0 when the rate is unknown.
+    [[nodiscard]] std::uint64_t framesSkipped() const { return m_skipped; }
+
+private:
+    VideoStream() = default;
+    [[nodiscard]] double captureTime_s();
+
+    cv::VideoCapture m_capture;
+    cv::Mat m_image;
+    bool m_isCamera = false;
+    double m_rate_Hz = 0.0;
+    std::uint64_t m_total = 0;
+    std::uint64_t m_read = 0; ///< also those that could not be decoded
+    std::uint64_t m_skipped = 0;
+    int m_failures = 0; ///< in a row
+    double m_first_ms = 0.0;
+    double m_last_s = 0.0;
+};
+
+} // namespace teleta::camera

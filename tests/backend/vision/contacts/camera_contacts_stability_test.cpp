@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/simulation/camera/simulated_tube.h"
+#include "backend/vision/contacts/camera_tracker.h"
+#include "backend/vision/contacts/contact_ladder.h"
+#include "tests/backend/simulation/camera/camera_scene.h"
+
+#include <gtest/gtest.h>
+
+namespace teleta::vision {
+namespace {
+
+constexpr double kPeriod_s = 0.025;
+
+CylinderCamera cameraOf(int width_px, int height_px) {
+    CameraParameters parameters;
+    parameters.width_px = width_px;
+    parameters.height_px = height_px;
+    parameters.fx_px = parameters.fy_px = 0.36 * width_px;
+    parameters.cx_px = 0.5 * (width_px - 1);
+    parameters.cy_px = 0.5 * (height_px - 1);
+    parameters.p_Sensor_Camera_m = {0.0, 0.0, -0.02};
+    parameters.mirrored = true;
+    return {*CameraModel::create(parameters), {}};
+}
+
+class HardFrames : public testing::Test {
+protected:
+    void SetUp() override {
+        auto tube = simulation::SimulatedTube::make(test::cameraScene(), 1);
+        ASSERT_TRUE(tube);
+        m_tube = std::move(*tube);
+        m_tube->untouched(m_rest);
+        auto finder = makeContactFinder(contactLadder().front(), m_tube->camera());
+        ASSERT_TRUE(finder);
+        m_tracker.emplace(std::move(*finder), CameraTracker::Settings());
+    }
+    cv::Mat1b press(double depth_m) {
+        cv::Mat1b frame;
+        m_tube->pressed({{.centre = {1.0, 0.04}, .ballRadius_m = 0.01, .depth_m = depth_m}}, frame);
+        return frame;
+    }
+
+    std::unique_ptr<simulation::SimulatedTube> m_tube;
+    cv::Mat1b m_rest;
+    std::optional<CameraTracker> m_tracker;
+};
+
+} // namespace
+
+TEST(ContactLadder, refusesImagesThatAreTooSmallOnEveryRung) {
+    for (const ContactRung& rung : contactLadder()) {
+        const auto finder = makeContactFinder(rung, cameraOf(10, 10));
+        if (!rung.paper) { // which makes every image 512 x 288
+            ASSERT_FALSE(finder) << rung.name;
+            EXPECT_EQ(finder.error().kind, core::ErrorKind::refused);
+        } else if (finder) {
+            EXPECT_FALSE((*finder)->setReference(cv::Mat1b(10, 10, std::uint8_t{100})));
+        }
+    }
+}
+
+TEST(ContactLadder, refusesAReferenceWithoutTextureAndFramesOfAnotherSizeOrWithoutReference) {
+    for (const char* name : {"dots", "fast-2"}) {
+        const auto finder = makeContactFinder(*contactRung(name), cameraOf(820, 616));
+        ASSERT_TRUE(finder) << name;
+        const cv::Mat1b grey(616, 820, std::uint8_t{128});
+        EXPECT_FALSE((*finder)->find(grey)) << name;
+        EXPECT_FALSE((*finder)->setReference(grey)) << name;
+        EXPECT_FALSE((*finder)->setReference(cv::Mat1b(10, 10, std::uint8_t{1}))) << name;
+        EXPECT_FALSE((*finder)->find(grey)) << name;
+    }
+}
+
+TEST(ContactLadder, hasNamesThatAreUniqueAndKnowsNoOther) {
+    for (const ContactRung& rung : contactLadder())
+        EXPECT_EQ(contactRung(rung.name), &rung);
+    EXPECT_EQ(contactRung("none"), nullptr);
+}
+
+TEST_F(HardFrames, thatCannotBeDecodedAreCountedAndEndNoContact) {
+    ASSERT_TRUE(m_tracker->next(m_rest, 0.0));
+    int id = 0;
+    for (int i = 1; i <= 4; ++i) {
+        const auto contacts = m_tracker->next(press(0.0003 * i), i * kPeriod_s);
+        ASSERT_TRUE(contacts);
+        if (i == 1)
+            continue; // so light a touch falls between the dots
+        ASSERT_EQ(contacts->size(), 1U);
+        id = contacts->front().contact.id;
+    }
+    const auto nothing = m_tracker->next(cv::Mat1b(), 5 * kPeriod_s);
+    ASSERT_TRUE(nothing);
+    EXPECT_TRUE(nothing->empty());
+    EXPECT_EQ(m_tracker->unusableFrames(), 1U);
+    EXPECT_FALSE(m_tracker->whyUnusable().empty());
+    const auto again = m_tracker->next(press(0.0012), 6 * kPeriod_s);
+    ASSERT_TRUE(again && again->size() == 1);
+    EXPECT_EQ(again->front().contact.id, id);
+}
+
+TEST_F(HardFrames, thatShowNoSkinAreUnusableAndTheTrackerRecovers) {
+    ASSERT_TRUE(m_tracker->next(m_rest, 0.0));
+    ASSERT_TRUE(m_tracker->next(cv::Mat1b(m_rest.size(), std::uint8_t{0}), kPeriod_s));
+    ASSERT_TRUE(m_tracker->next(cv::Mat1b(m_rest.size(), std::uint8_t{255}), 2 * kPeriod_s));
+    EXPECT_EQ(m_tracker->unusableFrames(), 2U);
+    const auto contacts = m_tracker->next(m_rest, 3 * kPeriod_s);
+    ASSERT_TRUE(contacts);
+    EXPECT_TRUE(contacts->empty());
+    EXPECT_EQ(m_tracker->unusableFrames(), 2U);
+}
+
+TEST_F(HardFrames, thatFlickerShowNoContact) {
+    ASSERT_TRUE(m_tracker->next(m_rest, 0.0));
+    int frame = 0;
+    for (const double brightness : {0.7, 1.2, 0.85, 1.1}) {
+        cv::Mat1b lit;
+        m_rest.convertTo(lit, CV_8U, brightness);
+        const auto contacts = m_tracker->next(lit, ++frame * kPeriod_s);
+        ASSERT_TRUE(contacts);
+        EXPECT_TRUE(contacts->empty()) << brightness;
+    }
+}
+
+TEST_F(HardFrames, thatJumpFurtherThanCanBeFollowedShowAContactAtThatPlaceOrNone) {
+    ASSERT_TRUE(m_tracker->next(m_rest, 0.0));
+    const auto contacts = m_tracker->next(press(0.003), kPeriod_s); // 3 mm at once
+    ASSERT_TRUE(contacts);
+    const Eigen::Vector3d truth_m(0.025 * std::cos(1.0), 0.025 * std::sin(1.0), 0.04);
+    for (const FollowedContact& followed : *contacts)
+        EXPECT_LT((followed.contact.p_Sensor_Centre_m - truth_m).norm(), 0.01);
+    EXPECT_FALSE(contacts->empty());
+    // And nothing of it stays when it is gone.
+    for (int i = 2; i < 6; ++i)
+        (void)m_tracker->next(m_rest, i * kPeriod_s);
+    const auto after = m_tracker->next(m_rest, 6 * kPeriod_s);
+    ASSERT_TRUE(after);
+    EXPECT_TRUE(after->empty());
+}
+
+TEST_F(HardFrames, thatComeAfterALongGapShowNewContacts) {
+    ASSERT_TRUE(m_tracker->next(m_rest, 0.0));
+    for (int i = 1; i <= 4; ++i)
+        ASSERT_TRUE(m_tracker->next(press(0.0003 * i), i * kPeriod_s));
+    const auto before = m_tracker->next(press(0.0012), 5 * kPeriod_s);
+    const auto after = m_tracker->next(press(0.0012), 10.0);
+    ASSERT_TRUE(before && after && before->size() == 1);
+    for (const FollowedContact& followed : *after)
+        EXPECT_NE(followed.contact.id, before->front().contact.id);
+}
+
+TEST_F(HardFrames, asReferenceAreRefusedUntilAGoodOneComes) {
+    EXPECT_FALSE(m_tracker->next(cv::Mat1b(), 0.0));
+    EXPECT_FALSE(m_tracker->next(cv::Mat1b(m_rest.size(), std::uint8_t{77}), kPeriod_s));
+    EXPECT_FALSE(m_tracker->hasReference());
+    EXPECT_TRUE(m_tracker->next(m_rest, 2 * kPeriod_s));
+    EXPECT_TRUE(m_tracker->hasReference());
+}
+
+} // namespace teleta::vision

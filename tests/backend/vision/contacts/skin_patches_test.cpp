@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/vision/contacts/skin_patches.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace teleta::vision {
+namespace {
+
+constexpr double kRadius_m = 0.025;
+constexpr double kPitch_m = 0.004;
+
+/// Nodes on a grid around the whole tube, and their neighbours.
+struct Skin {
+    std::vector<SkinNode> nodes;
+    std::vector<std::vector<std::size_t>> neighbours;
+
+    Skin() {
+        const int around = 39;
+        const int rings = 25;
+        for (int ring = 0; ring < rings; ++ring) {
+            for (int i = 0; i < around; ++i)
+                nodes.push_back({.angle_rad = 2.0 * std::numbers::pi * (i + 0.5 * (ring % 2)) / around,
+                                 .z_m = kPitch_m * (ring + 0.5),
+                                 .known = true});
+        }
+        neighbours.resize(nodes.size());
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            for (std::size_t k = 0; k < nodes.size(); ++k) {
+                if (i != k && distance_m(nodes[i], nodes[k].angle_rad, nodes[k].z_m) < 1.75 * kPitch_m)
+                    neighbours[i].push_back(k);
+            }
+        }
+    }
+    static double distance_m(const SkinNode& node, double angle_rad, double z_m) {
+        return std::hypot(kRadius_m * std::remainder(node.angle_rad - angle_rad, 2.0 * std::numbers::pi),
+                          node.z_m - z_m);
+    }
+    void press(double angle_rad, double z_m, double depth_m, double width_m = 0.004) {
+        for (SkinNode& node : nodes)
+            node.inward_m +=
+                depth_m * std::exp(-0.5 * std::pow(distance_m(node, angle_rad, z_m) / width_m, 2));
+    }
+    [[nodiscard]] std::vector<SkinPatch> find() const {
+        return SkinPatches(SkinPatches::Settings()).find(nodes, neighbours);
+    }
+};
+
+} // namespace
+
+TEST(SkinPatches, haveTheCentreOfASmoothSummitBetweenTheirPointsAlsoAtTheSeam) {
+    for (const double angle_rad : {0.0, 0.03, 1.234, std::numbers::pi, -3.1}) {
+        for (const double z_m : {0.03, 0.0313, 0.0327}) {
+            Skin skin;
+            skin.press(angle_rad, z_m, 0.001);
+            const auto patches = skin.find();
+            ASSERT_EQ(patches.size(), 1U);
+            EXPECT_NEAR(std::remainder(patches[0].angle_rad - angle_rad, 2.0 * std::numbers::pi) * kRadius_m,
+                        0.0, 1e-4);
+            EXPECT_NEAR(patches[0].z_m, z_m, 1e-4);
+            EXPECT_GT(patches[0].depth_m, 0.0007);
+            EXPECT_LE(patches[0].depth_m, 0.001);
+        }
+    }
+}
+
+TEST(SkinPatches, separateTwoContactsThatMeetAndMergeOnesThatHardlyRise) {
+    Skin apart;
+    apart.press(0.0, 0.05, 0.001, 0.003);
+    apart.press(0.64, 0.05, 0.0012, 0.003);
+    const auto two = apart.find();
+    ASSERT_EQ(two.size(), 2U);
+    EXPECT_NEAR(two[0].angle_rad, 0.64, 0.06); // the stronger one first
+    EXPECT_NEAR(two[1].angle_rad, 0.0, 0.06);
+    Skin together;
+    together.press(0.0, 0.05, 0.001, 0.004);
+    together.press(0.3, 0.05, 0.001, 0.004);
+    EXPECT_EQ(together.find().size(), 1U);
+}
+
+TEST(SkinPatches, areNoneOnSkinAtRestAndBelowTheThreshold) {
+    Skin skin;
+    EXPECT_TRUE(skin.find().empty());
+    skin.press(0.0, 0.05, 0.0001);
+    EXPECT_TRUE(skin.find().empty());
+}
+
+TEST(SkinPatches, passOverPointsThatAreNotKnownAndSinglePoints) {
+    Skin skin;
+    skin.nodes[500].inward_m = 0.002;
+    EXPECT_TRUE(skin.find().empty());
+    skin.press(0.0, 0.05, 0.001);
+    for (SkinNode& node : skin.nodes)
+        node.known = false;
+    EXPECT_TRUE(skin.find().empty());
+}
+
+} // namespace teleta::vision

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Contacts of a camera in a soft tube: each rung of the ladder against the paper's pipeline (resize to 512 x
+// 288, dense inverse search of medium quality against the reference, maximum filter, threshold, contours), on
+// the same rendered frames of 1640 x 1232 and on one core. Counters: frames a second, mean distance from the
+// true contact in mm, contacts that were missed.
+#include "backend/simulation/camera/simulated_tube.h"
+#include "backend/simulation/random_stream.h"
+#include "backend/vision/contacts/contact_ladder.h"
+#include "tests/backend/simulation/camera/camera_scene.h"
+
+#include <benchmark/benchmark.h>
+#include <opencv2/core/utility.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace teleta;
+
+struct Frame {
+    cv::Mat1b image;
+    Eigen::Vector3d truth_m;
+    bool pressed = false; ///< to its depth: it is compared
+    bool first = false;   ///< of a contact
+};
+
+struct Frames {
+    std::unique_ptr<simulation::SimulatedTube> tube;
+    cv::Mat1b reference;
+    std::vector<Frame> frames;
+};
+
+const Frames& frames() {
+    static const Frames made = [] {
+        constexpr int kContacts = 12;
+        constexpr int kSteps = 5;
+        Frames result;
+        result.tube = std::move(*simulation::SimulatedTube::make(test::cameraScene(), 1));
+        result.tube->untouched(result.reference);
+        simulation::RandomStream random(9, "benchmark");
+        for (int i = 0; i < kContacts; ++i) {
+            simulation::SkinPress press;
+            press.centre = {2.0 * std::numbers::pi * random.uniform(), 0.005 + 0.09 * (i + 0.5) / kContacts};
+            press.ballRadius_m = 0.008 + 0.006 * random.uniform();
+            for (int step = 1; step <= kSteps; ++step) {
+                press.depth_m = 0.0012 * step / kSteps;
+                Frame frame;
+                result.tube->pressed({press}, frame.image);
+                frame.truth_m = {0.025 * std::cos(press.centre.angle_rad),
+                                 0.025 * std::sin(press.centre.angle_rad), press.centre.z_m};
+                frame.first = step == 1;
+                frame.pressed = step == kSteps;
+                result.frames.push_back(std::move(frame));
+            }
+        }
+        return result;
+    }();
+    return made;
+}
+
+void findContacts(benchmark::State& state, const std::string& name) {
+    cv::setNumThreads(1);
+    auto finder = vision::makeContactFinder(*vision::contactRung(name), frames().tube->camera());
+    if (!finder || !(*finder)->setReference(frames().reference)) {
+        state.SkipWithError("the rung does not take the camera");
+        return;
+    }
+    double sum_m = 0.0;
+    int compared = 0;
+    int missed = 0;
+    std::size_t i = 0;
+    for (auto _ : state) {
+        const Frame& frame = frames().frames[i];
+        i = (i + 1) % frames().frames.size();
+        if (frame.first)
+            (*finder)->forget();
+        const auto found = (*finder)->find(frame.image);
+        benchmark::DoNotOptimize(found);
+        if (!frame.pressed)
+            continue;
+        if (!found || found->empty()) {
+            ++missed;
+            continue;
+        }
+        sum_m += (found->front().p_Sensor_Centre_m - frame.truth_m).norm();
+        ++compared;
+    }
+    state.counters["fps"] =
+        benchmark::Counter(static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+    state.counters["error_mm"] = compared > 0 ? sum_m / compared * 1e3 : std::nan("");
+    state.counters["missed_share"] =
+        compared + missed > 0 ? static_cast<double>(missed) / (compared + missed) : 0.0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    for (const vision::ContactRung& rung : vision::contactLadder()) {
+        const std::string name(rung.name);
+        // Whole rounds over all frames, so that every rung sees the same ones.
+        benchmark::RegisterBenchmark(("contacts/" + name).c_str(),
+                                     [name](benchmark::State& state) { findContacts(state, name); })
+            ->Unit(benchmark::kMillisecond)
+            ->Iterations(static_cast<benchmark::IterationCount>(frames().frames.size()));
+    }
+    benchmark::Initialize(&argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+}
