@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/scene_run/scene_run.h"
+
+namespace teleta::scene_run {
+
+/// Runs a scene with a camera in a soft tube: frames -> contacts -> reaction of the arm. Files in outFolder,
+/// beside summary.json:
+///   contacts.csv   as `teleta track` writes them
+///   arm.csv        time_s,turn_rad,along_m,aside_x_m,aside_y_m
+///   reference.png  the tube with nothing touching it
+/// Measures: contact_error_mean_m and contact_error_p95_m, distance on the skin from each true contact that
+/// is deeper than 0.6 mm to the nearest one that was found, and contacts_missed without any; bump_to_stop_s,
+/// from the last frame before the true contact passes the thresholds to the command that stops the arm;
+/// follow_angle_error_rad and follow_axial_error_m, between the first finger's way since its contact began
+/// and the arm's, when it last touches.
+[[nodiscard]] core::Expected<SceneSummary> runCameraScene(const scene::Scene& scene,
+                                                          const RunOptions& options);
+
+} // namespace teleta::scene_run

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/scene/camera_world.h"
+#include "backend/simulation/camera/carrier_arm.h"
+#include "backend/vision/contacts/camera_tracker.h"
+
+#include <optional>
+
+namespace teleta::scene_run {
+
+/// Turns what the tracker sees into what the arm is asked to do: draw back after a bump, follow the oldest
+/// contact. Thread: one.
+class ReactingArm {
+public:
+    explicit ReactingArm(const scene::CameraWorld& world)
+        : m_world(world) {}
+
+    /// The velocity for the time until the next frame. pose: of the arm as its encoders say.
+    [[nodiscard]] simulation::TubeVelocity decide(const std::vector<vision::FollowedContact>& contacts,
+                                                  const std::optional<vision::BumpDetector::Bump>& bump,
+                                                  const simulation::TubePose& pose);
+
+    /// The arm was stopped by a bump.
+    [[nodiscard]] bool stopped() const { return m_retreat.has_value(); }
+
+private:
+    struct Retreat {
+        Eigen::Vector2d direction; ///< in the base
+        Eigen::Vector2d from_m;
+    };
+    const scene::CameraWorld& m_world;
+    std::optional<Retreat> m_retreat;
+    int m_followed = 0;                                  ///< identity of the contact that is followed
+    Eigen::Vector3d m_grasp_m = Eigen::Vector3d::Zero(); ///< where on the skin it is to stay
+};
+
+} // namespace teleta::scene_run
