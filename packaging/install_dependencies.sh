@@ -18,6 +18,8 @@ packages=(
     libeigen3-dev libboost-math-dev
     # files, queues, command line
     libtomlplusplus-dev nlohmann-json3-dev libzip-dev libreaderwriterqueue-dev libcli11-dev libexpected-dev
+    # figures as PDF and PNG without a GUI library
+    librsvg2-dev libcairo2-dev
     # the bracelet over USB HID
     libhidapi-dev
     # the camera in the soft tube
@@ -31,6 +33,8 @@ packages=(
 )
 # What only the checks use.
 test_packages=(clang-format clang-tidy desktop-file-utils appstream r-base-core)
+# The shared store of studies, and readers of their reports and figures.
+test_packages+=(postgresql python3-html5lib poppler-utils locales)
 # Servers and lines that somebody else wrote, as peers of the devices.
 test_packages+=(python3-pymodbus python3-serial-asyncio socat qemu-system-x86 busybox-static cpio)
 

@@ -13,6 +13,7 @@ public:
     enum class Unit {
         bytes,            ///< of a file; the rate is in MB/s
         simulatedSeconds, ///< the rate is a multiple of real time
+        trials,           ///< the rate is in trials a second
     };
 
     ProgressBar(Unit unit, bool resultsOnTerminal);

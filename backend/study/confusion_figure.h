@@ -1,24 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/error.h"
-#include "backend/study/study_results.h"
+#include "backend/study/confusion_matrix.h"
+#include "backend/study/svg_canvas.h"
+#include "backend/study/trial.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace teleta::study {
 
-/// A confusion matrix as an SVG picture in the layout of the paper's Tables 4-7: rows presented, columns
-/// answered, each cell the share of its row in percent with one digit ("0" and "NA" without), the darker the
-/// larger. The column NONE is there when it is needed. title: shown above. Thread: any.
-[[nodiscard]] std::string confusionSvg(const ConfusionMatrix& matrix,
-                                       const std::vector<std::string>& patterns, const std::string& title);
+/// What the cells of a confusion matrix say.
+enum class ConfusionValues {
+    percent, ///< as the paper's tables: share of the row with one digit, "0", "NA" without trials
+    counts,
+    both, ///< the share, and below it how many of how many
+};
 
-/// Writes the matrix of all participants of each task and condition, test phase, as
-/// FOLDER/figures/confusion_TASK_CONDITION.svg; other characters than letters, digits, - and _ become _.
-/// Error: ioFailed; refused when two would have the same name. Thread: any.
-[[nodiscard]] core::Expected<void> writeFigures(const std::vector<TaskResults>& results,
-                                                const std::string& folder);
+/// A confusion matrix in the layout of the paper's Tables 4-7: rows presented, columns answered, each cell
+/// the darker the larger its share of the row. The column NONE is there when it is needed. title: shown
+/// above. mode: others than run are written across. Thread: any.
+[[nodiscard]] SvgCanvas confusionFigure(const ConfusionMatrix& matrix,
+                                        const std::vector<std::string>& patterns, const std::string& title,
+                                        ConfusionValues values = ConfusionValues::percent,
+                                        std::optional<Mode> mode = {});
+
+/// The same as a file of its own.
+[[nodiscard]] std::string confusionSvg(const ConfusionMatrix& matrix,
+                                       const std::vector<std::string>& patterns, const std::string& title,
+                                       ConfusionValues values = ConfusionValues::percent,
+                                       std::optional<Mode> mode = {});
 
 } // namespace teleta::study

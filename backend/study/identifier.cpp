@@ -10,7 +10,7 @@ namespace teleta::study {
 
 namespace {
 
-struct ProtocolText {
+struct IdentifierText {
     Q_DECLARE_TR_FUNCTIONS(StudyProtocol)
 };
 
@@ -27,11 +27,11 @@ std::string readIdentifier(scene::TomlTable& table, std::string_view key, std::s
     std::string text = table.text(key);
     if (!isIdentifier(text))
         table.fail(key,
-                   ProtocolText::tr("\"%1\" cannot be part of a file name").arg(text.c_str()).toStdString(),
-                   ProtocolText::tr("letters, digits, - and _").toStdString());
+                   IdentifierText::tr("\"%1\" cannot be part of a file name").arg(text.c_str()).toStdString(),
+                   IdentifierText::tr("letters, digits, - and _").toStdString());
     else if (!text.empty() && !used.insert(text).second)
-        table.fail(key, ProtocolText::tr("\"%1\" is there twice").arg(text.c_str()).toStdString(),
-                   ProtocolText::tr("each one once").toStdString());
+        table.fail(key, IdentifierText::tr("\"%1\" is there twice").arg(text.c_str()).toStdString(),
+                   IdentifierText::tr("each one once").toStdString());
     return text;
 }
 

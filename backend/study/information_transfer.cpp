@@ -20,7 +20,41 @@ double quantile(const std::vector<double>& sorted, double probability) {
     return std::lerp(sorted[below], sorted[above], position - static_cast<double>(below));
 }
 
+double timesLog2(double x) {
+    return x > 0.0 ? x * std::log2(x) : 0.0;
+}
+
+/// E[X log2 X] of X ~ Bin(trials, share), 0 < share < 1.
+double expectedTimesLog2(std::int64_t trials, double share) {
+    const auto n = static_cast<double>(trials);
+    // What lies farther from the mean has no part in the digits of a double (Bernstein's inequality).
+    const double reach = 9.0 * std::sqrt(n * share) + 30.0;
+    const double last = std::min(n, std::floor(n * share + reach));
+    double sum = 0.0;
+    for (double x = std::max(1.0, std::ceil(n * share - reach)); x <= last; x += 1.0) {
+        const double logProbability = std::lgamma(n + 1.0) - std::lgamma(x + 1.0) - std::lgamma(n - x + 1.0) +
+                                      x * std::log(share) + (n - x) * std::log1p(-share);
+        sum += std::exp(logProbability) * timesLog2(x);
+    }
+    return sum;
+}
+
 } // namespace
+
+std::optional<double> guesserTransfer(const ConfusionMatrix& matrix) {
+    const auto n = static_cast<double>(matrix.total());
+    if (!(n > 0.0))
+        return std::nullopt;
+    const auto k = static_cast<double>(matrix.patterns());
+    if (matrix.patterns() == 1)
+        return 0.0;
+    double sum_bit = timesLog2(n) - k * expectedTimesLog2(matrix.total(), 1.0 / k);
+    for (std::size_t i = 0; i < matrix.patterns(); ++i) {
+        const std::int64_t row = matrix.rowTotal(i);
+        sum_bit += k * expectedTimesLog2(row, 1.0 / k) - timesLog2(static_cast<double>(row));
+    }
+    return std::max(0.0, sum_bit / n);
+}
 
 std::optional<InformationTransfer> informationTransfer(const ConfusionMatrix& matrix) {
     const std::int64_t trials = matrix.total();

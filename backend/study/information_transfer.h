@@ -26,6 +26,12 @@ struct InformationTransfer {
 /// Miller 1955.
 [[nodiscard]] std::optional<InformationTransfer> informationTransfer(const ConfusionMatrix& matrix);
 
+/// What informationTransfer().measured_bit would be on average had all answers been guesses, equally likely
+/// among the patterns, with the row totals of this matrix. With g(m) = E[X log2 X], X ~ Bin(m, 1/k):
+///   (sum_i (k g(n_i) - n_i log2 n_i) - k g(n) + n log2 n) / n
+/// Exact but for rounding. Empty without trials. Thread: any.
+[[nodiscard]] std::optional<double> guesserTransfer(const ConfusionMatrix& matrix);
+
 /// Percentile bootstrap of the measured transfer of the pooled matrix: participants are drawn with
 /// replacement. One matrix a participant, all of as many patterns. resamples: at least 1. The same seed gives
 /// the same interval everywhere. Empty for fewer than two participants or without trials. Thread: any.

@@ -25,7 +25,7 @@ struct NoiseText {
 constexpr std::size_t kMostSamples = std::size_t{1} << 26U;
 constexpr std::uint32_t kHeaderBytes = 44;
 
-core::Unexpected refused(const QString& message, const QString& expected) {
+core::Unexpected outOfRange(const QString& message, const QString& expected) {
     return core::Unexpected(
         core::Error{core::ErrorKind::refused, message.toStdString(), expected.toStdString(), {}});
 }
@@ -58,16 +58,17 @@ core::Expected<std::vector<float>> pinkNoise(const PinkNoiseSettings& settings) 
     const std::size_t n = settings.samples;
     if (n < 2 || n % 2 != 0 || n > kMostSamples || !(settings.rate_Hz > 0.0) || !(settings.low_Hz > 0.0) ||
         !(settings.low_Hz <= settings.high_Hz && settings.high_Hz <= settings.rate_Hz / 2.0))
-        return refused(NoiseText::tr("these settings of the noise are out of range"),
-                       NoiseText::tr("an even number of samples up to %1, and frequencies above 0 up to half "
-                                     "the rate")
-                           .arg(kMostSamples));
+        return outOfRange(
+            NoiseText::tr("these settings of the noise are out of range"),
+            NoiseText::tr("an even number of samples up to %1, and frequencies above 0 up to half "
+                          "the rate")
+                .arg(kMostSamples));
     const double step_Hz = settings.rate_Hz / static_cast<double>(n);
     const auto first = static_cast<std::size_t>(std::ceil(settings.low_Hz / step_Hz));
     const std::size_t last = std::min(static_cast<std::size_t>(settings.high_Hz / step_Hz), n / 2 - 1);
     if (first > last)
-        return refused(NoiseText::tr("there is no frequency in this band"),
-                       NoiseText::tr("more samples or a wider band"));
+        return outOfRange(NoiseText::tr("there is no frequency in this band"),
+                          NoiseText::tr("more samples or a wider band"));
 
     PortableRandom random(settings.seed);
     std::vector<std::complex<double>> spectrum(n);
@@ -93,17 +94,17 @@ core::Expected<std::vector<float>> pinkNoise(const PinkNoiseSettings& settings) 
         samples[i] = static_cast<float>(value);
     }
     if (!(peak <= 1.0))
-        return refused(NoiseText::tr("the noise would be clipped at this level"),
-                       NoiseText::tr("a level of %1 dBFS at most")
-                           .arg(std::floor(settings.level_dBFS - 20.0 * std::log10(peak))));
+        return outOfRange(NoiseText::tr("the noise would be clipped at this level"),
+                          NoiseText::tr("a level of %1 dBFS at most")
+                              .arg(std::floor(settings.level_dBFS - 20.0 * std::log10(peak))));
     return samples;
 }
 
 core::Expected<void> writeMonoWav(const std::vector<float>& samples, double rate_Hz,
                                   const std::string& path) {
     if (samples.size() > (std::numeric_limits<std::uint32_t>::max() - kHeaderBytes) / 2)
-        return refused(NoiseText::tr("the sound is too long for a WAV file"),
-                       NoiseText::tr("at most 4 GiB of samples"));
+        return outOfRange(NoiseText::tr("the sound is too long for a WAV file"),
+                          NoiseText::tr("at most 4 GiB of samples"));
     core::Expected<core::OutputFile> file = core::OutputFile::create(path);
     if (!file)
         return core::Unexpected(file.error());

@@ -24,7 +24,7 @@ struct ItemText {
 constexpr int kLongestAnswer = 10'000;
 constexpr long long kMostPoints = 11;
 
-core::Unexpected refused(const std::string& item, const QString& message, const QString& expected) {
+core::Unexpected misfit(const std::string& item, const QString& message, const QString& expected) {
     return core::Unexpected(
         core::Error{core::ErrorKind::refused, message.toStdString(), expected.toStdString(), {item}});
 }
@@ -65,30 +65,30 @@ core::Expected<void> checkAnswer(const QuestionnaireItem& item, const std::optio
     const QString question = QString::fromStdString(item.question);
     const bool isEmpty = !value || QString::fromStdString(*value).trimmed().isEmpty();
     if (isEmpty && item.required)
-        return refused(item.id, ItemText::tr("\"%1\" is not answered").arg(question),
-                       ItemText::tr("an answer"));
+        return misfit(item.id, ItemText::tr("\"%1\" is not answered").arg(question),
+                      ItemText::tr("an answer"));
     if (isEmpty)
         return {};
     switch (item.kind) {
     case ItemKind::text:
         if (QString::fromStdString(*value).size() > kLongestAnswer)
-            return refused(item.id, ItemText::tr("the answer to \"%1\" is too long").arg(question),
-                           ItemText::tr("%1 characters at most").arg(kLongestAnswer));
+            return misfit(item.id, ItemText::tr("the answer to \"%1\" is too long").arg(question),
+                          ItemText::tr("%1 characters at most").arg(kLongestAnswer));
         break;
     case ItemKind::likert:
         if (!isPoint(*value, item.points))
-            return refused(item.id,
-                           ItemText::tr("\"%1\" cannot be answered by \"%2\"")
-                               .arg(question, QString::fromStdString(*value)),
-                           ItemText::tr("a number from 1 to %1").arg(item.points));
+            return misfit(item.id,
+                          ItemText::tr("\"%1\" cannot be answered by \"%2\"")
+                              .arg(question, QString::fromStdString(*value)),
+                          ItemText::tr("a number from 1 to %1").arg(item.points));
         break;
     case ItemKind::choice:
         if (std::none_of(item.choices.begin(), item.choices.end(),
                          [&](const ItemChoice& choice) { return choice.id == *value; }))
-            return refused(item.id,
-                           ItemText::tr("\"%1\" cannot be answered by \"%2\"")
-                               .arg(question, QString::fromStdString(*value)),
-                           ItemText::tr("one of the choices"));
+            return misfit(item.id,
+                          ItemText::tr("\"%1\" cannot be answered by \"%2\"")
+                              .arg(question, QString::fromStdString(*value)),
+                          ItemText::tr("one of the choices"));
         break;
     }
     return {};
@@ -147,14 +147,14 @@ core::Expected<void> checkAnswers(const Questionnaire& questionnaire,
     for (std::size_t i = 0; i < questionnaire.items.size(); ++i) {
         const QuestionnaireItem& item = questionnaire.items[i];
         if (i >= answers.size() || answers[i].item != item.id)
-            return refused(item.id, ItemText::tr("the answers are not those of this questionnaire"),
-                           ItemText::tr("one answer an item, in their order"));
+            return misfit(item.id, ItemText::tr("the answers are not those of this questionnaire"),
+                          ItemText::tr("one answer an item, in their order"));
         if (const core::Expected<void> fits = checkAnswer(item, answers[i].value); !fits)
             return fits;
     }
     if (answers.size() > questionnaire.items.size())
-        return refused(answers.back().item, ItemText::tr("the answers are not those of this questionnaire"),
-                       ItemText::tr("one answer an item, in their order"));
+        return misfit(answers.back().item, ItemText::tr("the answers are not those of this questionnaire"),
+                      ItemText::tr("one answer an item, in their order"));
     return {};
 }
 

@@ -8,6 +8,7 @@
 #include <QCoreApplication>
 #include <QString>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -23,6 +24,7 @@ constexpr std::int64_t kLatency_ns = 5'000'000;
 constexpr std::int64_t kBetweenTrials_ns = 1'000'000'000;
 constexpr qint64 kBetweenSessions_s = 3600;
 constexpr std::uint64_t kAnswersOfSession = 2; // parts 0 and 1 of the session's seed are its orders
+constexpr std::uint64_t kQuestionnaires = 1'000'000;
 
 /// Shows one trial to the participant and passes on what it does.
 void showTrial(Session& session, const SimulatedParticipant& participant, double stimulus_s,
@@ -55,6 +57,21 @@ void showTrial(Session& session, const SimulatedParticipant& participant, double
     }
 }
 
+/// What a simulated participant says: any point or choice, and that it is simulated.
+std::vector<ItemAnswer> simulatedAnswers(const Questionnaire& questionnaire, std::uint64_t seed) {
+    PortableRandom random(seed);
+    std::vector<ItemAnswer> answers;
+    for (const QuestionnaireItem& item : questionnaire.items) {
+        std::string value = "simulated";
+        if (item.kind == ItemKind::likert)
+            value = std::to_string(random.below(item.points) + 1);
+        else if (item.kind == ItemKind::choice)
+            value = item.choices[static_cast<std::size_t>(random.below(item.choices.size()))].id;
+        answers.push_back({item.id, std::move(value)});
+    }
+    return answers;
+}
+
 class Rehearsal {
 public:
     Rehearsal(StudyStore& store, const std::function<bool(std::size_t)>& goOn)
@@ -65,7 +82,12 @@ public:
 
 private:
     [[nodiscard]] core::Expected<void> runSession(const Participant& participant, std::size_t planIndex,
-                                                  const PlannedSession& plan, std::size_t sessionsEach);
+                                                  const PlannedSession& plan, const QDateTime& begin);
+    /// Those that are due then and were not answered before an interruption.
+    [[nodiscard]] core::Expected<void> answerQuestionnaires(QuestionnaireTime when,
+                                                            const Participant& participant,
+                                                            const std::optional<SessionRecord>& session,
+                                                            std::uint64_t seed, const QDateTime& now);
 
     StudyStore& m_store;
     const std::function<bool(std::size_t)>& m_goOn;
@@ -93,24 +115,66 @@ core::Expected<RehearsalProgress> Rehearsal::run() {
         }
         const std::vector<PlannedSession> plan =
             planSessions(head.protocol, head.seed, (*enrolled)[i].enrolment);
-        for (std::size_t j = 0; j < plan.size() && !m_progress.interrupted; ++j) {
-            const core::Expected<void> done = runSession((*enrolled)[i], j, plan[j], plan.size());
-            if (!done)
-                return core::Unexpected(done.error());
-        }
+        const Participant& participant = (*enrolled)[i];
+        const core::Expected<ParticipantClaim> claim = m_store.claim(participant);
+        if (!claim)
+            return core::Unexpected(claim.error());
+        const auto beginOf = [&](std::size_t session) {
+            return head.created.addSecs(static_cast<qint64>(participant.enrolment * plan.size() + session) *
+                                        kBetweenSessions_s);
+        };
+        const std::uint64_t seed = derivedSeed(head.seed, participant.enrolment);
+        core::Expected<void> done =
+            answerQuestionnaires(QuestionnaireTime::beforeStudy, participant, {}, seed, beginOf(0));
+        for (std::size_t j = 0; done && j < plan.size() && !m_progress.interrupted; ++j)
+            done = runSession(participant, j, plan[j], beginOf(j));
+        if (done && !m_progress.interrupted)
+            done = answerQuestionnaires(QuestionnaireTime::afterStudy, participant, {}, seed,
+                                        beginOf(plan.size()))
+                       .and_then([&] { return exportAnswers(m_store, participant, ExportFormat::psychds); });
+        if (!done)
+            return core::Unexpected(done.error());
         m_progress.participants += m_progress.interrupted ? 0 : 1;
     }
     return m_progress;
 }
 
+core::Expected<void> Rehearsal::answerQuestionnaires(QuestionnaireTime when, const Participant& participant,
+                                                     const std::optional<SessionRecord>& session,
+                                                     std::uint64_t seed, const QDateTime& now) {
+    const std::vector<Questionnaire>& questionnaires = m_store.head().protocol.questionnaires;
+    if (questionnaires.empty())
+        return {};
+    const core::Expected<std::vector<StoredAnswer>> kept = m_store.answers(participant);
+    if (!kept)
+        return core::Unexpected(kept.error());
+    for (std::size_t i = 0; i < questionnaires.size(); ++i) {
+        const Questionnaire& questionnaire = questionnaires[i];
+        const bool isKept = std::any_of(kept->begin(), kept->end(), [&](const StoredAnswer& answer) {
+            return answer.questionnaire == questionnaire.id &&
+                   answer.session == (session ? std::optional(session->key) : std::nullopt);
+        });
+        if (questionnaire.when != when || isKept)
+            continue;
+        const core::Expected<void> safe = m_store.keepAnswers(
+            participant, session, questionnaire,
+            simulatedAnswers(questionnaire, derivedSeed(derivedSeed(seed, kQuestionnaires), i)), now);
+        if (!safe)
+            return safe;
+    }
+    return {};
+}
+
 core::Expected<void> Rehearsal::runSession(const Participant& participant, std::size_t planIndex,
-                                           const PlannedSession& plan, std::size_t sessionsEach) {
+                                           const PlannedSession& plan, const QDateTime& begin) {
     const StudyHead& head = m_store.head();
-    const auto hours = static_cast<qint64>(participant.enrolment * sessionsEach + planIndex);
-    const QDateTime begin = head.created.addSecs(hours * kBetweenSessions_s);
     const core::Expected<SessionRecord> record = m_store.beginSession(participant, planIndex, plan, begin);
     if (!record)
         return core::Unexpected(record.error());
+    if (const auto answered =
+            answerQuestionnaires(QuestionnaireTime::beforeSession, participant, *record, plan.seed, begin);
+        !answered)
+        return answered;
     const core::Expected<std::vector<StoredTrial>> kept = m_store.trials(*record);
     if (!kept)
         return core::Unexpected(kept.error());
@@ -152,6 +216,10 @@ core::Expected<void> Rehearsal::runSession(const Participant& participant, std::
         }
         session->feedbackSeen();
     }
+    if (const auto answered = answerQuestionnaires(QuestionnaireTime::afterSession, participant, *record,
+                                                   plan.seed, begin.addMSecs(now_ns / 1'000'000));
+        !answered)
+        return answered;
     if (record->finished)
         return {};
     // Before it counts as finished, so that a resumed rehearsal writes what an interrupted one did not.
@@ -163,6 +231,14 @@ core::Expected<void> Rehearsal::runSession(const Participant& participant, std::
 }
 
 } // namespace
+
+std::size_t plannedTrials(const StudyHead& head) {
+    std::size_t trials = 0;
+    const std::vector<PlannedSession> plan = planSessions(head.protocol, head.seed, 0);
+    for (const PlannedSession& session : plan)
+        trials += session.practice.size() + session.test.size();
+    return trials * head.plannedParticipants;
+}
 
 core::Expected<RehearsalProgress> rehearse(StudyStore& store, const std::function<bool(std::size_t)>& goOn) {
     return Rehearsal(store, goOn).run();

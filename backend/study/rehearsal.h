@@ -15,13 +15,16 @@ struct RehearsalProgress {
     bool interrupted = false;
 };
 
+/// Practice and test trials that all planned participants of a rehearsal go through. Thread: any.
+[[nodiscard]] std::size_t plannedTrials(const StudyHead& head);
+
 /// Lets simulated participants P01, P02 .. go through all sessions of a study that is still to be done, with
 /// the session code of real ones and a clock of its own, as fast as the store keeps the trials. Every answer
 /// depends on the seed and the trial alone: a rehearsal that was interrupted and goes on has the same trials
 /// as one that was not, and so are its times of day, which count from the creation of the study.
 /// Each finished session is exported as Psych-DS.
-/// goOn: asked before each trial; false stops. Error: refused unless the study is simulated; what the store
-/// reports. Thread: that of the store.
+/// Questionnaires are answered by chance. goOn: asked before each trial; false stops. Error: refused unless
+/// the study is simulated; what the store reports. Thread: that of the store.
 [[nodiscard]] core::Expected<RehearsalProgress> rehearse(StudyStore& store,
                                                          const std::function<bool(std::size_t trials)>& goOn);
 

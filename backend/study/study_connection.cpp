@@ -20,7 +20,7 @@ namespace teleta::study {
 
 namespace {
 
-struct StoreText {
+struct ConnectionText {
     Q_DECLARE_TR_FUNCTIONS(StudyStore)
 };
 
@@ -29,16 +29,6 @@ constexpr int kWaitForServer_s = 5;
 
 std::string fileIn(const std::string& folder) {
     return QDir(QString::fromStdString(folder)).filePath(QStringLiteral("study.sqlite")).toStdString();
-}
-
-/// The URL as it may stand in messages and logs.
-std::string withoutPassword(const std::string& url) {
-    QUrl shown(QString::fromStdString(url));
-    shown.setPassword({});
-    QUrlQuery query(shown);
-    query.removeAllQueryItems(QStringLiteral("password"));
-    shown.setQuery(query);
-    return shown.toString().toStdString();
 }
 
 /// Options that go through to libpq as they are.
@@ -50,15 +40,27 @@ const QStringList& passedOptions() {
 
 } // namespace
 
+std::string shownServer(const std::string& url) {
+    QUrl shown(QString::fromStdString(url));
+    shown.setPassword({});
+    QUrlQuery query(shown);
+    query.removeAllQueryItems(QStringLiteral("password"));
+    shown.setQuery(query);
+    return shown.toString().toStdString();
+}
+
 StudyConnection::StudyConnection(StoreLocation location)
     : m_location(std::move(location))
-    , m_shownName(isServer() ? withoutPassword(m_location.server) : fileIn(m_location.folder))
+    , m_shownName(isServer() ? shownServer(m_location.server) : fileIn(m_location.folder))
     , m_name(QUuid::createUuid().toString())
     , m_database(QSqlDatabase::addDatabase(isServer() ? QStringLiteral("QPSQL") : QStringLiteral("QSQLITE"),
                                            m_name)) {
 }
 
 StudyConnection::~StudyConnection() {
+    // The server notices the end of a connection a little later.
+    for (const long long key : std::set<long long>(m_locks))
+        unlock(key);
     m_database.close();
     m_database = QSqlDatabase();
     QSqlDatabase::removeDatabase(m_name);
@@ -73,7 +75,7 @@ core::Expected<void> StudyConnection::configureServer() {
             core::ErrorKind::badInput, message.toStdString(), expected.toStdString(), {m_shownName}});
     };
     if (!url.isValid() || !isPostgres)
-        return badUrl(StoreText::tr("this is no address of a PostgreSQL server"),
+        return badUrl(ConnectionText::tr("this is no address of a PostgreSQL server"),
                       QStringLiteral("postgresql://user@host/database?study=name"));
     QStringList options{
         QStringLiteral("connect_timeout=%1").arg(kWaitForServer_s),
@@ -93,13 +95,13 @@ core::Expected<void> StudyConnection::configureServer() {
         else if (passedOptions().contains(key) && !value.contains(QLatin1Char(';')))
             options << key + QLatin1Char('=') + value;
         else
-            return badUrl(StoreText::tr("the address has the unknown option \"%1\"").arg(key),
+            return badUrl(ConnectionText::tr("the address has the unknown option \"%1\"").arg(key),
                           QStringLiteral("study, host, port, ") + passedOptions().join(QStringLiteral(", ")));
     }
     static const QRegularExpression kName(QStringLiteral("^[a-z_][a-z0-9_]{0,62}$"));
     if (!kName.match(m_schema).hasMatch())
-        return badUrl(StoreText::tr("\"%1\" cannot name a study on a server").arg(m_schema),
-                      StoreText::tr("small letters, digits and _, not a digit first"));
+        return badUrl(ConnectionText::tr("\"%1\" cannot name a study on a server").arg(m_schema),
+                      ConnectionText::tr("small letters, digits and _, not a digit first"));
     m_database.setDatabaseName(url.path(QUrl::FullyDecoded).mid(1));
     m_database.setUserName(url.userName(QUrl::FullyDecoded));
     m_database.setPassword(url.password(QUrl::FullyDecoded));
@@ -112,8 +114,8 @@ core::Expected<void> StudyConnection::open(Purpose purpose) {
         if (!m_database.isValid())
             return core::Unexpected(core::Error{
                 core::ErrorKind::notFound,
-                StoreText::tr("Qt's driver for PostgreSQL is not installed").toStdString(),
-                StoreText::tr("the package %1").arg(QStringLiteral("libqt6sql6-psql")).toStdString(),
+                ConnectionText::tr("Qt's driver for PostgreSQL is not installed").toStdString(),
+                ConnectionText::tr("the package %1").arg(QStringLiteral("libqt6sql6-psql")).toStdString(),
                 {}});
         if (const core::Expected<void> configured = configureServer(); !configured)
             return configured;
@@ -121,10 +123,11 @@ core::Expected<void> StudyConnection::open(Purpose purpose) {
         m_database.setDatabaseName(QString::fromStdString(m_shownName));
         m_database.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=%1").arg(kWaitForOthers_ms));
         if (purpose == Purpose::open && !QFileInfo::exists(QString::fromStdString(m_shownName)))
-            return core::Unexpected(core::Error{core::ErrorKind::notFound,
-                                                StoreText::tr("there is no study here").toStdString(),
-                                                StoreText::tr("a folder with study.sqlite").toStdString(),
-                                                {m_location.folder}});
+            return core::Unexpected(
+                core::Error{core::ErrorKind::notFound,
+                            ConnectionText::tr("there is no study here").toStdString(),
+                            ConnectionText::tr("a folder with study.sqlite").toStdString(),
+                            {m_location.folder}});
     }
     return connect().and_then([&] { return chooseSchema(purpose); }).and_then([&] {
         return migrateSchema(m_database, m_shownName);
@@ -133,9 +136,10 @@ core::Expected<void> StudyConnection::open(Purpose purpose) {
 
 core::Expected<void> StudyConnection::connect() {
     if (!m_database.open())
-        return failed(StoreText::tr("cannot open the study: %1"), m_database.lastError());
+        return failed(ConnectionText::tr("cannot open the study: %1"), m_database.lastError());
     const auto settings =
-        isServer() ? QStringList{QStringLiteral("SET synchronous_commit = on"),
+        isServer() ? QStringList{QStringLiteral("SET client_min_messages = error"),
+                                 QStringLiteral("SET synchronous_commit = on"),
                                  QStringLiteral("SET statement_timeout = %1").arg(3 * kWaitForOthers_ms)}
                    : QStringList{QStringLiteral("PRAGMA journal_mode = WAL"),
                                  QStringLiteral("PRAGMA synchronous = FULL"),
@@ -143,7 +147,7 @@ core::Expected<void> StudyConnection::connect() {
     for (const QString& setting : settings) {
         QSqlQuery query(m_database);
         if (!query.exec(setting))
-            return failed(StoreText::tr("cannot open the study: %1"), query.lastError());
+            return failed(ConnectionText::tr("cannot open the study: %1"), query.lastError());
     }
     return {};
 }
@@ -158,8 +162,8 @@ core::Expected<void> StudyConnection::chooseSchema(Purpose purpose) {
         if (purpose == Purpose::open)
             return core::Unexpected(
                 core::Error{core::ErrorKind::notFound,
-                            StoreText::tr("the server has no study \"%1\"").arg(m_schema).toStdString(),
-                            StoreText::tr("the name of a study that was begun there").toStdString(),
+                            ConnectionText::tr("the server has no study \"%1\"").arg(m_schema).toStdString(),
+                            ConnectionText::tr("the name of a study that was begun there").toStdString(),
                             {m_shownName}});
         const auto made = execute(QStringLiteral("CREATE SCHEMA IF NOT EXISTS %1").arg(m_schema), {});
         // Another station may make it at the same moment.
@@ -183,9 +187,10 @@ core::Expected<void> StudyConnection::reconnect() {
         if (!taken)
             return core::Unexpected(taken.error());
         if (!*taken)
-            return refused(StoreText::tr("another station went on with this participant while the server "
-                                         "was away"),
-                           StoreText::tr("one session of a participant at a time"));
+            return refused(
+                ConnectionText::tr("another station went on with this participant while the server "
+                                   "was away"),
+                ConnectionText::tr("one session of a participant at a time"));
     }
     return {};
 }
@@ -200,14 +205,17 @@ core::Expected<QSqlQuery> StudyConnection::run(const QString& sql, const QVarian
 }
 
 core::Expected<QSqlQuery> StudyConnection::execute(const QString& sql, const QVariantList& values) {
+    if (!m_database.isOpen())
+        return failed(ConnectionText::tr("cannot use the study: %1"), m_database.lastError());
     QSqlQuery query(m_database);
     query.setForwardOnly(!isServer()); // PostgreSQL would have nothing else run before all rows are read
-    bool done = query.prepare(sql);
+    // PostgreSQL prepares no statements like SET and CREATE.
+    bool done = values.isEmpty() || query.prepare(sql);
     for (const QVariant& value : values)
         query.addBindValue(value);
-    done = done && query.exec();
+    done = done && (values.isEmpty() ? query.exec(sql) : query.exec());
     if (!done)
-        return failed(StoreText::tr("cannot use the study: %1"), query.lastError());
+        return failed(ConnectionText::tr("cannot use the study: %1"), query.lastError());
     return query;
 }
 
@@ -259,7 +267,7 @@ core::Expected<std::string> StudyConnection::lockedBy(long long key) {
     if (!query->next())
         return std::string();
     const std::string name = query->value(0).toString().toStdString();
-    return name.empty() ? StoreText::tr("another station").toStdString() : name;
+    return name.empty() ? ConnectionText::tr("another station").toStdString() : name;
 }
 
 core::ErrorKind StudyConnection::kindOf(const QSqlError& error) const {
@@ -291,7 +299,7 @@ core::Unexpected StudyConnection::failed(const QString& what, const QSqlError& e
 core::Unexpected StudyConnection::damaged() const {
     return core::Unexpected(core::Error{
         core::ErrorKind::badInput,
-        StoreText::tr(
+        ConnectionText::tr(
             "the study is damaged: a session or a trial has a number that its protocol does not have")
             .toStdString(),
         {},

@@ -32,6 +32,9 @@ struct StoreLocation {
     std::string server;
 };
 
+/// The address of a server as it may stand in messages, logs and reports: without any password. Thread: any.
+[[nodiscard]] std::string shownServer(const std::string& url);
+
 /// A connection of Qt to the database of a study, SQLite or PostgreSQL, with what differs between them.
 /// SQLite: write-ahead log, synchronous FULL. PostgreSQL: a connection that was lost is opened again at the
 /// next statement. Thread: the one that made it.

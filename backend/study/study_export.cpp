@@ -16,8 +16,10 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <set>
+#include <string_view>
 
 namespace teleta::study {
 
@@ -88,9 +90,10 @@ std::string alphanumeric(const std::string& text) {
     return kept;
 }
 
-ordered_json columnNames() {
+template <std::size_t Count>
+ordered_json columnNames(const std::array<std::string_view, Count>& columns) {
     ordered_json names = ordered_json::array();
-    for (const std::string_view name : kTrialColumns)
+    for (const std::string_view name : columns)
         names.push_back(name);
     return names;
 }
@@ -99,7 +102,7 @@ std::string psychDsDescription(const StudyHead& head) {
     const ordered_json description = {
         {"@context", "https://schema.org/"}, {"@type", "Dataset"},
         {"name", head.protocol.name},        {"description", head.protocol.description},
-        {"schemaVersion", "Psych-DS 0.4.0"}, {"variableMeasured", columnNames()},
+        {"schemaVersion", "Psych-DS 0.4.0"}, {"variableMeasured", columnNames(kTrialColumns)},
         {"mode", toString(head.mode)},       {"seed", std::to_string(head.seed)}};
     return description.dump(2) + "\n";
 }
@@ -133,8 +136,9 @@ ordered_json sessionSidecar(const StudyHead& head, const PlannedSession& plan) {
 std::string sidecarText(const StudyHead& head, const PlannedSession& plan, ExportFormat format) {
     ordered_json sidecar;
     if (format == ExportFormat::psychds) {
-        sidecar = {
-            {"@context", "https://schema.org/"}, {"@type", "Dataset"}, {"variableMeasured", columnNames()}};
+        sidecar = {{"@context", "https://schema.org/"},
+                   {"@type", "Dataset"},
+                   {"variableMeasured", columnNames(kTrialColumns)}};
         sidecar["session"] = sessionSidecar(head, plan);
     } else {
         const ordered_json session = sessionSidecar(head, plan);
@@ -169,6 +173,51 @@ core::Expected<void> writeSession(const StudyStore& store, const Participant& pa
     if (!written || format == ExportFormat::excel)
         return written;
     return writeChecked(path + ".json", sidecarText(head, plan, format));
+}
+
+std::string answersPath(ExportFormat format, const std::string& label) {
+    switch (format) {
+    case ExportFormat::psychds:
+        return "data/subject-" + label + "/subject-" + label + "_description-questionnaire_data";
+    case ExportFormat::bids:
+        return "bids/phenotype/questionnaire_" + label;
+    case ExportFormat::excel:
+        break;
+    }
+    return "excel/" + label + "_questionnaire";
+}
+
+core::Expected<void> writeAnswers(const StudyStore& store, const Participant& participant,
+                                  const std::string& label, ExportFormat format) {
+    if (store.head().protocol.questionnaires.empty())
+        return {};
+    const core::Expected<std::vector<StoredAnswer>> answers = store.answers(participant);
+    if (!answers)
+        return core::Unexpected(answers.error());
+    const core::Expected<std::vector<SessionRecord>> sessions = store.sessions(participant);
+    if (!sessions)
+        return core::Unexpected(sessions.error());
+    if (answers->empty())
+        return {};
+    const std::string path = QDir(QString::fromStdString(store.folder()))
+                                 .filePath(QString::fromStdString(answersPath(format, label)))
+                                 .toStdString();
+    const std::string extension = format == ExportFormat::bids ? ".tsv" : ".csv";
+    const core::Expected<void> written =
+        writeChecked(path + extension, tableText(answerRows(store.head(), participant, *sessions, *answers),
+                                                 tableFormat(format), kAnswerColumns));
+    if (!written || format == ExportFormat::excel)
+        return written;
+    ordered_json sidecar;
+    if (format == ExportFormat::psychds)
+        sidecar = {{"@context", "https://schema.org/"},
+                   {"@type", "Dataset"},
+                   {"variableMeasured", columnNames(kAnswerColumns)}};
+    else
+        sidecar = {
+            {"MeasurementToolMetadata", {{"Description", "Questionnaires of " + store.head().protocol.name}}},
+            {"answer", {{"Description", "The text, the point of the scale, or the choice"}}}};
+    return writeChecked(path + ".json", sidecar.dump(2) + "\n");
 }
 
 core::Expected<void> writeDescription(const StudyStore& store, ExportFormat format) {
@@ -233,8 +282,20 @@ core::Expected<std::size_t> exportStudy(const StudyStore& store, ExportFormat fo
                 return core::Unexpected(done.error());
             ++written;
         }
+        const core::Expected<void> answered = writeAnswers(store, (*participants)[i], labels[i], format);
+        if (!answered)
+            return core::Unexpected(answered.error());
     }
     return written;
+}
+
+core::Expected<void> exportAnswers(const StudyStore& store, const Participant& participant,
+                                   ExportFormat format) {
+    const core::Expected<std::vector<Participant>> participants = store.participants();
+    if (!participants)
+        return core::Unexpected(participants.error());
+    const std::vector<std::string> labels = fileLabels(*participants);
+    return writeAnswers(store, participant, labels.at(participant.enrolment), format);
 }
 
 core::Expected<void> exportSession(const StudyStore& store, const Participant& participant,
@@ -245,7 +306,10 @@ core::Expected<void> exportSession(const StudyStore& store, const Participant& p
     if (!participants)
         return core::Unexpected(participants.error());
     const std::vector<std::string> labels = fileLabels(*participants);
-    return writeSession(store, participant, labels.at(participant.enrolment), session, format);
+    const std::string& label = labels.at(participant.enrolment);
+    return writeSession(store, participant, label, session, format).and_then([&] {
+        return writeAnswers(store, participant, label, format);
+    });
 }
 
 } // namespace teleta::study

@@ -16,6 +16,9 @@ namespace teleta::study {
 /// bids     DIR/bids/sub-P07/ses-20261103T142233/beh/sub-P07_ses-20261103T142233_task-shape_beh.tsv, a .json
 ///          beside each and DIR/bids/dataset_description.json; tab, n/a.
 /// excel    DIR/excel/P07_20261103T142233_shape.csv; semicolon, decimal sign of the locale, byte order mark.
+/// Answers to questionnaires, one file a participant who gave any:
+///          DIR/data/subject-P07/subject-P07_description-questionnaire_data.csv with its .json,
+///          DIR/bids/phenotype/questionnaire_P07.tsv with its .json, DIR/excel/P07_questionnaire.csv.
 enum class ExportFormat { psychds, bids, excel };
 
 /// What names a participant in file names: the letters A-Z, a-z and digits of the id; where the id has
@@ -27,6 +30,9 @@ enum class ExportFormat { psychds, bids, excel };
 /// back and compared. Returns how many sessions were written. Error: ioFailed, also when what was read back
 /// differs. Thread: that of the store.
 [[nodiscard]] core::Expected<std::size_t> exportStudy(const StudyStore& store, ExportFormat format);
+/// Answers that a participant has given since the last session was exported; both functions write them too.
+[[nodiscard]] core::Expected<void> exportAnswers(const StudyStore& store, const Participant& participant,
+                                                 ExportFormat format);
 [[nodiscard]] core::Expected<void> exportSession(const StudyStore& store, const Participant& participant,
                                                  const SessionRecord& session, ExportFormat format);
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/study_store.h"
 
+#include "backend/study/file_claim.h"
 #include "backend/study/stimulus_set.h"
 #include "backend/study/store_values.h"
 #include "backend/study/trial_journal.h"
 
 #include <QCoreApplication>
 #include <QDir>
-#include <QLockFile>
 #include <QStringList>
+#include <QSysInfo>
 
 #include <utility>
 
@@ -23,28 +24,25 @@ struct StoreText {
 constexpr int kLongestId = 64;
 constexpr int kMostAttempts = 100;
 
-std::unique_ptr<QLockFile> lockFile(const std::string& folder, std::size_t enrolment) {
-    auto file = std::make_unique<QLockFile>(
-        QDir(QString::fromStdString(folder)).filePath(QStringLiteral("running-%1.lock").arg(enrolment)));
-    file->setStaleLockTime(0); // that its program is gone is what makes it stale, not its age
-    return file;
+std::string claimFile(const std::string& folder, std::size_t enrolment) {
+    return QDir(QString::fromStdString(folder))
+        .filePath(QStringLiteral("running-%1.lock").arg(enrolment))
+        .toStdString();
 }
 
-/// Machine and process that hold a lock.
-std::string holderOf(const QLockFile& file) {
-    qint64 process = 0;
-    QString machine;
-    QString program;
-    if (!file.getLockInfo(&process, &machine, &program))
-        return StoreText::tr("another station").toStdString();
-    return StoreText::tr("%1, process %2").arg(machine).arg(process).toStdString();
+/// Machine and process, for people at other stations.
+std::string thisStation() {
+    return StoreText::tr("%1, process %2")
+        .arg(QSysInfo::machineHostName())
+        .arg(QCoreApplication::applicationPid())
+        .toStdString();
 }
 
 } // namespace
 
-/// Holds a lock file or a lock of the server.
+/// Holds a locked file or a lock of the server.
 struct ParticipantClaim::Hold {
-    std::unique_ptr<QLockFile> file;
+    std::unique_ptr<FileClaim> file;
     std::weak_ptr<StudyConnection> server;
     long long key = 0;
 
@@ -215,16 +213,14 @@ core::Expected<ParticipantClaim> StudyStore::claim(const Participant& participan
         hold->key = participant.key;
         return ParticipantClaim(std::move(hold));
     }
-    hold->file = lockFile(folder(), participant.enrolment);
-    if (hold->file->tryLock(0))
-        return ParticipantClaim(std::move(hold));
-    if (hold->file->error() != QLockFile::LockFailedError)
-        return core::Unexpected(
-            core::Error{core::ErrorKind::ioFailed,
-                        StoreText::tr("cannot write to the folder of the study").toStdString(),
-                        {},
-                        {folder()}});
-    return taken(holderOf(*hold->file));
+    const std::string path = claimFile(folder(), participant.enrolment);
+    core::Expected<std::unique_ptr<FileClaim>> file = FileClaim::take(path, thisStation());
+    if (!file)
+        return core::Unexpected(file.error());
+    if (*file == nullptr)
+        return taken(FileClaim::holderOf(path).value_or(StoreText::tr("another station").toStdString()));
+    hold->file = std::move(*file);
+    return ParticipantClaim(std::move(hold));
 }
 
 core::Expected<std::optional<std::string>> StudyStore::runner(const Participant& participant) const {
@@ -234,10 +230,7 @@ core::Expected<std::optional<std::string>> StudyStore::runner(const Participant&
             return core::Unexpected(who.error());
         return who->empty() ? std::optional<std::string>() : std::optional(std::move(*who));
     }
-    const std::unique_ptr<QLockFile> file = lockFile(folder(), participant.enrolment);
-    if (file->tryLock(0) || file->error() != QLockFile::LockFailedError)
-        return std::optional<std::string>();
-    return std::optional(holderOf(*file));
+    return FileClaim::holderOf(claimFile(folder(), participant.enrolment));
 }
 
 core::Expected<SessionRecord> StudyStore::beginSession(const Participant& participant, std::size_t planIndex,

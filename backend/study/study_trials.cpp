@@ -12,7 +12,7 @@ namespace teleta::study {
 
 namespace {
 
-struct StoreText {
+struct TrialsText {
     Q_DECLARE_TR_FUNCTIONS(StudyStore)
 };
 
@@ -51,8 +51,8 @@ core::Expected<void> StudyStore::insertTrial(long long session, const StoredTria
          number(result.deviceFaults),
          timeText(trial.time)});
     if (!kept && kept.error().kind == core::ErrorKind::refused)
-        return m_connection->refused(StoreText::tr("this trial is kept already"),
-                                     StoreText::tr("each attempt of a trial once"));
+        return m_connection->refused(TrialsText::tr("this trial is kept already"),
+                                     TrialsText::tr("each attempt of a trial once"));
     if (!kept)
         return core::Unexpected(kept.error());
     return {};
@@ -101,8 +101,8 @@ core::Expected<void> StudyStore::sendPending(long long session) {
         if (trial.sessionKey != session || trial.sessionId != id)
             return core::Unexpected(
                 core::Error{core::ErrorKind::badInput,
-                            StoreText::tr("these trials belong to another study").toStdString(),
-                            StoreText::tr("a folder of its own for each study").toStdString(),
+                            TrialsText::tr("these trials belong to another study").toStdString(),
+                            TrialsText::tr("a folder of its own for each study").toStdString(),
                             {journal.path()}});
         if (const core::Expected<void> sent = insertUnlessKept(session, {trial.result, trial.time}); !sent)
             return sent;
@@ -136,7 +136,7 @@ core::Expected<void> StudyStore::keepOnServer(const SessionRecord& session, cons
             return safe;
     }
     core::Error error = kept.error();
-    error.message += ' ' + StoreText::tr("The trial is safe in %1 and is sent when the server is back.")
+    error.message += ' ' + TrialsText::tr("The trial is safe in %1 and is sent when the server is back.")
                                .arg(QString::fromStdString(journal.path()))
                                .toStdString();
     return core::Unexpected(std::move(error));
@@ -194,7 +194,7 @@ core::Expected<void> StudyStore::keepAnswers(const Participant& participant,
         return fit;
     if (isOfSession(questionnaire.when) != session.has_value())
         return m_connection->refused(
-            StoreText::tr("this questionnaire belongs to another place in the study"),
+            TrialsText::tr("this questionnaire belongs to another place in the study"),
             QString::fromLatin1(toString(questionnaire.when)));
     const QVariant key = session ? QVariant(session->key) : QVariant(QMetaType(QMetaType::LongLong));
     const core::Expected<void> kept = m_connection->inTransaction([&]() -> core::Expected<void> {
@@ -211,8 +211,8 @@ core::Expected<void> StudyStore::keepAnswers(const Participant& participant,
         return {};
     });
     if (!kept && kept.error().kind == core::ErrorKind::refused)
-        return m_connection->refused(StoreText::tr("this questionnaire was answered already"),
-                                     StoreText::tr("each questionnaire once"));
+        return m_connection->refused(TrialsText::tr("this questionnaire was answered already"),
+                                     TrialsText::tr("each questionnaire once"));
     return kept;
 }
 

@@ -23,7 +23,7 @@ struct JournalText {
 };
 
 template <typename Value>
-ordered_json orNull(const std::optional<Value>& value) {
+ordered_json jsonOrNull(const std::optional<Value>& value) {
     return value ? ordered_json(*value) : ordered_json(nullptr);
 }
 
@@ -42,17 +42,17 @@ ordered_json toJson(const PendingTrial& trial) {
             {"attempt", result.planned.attempt},
             {"stimulus", result.planned.stimulus},
             {"trial_in_block", result.trialInBlock},
-            {"response", orNull(result.response)},
+            {"response", jsonOrNull(result.response)},
             {"outcome", toString(result.outcome)},
-            {"response_time_s", orNull(result.responseTime_s)},
-            {"response_time_offset_s", orNull(result.responseTimeOffset_s)},
+            {"response_time_s", jsonOrNull(result.responseTime_s)},
+            {"response_time_offset_s", jsonOrNull(result.responseTimeOffset_s)},
             {"response_device", result.responseDevice},
             {"response_key", result.responseKey},
             {"n_replays", result.replays},
             {"early_presses", result.earlyPresses},
             {"onset_s", result.onset_s},
             {"duration_s", result.duration_s},
-            {"device_latency_ms", orNull(result.deviceLatency_ms)},
+            {"device_latency_ms", jsonOrNull(result.deviceLatency_ms)},
             {"device_faults", result.deviceFaults},
             {"time_utc", trial.time.toUTC().toString(Qt::ISODateWithMs).toStdString()}};
 }
@@ -82,7 +82,7 @@ PendingTrial fromJson(const ordered_json& json) {
     return trial;
 }
 
-core::Unexpected failed(const QString& message, const std::string& path) {
+core::Unexpected journalFailed(const QString& message, const std::string& path) {
     return core::Unexpected(core::Error{core::ErrorKind::ioFailed, message.toStdString(), {}, {path}});
 }
 
@@ -114,7 +114,7 @@ core::Expected<void> TrialJournal::append(const PendingTrial& trial) const {
     const QString reason = file.errorString();
     if (file.isOpen())
         (void)file.resize(before_B); // half a line would spoil the next one
-    return failed(JournalText::tr("cannot write the file: %1").arg(reason), m_path);
+    return journalFailed(JournalText::tr("cannot write the file: %1").arg(reason), m_path);
 }
 
 core::Expected<std::vector<PendingTrial>> TrialJournal::read() const {
@@ -123,7 +123,7 @@ core::Expected<std::vector<PendingTrial>> TrialJournal::read() const {
     if (!file.exists())
         return trials;
     if (!file.open(QIODevice::ReadOnly))
-        return failed(JournalText::tr("cannot read the file: %1").arg(file.errorString()), m_path);
+        return journalFailed(JournalText::tr("cannot read the file: %1").arg(file.errorString()), m_path);
     for (long long number = 1; !file.atEnd(); ++number) {
         const std::string line = file.readLine().toStdString();
         try {
@@ -143,7 +143,7 @@ core::Expected<std::vector<PendingTrial>> TrialJournal::read() const {
 core::Expected<void> TrialJournal::remove() const {
     QFile file(QString::fromStdString(m_path));
     if (file.exists() && !file.remove())
-        return failed(JournalText::tr("cannot remove the file: %1").arg(file.errorString()), m_path);
+        return journalFailed(JournalText::tr("cannot remove the file: %1").arg(file.errorString()), m_path);
     return {};
 }
 

@@ -4,6 +4,7 @@
 #include "backend/core/number_text.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace teleta::study {
 
@@ -23,6 +24,20 @@ TrialCell numberCell(Number value) {
 template <typename Number>
 TrialCell numberCell(const std::optional<Number>& value) {
     return value ? numberCell(*value) : TrialCell{};
+}
+
+/// Null where the protocol does not have them.
+std::pair<const Questionnaire*, const QuestionnaireItem*> itemOf(const Protocol& protocol,
+                                                                 const StoredAnswer& answer) {
+    for (const Questionnaire& questionnaire : protocol.questionnaires) {
+        if (questionnaire.id != answer.questionnaire)
+            continue;
+        const auto item =
+            std::find_if(questionnaire.items.begin(), questionnaire.items.end(),
+                         [&](const QuestionnaireItem& candidate) { return candidate.id == answer.item; });
+        return {&questionnaire, item == questionnaire.items.end() ? nullptr : &*item};
+    }
+    return {nullptr, nullptr};
 }
 
 std::string maskingNoise(const Protocol& protocol) {
@@ -118,11 +133,44 @@ std::vector<TrialRow> trialRows(const StudyHead& head, const Participant& partic
     return rows;
 }
 
-std::string tableText(const std::vector<TrialRow>& rows, const TableFormat& format) {
+std::vector<TrialRow> answerRows(const StudyHead& head, const Participant& participant,
+                                 const std::vector<SessionRecord>& sessions,
+                                 const std::vector<StoredAnswer>& answers) {
+    const Protocol& protocol = head.protocol;
+    const std::vector<PlannedSession> plans = planSessions(protocol, head.seed, participant.enrolment);
+    std::vector<TrialRow> rows;
+    for (const StoredAnswer& answer : answers) {
+        TrialRow row{numberCell(1), textCell(participant.id), {}, textCell(toString(head.mode)), {}, {}};
+        const auto session = std::find_if(sessions.begin(), sessions.end(), [&](const SessionRecord& record) {
+            return answer.session == record.key;
+        });
+        if (session != sessions.end()) {
+            const PlannedSession& plan = plans.at(session->planIndex);
+            row[2] = textCell(session->id);
+            row[4] = textCell(protocol.tasks[plan.task].id);
+            row[5] = textCell(protocol.tasks[plan.task].conditions[plan.condition]);
+        }
+        row.push_back(textCell(answer.questionnaire));
+        const auto [questionnaire, item] = itemOf(protocol, answer);
+        row.push_back(questionnaire != nullptr ? textCell(toString(questionnaire->when)) : TrialCell{});
+        row.push_back(textCell(answer.item));
+        row.push_back(item != nullptr ? textCell(toString(item->kind)) : TrialCell{});
+        row.push_back(item != nullptr ? textCell(item->question) : TrialCell{});
+        row.push_back(textCell(answer.value.value_or(std::string())));
+        row.push_back(item != nullptr ? textCell(shownAnswer(*item, answer.value)) : TrialCell{});
+        row.push_back(textCell(answer.time.toString(Qt::ISODateWithMs).toStdString()));
+        row.push_back(textCell(head.appVersion));
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+std::string tableText(const std::vector<TrialRow>& rows, const TableFormat& format,
+                      std::span<const std::string_view> columns) {
     std::string table = format.byteOrderMark ? "\xEF\xBB\xBF" : "";
-    for (std::size_t i = 0; i < kTrialColumns.size(); ++i) {
+    for (std::size_t i = 0; i < columns.size(); ++i) {
         table += i > 0 ? std::string(1, format.separator) : std::string();
-        table += kTrialColumns[i];
+        table += columns[i];
     }
     table += '\n';
     for (const TrialRow& row : rows) {

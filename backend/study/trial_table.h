@@ -4,6 +4,7 @@
 #include "backend/study/study_store.h"
 
 #include <array>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -75,6 +76,19 @@ struct TableFormat {
 };
 
 /// The table as a text in UTF-8 with LF. Thread: any.
-[[nodiscard]] std::string tableText(const std::vector<TrialRow>& rows, const TableFormat& format);
+[[nodiscard]] std::string tableText(const std::vector<TrialRow>& rows, const TableFormat& format,
+                                    std::span<const std::string_view> columns = kTrialColumns);
+
+/// Columns of a table of answers to questionnaires.
+inline constexpr std::array<std::string_view, 15> kAnswerColumns{
+    "schema", "participant_id", "session_id", "mode",   "task",        "condition", "questionnaire", "when",
+    "item",   "kind",           "question",   "answer", "answer_text", "time_utc",  "app_version"};
+
+/// The answers of a participant in the order in which they were kept; session, task and condition are missing
+/// for those of the participant as a whole, answer and answer_text where an item was left out.
+/// answer_text has the words of a choice. Thread: any.
+[[nodiscard]] std::vector<TrialRow> answerRows(const StudyHead& head, const Participant& participant,
+                                               const std::vector<SessionRecord>& sessions,
+                                               const std::vector<StoredAnswer>& answers);
 
 } // namespace teleta::study

@@ -11,7 +11,7 @@ out <- if (length(arguments) > 1) arguments[2] else folder
 # Everything is read as text, since R would take the patterns T and F for logical values.
 read <- function(file) read.csv(file, colClasses = "character", na.strings = "NA", encoding = "UTF-8")
 
-files <- list.files(file.path(folder, "data"), "_data\\.csv$", recursive = TRUE, full.names = TRUE)
+files <- list.files(file.path(folder, "data"), "_task-.*_data\\.csv$", recursive = TRUE, full.names = TRUE)
 keys <- c("participant_id", "task", "condition", "stimulus", "response")
 if (length(files) > 0) {
     trials <- do.call(rbind, lapply(files, read))

@@ -39,6 +39,7 @@ const std::vector<Rule> kRules = {
     {"backend/motors",
      {"backend/core", "backend/pattern", "backend/scene", "backend/playback"},
      {"QtCore", "expected", "Eigen"}},
+    {"backend/figure", {"backend/core"}, {"QtCore", "expected", "librsvg", "cairo"}},
     // Services.
     {"backend/scene", {"backend/core"}, {"QtCore", "expected", "toml++"}},
     {"backend/pipeline",
@@ -111,6 +112,8 @@ constexpr std::array kLibraries = {
     Library{"ceres/", "Ceres"},
     Library{"hidapi/", "hidapi"},
     Library{"zip.h", "libzip"},
+    Library{"librsvg/", "librsvg"},
+    Library{"cairo", "cairo"},
     Library{"modbus/", "libmodbus"},
 };
 

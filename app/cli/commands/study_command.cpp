@@ -5,9 +5,12 @@
 #include "app/cli/interruption.h"
 #include "app/cli/progress_bar.h"
 #include "app/cli/validators.h"
-#include "backend/study/confusion_figure.h"
+#include "backend/figure/figure_file.h"
+#include "backend/study/pink_noise.h"
 #include "backend/study/rehearsal.h"
 #include "backend/study/study_export.h"
+#include "backend/study/study_figures.h"
+#include "backend/study/study_report.h"
 #include "backend/study/study_results.h"
 #include "backend/study/study_store.h"
 #include "backend/study/trial_source.h"
@@ -121,6 +124,16 @@ void StudyCommand::declare(CLI::App& app) {
     declareResume(app);
     declareAnalyze(app);
     declareExport(app);
+    declareNoise(app);
+}
+
+void StudyCommand::declareStore(CLI::App& app) {
+    app.add_option("--store", m_server,
+                   help(QT_TRANSLATE_NOOP("StudyCommand",
+                                          "PostgreSQL server that has the study, postgresql://USER@HOST/"
+                                          "DATABASE?study=NAME; the password comes from PGPASSWORD or "
+                                          "~/.pgpass. The folder gets the exports")))
+        ->type_name("URL");
 }
 
 void StudyCommand::declareRehearse(CLI::App& app) {
@@ -153,6 +166,7 @@ void StudyCommand::declareRehearse(CLI::App& app) {
         ->add_option("--out", m_outFolder, help(QT_TRANSLATE_NOOP("StudyCommand", "Folder of the new study")))
         ->type_name("DIR")
         ->required();
+    declareStore(*m_rehearse);
     declareJson(*m_rehearse, m_json);
 }
 
@@ -163,6 +177,7 @@ void StudyCommand::declareResume(CLI::App& app) {
         ->add_option("study", m_studyFolder, help(QT_TRANSLATE_NOOP("StudyCommand", "Folder of the study")))
         ->type_name("DIR")
         ->required();
+    declareStore(*m_resume);
     declareJson(*m_resume, m_json);
 }
 
@@ -176,8 +191,15 @@ void StudyCommand::declareAnalyze(CLI::App& app) {
                      help(QT_TRANSLATE_NOOP("StudyCommand",
                                             "Folders of studies, or CSVs with participant_id,task,condition,"
                                             "phase,stimulus,response")))
-        ->type_name("DIR|CSV")
-        ->required();
+        ->type_name("DIR|CSV");
+    declareStore(*m_analyze);
+    m_analyze
+        ->add_option("--figures", m_figures,
+                     help(QT_TRANSLATE_NOOP("StudyCommand", "Formats of the figures, separated by commas")))
+        ->type_name("svg|pdf|png")
+        ->delimiter(',')
+        ->capture_default_str()
+        ->check(CLI::IsMember({"svg", "pdf", "png"}).description(""));
     m_analyze
         ->add_option(
             "--mode", m_mode,
@@ -186,8 +208,8 @@ void StudyCommand::declareAnalyze(CLI::App& app) {
         ->check(CLI::IsMember({"run", "pilot", "simulated"}).description(""));
     m_analyze
         ->add_option("--out", m_outFolder,
-                     help(QT_TRANSLATE_NOOP("StudyCommand", "Folder for confusion_long.csv, summary.csv, "
-                                                            "group.csv and anova.csv")))
+                     help(QT_TRANSLATE_NOOP("StudyCommand", "Folder for report.html, confusion_long.csv, "
+                                                            "summary.csv, group.csv, anova.csv, figures")))
         ->type_name("DIR")
         ->required();
     declareJson(*m_analyze, m_json);
@@ -209,7 +231,29 @@ void StudyCommand::declareExport(CLI::App& app) {
         ->type_name("psychds|bids|excel")
         ->capture_default_str()
         ->check(CLI::IsMember({"psychds", "bids", "excel"}).description(""));
+    declareStore(*m_export);
     declareJson(*m_export, m_json);
+}
+
+void StudyCommand::declareNoise(CLI::App& app) {
+    m_noise = app.add_subcommand(
+        "noise", help(QT_TRANSLATE_NOOP("StudyCommand", "Write pink noise that can be played in a loop")));
+    m_noise->add_option("--out", m_outFolder, help(QT_TRANSLATE_NOOP("StudyCommand", "The sound file")))
+        ->type_name("FILE.wav")
+        ->required();
+    m_noise
+        ->add_option(
+            "--level", m_level_dBFS,
+            help(QT_TRANSLATE_NOOP("StudyCommand",
+                                   "Root mean square against full scale, dB; how loud it is at the ear has "
+                                   "to be measured")))
+        ->type_name("DBFS")
+        ->capture_default_str()
+        ->check(between(-90, 0));
+    m_noise->add_option("--seed", m_seed, help(QT_TRANSLATE_NOOP("StudyCommand", "Seed of the noise")))
+        ->type_name("S")
+        ->capture_default_str();
+    declareJson(*m_noise, m_json);
 }
 
 core::Expected<void> StudyCommand::run() {
@@ -217,6 +261,8 @@ core::Expected<void> StudyCommand::run() {
         return runRehearse();
     if (m_export->parsed())
         return runExport();
+    if (m_noise->parsed())
+        return runNoise();
     return m_resume->parsed() ? runResume() : runAnalyze();
 }
 
@@ -233,22 +279,27 @@ core::Expected<void> StudyCommand::runRehearse() const {
     head.lapses = m_lapses;
     head.created = QDateTime::currentDateTimeUtc();
     head.appVersion = QCoreApplication::applicationVersion().toStdString();
-    core::Expected<study::StudyStore> store = study::StudyStore::create(m_outFolder, head);
+    core::Expected<study::StudyStore> store = study::StudyStore::create({m_outFolder, m_server}, head);
     if (!store)
         return core::Unexpected(store.error());
     return goOn(*store);
 }
 
 core::Expected<void> StudyCommand::runResume() const {
-    core::Expected<study::StudyStore> store = study::StudyStore::open(m_studyFolder);
+    core::Expected<study::StudyStore> store = study::StudyStore::open({m_studyFolder, m_server});
     if (!store)
         return core::Unexpected(store.error());
     return goOn(*store);
 }
 
 core::Expected<void> StudyCommand::goOn(study::StudyStore& store) const {
-    const core::Expected<study::RehearsalProgress> progress =
-        study::rehearse(store, [](std::size_t) { return !interrupted(); });
+    ProgressBar bar(ProgressBar::Unit::trials, false);
+    const std::size_t all = study::plannedTrials(store.head());
+    const core::Expected<study::RehearsalProgress> progress = study::rehearse(store, [&](std::size_t trials) {
+        bar.update(static_cast<double>(trials), static_cast<double>(all));
+        return !interrupted();
+    });
+    bar.erase();
     if (!progress)
         return core::Unexpected(progress.error());
     if (progress->interrupted)
@@ -256,6 +307,7 @@ core::Expected<void> StudyCommand::goOn(study::StudyStore& store) const {
     const study::StudyHead& head = store.head();
     if (m_json)
         return printDocument({{"study", store.folder()},
+                              {"store", store.shownName()},
                               {"protocol", head.protocol.name},
                               {"mode", study::toString(head.mode)},
                               {"seed", std::to_string(head.seed)},
@@ -272,11 +324,21 @@ core::Expected<void> StudyCommand::goOn(study::StudyStore& store) const {
     return printFields(fields);
 }
 
-core::Expected<study::TrialTally> StudyCommand::tallyInputs() const {
-    study::TrialTally tally;
-    study::ModeFilter modes;
-    if (!m_mode.empty())
-        modes.wanted = study::modeOf(m_mode);
+core::Expected<void> StudyCommand::tallyInputs(study::TrialTally& tally, study::ModeFilter& modes) const {
+    const auto tallyStudy = [&](const study::StoreLocation& location) -> core::Expected<void> {
+        const core::Expected<study::StudyStore> store = study::StudyStore::open(location);
+        return store ? study::tallyStore(*store, modes, tally) : core::Unexpected(store.error());
+    };
+    if (m_inputs.empty() && m_server.empty())
+        return core::Unexpected(
+            core::Error{core::ErrorKind::badInput,
+                        StudyText::tr("there is nothing to analyze").toStdString(),
+                        StudyText::tr("folders of studies, trial CSVs, or a server (--store)").toStdString(),
+                        {}});
+    if (!m_server.empty()) {
+        if (const core::Expected<void> counted = tallyStudy({m_outFolder, m_server}); !counted)
+            return counted;
+    }
     std::set<QString> seen;
     for (const std::string& input : m_inputs) {
         const QFileInfo info(QString::fromStdString(input));
@@ -287,8 +349,7 @@ core::Expected<study::TrialTally> StudyCommand::tallyInputs() const {
                                                 {input}});
         core::Expected<void> counted;
         if (info.isDir()) {
-            const core::Expected<study::StudyStore> store = study::StudyStore::open(input);
-            counted = store ? study::tallyStore(*store, modes, tally) : core::Unexpected(store.error());
+            counted = tallyStudy(input);
         } else {
             ProgressBar progress(ProgressBar::Unit::bytes, false);
             counted = study::tallyCsv(input, modes, tally, [&](std::uint64_t bytes) {
@@ -304,25 +365,70 @@ core::Expected<study::TrialTally> StudyCommand::tallyInputs() const {
             core::Error{core::ErrorKind::badInput,
                         StudyText::tr("there are no completed trials").toStdString(),
                         StudyText::tr("trials that were answered or timed out").toStdString(),
-                        {m_inputs.front()}});
-    return tally;
+                        {m_inputs.empty() ? std::string() : m_inputs.front()}});
+    return {};
+}
+
+core::Expected<void> StudyCommand::writeAll(const std::vector<study::TaskResults>& results,
+                                            const study::ModeFilter& modes) const {
+    study::ReportHeading heading;
+    heading.title = StudyText::tr("Results of the study").toStdString();
+    heading.mode = modes.wanted ? modes.wanted : modes.seen;
+    heading.sources = m_inputs;
+    if (!m_server.empty())
+        heading.sources.push_back(study::shownServer(m_server));
+    heading.appVersion = QCoreApplication::applicationVersion().toStdString();
+    std::vector<study::FigureFormat> formats;
+    for (const std::string& format : m_figures) {
+        study::FigureFormat made{format, {}};
+        if (format == "pdf")
+            made.convert = [](const std::string& svg) { return figure::pdfOf(svg); };
+        else if (format == "png")
+            made.convert = [](const std::string& svg) { return figure::pngOf(svg); };
+        formats.push_back(std::move(made));
+    }
+    return study::writeResults(results, m_outFolder)
+        .and_then([&] { return study::writeFigures(results, m_outFolder, heading.mode, formats); })
+        .and_then([&] { return study::writeReport(results, heading, m_outFolder); });
 }
 
 core::Expected<void> StudyCommand::runAnalyze() const {
-    const core::Expected<study::TrialTally> tally = tallyInputs();
-    if (!tally)
-        return core::Unexpected(tally.error());
-    const std::vector<study::TaskResults> results = study::studyResults(*tally);
-    const core::Expected<void> written = study::writeResults(results, m_outFolder).and_then([&] {
-        return study::writeFigures(results, m_outFolder);
-    });
-    if (!written)
+    study::TrialTally tally;
+    study::ModeFilter modes;
+    if (!m_mode.empty())
+        modes.wanted = study::modeOf(m_mode);
+    if (const core::Expected<void> counted = tallyInputs(tally, modes); !counted)
+        return counted;
+    const std::vector<study::TaskResults> results = study::studyResults(tally);
+    if (const core::Expected<void> written = writeAll(results, modes); !written)
         return written;
     return m_json ? printDocument(toJson(results)) : printFields(toFields(results));
 }
 
+core::Expected<void> StudyCommand::runNoise() const {
+    study::PinkNoiseSettings settings;
+    settings.level_dBFS = m_level_dBFS;
+    settings.seed = m_seed;
+    const core::Expected<std::vector<float>> samples = study::pinkNoise(settings);
+    if (!samples)
+        return core::Unexpected(samples.error());
+    if (const auto written = study::writeMonoWav(*samples, settings.rate_Hz, m_outFolder); !written)
+        return written;
+    const double duration_s = static_cast<double>(settings.samples) / settings.rate_Hz;
+    if (m_json)
+        return printDocument({{"file", m_outFolder},
+                              {"duration_s", duration_s},
+                              {"rate_hz", settings.rate_Hz},
+                              {"level_dbfs", settings.level_dBFS}});
+    const std::vector<std::pair<QString, QString>> fields{
+        {StudyText::tr("File"), QString::fromStdString(m_outFolder)},
+        {StudyText::tr("Period"), StudyText::tr("%1 s").arg(forPeople(duration_s))},
+        {StudyText::tr("Level"), StudyText::tr("%1 dBFS").arg(forPeople(settings.level_dBFS))}};
+    return printFields(fields);
+}
+
 core::Expected<void> StudyCommand::runExport() const {
-    const core::Expected<study::StudyStore> store = study::StudyStore::open(m_studyFolder);
+    const core::Expected<study::StudyStore> store = study::StudyStore::open({m_studyFolder, m_server});
     if (!store)
         return core::Unexpected(store.error());
     const study::ExportFormat format = m_format == "bids"    ? study::ExportFormat::bids

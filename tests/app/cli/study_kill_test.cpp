@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <csignal>
 #include <optional>
 #include <poll.h>
@@ -64,10 +65,15 @@ std::vector<Row> rowsOf(const std::string& folder) {
 // before.
 TEST(StudyKill, aStudyKilledAtAHundredRandomInstantsLosesAndRepeatsNothing) {
     constexpr int kKills = 100;
-    constexpr std::uint64_t kLongest_ms = 120;
     const TemporaryFolder folder;
     const std::string whole = folder.path("whole");
+    const auto begin = std::chrono::steady_clock::now();
     ASSERT_EQ(run({"study", "rehearse", "--out", whole, "--seed", "3"}).exitCode, 0);
+    // On a busy machine a short while would always end before the first trial.
+    const auto whole_ms =
+        std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - begin)
+            .count();
+    const std::uint64_t longest_ms = std::max<std::uint64_t>(120, static_cast<std::uint64_t>(whole_ms) / 4);
     const std::vector<Row> expected = rowsOf(whole);
     ASSERT_EQ(expected.size(), 6U * 176U);
 
@@ -86,7 +92,7 @@ TEST(StudyKill, aStudyKilledAtAHundredRandomInstantsLosesAndRepeatsNothing) {
             RunningProgram program(
                 made ? std::vector<std::string>{"study", "resume", killed}
                      : std::vector<std::string>{"study", "rehearse", "--out", killed, "--seed", "3"});
-            poll(nullptr, 0, static_cast<int>(random.below(kLongest_ms)));
+            poll(nullptr, 0, static_cast<int>(random.below(longest_ms)));
             program.send(SIGKILL);
             (void)program.wait();
         }

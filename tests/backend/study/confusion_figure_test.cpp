@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/confusion_figure.h"
+#include "backend/study/study_figures.h"
 #include "tests/backend/core/temporary_folder.h"
 #include "tests/backend/study/paper_tables.h"
 
@@ -71,6 +72,76 @@ TEST(ConfusionFigure, namesMayHaveAnyCharacters) {
     EXPECT_EQ(textsOf(confusionSvg(matrix, {"<&>"}, "\"a\" & b")).front(), "\"a\" & b");
 }
 
+TEST(ConfusionFigure, showsCountsAndBothInTheSamePlaces) {
+    ConfusionMatrix matrix(2);
+    matrix.add(0, 0, 3);
+    matrix.add(0, 1, 1);
+    matrix.add(1, std::nullopt, 2);
+    const std::vector<std::string> counts = {"t",
+                                             "Subject response, trials",
+                                             "Actual pattern",
+                                             "A",
+                                             "B",
+                                             "NONE",
+                                             "A",
+                                             "3",
+                                             "1",
+                                             "0",
+                                             "B",
+                                             "0",
+                                             "0",
+                                             "2"};
+    EXPECT_EQ(textsOf(confusionSvg(matrix, {"A", "B"}, "t", ConfusionValues::counts)), counts);
+    const auto both = textsOf(confusionSvg(matrix, {"A", "B"}, "t", ConfusionValues::both));
+    EXPECT_EQ(std::count(both.begin(), both.end(), "75.0"), 1);
+    EXPECT_EQ(std::count(both.begin(), both.end(), "3/4"), 1);
+}
+
+TEST(ConfusionFigure, saysAcrossThatItsDataAreNotThoseOfAStudy) {
+    ConfusionMatrix matrix(2);
+    matrix.add(0, 0);
+    const auto last = [&](std::optional<Mode> mode) {
+        return textsOf(confusionSvg(matrix, {"A", "B"}, "t", ConfusionValues::percent, mode)).back();
+    };
+    EXPECT_EQ(last(Mode::pilot), "PILOT");
+    EXPECT_EQ(last(Mode::simulated), "SIMULATED");
+    EXPECT_EQ(last(Mode::run), last(std::nullopt));
+    EXPECT_NE(last(Mode::run), "PILOT");
+}
+
+TEST(StudyFigures, areOneOfEachKindAndWellFormed) {
+    TrialTally tally;
+    for (const char* person : {"P1", "P2", "P3"})
+        for (const char* condition : {"static", "dynamic"})
+            for (const char* answer : {"A", "B", ""})
+                ASSERT_TRUE(tally.add({person, "shape", condition, Phase::test, "A", answer, 1.5}));
+    const auto figures = studyFigures(studyResults(tally), Mode::simulated);
+    std::vector<std::string> names;
+    for (const StudyFigure& figure : figures) {
+        names.push_back(figure.name);
+        const auto texts = textsOf(figure.picture.standalone());
+        EXPECT_EQ(std::count(texts.begin(), texts.end(), "SIMULATED"), 1) << figure.name;
+    }
+    const std::vector<std::string> expected = {"confusion_shape_dynamic", "confusion_counts_shape_dynamic",
+                                               "confusion_shape_static",  "confusion_counts_shape_static",
+                                               "accuracy_shape",          "patterns_shape",
+                                               "response_time_shape",     "transfer_shape"};
+    EXPECT_EQ(names, expected);
+}
+
+// One of three right at each of two participants and two of three at the third: mean 4/9.
+TEST(StudyFigures, drawTheMeanWhereItsValueIs) {
+    TrialTally tally;
+    const char* answers[3][3] = {{"A", "B", "B"}, {"A", "B", "B"}, {"A", "A", "B"}};
+    const char* people[3] = {"P1", "P2", "P3"};
+    for (int i = 0; i < 3; ++i)
+        for (const char* answer : answers[i])
+            ASSERT_TRUE(tally.add({people[i], "t", "static", Phase::test, "A", answer, 1.0}));
+    const std::string svg = accuracyFigure(studyResults(tally).front(), {}).standalone();
+    // The plotting area is 300 px high and begins at 64: 64 + 300 (1 - 4/9) = 230.67.
+    EXPECT_NE(svg.find("cy=\"230.67\" r=\"5\" class=\"series0\""), std::string::npos) << svg;
+}
+
 TEST(WriteFigures, makesAFileForEachTaskAndCondition) {
     TrialTally tally;
     for (const char* condition : {"static", "fast/slow"})
@@ -79,6 +150,7 @@ TEST(WriteFigures, makesAFileForEachTaskAndCondition) {
     ASSERT_TRUE(writeFigures(studyResults(tally), folder.path("out")));
     EXPECT_TRUE(std::filesystem::exists(folder.path("out/figures/confusion_shape_static.svg")));
     EXPECT_TRUE(std::filesystem::exists(folder.path("out/figures/confusion_shape_fast_slow.svg")));
+    EXPECT_TRUE(std::filesystem::exists(folder.path("out/figures/accuracy_shape.svg")));
     ASSERT_TRUE(tally.add({"P", "shape", "fast_slow", Phase::test, "A", "A", 1.0}));
     EXPECT_EQ(writeFigures(studyResults(tally), folder.path("out")).error().kind, core::ErrorKind::refused);
 }

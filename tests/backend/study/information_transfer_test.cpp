@@ -111,4 +111,43 @@ TEST(BootstrapTransfer, ofTwoParticipantsReachesFromOneToTheOther) {
     EXPECT_NEAR(interval->high, 1.0, 1e-14);
 }
 
+// Two trials of different patterns: the guesses agree or not, with 0 or 1 bit, equally likely.
+TEST(GuesserTransfer, isThatOfAllGuessesWhereTheyCanBeCounted) {
+    ConfusionMatrix matrix(2);
+    matrix.add(0, 0);
+    EXPECT_NEAR(guesserTransfer(matrix).value(), 0.0, 1e-14);
+    matrix.add(1, 0);
+    EXPECT_NEAR(guesserTransfer(matrix).value(), 0.5, 1e-14);
+}
+
+// All 3^6 ways to guess six trials of three patterns.
+TEST(GuesserTransfer, isTheMeanOverAllGuesses) {
+    double sum_bit = 0.0;
+    ConfusionMatrix matrix(3);
+    for (int guesses = 0; guesses < 729; ++guesses) {
+        matrix = ConfusionMatrix(3);
+        int rest = guesses;
+        for (std::size_t trial = 0; trial < 6; ++trial, rest /= 3)
+            matrix.add(trial / 2, static_cast<std::size_t>(rest % 3));
+        sum_bit += informationTransfer(matrix)->measured_bit;
+    }
+    EXPECT_NEAR(guesserTransfer(matrix).value(), sum_bit / 729.0, 1e-12);
+}
+
+TEST(GuesserTransfer, of30TrialsOfSixPatternsIsWhatTheSpecificationSays) {
+    ConfusionMatrix matrix(6);
+    for (std::size_t i = 0; i < 6; ++i)
+        matrix.add(i, i, 5);
+    EXPECT_NEAR(guesserTransfer(matrix).value(), 0.74, 0.005);
+    EXPECT_FALSE(guesserTransfer(ConfusionMatrix(6)));
+}
+
+// With many trials the bias formula is exact to first order.
+TEST(GuesserTransfer, comesToTheBiasWithManyTrials) {
+    ConfusionMatrix matrix(5);
+    for (std::size_t i = 0; i < 5; ++i)
+        matrix.add(i, i, 100'000);
+    EXPECT_NEAR(guesserTransfer(matrix).value() / informationTransfer(matrix)->bias_bit, 1.0, 1e-3);
+}
+
 } // namespace teleta::study

@@ -4,6 +4,7 @@
 #include "backend/study/trial_source.h"
 #include "tests/backend/core/temporary_folder.h"
 #include "tests/backend/study/small_protocol.h"
+#include "tests/support/generated_locale.h"
 
 #include <QCoreApplication>
 #include <QSqlDatabase>
@@ -332,6 +333,16 @@ TEST_F(StudyStoreTest, aProgramThatWasKilledDoesNotKeepItsParticipant) {
     ASSERT_EQ(waitpid(child, &status, 0), child);
     ASSERT_TRUE(WIFSIGNALED(status));
     ASSERT_EQ(WTERMSIG(status), SIGKILL);
+    EXPECT_FALSE(store.runner(participant).value());
+    EXPECT_TRUE(store.claim(participant));
+}
+
+// A program that was killed right after it made the file has not written its name yet.
+TEST_F(StudyStoreTest, anEmptyFileThatWasLeftBehindHoldsNobody) {
+    StudyStore store = create();
+    const Participant participant = store.enrol("P07").value();
+    m_folder.write("study/running-0.lock", "");
+    EXPECT_FALSE(store.runner(participant).value());
     EXPECT_TRUE(store.claim(participant));
 }
 
@@ -395,15 +406,60 @@ TEST_F(StudyStoreTest, aFullDiskLosesNothingThatWasKept) {
 }
 
 TEST_F(StudyStoreTest, numbersDoNotDependOnTheLocale) {
+    const test::GeneratedLocale german("de_DE");
+    if (!german.exists())
+        GTEST_SKIP() << "the sources of locales are not installed (package locales)";
     const std::string before = std::setlocale(LC_ALL, nullptr);
-    if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr)
-        GTEST_SKIP() << "the locale de_DE.UTF-8 is not installed";
+    setenv("LOCPATH", german.path().c_str(), 1);
+    ASSERT_NE(std::setlocale(LC_ALL, german.name().c_str()), nullptr);
+    EXPECT_EQ(std::localeconv()->decimal_point, std::string(","));
     StudyStore store = create();
     const PlannedSession plan = planSessions(store.head().protocol, store.head().seed, 0)[0];
     const SessionRecord session = store.beginSession(store.enrol("P07").value(), 0, plan, kNow).value();
     ASSERT_TRUE(store.keepTrial(session, answered(), kNow));
     EXPECT_EQ(store.trials(session)->front().result.responseTimeOffset_s, -1.75);
     std::setlocale(LC_ALL, before.c_str());
+    unsetenv("LOCPATH");
+}
+
+// Root may write anywhere, so that another user has to try.
+TEST_F(StudyStoreTest, aReadOnlyFolderIsAnErrorAndKeepsWhatIsThere) {
+    SessionRecord session;
+    {
+        StudyStore store = create();
+        const PlannedSession plan = planSessions(store.head().protocol, store.head().seed, 0)[0];
+        session = store.beginSession(store.enrol("P07").value(), 0, plan, kNow).value();
+        ASSERT_TRUE(store.keepTrial(session, answered(), kNow));
+    }
+    namespace fs = std::filesystem;
+    fs::permissions(m_folder.path("."), fs::perms(0755));
+    fs::permissions(folder(), fs::perms(0555));
+    for (const auto& file : fs::directory_iterator(folder()))
+        fs::permissions(file.path(), fs::perms(0444));
+    constexpr uid_t kNobody = 65'534;
+    const uid_t user = geteuid();
+    if (user == 0) {
+        ASSERT_EQ(seteuid(kNobody), 0);
+    }
+    const auto created = StudyStore::create(m_folder.path("other"), head());
+    bool refusedToOpen = false;
+    bool refusedToKeep = false;
+    {
+        auto store = StudyStore::open(folder());
+        refusedToOpen = !store && store.error().kind == core::ErrorKind::ioFailed;
+        TrialResult next = answered();
+        next.planned.trial = 9;
+        next.trialInBlock = 9;
+        refusedToKeep = store && !store->keepTrial(session, next, kNow) &&
+                        store->keepTrial(session, next, kNow).error().kind == core::ErrorKind::ioFailed;
+    }
+    ASSERT_EQ(seteuid(user), 0);
+    EXPECT_EQ(created.error().kind, core::ErrorKind::ioFailed);
+    EXPECT_TRUE(refusedToOpen || refusedToKeep);
+    fs::permissions(folder(), fs::perms(0755));
+    for (const auto& file : fs::directory_iterator(folder()))
+        fs::permissions(file.path(), fs::perms(0644));
+    EXPECT_EQ(StudyStore::open(folder())->trials(session)->size(), 1U);
 }
 
 } // namespace teleta::study

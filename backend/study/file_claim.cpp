@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/study/file_claim.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace teleta::study {
+
+namespace {
+
+/// The whole file, for this opening of it: closing another one in the same program does not free it.
+struct flock wholeFile() {
+    struct flock lock = {};
+    lock.l_type = F_WRLCK;
+    lock.l_whence = SEEK_SET;
+    return lock;
+}
+
+} // namespace
+
+core::Expected<std::unique_ptr<FileClaim>> FileClaim::take(const std::string& path,
+                                                           const std::string& holder) {
+    const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+    struct flock lock = wholeFile();
+    if (descriptor < 0 || fcntl(descriptor, F_OFD_SETLK, &lock) != 0) {
+        const int reason = errno;
+        if (descriptor >= 0)
+            ::close(descriptor);
+        if (descriptor >= 0 && (reason == EAGAIN || reason == EACCES))
+            return std::unique_ptr<FileClaim>();
+        return core::Unexpected(core::Error{core::ErrorKind::ioFailed, std::strerror(reason), {}, {path}});
+    }
+    std::unique_ptr<FileClaim> claim(new FileClaim(descriptor));
+    const auto length = static_cast<ssize_t>(holder.size());
+    // The lock counts, not the name: a full disk is no reason to refuse it.
+    if (ftruncate(descriptor, 0) == 0 && pwrite(descriptor, holder.data(), holder.size(), 0) != length)
+        (void)!ftruncate(descriptor, 0);
+    return claim;
+}
+
+std::optional<std::string> FileClaim::holderOf(const std::string& path) {
+    const int descriptor = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
+    if (descriptor < 0)
+        return std::nullopt;
+    std::optional<std::string> holder;
+    struct flock lock = wholeFile();
+    if (fcntl(descriptor, F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK) {
+        char text[256];
+        const ssize_t length = pread(descriptor, text, sizeof text, 0);
+        holder = std::string(text, static_cast<std::size_t>(length > 0 ? length : 0));
+    }
+    ::close(descriptor);
+    return holder;
+}
+
+FileClaim::~FileClaim() {
+    ::close(m_descriptor);
+}
+
+} // namespace teleta::study

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/study/trial.h"
+
+#include <QString>
+
+#include <optional>
+#include <string>
+
+namespace teleta::study {
+
+/// Draws a picture as SVG. Lengths are px, y points downwards. Colours are classes: ink, soft (grid lines and
+/// remarks) and series0 .. series5, so that a page can give them its own; a picture that stands alone has
+/// them on white. Thread: one.
+class SvgCanvas {
+public:
+    static constexpr int kSeries = 6;
+
+    /// title: what the picture shows, for readers who do not see it.
+    SvgCanvas(double width, double height, const QString& title);
+
+    /// classes: of the text; middle and end anchor it, bold and small say how it looks.
+    void text(double x, double y, const QString& content, const QString& classes,
+              const QString& attributes = {});
+    void line(double x1, double y1, double x2, double y2, const QString& classes);
+    void rectangle(double x, double y, double width, double height, const QString& attributes);
+    void circle(double x, double y, double radius, const QString& attributes);
+    /// A square that stands on a corner.
+    void diamond(double x, double y, double radius, const QString& attributes);
+
+    /// Says across the picture that its data are not those of a study: PILOT or SIMULATED.
+    void watermark(std::optional<Mode> mode);
+
+    /// A file of its own.
+    [[nodiscard]] std::string standalone() const;
+    /// A part of a page that has style().
+    [[nodiscard]] std::string embedded() const;
+
+    [[nodiscard]] static QString style();
+
+private:
+    [[nodiscard]] QString head() const;
+
+    double m_width;
+    double m_height;
+    QString m_title;
+    QString m_body;
+};
+
+/// A length as SVG has it: C locale, two digits behind the point at most.
+[[nodiscard]] QString svgNumber(double value);
+
+} // namespace teleta::study

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/study/study_report.h"
+#include "tests/backend/core/temporary_folder.h"
+
+#include <QXmlStreamReader>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+
+namespace teleta::study {
+
+namespace {
+
+/// Three participants, two conditions, two patterns; the third one is only right when it is dynamic.
+std::vector<TaskResults> results(const std::string& third = "P3") {
+    TrialTally tally;
+    const auto add = [&](const std::string& person, const char* condition, const char* stimulus,
+                         const char* response) {
+        EXPECT_TRUE(tally.add({person, "shape", condition, Phase::test, stimulus, response, 1.25}));
+    };
+    for (const char* condition : {"static", "dynamic"}) {
+        for (const char* stimulus : {"A", "B"}) {
+            add("P1", condition, stimulus, stimulus);
+            add("P1", condition, stimulus, "");
+            add("P2", condition, stimulus, "A");
+            add("P2", condition, stimulus, stimulus);
+            add(third, condition, stimulus, condition == std::string("dynamic") ? stimulus : "B");
+            add(third, condition, stimulus, condition == std::string("dynamic") ? stimulus : "A");
+        }
+    }
+    return studyResults(tally);
+}
+
+ReportHeading heading(std::optional<Mode> mode = Mode::run) {
+    return {"Results", mode, {"study & more"}, "0.1.0"};
+}
+
+/// How often each element occurs; nothing when the page is not well-formed.
+std::map<QString, int> elementsOf(const std::string& html) {
+    QXmlStreamReader reader(QString::fromStdString(html));
+    std::map<QString, int> elements;
+    while (!reader.atEnd()) {
+        if (reader.readNext() == QXmlStreamReader::StartElement)
+            ++elements[reader.name().toString()];
+    }
+    EXPECT_FALSE(reader.hasError()) << reader.errorString().toStdString() << " in line "
+                                    << reader.lineNumber();
+    return elements;
+}
+
+bool has(const std::string& html, const std::string& text) {
+    return html.find(text) != std::string::npos;
+}
+
+} // namespace
+
+TEST(StudyReport, hasEveryFigureWithATableBesideIt) {
+    auto elements = elementsOf(reportHtml(results(), heading()));
+    // Accuracy, two confusion matrices, patterns, times, transfer; participants and ANOVA are tables only.
+    EXPECT_EQ(elements[QStringLiteral("svg")], 6);
+    EXPECT_EQ(elements[QStringLiteral("figure")], 6);
+    EXPECT_EQ(elements[QStringLiteral("table")], 8);
+    EXPECT_EQ(elements[QStringLiteral("caption")], 8);
+    EXPECT_EQ(elements[QStringLiteral("h1")], 1);
+}
+
+TEST(StudyReport, needsNothingElse) {
+    const std::string html = reportHtml(results(), heading());
+    EXPECT_FALSE(has(html, "<script"));
+    EXPECT_FALSE(has(html, "<link"));
+    EXPECT_FALSE(has(html, "<img"));
+    EXPECT_FALSE(has(html, "url("));
+    EXPECT_FALSE(has(html, " src="));
+    EXPECT_FALSE(has(html, " href="));
+}
+
+TEST(StudyReport, showsTheNumbersOfTheResults) {
+    const std::string html = reportHtml(results(), heading());
+    // Static: 1/2 and 3/4 and 1/2 right, so the mean is 58.3 %; P1 leaves two of four unanswered.
+    EXPECT_TRUE(has(html, "<td>58.3</td>"));
+    EXPECT_TRUE(has(html, "<td>2/4</td><td>2</td>"));
+    EXPECT_TRUE(has(html, "condition:pattern"));
+    EXPECT_TRUE(has(html, "study &amp; more"));
+    EXPECT_TRUE(has(html, "few trials"));
+}
+
+TEST(StudyReport, escapesNames) {
+    const std::string html = reportHtml(results("<script>\"&'\n参加者"), heading());
+    EXPECT_FALSE(has(html, "<script>"));
+    EXPECT_TRUE(has(html, "&lt;script&gt;&quot;&amp;'\n参加者"));
+    (void)elementsOf(html);
+}
+
+TEST(StudyReport, saysLoudlyThatDataAreNotThoseOfAStudy) {
+    EXPECT_TRUE(has(reportHtml(results(), heading(Mode::simulated)), "<p class=\"mode\">SIMULATED"));
+    EXPECT_TRUE(has(reportHtml(results(), heading(Mode::pilot)), "<p class=\"mode\">PILOT"));
+    EXPECT_FALSE(has(reportHtml(results(), heading(Mode::run)), "class=\"mode\""));
+    EXPECT_FALSE(has(reportHtml(results(), heading({})), "class=\"mode\""));
+}
+
+TEST(StudyReport, isWrittenIntoTheFolder) {
+    const test::TemporaryFolder folder;
+    ASSERT_TRUE(writeReport(results(), heading(), folder.path("out")));
+    EXPECT_EQ(test::readAll(folder.path("out/report.html")), reportHtml(results(), heading()));
+    EXPECT_FALSE(writeReport(results(), heading(), folder.write("file", "in the way")));
+}
+
+// html5lib follows the standard's parser and in its strict mode fails at the first error.
+TEST(StudyReport, isHtml5) {
+    if (std::system("/usr/bin/python3 -c 'import html5lib' > /dev/null 2>&1") != 0)
+        GTEST_SKIP() << "python3-html5lib is not installed";
+    const test::TemporaryFolder folder;
+    ASSERT_TRUE(writeReport(results("<&>"), heading(Mode::pilot), folder.path("out")));
+    const std::string command = "/usr/bin/python3 -c 'import html5lib, sys; "
+                                "html5lib.HTMLParser(strict=True).parse(open(sys.argv[1], \"rb\"))' '" +
+                                folder.path("out/report.html") + "'";
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    const std::string damaged = folder.write("damaged.html", "<!DOCTYPE html><html><p></b></html>");
+    EXPECT_NE(std::system(("/usr/bin/python3 -c 'import html5lib, sys; "
+                           "html5lib.HTMLParser(strict=True).parse(open(sys.argv[1], \"rb\"))' '" +
+                           damaged + "' 2> /dev/null")
+                              .c_str()),
+              0);
+}
+
+} // namespace teleta::study

@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/study/rehearsal.h"
+#include "backend/study/study_store.h"
+#include "backend/study/trial_journal.h"
+#include "tests/backend/core/temporary_folder.h"
+#include "tests/backend/study/small_protocol.h"
+#include "tests/support/postgres_server.h"
+
+#include <QCoreApplication>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <thread>
+#include <tuple>
+
+namespace teleta::study {
+
+namespace {
+
+using test::PostgresServer;
+using test::TemporaryFolder;
+
+/// Qt finds its database drivers through the application.
+const struct Application {
+    int argc = 1;
+    std::array<char, 5> name{"test"};
+    std::array<char*, 2> argv{name.data(), nullptr};
+    QCoreApplication application{argc, argv.data()};
+} kApplication;
+
+const QDateTime kNow(QDate(2026, 11, 3), QTime(14, 22, 33, 250), Qt::UTC);
+
+using Row = std::tuple<std::string, std::string, Phase, std::size_t, std::size_t, std::size_t,
+                       std::optional<std::size_t>, Outcome, std::optional<double>, qint64>;
+
+std::vector<Row> rowsOf(const StudyStore& store) {
+    std::vector<Row> rows;
+    const auto participants = store.participants().value();
+    for (const Participant& participant : participants) {
+        const auto sessions = store.sessions(participant).value();
+        for (const SessionRecord& session : sessions) {
+            const auto trials = store.trials(session).value();
+            for (const StoredTrial& trial : trials) {
+                const TrialResult& r = trial.result;
+                rows.emplace_back(participant.id, session.id, r.planned.phase, r.planned.trial,
+                                  r.planned.attempt, r.planned.stimulus, r.response, r.outcome,
+                                  r.responseTime_s, trial.time.toMSecsSinceEpoch());
+            }
+        }
+    }
+    return rows;
+}
+
+TrialResult trialNumber(std::size_t number) {
+    TrialResult result;
+    result.planned = {Phase::test, number, 2, 1, 1};
+    result.trialInBlock = number;
+    result.response = 2;
+    result.outcome = Outcome::incorrect;
+    result.responseTime_s = 0.1 + 0.2;
+    result.responseTimeOffset_s = -1.75;
+    result.responseDevice = "keyboard";
+    result.responseKey = "3";
+    result.earlyPresses = 2;
+    result.onset_s = 12.1;
+    result.duration_s = 2.0;
+    result.deviceLatency_ms = 1.0 / 3.0;
+    return result;
+}
+
+/// One server for all tests; each has a study of its own.
+class StudyServerTest : public testing::Test {
+protected:
+    static void SetUpTestSuite() {
+        if (!PostgresServer::programs().empty())
+            s_server = std::make_unique<PostgresServer>();
+    }
+    static void TearDownTestSuite() { s_server.reset(); }
+
+    void SetUp() override {
+        if (s_server == nullptr)
+            GTEST_SKIP() << "PostgreSQL is not installed, so there is no server to talk to";
+        m_study = "study_" + std::to_string(s_studies++);
+    }
+
+    static StudyHead head(Mode mode = Mode::pilot) {
+        StudyHead head;
+        head.protocol = smallProtocol();
+        head.seed = 18'000'000'000'000'000'001U;
+        head.mode = mode;
+        head.plannedParticipants = 3;
+        head.created = kNow;
+        head.appVersion = "0.1.0";
+        return head;
+    }
+
+    [[nodiscard]] StoreLocation at(const std::string& folder = "here") const {
+        return {m_folder.path(folder), s_server->url(m_study)};
+    }
+
+    StudyStore create() {
+        auto store = StudyStore::create(at(), head());
+        if (!store)
+            throw std::runtime_error(core::describe(store.error()));
+        return std::move(*store);
+    }
+
+    static SessionRecord begin(StudyStore& store, const Participant& participant) {
+        const auto plan = planSessions(store.head().protocol, store.head().seed, participant.enrolment);
+        return store.beginSession(participant, 0, plan[0], kNow).value();
+    }
+
+    [[nodiscard]] bool hasPending() const { return !TrialJournal::sessionsIn(m_folder.path("here")).empty(); }
+
+    static inline std::unique_ptr<PostgresServer> s_server;
+    static inline int s_studies = 0;
+    TemporaryFolder m_folder;
+    std::string m_study;
+};
+
+} // namespace
+
+TEST_F(StudyServerTest, givesAStudyBackAsItWas) {
+    SessionRecord session;
+    {
+        StudyStore store = create();
+        session = begin(store, store.enrol("O'Neil, \"参加者\"").value());
+        ASSERT_TRUE(store.keepTrial(session, trialNumber(1), kNow));
+        ASSERT_TRUE(store.finishSession(session));
+    }
+    const auto store = StudyStore::open(at("elsewhere"));
+    ASSERT_TRUE(store) << core::describe(store.error());
+    EXPECT_EQ(store->head().seed, 18'000'000'000'000'000'001U);
+    EXPECT_EQ(store->head().mode, Mode::pilot);
+    EXPECT_EQ(store->head().created, kNow);
+    EXPECT_EQ(store->head().protocol.source, smallProtocol().source);
+    EXPECT_EQ(store->head().stimulusSetSha256.size(), 64U);
+    const Participant participant = store->participants()->front();
+    EXPECT_EQ(participant.id, "O'Neil, \"参加者\"");
+    EXPECT_TRUE(store->sessions(participant)->front().finished);
+    const auto trials = store->trials(session).value();
+    ASSERT_EQ(trials.size(), 1U);
+    EXPECT_EQ(trials[0].result.responseTime_s, 0.1 + 0.2);
+    EXPECT_EQ(trials[0].result.deviceLatency_ms, 1.0 / 3.0);
+    EXPECT_EQ(trials[0].result.onset_s, 12.1);
+    EXPECT_EQ(trials[0].result.response, 2U);
+    EXPECT_EQ(trials[0].time, kNow);
+}
+
+TEST_F(StudyServerTest, refusesWhatIsThereAlready) {
+    StudyStore store = create();
+    EXPECT_EQ(StudyStore::create(at(), head()).error().kind, core::ErrorKind::refused);
+    const Participant participant = store.enrol("P07").value();
+    EXPECT_EQ(store.enrol("P07").error().kind, core::ErrorKind::refused);
+    const SessionRecord session = begin(store, participant);
+    ASSERT_TRUE(store.keepTrial(session, trialNumber(1), kNow));
+    TrialResult other = trialNumber(1);
+    other.response = 0;
+    EXPECT_EQ(store.keepTrial(session, other, kNow).error().kind, core::ErrorKind::refused);
+    EXPECT_EQ(store.trials(session)->front().result.response, 2U);
+    const StoreLocation missing{m_folder.path("here"), s_server->url("nobody_made_this")};
+    EXPECT_EQ(StudyStore::open(missing).error().kind, core::ErrorKind::notFound);
+}
+
+TEST_F(StudyServerTest, bringsAnOlderStudyUpToDateAndKeepsItsTrials) {
+    SessionRecord session;
+    {
+        StudyStore store = create();
+        session = begin(store, store.enrol("P07").value());
+        ASSERT_TRUE(store.keepTrial(session, trialNumber(1), kNow));
+    }
+    s_server->sql("DROP TABLE " + m_study + ".answer; DELETE FROM " + m_study +
+                  ".schema_version WHERE version = 3");
+    const auto store = StudyStore::open(at());
+    ASSERT_TRUE(store) << core::describe(store.error());
+    EXPECT_EQ(store->trials(session)->size(), 1U);
+    EXPECT_TRUE(store->answers(store->participants()->front())->empty());
+    s_server->sql("INSERT INTO " + m_study + ".schema_version VALUES (1000)");
+    EXPECT_EQ(StudyStore::open(at()).error().kind, core::ErrorKind::refused);
+}
+
+TEST_F(StudyServerTest, keepsAnswersOfAQuestionnaireTogetherAndOnce) {
+    StudyStore store = create();
+    const Participant participant = store.enrol("P07").value();
+    const SessionRecord session = begin(store, participant);
+    Questionnaire effort{"effort", "Effort", QuestionnaireTime::afterSession, {}};
+    effort.items.resize(2);
+    effort.items[0].id = "hard";
+    effort.items[1].id = "more";
+    effort.items[1].required = false;
+    ASSERT_TRUE(store.keepAnswers(participant, session, effort, {{"hard", "very"}, {"more", {}}}, kNow));
+    EXPECT_EQ(
+        store.keepAnswers(participant, session, effort, {{"hard", "no"}, {"more", {}}}, kNow).error().kind,
+        core::ErrorKind::refused);
+    const auto answers = StudyStore::open(at())->answers(participant).value();
+    ASSERT_EQ(answers.size(), 2U);
+    EXPECT_EQ(answers[0].value, "very");
+    EXPECT_EQ(answers[0].session, session.key);
+    EXPECT_FALSE(answers[1].value);
+}
+
+TEST_F(StudyServerTest, stationsThatEnrolAtOnceGetNumbersOfTheirOwn) {
+    (void)create();
+    constexpr int kStations = 3;
+    constexpr int kEach = 15;
+    std::array<std::set<std::size_t>, kStations> numbers;
+    {
+        std::vector<std::jthread> stations;
+        for (int i = 0; i < kStations; ++i)
+            stations.emplace_back([&, i] {
+                auto store = StudyStore::open(at("station" + std::to_string(i)));
+                for (int j = 0; store && j < kEach; ++j) {
+                    const auto participant = store->enrol(std::to_string(i) + "-" + std::to_string(j));
+                    if (participant)
+                        numbers[static_cast<std::size_t>(i)].insert(participant->enrolment);
+                }
+            });
+    }
+    std::set<std::size_t> all;
+    for (const auto& of : numbers) {
+        EXPECT_EQ(of.size(), static_cast<std::size_t>(kEach));
+        all.insert(of.begin(), of.end());
+    }
+    EXPECT_EQ(all.size(), static_cast<std::size_t>(kStations * kEach));
+    EXPECT_EQ(*all.rbegin(), static_cast<std::size_t>(kStations * kEach) - 1);
+}
+
+TEST_F(StudyServerTest, aParticipantIsAtOneStationAtATime) {
+    StudyStore one = create();
+    StudyStore two = StudyStore::open(at("there")).value();
+    const Participant participant = one.enrol("P07").value();
+    {
+        const auto claim = one.claim(participant);
+        ASSERT_TRUE(claim) << core::describe(claim.error());
+        EXPECT_EQ(two.claim(participant).error().kind, core::ErrorKind::refused);
+        EXPECT_EQ(one.claim(participant).error().kind, core::ErrorKind::refused);
+        EXPECT_TRUE(two.runner(participant).value());
+    }
+    EXPECT_FALSE(two.runner(participant).value());
+    auto claim = std::make_unique<core::Expected<ParticipantClaim>>(two.claim(participant));
+    ASSERT_TRUE(*claim);
+    {
+        // A station that goes away frees its participants.
+        const StudyStore gone = std::move(two);
+    }
+    EXPECT_TRUE(one.claim(participant));
+}
+
+TEST_F(StudyServerTest, aServerThatIsKilledInASessionLosesAndRepeatsNothing) {
+    StudyStore store = create();
+    const SessionRecord session = begin(store, store.enrol("P07").value());
+    ASSERT_TRUE(store.keepTrial(session, trialNumber(1), kNow));
+    s_server->kill();
+    for (int attempt = 0; attempt < 2; ++attempt) {
+        const auto kept = store.keepTrial(session, trialNumber(2), kNow.addSecs(9));
+        ASSERT_FALSE(kept);
+        EXPECT_EQ(kept.error().kind, core::ErrorKind::unavailable) << core::describe(kept.error());
+        EXPECT_NE(kept.error().message.find("pending-"), std::string::npos) << kept.error().message;
+        EXPECT_EQ(core::describe(kept.error()).find("cret"), std::string::npos) << "the password is shown";
+        EXPECT_EQ(TrialJournal(m_folder.path("here"), session.key).read()->size(), 1U);
+    }
+    EXPECT_EQ(store.trials(session).error().kind, core::ErrorKind::unavailable);
+    s_server->start();
+    ASSERT_TRUE(store.keepTrial(session, trialNumber(2), kNow.addSecs(9)));
+    EXPECT_FALSE(hasPending());
+    ASSERT_TRUE(store.keepTrial(session, trialNumber(3), kNow.addSecs(20)));
+    const auto trials = store.trials(session).value();
+    ASSERT_EQ(trials.size(), 3U);
+    EXPECT_EQ(trials[1].result.planned.trial, 2U);
+    EXPECT_EQ(trials[1].time, kNow.addSecs(9));
+}
+
+TEST_F(StudyServerTest, aTrialThatWaitedWhenTheProgramEndedIsSentWithTheNextStart) {
+    SessionRecord session;
+    {
+        StudyStore store = create();
+        session = begin(store, store.enrol("P07").value());
+        s_server->kill();
+        EXPECT_FALSE(store.keepTrial(session, trialNumber(1), kNow));
+    }
+    EXPECT_EQ(StudyStore::open(at()).error().kind, core::ErrorKind::unavailable);
+    EXPECT_TRUE(hasPending());
+    s_server->start();
+    for (int start = 0; start < 2; ++start) {
+        const auto store = StudyStore::open(at());
+        ASSERT_TRUE(store) << core::describe(store.error());
+        EXPECT_FALSE(hasPending());
+        ASSERT_EQ(store->trials(session)->size(), 1U);
+        EXPECT_EQ(store->trials(session)->front().result.deviceLatency_ms, 1.0 / 3.0);
+    }
+}
+
+// The server had the trial but could not say so any more.
+TEST_F(StudyServerTest, aWaitingTrialThatTheServerHasIsNotKeptTwice) {
+    StudyStore store = create();
+    const SessionRecord session = begin(store, store.enrol("P07").value());
+    ASSERT_TRUE(store.keepTrial(session, trialNumber(1), kNow));
+    const TrialJournal journal(m_folder.path("here"), session.key);
+    ASSERT_TRUE(journal.append({session.key, session.id, trialNumber(1), kNow}));
+    ASSERT_TRUE(StudyStore::open(at()));
+    EXPECT_FALSE(hasPending());
+    EXPECT_EQ(store.trials(session)->size(), 1U);
+    TrialResult other = trialNumber(1);
+    other.response = 0;
+    ASSERT_TRUE(journal.append({session.key, session.id, other, kNow}));
+    EXPECT_EQ(StudyStore::open(at()).error().kind, core::ErrorKind::refused);
+    EXPECT_TRUE(hasPending()) << "what differs is kept for a person to look at";
+    ASSERT_TRUE(journal.remove());
+    ASSERT_TRUE(journal.append({session.key, "another study", trialNumber(2), kNow}));
+    EXPECT_EQ(StudyStore::open(at()).error().kind, core::ErrorKind::badInput);
+}
+
+TEST_F(StudyServerTest, connectsAgainByItselfAndKeepsItsParticipant) {
+    StudyStore store = create();
+    const Participant participant = store.enrol("P07").value();
+    const auto claim = store.claim(participant);
+    ASSERT_TRUE(claim);
+    const SessionRecord session = begin(store, participant);
+    s_server->kill();
+    s_server->start();
+    const auto kept = store.keepTrial(session, trialNumber(1), kNow);
+    ASSERT_TRUE(kept) << core::describe(kept.error());
+    StudyStore other = StudyStore::open(at("there")).value();
+    EXPECT_EQ(other.claim(participant).error().kind, core::ErrorKind::refused);
+}
+
+TEST_F(StudyServerTest, aRehearsalThatTheServerLeftGoesOnAndIsTheSameAsInAFile) {
+    StudyStore local = StudyStore::create(m_folder.path("local"), head(Mode::simulated)).value();
+    ASSERT_TRUE(rehearse(local, [](std::size_t) { return true; }));
+    StudyStore remote = StudyStore::create(at(), head(Mode::simulated)).value();
+    const auto broken = rehearse(remote, [](std::size_t trials) {
+        if (trials == 13)
+            s_server->kill();
+        return true;
+    });
+    ASSERT_FALSE(broken);
+    EXPECT_EQ(broken.error().kind, core::ErrorKind::unavailable);
+    s_server->start();
+    StudyStore again = StudyStore::open(at()).value();
+    const auto progress = rehearse(again, [](std::size_t) { return true; });
+    ASSERT_TRUE(progress) << core::describe(progress.error());
+    EXPECT_GE(progress->trialsBefore, 13U);
+    EXPECT_EQ(rowsOf(again), rowsOf(local));
+}
+
+TEST_F(StudyServerTest, errorsNeverShowAPassword) {
+    const std::string wrong = s_server->url(m_study, "wr0ng-pass");
+    const auto refused = StudyStore::open({m_folder.path("here"), wrong});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(core::describe(refused.error()).find("wr0ng"), std::string::npos)
+        << core::describe(refused.error());
+    for (const char* url :
+         {"mysql://console:wr0ng-pass@host/db", "postgresql://console:wr0ng-pass@host/db?pet=cat",
+          "postgresql://console:wr0ng-pass@host/db?study=No%20name"}) {
+        const auto bad = StudyStore::open({m_folder.path("here"), url});
+        ASSERT_FALSE(bad) << url;
+        EXPECT_EQ(bad.error().kind, core::ErrorKind::badInput) << core::describe(bad.error());
+        EXPECT_EQ(core::describe(bad.error()).find("wr0ng"), std::string::npos);
+    }
+    EXPECT_EQ(shownServer("postgresql://me:wr0ng@host/db?study=a&password=wr0ng"),
+              "postgresql://me@host/db?study=a");
+}
+
+} // namespace teleta::study
