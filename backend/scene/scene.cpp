@@ -3,6 +3,7 @@
 
 #include "backend/scene/arm_world_check.h"
 #include "backend/scene/camera_world_check.h"
+#include "backend/scene/servo_world_reader.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -79,6 +80,12 @@ struct EffectIsValid {
         return isNotNegative(spec.amplitude_Nm) && isPositive(spec.wavesPerTurn);
     }
     bool operator()(const NonlinearObjectSpec& spec) const { return isPositive(spec.doublingDepth_m); }
+    bool operator()(const BorderStiffeningSpec& spec) const { return isNotNegative(spec.share); }
+    bool operator()(const HousingRimSpec& spec) const {
+        return isPositive(spec.stiffness_NPerM) && isNotNegative(spec.recess_m) &&
+               isPositive(spec.length_m) && isPositive(spec.width_m);
+    }
+    bool operator()(const ContactDampingSpec& spec) const { return isNotNegative(spec.time_s); }
     bool operator()(const LensDistortionSpec& spec) const { return isCameraEffect(spec); }
     bool operator()(const UnevenLightSpec& spec) const { return isCameraEffect(spec); }
     bool operator()(const SensorNoiseSpec& spec) const { return isCameraEffect(spec); }
@@ -100,6 +107,9 @@ struct EffectName {
     std::string_view operator()(const GravityErrorSpec&) const { return "gravity_error"; }
     std::string_view operator()(const GearRippleSpec&) const { return "gear_ripple"; }
     std::string_view operator()(const NonlinearObjectSpec&) const { return "nonlinear_object"; }
+    std::string_view operator()(const BorderStiffeningSpec&) const { return "border_stiffening"; }
+    std::string_view operator()(const HousingRimSpec&) const { return "housing_rim"; }
+    std::string_view operator()(const ContactDampingSpec&) const { return "damping"; }
     std::string_view operator()(const LensDistortionSpec&) const { return "lens_distortion"; }
     std::string_view operator()(const UnevenLightSpec&) const { return "uneven_light"; }
     std::string_view operator()(const SensorNoiseSpec&) const { return "sensor_noise"; }
@@ -166,6 +176,13 @@ core::Expected<void> checkWorld(const CameraWorld& world) {
     return refused(SceneCheck::tr("what the arm under the soft tube does is out of range"));
 }
 
+core::Expected<void> checkWorld(const ServoWorld& world) {
+    if (!isValidServoWorld(world))
+        return refused(
+            SceneCheck::tr("a property of the servoing arm, its sensor, object or task is out of range"));
+    return {};
+}
+
 } // namespace
 
 std::string_view nameOf(const Effect& effect) {
@@ -186,8 +203,14 @@ core::Expected<void> checkScene(const Scene& scene) {
         if (scene.isCamera() != (effect->parameters.index() >= kFirstCameraEffect))
             return refused(scene.isCamera() ? SceneCheck::tr("a camera has no effect \"%1\"").arg(name)
                                             : SceneCheck::tr("effect \"%1\" needs a camera").arg(name));
-        if (!scene.isArm() && !scene.isCamera() && effect->parameters.index() >= kTaxelEffectKinds)
-            return refused(SceneCheck::tr("effect \"%1\" needs an arm").arg(name));
+        const std::size_t kind = effect->parameters.index();
+        if (!scene.isCamera() && kind >= kTaxelEffectKinds) {
+            const bool ofArm = kind < kTaxelEffectKinds + kArmEffectKinds;
+            if (ofArm && !scene.isArm())
+                return refused(SceneCheck::tr("effect \"%1\" needs an arm").arg(name));
+            if (!ofArm && !scene.isServo())
+                return refused(SceneCheck::tr("effect \"%1\" needs a servoing arm").arg(name));
+        }
         const bool again = std::any_of(scene.effects.begin(), effect, [&](const Effect& earlier) {
             return earlier.parameters.index() == effect->parameters.index();
         });
@@ -212,6 +235,12 @@ core::Expected<void> checkArmScene(const Scene& scene) {
 core::Expected<void> checkCameraScene(const Scene& scene) {
     if (!scene.isCamera())
         return refused(SceneCheck::tr("the scene is not that of a camera in a soft tube"));
+    return checkScene(scene);
+}
+
+core::Expected<void> checkServoScene(const Scene& scene) {
+    if (!scene.isServo())
+        return refused(SceneCheck::tr("the scene is not that of a servoing arm"));
     return checkScene(scene);
 }
 

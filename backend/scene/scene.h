@@ -5,6 +5,7 @@
 #include "backend/scene/arm_world.h"
 #include "backend/scene/array_world.h"
 #include "backend/scene/camera_world.h"
+#include "backend/scene/servo_world.h"
 
 #include <cstddef>
 #include <string>
@@ -83,19 +84,40 @@ struct NonlinearObjectSpec {
     double doublingDepth_m = 0.0; ///< depth at which the secant stiffness is twice k; > 0
 };
 
+/// The cover is held from the sides: taxels along the border are stiffer by this share, corners by twice
+/// that.
+struct BorderStiffeningSpec {
+    double share = 0.0; ///< >= 0
+};
+
+/// The housing around the sensitive area, lower by recess_m, carries what presses on it and senses nothing.
+struct HousingRimSpec {
+    double stiffness_NPerM = 2e5; ///< of a piece as long as a pitch; > 0
+    double recess_m = 0.0005;     ///< >= 0
+    double length_m = 0.050;      ///< along x, > the array's
+    double width_m = 0.025;       ///< along y, > the array's
+};
+
+/// The cover gives back less than it takes: beside each pressed spring k acts a damper k time_s.
+struct ContactDampingSpec {
+    double time_s = 0.0; ///< >= 0
+};
+
 /// One imperfection that the scene calls for. What is not listed is not simulated. The first seven are of
-/// taxels, the next of an arm, the last six of a camera.
+/// taxels, the next five of an arm, the next three of an array that an arm carries, the last six of a camera.
 struct Effect {
     std::string why; ///< what the scene would lose without it
     std::variant<NoiseSpec, QuantizationSpec, SaturationSpec, DeadTaxelsSpec, CrosstalkSpec, HysteresisSpec,
                  DriftSpec, TorqueNoiseSpec, EncoderQuantizationSpec, GravityErrorSpec, GearRippleSpec,
-                 NonlinearObjectSpec, LensDistortionSpec, UnevenLightSpec, SensorNoiseSpec, MotionBlurSpec,
-                 MarkerPrintErrorSpec, VignettingSpec>
+                 NonlinearObjectSpec, BorderStiffeningSpec, HousingRimSpec, ContactDampingSpec,
+                 LensDistortionSpec, UnevenLightSpec, SensorNoiseSpec, MotionBlurSpec, MarkerPrintErrorSpec,
+                 VignettingSpec>
         parameters;
 };
 
-/// Kinds of effects that a tactile array can have; those after them need an arm.
+/// Kinds of effects that every tactile array can have; those after them need the world that they are of.
 inline constexpr std::size_t kTaxelEffectKinds = 7;
+inline constexpr std::size_t kArmEffectKinds = 5;
 /// Kinds that a camera can have, the last ones.
 inline constexpr std::size_t kCameraEffectKinds = 6;
 inline constexpr std::size_t kFirstCameraEffect =
@@ -109,11 +131,13 @@ struct Scene {
     std::string name;
     std::string description;
     double duration_s = 0.0;
-    double rate_Hz = 0.0; ///< frames of an array or a camera, or joint samples of an arm, a second
-    std::variant<ArrayWorld, ArmWorld, CameraWorld> world;
+    double rate_Hz =
+        0.0; ///< frames of an array or a camera, samples of an arm, control cycles of a servo a second
+    std::variant<ArrayWorld, ArmWorld, CameraWorld, ServoWorld> world;
     std::vector<Effect> effects; ///< each kind at most once
 
     [[nodiscard]] bool isArm() const { return std::holds_alternative<ArmWorld>(world); }
+    [[nodiscard]] bool isServo() const { return std::holds_alternative<ServoWorld>(world); }
     [[nodiscard]] bool isCamera() const { return std::holds_alternative<CameraWorld>(world); }
     /// The world of a scene of that kind; throws std::bad_variant_access with the other.
     [[nodiscard]] const ArrayWorld& array() const { return std::get<ArrayWorld>(world); }
@@ -122,11 +146,22 @@ struct Scene {
     [[nodiscard]] ArmWorld& arm() { return std::get<ArmWorld>(world); }
     [[nodiscard]] const CameraWorld& camera() const { return std::get<CameraWorld>(world); }
     [[nodiscard]] CameraWorld& camera() { return std::get<CameraWorld>(world); }
+    [[nodiscard]] const ServoWorld& servo() const { return std::get<ServoWorld>(world); }
+    [[nodiscard]] ServoWorld& servo() { return std::get<ServoWorld>(world); }
     /// Taxels of the array, or of the arm's skin; a camera has none.
     [[nodiscard]] core::ArrayLayout taxels() const {
         if (isCamera())
             return {.rows = 0, .columns = 0};
-        return isArm() ? arm().skin.layout : array().sensor.layout;
+        return isArm() ? arm().skin.layout : sensor().layout;
+    }
+    /// Load at which one of them saturates. Not of a camera.
+    [[nodiscard]] double fullScale_N() const {
+        return isArm() ? arm().skin.fullScale_N : sensor().fullScale_N;
+    }
+
+private:
+    [[nodiscard]] const ArraySensor& sensor() const {
+        return isServo() ? servo().sensor.array : array().sensor;
     }
 };
 
@@ -139,5 +174,6 @@ struct Scene {
 [[nodiscard]] core::Expected<void> checkArrayScene(const Scene& scene);
 [[nodiscard]] core::Expected<void> checkArmScene(const Scene& scene);
 [[nodiscard]] core::Expected<void> checkCameraScene(const Scene& scene);
+[[nodiscard]] core::Expected<void> checkServoScene(const Scene& scene);
 
 } // namespace teleta::scene

@@ -3,6 +3,7 @@
 
 #include "backend/scene/arm_world_reader.h"
 #include "backend/scene/camera_world_reader.h"
+#include "backend/scene/servo_world_reader.h"
 #include "backend/scene/toml_table.h"
 
 #include <QCoreApplication>
@@ -108,6 +109,15 @@ DeadTaxelsSpec readDeadTaxels(TomlTable& table, const core::ArrayLayout& layout)
     return spec;
 }
 
+HousingRimSpec readHousingRim(TomlTable& table, const core::ArrayLayout& layout) {
+    HousingRimSpec spec;
+    spec.stiffness_NPerM = table.number("stiffness_N_per_m", NumberRange::positive());
+    spec.recess_m = table.number("recess_m", NumberRange::notNegative());
+    spec.length_m = table.number("length_m", NumberRange{.low = layout.columns * layout.pitch_m});
+    spec.width_m = table.number("width_m", NumberRange{.low = layout.rows * layout.pitch_m});
+    return spec;
+}
+
 Effect readEffect(TomlTable table, const Scene& scene, std::set<std::size_t>& listed) {
     if (scene.isCamera())
         return readCameraEffect(table, listed);
@@ -117,7 +127,12 @@ Effect readEffect(TomlTable table, const Scene& scene, std::set<std::size_t>& li
     if (scene.isArm())
         names.insert(names.end(), {"torque_noise", "encoder_quantization", "gravity_error", "gear_ripple",
                                    "nonlinear_object"});
-    const std::size_t kind = table.choice("name", names);
+    if (scene.isServo())
+        names.insert(names.end(), {"border_stiffening", "housing_rim", "damping"});
+    // The position in the variant: effects of an arm come before those of a servo.
+    const std::size_t chosen = table.choice("name", names);
+    const std::size_t kind =
+        scene.isServo() && chosen >= kTaxelEffectKinds ? chosen + kArmEffectKinds : chosen;
     if (!listed.insert(kind).second)
         table.fail("name", SceneReader::tr("the effect is listed twice").toStdString(),
                    SceneReader::tr("each effect at most once").toStdString());
@@ -162,6 +177,17 @@ Effect readEffect(TomlTable table, const Scene& scene, std::set<std::size_t>& li
         effect.parameters =
             NonlinearObjectSpec{.doublingDepth_m = table.number("doubling_depth_m", NumberRange::positive())};
         break;
+    case 12:
+        effect.parameters =
+            BorderStiffeningSpec{.share = table.number("share", NumberRange::between(0.0, 10.0))};
+        break;
+    case 13:
+        effect.parameters = readHousingRim(table, scene.taxels());
+        break;
+    case 14:
+        effect.parameters =
+            ContactDampingSpec{.time_s = table.number("time_s", NumberRange::between(0.0, 1.0))};
+        break;
     default:
         effect.parameters = NoiseSpec{.sd_N = table.number("sd_N", NumberRange::notNegative())};
     }
@@ -186,6 +212,14 @@ core::Expected<Scene> readDocument(const TomlDocument& document) {
         effects = root.tables("effects", 0);
         root.finish();
         scene.world = readArmWorld(arm, skin, program, objects);
+    } else if (root.has("robot")) {
+        const TomlTable robot = root.table("robot");
+        const TomlTable sensor = root.table("sensor");
+        const TomlTable object = root.table("object");
+        const TomlTable task = root.table("task");
+        effects = root.tables("effects", 0);
+        root.finish();
+        scene.world = readServoWorld(robot, sensor, object, task);
     } else if (root.has("camera")) {
         CameraTables tables(root);
         effects = root.tables("effects", 0);

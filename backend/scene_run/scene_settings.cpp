@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/scene_run/scene_settings.h"
 
+#include "backend/simulation/servo/servo_loop.h"
+
 #include <algorithm>
 #include <variant>
 
@@ -29,6 +31,9 @@ pipeline::ChannelSettings channelSettings(const scene::Scene& scene) {
             {scene.arm().skin.firingThreshold_N, kNoiseBorder_sd * noiseOf_N(scene), kLeastSkinThreshold_N});
         settings.segmentation.minimumTaxels = kLeastSkinTaxels;
         settings.features.range = contact::MomentRange::active;
+    } else if (scene.isServo()) {
+        settings.features = simulation::servoFeatures(scene);
+        threshold_N = settings.features.threshold_N;
     } else if (scene.array().sensor.firingThreshold_N > 0.0) {
         threshold_N = scene.array().sensor.firingThreshold_N;
     }

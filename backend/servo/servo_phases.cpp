@@ -36,10 +36,12 @@ bool ServoPhases::update(const ServoPlan& plan, const contact::TactileFeatures& 
     const bool edge = features.type == contact::ContactType::edge;
     const std::optional<double> alpha_rad =
         features.alphaZ_rad ? std::optional(alphaError_rad) : std::optional<double>();
+    const std::optional<double> copYError_m =
+        features.copY_m ? std::optional(task.desired.copY_m - *features.copY_m) : std::optional<double>();
     const bool holds = (!exit.contact || features.active > 0) && (!exit.edge || edge) &&
                        within(exit.alphaWithin_rad, alpha_rad) &&
                        within(exit.dzmpYWithin_m, features.dzmpY_m) &&
-                       within(exit.copYWithin_m, features.copY_m) && atLeast(exit.path_m, m_path_m) &&
+                       within(exit.copYWithin_m, copYError_m) && atLeast(exit.path_m, m_path_m) &&
                        atLeast(exit.time_s, m_time_s);
     m_held_s = holds ? m_held_s + dt_s : 0.0;
     if (!holds || m_held_s < exit.hold_s)

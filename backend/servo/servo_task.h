@@ -68,10 +68,10 @@ struct ExitCondition {
     bool edge = false;                     ///< the contact is an edge
     std::optional<double> alphaWithin_rad; ///< |desired - alpha_z|
     std::optional<double> dzmpYWithin_m;
-    std::optional<double> copYWithin_m;
-    std::optional<double> path_m; ///< way of the commanded sensor since the start of the task
-    std::optional<double> time_s; ///< since the start of the task
-    double hold_s = 0.0;          ///< >= 0
+    std::optional<double> copYWithin_m; ///< |desired - CoP_y|
+    std::optional<double> path_m;       ///< way of the commanded sensor since the start of the task
+    std::optional<double> time_s;       ///< since the start of the task
+    double hold_s = 0.0;                ///< >= 0
 
     [[nodiscard]] bool named() const {
         return contact || edge || alphaWithin_rad || dzmpYWithin_m || copYWithin_m || path_m || time_s;

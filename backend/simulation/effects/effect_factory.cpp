@@ -28,8 +28,7 @@ std::vector<std::unique_ptr<Effect>> makeEffects(const scene::Scene& scene, doub
                                                  std::uint64_t seed) {
     using Name = std::string_view;
     const core::ArrayLayout& layout = scene.taxels();
-    const double fullScale_N =
-        scene.isArm() ? scene.arm().skin.fullScale_N : scene.array().sensor.fullScale_N;
+    const double fullScale_N = scene.fullScale_N();
     std::vector<std::unique_ptr<Effect>> effects;
     addListed<scene::CrosstalkSpec>(scene, effects, [&](Name name, const scene::CrosstalkSpec& spec) {
         return std::make_unique<Crosstalk>(name, spec, layout);

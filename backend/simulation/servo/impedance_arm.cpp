@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/simulation/servo/impedance_arm.h"
+
+#include "backend/servo/rigid_motion.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace teleta::simulation {
+
+namespace {
+
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+using servo::kLwrJoints;
+
+constexpr int kMostIterations = 60;
+constexpr int kMostHalvings = 40;
+/// A step of Gauss-Newton that promises less is not taken.
+constexpr double kLeastGain_J = 1e-12;
+constexpr double kInertiaRenewal_rad = 0.005;
+
+} // namespace
+
+ImpedanceArm::ImpedanceArm(const Isometry3d& X_Flange_Sensor, const Impedance& impedance, ElasticArray array,
+                           TouchedObject object)
+    : m_kinematics(X_Flange_Sensor)
+    , m_impedance(impedance)
+    , m_array(std::move(array))
+    , m_object(std::move(object)) {
+    m_stiffness << Vector3d::Constant(impedance.stiffness_NPerM),
+        Vector3d::Constant(impedance.rotationalStiffness_NmPerRad);
+    setState({});
+}
+
+void ImpedanceArm::setState(const ImpedanceState& state) {
+    m_state = state;
+    m_posture = m_kinematics.forward(state.q_rad);
+    m_X_Base_Reference = m_posture.X_Base_Tool;
+    m_contact = m_array.press(m_posture.X_Base_Tool.inverse(Eigen::Isometry) * objectAt(state.hinge_rad),
+                              m_object.shape);
+    followPosture();
+}
+
+void ImpedanceArm::setHinge(double inertia_kgm2, double torque_Nm) {
+    m_mass(kLwrJoints, kLwrJoints) = inertia_kgm2;
+    m_hingeTorque_Nm = torque_Nm;
+}
+
+void ImpedanceArm::followPosture() {
+    const LwrMatrix mass = lwrMassMatrix(m_posture);
+    m_mass.topLeftCorner<kLwrJoints, kLwrJoints>() = mass;
+    m_damping.topLeftCorner<kLwrJoints, kLwrJoints>() =
+        modalDamping(mass, m_posture.jacobian, m_stiffness, m_impedance.dampingRatio);
+    m_damping.diagonal().head<kLwrJoints>().array() += m_impedance.jointDamping_NmsPerRad;
+    m_damping(kLwrJoints, kLwrJoints) = m_object.damping_NmsPerRad;
+    m_inertiaAt_rad = m_state.q_rad;
+}
+
+Isometry3d ImpedanceArm::objectAt(double hinge_rad) const {
+    if (!m_object.turns || hinge_rad == 0.0)
+        return m_object.X_Base_Object;
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(hinge_rad, m_object.axis_Base).toRotationMatrix();
+    Isometry3d X_Base_Object;
+    X_Base_Object.linear() = turn * m_object.X_Base_Object.linear();
+    X_Base_Object.translation() =
+        m_object.p_Base_Hinge + turn * (m_object.X_Base_Object.translation() - m_object.p_Base_Hinge);
+    X_Base_Object.makeAffine();
+    return X_Base_Object;
+}
+
+void ImpedanceArm::evaluateSprings(Place& place) const {
+    const Isometry3d& X = place.posture.X_Base_Tool;
+    const Vector3d way_m = m_X_Base_Reference.translation() - X.translation();
+    const Vector3d turn_rad = servo::logSO3(X.linear().transpose() * m_X_Base_Reference.linear());
+    place.spring_Base.head<3>() = m_impedance.stiffness_NPerM * way_m;
+    place.spring_Base.tail<3>() = m_impedance.rotationalStiffness_NmPerRad * (X.linear() * turn_rad);
+    place.potential_J = 0.5 * m_impedance.stiffness_NPerM * way_m.squaredNorm() +
+                        0.5 * m_impedance.rotationalStiffness_NmPerRad * turn_rad.squaredNorm() +
+                        place.contact.energy_J - m_hingeTorque_Nm * place.at[kLwrJoints];
+}
+
+void ImpedanceArm::evaluate(const Freedoms& at, Place& place) const {
+    place.at = at;
+    place.posture = m_kinematics.forward(at.head<kLwrJoints>());
+    place.contact = m_array.press(
+        place.posture.X_Base_Tool.inverse(Eigen::Isometry) * objectAt(at[kLwrJoints]), m_object.shape);
+    evaluateSprings(place);
+}
+
+void ImpedanceArm::derivatives(const Place& place, Freedoms& gradient, FreedomsMatrix& hessian,
+                               FreedomsMatrix* contactHessian) const {
+    const servo::LwrJacobian& J = place.posture.jacobian;
+    gradient.head<kLwrJoints>().noalias() = -(J.transpose() * place.spring_Base);
+    gradient[kLwrJoints] = -m_hingeTorque_Nm;
+    hessian.setZero();
+    hessian.topLeftCorner<kLwrJoints, kLwrJoints>().noalias() = J.transpose() * m_stiffness.asDiagonal() * J;
+    if (place.contact.springs == 0)
+        return;
+    // Twist of the array relative to the object, in {s}.
+    const Eigen::Matrix3d R_Sensor_Base = place.posture.X_Base_Tool.linear().transpose();
+    Eigen::Matrix<double, 6, kFreedoms> relative = Eigen::Matrix<double, 6, kFreedoms>::Zero();
+    relative.topLeftCorner<3, kLwrJoints>().noalias() = R_Sensor_Base * J.topRows<3>();
+    relative.bottomLeftCorner<3, kLwrJoints>().noalias() = R_Sensor_Base * J.bottomRows<3>();
+    if (m_object.turns) {
+        const Vector3d arm = place.posture.X_Base_Tool.translation() - m_object.p_Base_Hinge;
+        relative.col(kLwrJoints).head<3>() = -(R_Sensor_Base * m_object.axis_Base.cross(arm));
+        relative.col(kLwrJoints).tail<3>() = -(R_Sensor_Base * m_object.axis_Base);
+    }
+    gradient.noalias() -= relative.transpose() * place.contact.wrench_Sensor;
+    const Eigen::Matrix<double, 6, kFreedoms> pressed = place.contact.tangent_Sensor * relative;
+    const FreedomsMatrix ofContact = relative.transpose() * pressed;
+    hessian += ofContact;
+    if (contactHessian != nullptr)
+        *contactHessian = ofContact;
+}
+
+double ImpedanceArm::kinetic_J(const Freedoms& rate) const {
+    return 0.5 * rate.dot(m_mass * rate);
+}
+
+double ImpedanceArm::energy_J() const {
+    Place place;
+    place.at << m_state.q_rad, m_state.hinge_rad;
+    place.posture = m_posture;
+    place.contact = m_contact;
+    evaluateSprings(place);
+    Freedoms rate;
+    rate << m_state.rate_radPerS, m_state.hingeRate_radPerS;
+    return kinetic_J(rate) + place.potential_J;
+}
+
+void ImpedanceArm::step(double step_s) {
+    Place places[2];
+    Place* here = &places[0];
+    Place* next = &places[1];
+    Freedoms rate;
+    rate << m_state.rate_radPerS, m_state.hingeRate_radPerS;
+    here->at << m_state.q_rad, m_state.hinge_rad;
+    here->posture = m_posture;
+    here->contact = m_contact;
+    evaluateSprings(*here);
+
+    const Freedoms start = here->at;
+    const double allowed_J = here->potential_J + kinetic_J(rate);
+    const FreedomsMatrix inertia = m_mass / (step_s * step_s);
+    FreedomsMatrix quadratic = inertia + m_damping / step_s;
+    Freedoms gradient;
+    FreedomsMatrix hessian;
+    FreedomsMatrix ofContact = FreedomsMatrix::Zero();
+    const bool damped = m_impedance.contactDampingTime_s > 0.0 && here->contact.springs > 0;
+    derivatives(*here, gradient, hessian, damped ? &ofContact : nullptr);
+    if (damped)
+        quadratic += m_impedance.contactDampingTime_s / step_s * ofContact;
+    const Freedoms push = inertia * (step_s * rate);
+    // |x - h v|^2_M/2h^2 + |x|^2_D/2h without its constant, x the way from the start.
+    const auto inertial_J = [&](const Freedoms& way) {
+        return 0.5 * way.dot(quadratic * way) - way.dot(push);
+    };
+
+    double merit_J = here->potential_J;
+    for (int i = 0; i < kMostIterations; ++i) {
+        if (i > 0)
+            derivatives(*here, gradient, hessian, nullptr);
+        gradient += quadratic * (here->at - start) - push;
+        hessian += quadratic;
+        if (!m_object.turns) {
+            gradient[kLwrJoints] = 0.0;
+            hessian(kLwrJoints, kLwrJoints) = 1.0;
+        }
+        const Freedoms move = -hessian.llt().solve(gradient);
+        if (-gradient.dot(move) < kLeastGain_J)
+            break;
+        double share = 1.0;
+        int halving = 0;
+        for (; halving < kMostHalvings; ++halving, share *= 0.5) {
+            evaluate(here->at + share * move, *next);
+            const double nextMerit_J = next->potential_J + inertial_J(next->at - start);
+            if (nextMerit_J <= merit_J) {
+                merit_J = nextMerit_J;
+                std::swap(here, next);
+                break;
+            }
+        }
+        if (halving == kMostHalvings)
+            break;
+    }
+
+    rate = (here->at - start) / step_s;
+    const double kinetic = kinetic_J(rate);
+    if (kinetic > 0.0 && kinetic + here->potential_J > allowed_J)
+        rate *= std::sqrt(std::max(allowed_J - here->potential_J, 0.0) / kinetic);
+
+    m_state.q_rad = here->at.head<kLwrJoints>();
+    m_state.hinge_rad = here->at[kLwrJoints];
+    m_state.rate_radPerS = rate.head<kLwrJoints>();
+    m_state.hingeRate_radPerS = rate[kLwrJoints];
+    m_posture = here->posture;
+    m_contact = here->contact;
+    if ((m_state.q_rad - m_inertiaAt_rad).lpNorm<Eigen::Infinity>() > kInertiaRenewal_rad) {
+        rate[kLwrJoints] = 0.0;
+        const double before_J = kinetic_J(rate);
+        followPosture();
+        const double after_J = kinetic_J(rate);
+        if (after_J > 0.0)
+            m_state.rate_radPerS *= std::sqrt(before_J / after_J);
+    }
+}
+
+} // namespace teleta::simulation

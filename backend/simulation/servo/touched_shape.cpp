@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/simulation/servo/touched_shape.h"
+
+#include <algorithm>
+
+namespace teleta::simulation {
+
+BarSurface::BarSurface(const scene::BarShape& shape)
+    : m_radius_m(shape.radius_m)
+    , m_low_m(-shape.behind_m)
+    , m_high_m(shape.ahead_m)
+    , m_straight_m(shape.straight_m)
+    , m_bend_m(shape.bend_m)
+    , m_bendBehind_m(shape.bendBehind_m)
+    , m_ySlope(std::tan(shape.turn_rad))
+    , m_zSlope(-std::tan(shape.fall_rad)) {
+}
+
+Eigen::Vector3d BarSurface::tangentAt(double u_m) const {
+    const Axis axis = axisAt(u_m);
+    return Eigen::Vector3d(1.0, axis.ySlope, axis.zSlope).normalized();
+}
+
+Eigen::Vector3d BarSurface::lineAt(double u_m) const {
+    const Axis axis = axisAt(u_m);
+    // The side of the bar that looks along z, across its tangent.
+    const Eigen::Vector3d tangent = tangentAt(u_m);
+    const Eigen::Vector3d normal = (Eigen::Vector3d::UnitZ() - tangent.z() * tangent).normalized();
+    return Eigen::Vector3d(u_m, axis.y_m, axis.z_m) + m_radius_m * normal;
+}
+
+double BarSurface::lineDistance_m(const Eigen::Vector3d& p_Object) const {
+    double u_m = std::clamp(p_Object.x(), m_low_m, m_high_m);
+    for (int i = 0; i < 4; ++i)
+        u_m = std::clamp(u_m + (p_Object - lineAt(u_m)).dot(tangentAt(u_m)) * tangentAt(u_m).x(), m_low_m,
+                         m_high_m);
+    return (p_Object - lineAt(u_m)).norm();
+}
+
+TouchedShape makeShape(const scene::ServoShape& shape) {
+    struct Make {
+        TouchedShape operator()(const scene::BarShape& bar) const { return BarSurface(bar); }
+        TouchedShape operator()(const scene::EdgeShape&) const { return EdgeSurface{}; }
+        TouchedShape operator()(const scene::BallShape& ball) const { return BallSurface{ball.radius_m}; }
+        TouchedShape operator()(const scene::WallShape&) const { return WallSurface{}; }
+    };
+    return std::visit(Make(), shape);
+}
+
+} // namespace teleta::simulation

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/scene/scene_reader.h"
+#include "backend/scene_run/scene_run.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace teleta::scene_run {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::uint64_t kSeeds = 20;
+
+/// The measures of a scene over all seeds.
+class Runs {
+public:
+    explicit Runs(const std::string& name)
+        : m_name(name) {
+        const auto scene = scene::readScene(TELETA_SOURCE_DIR "/resources/scenes/" + name + ".toml");
+        EXPECT_TRUE(scene) << describe(scene.error());
+        for (std::uint64_t seed = 1; scene && seed <= kSeeds; ++seed) {
+            RunOptions options;
+            options.seed = seed;
+            const auto summary = runScene(*scene, options);
+            EXPECT_TRUE(summary) << describe(summary.error());
+            if (summary)
+                m_measures.push_back(summary->measures);
+        }
+    }
+
+    [[nodiscard]] const std::vector<ordered_json>& measures() const { return m_measures; }
+
+    /// Prints median and worst; no number is the worst of all.
+    std::vector<double> sorted(const char* measure, bool largeIsBad = true) const {
+        std::vector<double> values;
+        for (const ordered_json& run : m_measures) {
+            const bool known = run.contains(measure) && run[measure].is_number();
+            const double none = largeIsBad ? std::numeric_limits<double>::infinity()
+                                           : -std::numeric_limits<double>::infinity();
+            values.push_back(known ? std::abs(run[measure].get<double>()) : none);
+        }
+        std::ranges::sort(values);
+        if (values.empty())
+            return {std::nan("")};
+        std::cout << m_name << "  " << measure << ": median " << values[values.size() / 2] << ", worst "
+                  << (largeIsBad ? values.back() : values.front()) << '\n';
+        return values;
+    }
+    [[nodiscard]] double largest(const char* measure) const { return sorted(measure).back(); }
+    [[nodiscard]] double smallest(const char* measure) const { return sorted(measure, false).front(); }
+
+private:
+    std::string m_name;
+    std::vector<ordered_json> m_measures;
+};
+
+} // namespace
+
+TEST(ServoAccuracy, theStraightBarIsAlignedWithin10sInAllPhasesAndReconstructedWithin1mm) {
+    const Runs runs("servo-straight-bar");
+    ASSERT_EQ(runs.measures().size(), kSeeds);
+    for (const ordered_json& run : runs.measures()) {
+        const std::vector<std::string> order{"free_motion", "align", "edge_control", "explore"};
+        std::vector<std::string> phases;
+        for (const ordered_json& phase : run["phases"])
+            phases.push_back(phase[0].get<std::string>());
+        EXPECT_EQ(phases, order);
+    }
+    EXPECT_LT(runs.largest("aligned_after_s"), 10.0);
+    EXPECT_LT(runs.largest("reconstruction_rms_m"), 1e-3);
+    EXPECT_GT(runs.smallest("path_length_m"), 0.1);
+    (void)runs.largest("force_rms_error_n");
+}
+
+TEST(ServoAccuracy, theBentBarIsFollowedAt5NWithoutLosingContact) {
+    const Runs runs("servo-bent-bar");
+    EXPECT_LT(runs.largest("force_rms_error_n"), 0.5);
+    EXPECT_EQ(runs.largest("contact_lost_s"), 0.0);
+    EXPECT_GT(runs.smallest("path_length_m"), 0.09);
+    (void)runs.largest("force_max_error_n");
+    EXPECT_LT(runs.largest("reconstruction_rms_m"), 1e-3);
+}
+
+TEST(ServoAccuracy, withoutTheDzmpTheBentBarIsPressedEverHarder) {
+    const Runs runs("servo-bent-bar-baseline");
+    EXPECT_GT(runs.smallest("force_max_error_n"), 20.0);
+}
+
+TEST(ServoAccuracy, theTrayIsKeptLevelWithin3sOfTheMassMoving) {
+    const Runs runs("servo-comanipulation");
+    EXPECT_LT(runs.largest("dzmp_y_settle_s"), 3.0);
+    EXPECT_LT(runs.largest("dzmp_y_final_m"), 0.5e-3);
+    EXPECT_LT(runs.largest("alpha_z_rms_rad"), 2.0 * 3.14159265358979 / 180.0);
+    EXPECT_LT(runs.largest("tray_tilt_max_rad"), 5.0 * 3.14159265358979 / 180.0);
+    EXPECT_EQ(runs.largest("contact_lost_s"), 0.0);
+}
+
+TEST(ServoAccuracy, aPointContactIsHeldInItsPlaceAndForceStillAndRolled) {
+    for (const char* name : {"servo-point", "servo-roll"}) {
+        const Runs runs(name);
+        EXPECT_LT(runs.largest("cop_max_error_m"), 0.5e-3);
+        EXPECT_LT(runs.largest("force_rms_error_n"), 0.05 * 4.0);
+        EXPECT_EQ(runs.largest("contact_lost_s"), 0.0);
+    }
+}
+
+} // namespace teleta::scene_run

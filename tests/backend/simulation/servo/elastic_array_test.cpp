@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/simulation/effects/border_stiffening.h"
+#include "backend/simulation/servo/elastic_array.h"
+#include "tests/backend/simulation/servo/servo_bodies.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace teleta::simulation {
+namespace {
+
+using test::inFront;
+using test::kLayout;
+
+constexpr double kTaxel_NPerM = 1200.0;
+
+ElasticArray softArray(double body_NPerM = 1e15, std::vector<RimSide> rim = {}) {
+    return ElasticArray(kLayout, kTaxel_NPerM, body_NPerM, {}, std::move(rim));
+}
+
+} // namespace
+
+TEST(ElasticArray, aWallPressesEveryTaxelAsASpring) {
+    const double depth_m = 0.4e-3;
+    std::vector<double> load_N(kLayout.taxels());
+    const ElasticArray array = softArray();
+    const ArrayLoads loads = array.readLoads(inFront(-depth_m), WallSurface{}, load_N);
+    for (const double taxel_N : load_N)
+        EXPECT_NEAR(taxel_N, kTaxel_NPerM * depth_m, 1e-9);
+    EXPECT_NEAR(loads.force_N, 84.0 * kTaxel_NPerM * depth_m, 1e-7);
+    EXPECT_NEAR(loads.copX_m, 0.0, 1e-12);
+    EXPECT_NEAR(loads.copY_m, 0.0, 1e-12);
+    const ArrayContact contact = array.press(inFront(-depth_m), WallSurface{});
+    EXPECT_NEAR(contact.energy_J, 0.5 * 84.0 * kTaxel_NPerM * depth_m * depth_m, 1e-12);
+    EXPECT_NEAR(contact.wrench_Sensor.z(), -loads.force_N, 1e-9);
+}
+
+TEST(ElasticArray, aTiltedWallMovesTheCentreOfPressureAsABeamOnSprings) {
+    // CoP_x = tilt * <x^2> / depth; columns of two springs have <x^2> = (n^2 - 1) c^2 / 12 with n = 28.
+    const double depth_m = 0.4e-3;
+    const double tilt_rad = 0.01;
+    const double cell_m = 0.5 * kLayout.pitch_m;
+    const double square_m2 = (28.0 * 28.0 - 1.0) * cell_m * cell_m / 12.0;
+    std::vector<double> load_N(kLayout.taxels());
+    const ArrayLoads loads = softArray().readLoads(inFront(-depth_m, 0.0, tilt_rad), WallSurface{}, load_N);
+    EXPECT_NEAR(std::abs(loads.copX_m), std::tan(tilt_rad) * square_m2 / depth_m, 1e-9);
+    EXPECT_NEAR(loads.cocX_m, 0.0, 1e-12);
+}
+
+TEST(ElasticArray, aBodyAsSoftAsTheArrayHalvesTheForce) {
+    const double hard_N = softArray().press(inFront(-4e-4), WallSurface{}).wrench_Sensor.z();
+    const double soft_N = softArray(kTaxel_NPerM).press(inFront(-4e-4), WallSurface{}).wrench_Sensor.z();
+    EXPECT_NEAR(soft_N, 0.5 * hard_N, 1e-6 * std::abs(hard_N));
+}
+
+TEST(ElasticArray, aBarAlongTheRowsPressesAsTheIntegralOfItsDepth) {
+    const double radius_m = 0.003;
+    const double depth_m = 0.4e-3;
+    // Depth R - hypot(v, R - d) along the normal, whose share along z is (R - d)/hypot; by a fine sum.
+    const double half_m = std::sqrt(depth_m * (2.0 * radius_m - depth_m));
+    double area_m2 = 0.0;
+    constexpr int kParts = 20000;
+    for (int i = 0; i < kParts; ++i) {
+        const double v_m = half_m * (2.0 * (i + 0.5) / kParts - 1.0);
+        const double distance_m = std::hypot(v_m, radius_m - depth_m);
+        area_m2 += (radius_m - distance_m) * (radius_m - depth_m) / distance_m * 2.0 * half_m / kParts;
+    }
+    const double expected_N = kTaxel_NPerM / kLayout.taxelArea_m2() * area_m2 * 14.0 * kLayout.pitch_m;
+    double sum_N = 0.0;
+    constexpr int kPlaces = 32;
+    for (int i = 0; i < kPlaces; ++i) {
+        Eigen::Isometry3d X = inFront(-depth_m);
+        X.translation().y() = kLayout.pitch_m * i / kPlaces;
+        const double force_N = -softArray().press(X, BarSurface(test::straightBar())).wrench_Sensor.z();
+        // Four springs a taxel sample the bar's width: their force waves by a few percent about the integral.
+        EXPECT_NEAR(force_N, expected_N, 0.06 * expected_N) << i;
+        sum_N += force_N / kPlaces;
+    }
+    EXPECT_NEAR(sum_N, expected_N, 0.005 * expected_N);
+}
+
+TEST(ElasticArray, theWrenchIsTheSlopeOfTheEnergyForEveryBody) {
+    const ElasticArray array = softArray(1e5, housingRim({.stiffness_NPerM = 2e5}, kLayout));
+    const std::vector<TouchedShape> shapes{BarSurface(test::bentBar()), BallSurface{0.012}, EdgeSurface{},
+                                           WallSurface{}};
+    for (const TouchedShape& shape : shapes) {
+        Eigen::Isometry3d X = inFront(-0.9e-3, 0.3, 0.02);
+        X.translation().x() = 0.0131;
+        X.translation().y() = 0.0022;
+        const ArrayContact contact = array.press(X, shape);
+        ASSERT_GT(contact.springs, 0);
+        constexpr double kStep = 1e-8;
+        for (int i = 0; i < 6; ++i) {
+            servo::Twist twist = servo::Twist::Zero();
+            twist[i] = kStep;
+            // The array moves by the twist: the body moves the other way.
+            const double ahead_J = array.press(servo::expSE3(twist).inverse() * X, shape).energy_J;
+            const double behind_J = array.press(servo::expSE3(twist) * X, shape).energy_J;
+            EXPECT_NEAR(contact.wrench_Sensor[i], -(ahead_J - behind_J) / (2.0 * kStep),
+                        2e-3 * contact.wrench_Sensor.norm())
+                << "shape " << shape.index() << " component " << i;
+        }
+    }
+}
+
+TEST(ElasticArray, theHousingCarriesWhatIsDeeperThanItsRecessAndSensesNothing) {
+    const scene::HousingRimSpec spec{.stiffness_NPerM = 2e5, .recess_m = 0.0005};
+    const ElasticArray array = softArray(1e15, housingRim(spec, kLayout));
+    std::vector<double> load_N(kLayout.taxels());
+    EXPECT_EQ(array.readLoads(inFront(-0.49e-3), WallSurface{}, load_N).rim_N, 0.0);
+    const ArrayLoads loads = array.readLoads(inFront(-0.6e-3), WallSurface{}, load_N);
+    // Two sides of 25 mm and two of 47.6 mm, 2e5 N/m a pitch, 0.1 mm deep.
+    EXPECT_NEAR(loads.rim_N, 2e5 * (2.0 * 0.025 + 2.0 * 0.0476) / kLayout.pitch_m * 0.1e-3, 1e-6);
+    EXPECT_NEAR(loads.force_N, 84.0 * kTaxel_NPerM * 0.6e-3, 1e-7);
+}
+
+TEST(ElasticArray, aStifferBorderCarriesMore) {
+    const std::vector<double> factors = borderStiffness({.share = 0.5}, kLayout);
+    const ElasticArray array(kLayout, kTaxel_NPerM, 1e15, factors, {});
+    std::vector<double> load_N(kLayout.taxels());
+    array.readLoads(inFront(-1e-4), WallSurface{}, load_N);
+    EXPECT_NEAR(load_N[0] / load_N[20], 2.0, 1e-9); // corner
+    EXPECT_NEAR(load_N[5] / load_N[20], 1.5, 1e-9); // side
+}
+
+TEST(ElasticArray, readsTheCentreOfABallWhereItIs) {
+    std::vector<double> load_N(kLayout.taxels());
+    for (const double x_m : {-0.007, 0.0, 0.0013}) {
+        for (const double y_m : {-0.003, 0.0, 0.0019}) {
+            Eigen::Isometry3d X = inFront(-1e-3);
+            X.translation().head<2>() << x_m, y_m;
+            const ArrayLoads loads = softArray().readLoads(X, BallSurface{0.012}, load_N);
+            EXPECT_NEAR(loads.copX_m, x_m, 0.1e-3);
+            EXPECT_NEAR(loads.copY_m, y_m, 0.05e-3);
+        }
+    }
+}
+
+TEST(ElasticArray, isFreeWithoutContact) {
+    const ArrayContact contact = softArray().press(inFront(1e-6), WallSurface{});
+    EXPECT_EQ(contact.springs, 0);
+    EXPECT_EQ(contact.energy_J, 0.0);
+    EXPECT_TRUE(contact.wrench_Sensor.isZero());
+}
+
+TEST(TouchedShape, theBarsSurfaceIsARadiusFromItsAxisAndItsLineOnIt) {
+    const BarSurface bar(test::bentBar());
+    for (double u_m = -0.05; u_m < 0.3; u_m += 0.01) {
+        const Eigen::Vector3d line = bar.lineAt(u_m);
+        EXPECT_NEAR(bar.at(line).depth_m, 0.0, 2e-6) << u_m;
+        EXPECT_NEAR(bar.lineDistance_m(line), 0.0, 1e-9) << u_m;
+        EXPECT_NEAR(bar.at(line).normal.dot(bar.tangentAt(u_m)), 0.0, 2e-4) << u_m;
+    }
+    // Quadratic fall: slope tan(22 deg) after the bend of 150 mm.
+    EXPECT_NEAR(bar.tangentAt(0.2).z() / bar.tangentAt(0.2).x(), -std::tan(0.384), 1e-12);
+}
+
+} // namespace teleta::simulation

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/scene/scene_reader.h"
+#include "backend/simulation/servo/servo_loop.h"
+#include "tests/backend/contact/allocation_count.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+namespace teleta::simulation {
+namespace {
+
+std::unique_ptr<ServoLoop> loopOf(const std::string& name) {
+    const auto scene = scene::readScene(TELETA_SOURCE_DIR "/resources/scenes/" + name + ".toml");
+    EXPECT_TRUE(scene) << describe(scene.error());
+    auto loop = ServoLoop::make(*scene, 2);
+    EXPECT_TRUE(loop) << describe(loop.error());
+    return std::move(*loop);
+}
+
+} // namespace
+
+TEST(ServoLoop, servoesAtItsRateOnFramesOfTheirs) {
+    const auto loop = loopOf("servo-straight-bar");
+    int frames = 0;
+    int servo = 0;
+    for (int i = 0; i < 2000; ++i) {
+        loop->next();
+        frames += loop->frameCame() ? 1 : 0;
+        servo += loop->servoed() ? 1 : 0;
+    }
+    EXPECT_EQ(frames, 400);
+    EXPECT_EQ(servo, 200);
+}
+
+TEST(ServoLoop, allocatesNothingWhileItRuns) {
+    for (const char* name : {"servo-straight-bar", "servo-bent-bar", "servo-comanipulation", "servo-roll"}) {
+        const auto loop = loopOf(name);
+        for (int i = 0; i < 3000; ++i)
+            loop->next();
+        const std::size_t before = contact::test::allocationCount();
+        for (int i = 0; i < 3000; ++i)
+            loop->next();
+        EXPECT_EQ(contact::test::allocationCount(), before) << name;
+    }
+}
+
+TEST(ServoLoop, stopHoldsTheReference) {
+    const auto loop = loopOf("servo-straight-bar");
+    for (int i = 0; i < 500; ++i)
+        loop->next();
+    const Eigen::Isometry3d before = loop->world().arm().X_Base_Reference();
+    for (int i = 0; i < 500; ++i)
+        loop->next(true);
+    EXPECT_TRUE(loop->world().arm().X_Base_Reference().isApprox(before, 0.0));
+}
+
+TEST(ServoLoop, startsAnewAsItDidAtFirst) {
+    const auto loop = loopOf("servo-point");
+    for (int i = 0; i < 2500; ++i)
+        loop->next();
+    const Eigen::Isometry3d first = loop->world().arm().X_Base_Sensor();
+    loop->restart();
+    for (int i = 0; i < 2500; ++i)
+        loop->next();
+    EXPECT_TRUE(loop->world().arm().X_Base_Sensor().isApprox(first, 0.0));
+}
+
+} // namespace teleta::simulation
