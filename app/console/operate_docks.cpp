@@ -16,11 +16,11 @@ namespace teleta::console {
 namespace {
 
 /// Version of the layouts: stored ones of another version are not restored.
-constexpr qint32 kLayoutVersion = 2;
+constexpr qint32 kLayoutVersion = 3;
 
 constexpr std::array<const char*, OperateDocks::kDocks> kNames{
     "heatmap", "reconstruction", "charts", "processing", "stiffness", "bracelet",
-    "joints",  "touches",        "jog",    "feedback",   "contour"};
+    "joints",  "touches",        "jog",    "feedback",   "contour",   "servo"};
 
 } // namespace
 
@@ -62,10 +62,16 @@ bool OperateDocks::restore(const QByteArray& layout) {
     if (!restoreState(layout, kLayoutVersion))
         return false;
     // What is not in a layout stays where it was.
-    if (m_kind == Kind::array)
-        for (std::size_t i = kFirstOfArm; i < kDocks; ++i)
+    for (std::size_t i = 0; i < kDocks; ++i)
+        if (!belongs(m_kind, i))
             m_docks[i]->hide();
     return true;
+}
+
+bool OperateDocks::belongs(Kind kind, std::size_t dock) {
+    if (dock < stiffness)
+        return true;
+    return kind == (dock == servo ? Kind::servo : Kind::arm);
 }
 
 QStringList OperateDocks::names() {
@@ -78,7 +84,7 @@ QStringList OperateDocks::names() {
 void OperateDocks::bringForward(const QString& name) {
     m_forward = name;
     const auto index = static_cast<std::size_t>(names().indexOf(name));
-    if (index >= kDocks || (m_kind == Kind::array && index >= kFirstOfArm))
+    if (index >= kDocks || !belongs(m_kind, index))
         return;
     m_docks[index]->show();
     m_docks[index]->raise();
@@ -92,8 +98,8 @@ QList<QAction*> OperateDocks::actions() const {
 }
 
 void OperateDocks::enableActions() {
-    for (std::size_t i = kFirstOfArm; i < kDocks; ++i)
-        m_docks[i]->toggleViewAction()->setEnabled(m_kind == Kind::arm);
+    for (std::size_t i = 0; i < kDocks; ++i)
+        m_docks[i]->toggleViewAction()->setEnabled(belongs(m_kind, i));
 }
 
 QByteArray OperateDocks::saveLayouts() const {
@@ -101,7 +107,9 @@ QByteArray OperateDocks::saveLayouts() const {
     layouts[index()] = saveState(kLayoutVersion);
     QByteArray bytes;
     QDataStream stream(&bytes, QIODevice::WriteOnly);
-    stream << kLayoutVersion << layouts[0] << layouts[1];
+    stream << kLayoutVersion;
+    for (const QByteArray& layout : layouts)
+        stream << layout;
     return bytes;
 }
 
@@ -109,11 +117,13 @@ bool OperateDocks::restoreLayouts(const QByteArray& layouts) {
     QDataStream stream(layouts);
     qint32 version = 0;
     std::array<QByteArray, kKinds> stored;
-    stream >> version >> stored[0] >> stored[1];
+    stream >> version;
+    for (QByteArray& layout : stored)
+        stream >> layout;
     const bool whole = stream.status() == QDataStream::Ok && version == kLayoutVersion;
     if (!whole || (!stored[index()].isEmpty() && !restore(stored[index()]))) {
         m_layouts = {};
-        m_default = {true, true};
+        m_default.fill(true);
         resetLayout();
         return false;
     }
@@ -148,6 +158,15 @@ void OperateDocks::arrange() {
         show({heatmap, charts, reconstruction, processing});
         return;
     }
+    if (m_kind == Kind::servo) {
+        splitDockWidget(m_docks[heatmap], m_docks[charts], Qt::Vertical);
+        splitDockWidget(m_docks[heatmap], m_docks[reconstruction], Qt::Horizontal);
+        addDockWidget(Qt::RightDockWidgetArea, m_docks[servo]);
+        tabifyDockWidget(m_docks[servo], m_docks[processing]);
+        show({heatmap, charts, reconstruction, servo, processing});
+        m_docks[servo]->raise();
+        return;
+    }
     splitDockWidget(m_docks[heatmap], m_docks[joints], Qt::Vertical);
     splitDockWidget(m_docks[heatmap], m_docks[reconstruction], Qt::Horizontal);
     tabifyDockWidget(m_docks[joints], m_docks[contour]);
@@ -165,12 +184,13 @@ void OperateDocks::arrange() {
 }
 
 void OperateDocks::shareSpace() {
-    if (m_kind == Kind::array) {
-        const int settings = base::em(this, 18);
+    if (m_kind != Kind::arm) {
+        const bool servos = m_kind == Kind::servo;
+        const int settings = base::em(this, servos ? 25 : 18);
         const int rest = std::max(width() - settings, settings);
         resizeDocks({m_docks[heatmap], m_docks[charts]}, {height() * 11 / 20, height() * 9 / 20},
                     Qt::Vertical);
-        resizeDocks({m_docks[heatmap], m_docks[reconstruction], m_docks[processing]},
+        resizeDocks({m_docks[heatmap], m_docks[reconstruction], m_docks[servos ? servo : processing]},
                     {rest * 11 / 20, rest * 9 / 20, settings}, Qt::Horizontal);
         return;
     }
@@ -196,7 +216,7 @@ void OperateDocks::retranslate() {
     const std::array<QString, kDocks> titles{tr("Heatmap"),    tr("Reconstruction"), tr("Features over time"),
                                              tr("Processing"), tr("Stiffness"),      tr("Bracelet"),
                                              tr("Joints"),     tr("Touches"),        tr("Jog"),
-                                             tr("Feedback"),   tr("Contour")};
+                                             tr("Feedback"),   tr("Contour"),        tr("Servo")};
     for (std::size_t i = 0; i < kDocks; ++i)
         m_docks[i]->setWindowTitle(titles[i]);
 }

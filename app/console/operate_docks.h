@@ -15,14 +15,14 @@ class QDockWidget;
 
 namespace teleta::console {
 
-/// The docks of the Operate page. An array on its own and an arm show different views, so each kind of source
-/// has a layout of its own, which is kept while the other is shown. Thread: GUI.
+/// The docks of the Operate page. An array on its own, an arm and a servo show different views, so each kind
+/// of source has a layout of its own, which is kept while another is shown. Thread: GUI.
 class OperateDocks : public QMainWindow {
     Q_OBJECT
 
 public:
-    enum class Kind { array, arm };
-    static constexpr std::size_t kKinds = 2;
+    enum class Kind { array, arm, servo };
+    static constexpr std::size_t kKinds = 3;
 
     enum Dock {
         heatmap,
@@ -35,11 +35,12 @@ public:
         touches,
         jog,
         feedback,
-        contour
+        contour,
+        servo
     };
-    static constexpr std::size_t kDocks = 11;
-    /// The docks from this one on belong to arms only.
-    static constexpr std::size_t kFirstOfArm = stiffness;
+    static constexpr std::size_t kDocks = 12;
+    /// Whether a kind of source shows a dock.
+    [[nodiscard]] static bool belongs(Kind kind, std::size_t dock);
 
     explicit OperateDocks(QWidget* parent = nullptr);
 
@@ -58,7 +59,7 @@ public:
     /// Shows and hides docks; those that do not belong to this kind of source are disabled.
     [[nodiscard]] QList<QAction*> actions() const;
 
-    /// Both layouts.
+    /// All layouts.
     [[nodiscard]] QByteArray saveLayouts() const;
     /// False when they are of another version or damaged; the default layouts are then in place.
     bool restoreLayouts(const QByteArray& layouts);
@@ -79,8 +80,8 @@ private:
     std::array<QDockWidget*, kDocks> m_docks{};
     Kind m_kind = Kind::array;
     QString m_forward; ///< name of the dock that comes to the front with the next layout
-    std::array<QByteArray, kKinds> m_layouts;       ///< of the kinds that are not shown; empty: never shown
-    std::array<bool, kKinds> m_default{true, true}; ///< shares its space anew when it is shown
+    std::array<QByteArray, kKinds> m_layouts; ///< of the kinds that are not shown; empty: never shown
+    std::array<bool, kKinds> m_default{true, true, true}; ///< shares its space anew when it is shown
 };
 
 } // namespace teleta::console

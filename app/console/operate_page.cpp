@@ -56,7 +56,8 @@ OperatePage::OperatePage(SourceManager& sources, core::StopSwitch& stop, QWidget
     , m_charts(new charts::StripChartView(this))
     , m_scene(new view3d::Scene3dView(this))
     , m_settings(new tactile::ChannelSettingsPanel(this))
-    , m_arm(new ArmViews(stop, *m_bracelet, *m_scene, this)) {
+    , m_arm(new ArmViews(stop, *m_bracelet, *m_scene, this))
+    , m_servo(new ServoViews(*m_scene, this)) {
     auto* top = new QHBoxLayout;
     top->setContentsMargins(base::grid(this), base::grid(this, 0.5), base::grid(this), base::grid(this, 0.5));
     top->addWidget(m_chooser);
@@ -73,6 +74,7 @@ OperatePage::OperatePage(SourceManager& sources, core::StopSwitch& stop, QWidget
     m_docks->add(OperateDocks::charts, m_charts);
     m_docks->add(OperateDocks::processing, scroll);
     m_arm->addTo(*m_docks);
+    m_servo->addTo(*m_docks);
     m_docks->begin();
 
     m_stack->addWidget(m_empty);
@@ -156,6 +158,7 @@ void OperatePage::tick() {
     m_charts->refresh();
     m_bracelet->tick();
     m_arm->tick();
+    m_servo->tick();
     if (core::PlaybackControl* control = playback())
         m_playback->setPosition(control->position());
 }
@@ -233,11 +236,17 @@ void OperatePage::onActiveChanged() {
         m_heatmap->clear();
         m_scene->clear();
     }
+    // Before the arm, whose surface is to stay.
+    const std::shared_ptr<servo::ServoLink> servo = item != nullptr ? item->servo : nullptr;
+    if (servo != m_servo->servo())
+        m_servo->setServo(servo, servo ? provenanceOf(item->channel->description()) : base::Provenance::live);
     const std::shared_ptr<pipeline::ArmChannel> arm = item != nullptr ? item->arm : nullptr;
     if (arm != m_arm->arm()) {
         m_arm->setArm(arm, arm ? provenanceOf(item->channel->description()) : base::Provenance::live);
-        m_docks->setKind(arm ? OperateDocks::Kind::arm : OperateDocks::Kind::array);
     }
+    m_docks->setKind(arm     ? OperateDocks::Kind::arm
+                     : servo ? OperateDocks::Kind::servo
+                             : OperateDocks::Kind::array);
     m_settings->setEnabled(item != nullptr);
     onSourcesChanged();
 }

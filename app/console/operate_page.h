@@ -4,6 +4,7 @@
 #include "app/console/arm_views.h"
 #include "app/console/bracelet_station.h"
 #include "app/console/operate_docks.h"
+#include "app/console/servo_views.h"
 #include "app/console/source_manager.h"
 #include "widgets/chrome/device_strip.h"
 #include "widgets/chrome/message_bar.h"
@@ -84,6 +85,7 @@ private:
     view3d::Scene3dView* m_scene;
     tactile::ChannelSettingsPanel* m_settings;
     ArmViews* m_arm;
+    ServoViews* m_servo;
     std::uint64_t m_settingsRevision = 0;
     std::optional<double> m_latency_s;
     std::vector<pipeline::ChannelKey> m_reportedLost;

@@ -66,6 +66,7 @@ void SourceManager::poll() {
                 break;
             item->channel = std::move(event.channel);
             item->arm = std::move(event.arm);
+            item->servo = std::move(event.servo);
             emit opened(event.key);
             emit itemsChanged();
             activate(event.key);

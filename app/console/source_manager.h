@@ -26,6 +26,7 @@ public:
         QString name;
         std::shared_ptr<pipeline::TouchChannel> channel; ///< null while it is being opened
         std::shared_ptr<pipeline::ArmChannel> arm;       ///< null unless the channel is an arm's skin
+        std::shared_ptr<servo::ServoLink> servo;         ///< null unless a servo moves the array
         std::uint64_t displayed = 0;                     ///< snapshots that were painted
     };
 

@@ -99,6 +99,7 @@ void TouchPipeline::carryOut(Request& request) {
             if (opened->arm)
                 event.arm =
                     std::make_shared<ArmChannel>(std::move(opened->arm), event.channel, opened->armSettings);
+            event.servo = std::move(opened->servo);
             const Entry entry{request.key, event.channel, event.arm};
             {
                 const std::scoped_lock lock(m_channelMutex);

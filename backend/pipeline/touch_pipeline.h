@@ -5,6 +5,7 @@
 #include "backend/core/wakeup.h"
 #include "backend/pipeline/arm_channel.h"
 #include "backend/pipeline/touch_channel.h"
+#include "backend/servo/servo_link.h"
 
 #include <condition_variable>
 #include <cstdint>
@@ -25,6 +26,7 @@ struct OpenedSource {
     ChannelSettings settings;
     std::unique_ptr<core::ArmSource> arm = nullptr; ///< null for an array on its own
     ArmSettings armSettings = {};
+    std::shared_ptr<servo::ServoLink> servo = nullptr; ///< of the servo that moves the array; null: none
 };
 
 /// Opens a source: reads files, connects to a device. Runs on the pipeline's control thread and may take its
@@ -36,9 +38,10 @@ struct ChannelEvent {
     enum class Kind { opened, failed, closed };
     Kind kind = Kind::opened;
     ChannelKey key = 0;
-    std::shared_ptr<TouchChannel> channel; ///< with opened
-    std::shared_ptr<ArmChannel> arm;       ///< with opened, when the source is the skin of an arm
-    core::Error error;                     ///< with failed
+    std::shared_ptr<TouchChannel> channel;   ///< with opened
+    std::shared_ptr<ArmChannel> arm;         ///< with opened, when the source is the skin of an arm
+    std::shared_ptr<servo::ServoLink> servo; ///< with opened, when a servo moves the array
+    core::Error error;                       ///< with failed
 };
 
 /// The running system: opens and closes sources on a control thread, processes what they deliver on one

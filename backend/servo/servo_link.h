@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/bounded_queue.h"
+#include "backend/core/latest_exchange.h"
+#include "backend/core/mailbox.h"
+#include "backend/servo/lwr_kinematics.h"
+#include "backend/servo/servo_controller.h"
+#include "backend/servo/servo_tuning.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace teleta::servo {
+
+/// What a running servo says of its newest step.
+struct ServoReport {
+    static constexpr std::size_t kLongestPlan = 8;
+
+    double time_s = 0.0; ///< of the source
+    ServoOutput output;
+    Eigen::Isometry3d X_Base_Sensor = Eigen::Isometry3d::Identity(); ///< measured
+    /// Of the arm's joints from the base to the flange, and the sensor; m, for drawing.
+    std::array<Eigen::Vector3d, kLwrJoints> p_Base_Joint{};
+    double normalCompliance_mPerN = 1.0;       ///< of the running task: force is d_z over it
+    ServoTuning tuning;                        ///< in use
+    bool stopped = false;                      ///< STOP is engaged
+    std::array<TaskKind, kLongestPlan> plan{}; ///< the tasks
+    std::size_t tasks = 0;                     ///< how many of them there are
+    std::uint64_t restarts = 0;                ///< of the world; what was explored before is of another run
+};
+
+/// What the servo of a source and its operator tell each other.
+/// Thread: reports.back/publish, contacts.push, tuning.take and task.take by the source's worker;
+/// reports.update/front, contacts.pop, tuning.post and task.post by one operator (the GUI).
+struct ServoLink {
+    static constexpr std::size_t kContacts = 8192;
+
+    core::LatestExchange<ServoReport> reports;
+    /// Centre of contact of each servo step in which an edge was followed, in the base; what does not fit is
+    /// counted.
+    core::BoundedQueue<Eigen::Vector3d> contacts{kContacts};
+    core::Mailbox<ServoTuning> tuning;
+    core::Mailbox<std::size_t> task; ///< begin this task of the plan now
+};
+
+} // namespace teleta::servo

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/widgets/test_registry.h"
+#include "widgets/servo/servo_panel.h"
+#include "widgets/servo/servo_picture.h"
+#include "widgets/servo/servo_texts.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QImage>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace teleta::servo;
+
+namespace {
+
+ServoReport exploring() {
+    ServoReport report;
+    report.output.kind = TaskKind::explore;
+    report.output.phase = 3;
+    report.output.contact = ContactState::touching;
+    report.output.edge = true;
+    report.output.inverseJacobian = inverseTactileJacobian(true);
+    report.output.projection = projectionMatrix(exploreTask(5.0, 0.005).projection);
+    report.normalCompliance_mPerN = 1e-3;
+    report.output.desired << -0.025, 0.0, 0.005, 0.0, 0.0, 0.0;
+    report.output.actual << 0.001, 0.0, 0.0049, 0.0, 0.0002, 0.01;
+    const ServoPlan plan = explorePlan();
+    report.tasks = plan.tasks.size();
+    for (std::size_t i = 0; i < report.tasks; ++i)
+        report.plan[i] = plan.tasks[i].kind;
+    return report;
+}
+
+QImage pictureOf(ServoPicture& picture) {
+    picture.resize(picture.sizeHint());
+    return picture.grab().toImage();
+}
+
+} // namespace
+
+/// The panel of a running servo.
+class ServoPanelTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void withoutAServoNothingCanBeChanged() {
+        ServoPanel panel;
+        QVERIFY(!panel.isEnabled());
+        QCOMPARE(panel.taskText(), QStringLiteral("No servo"));
+    }
+
+    void taskContactAndLimitsAreNamed() {
+        ServoPanel panel;
+        ServoReport report = exploring();
+        panel.setReport(report);
+        QVERIFY(panel.isEnabled());
+        QCOMPARE(panel.taskText(), QStringLiteral("Explore"));
+        QCOMPARE(panel.limitText(), QStringLiteral("No limit acts."));
+        report.output.limits.set(Limit::force);
+        report.output.limits.set(Limit::deviation);
+        panel.setReport(report);
+        QCOMPARE(panel.limitText(),
+                 QStringLiteral("Limits that act: force, distance from the measured pose"));
+        report.stopped = true;
+        panel.setReport(report);
+        QCOMPARE(panel.taskText(), QStringLiteral("STOP: the arm is held"));
+    }
+
+    void aServoThatIsNotRealSaysSo() {
+        ServoPanel panel;
+        panel.setProvenance(teleta::base::Provenance::simulated);
+        panel.setReport(exploring());
+        bool says = false;
+        for (const QLabel* label : panel.findChildren<QLabel*>())
+            says = says || (label->text() == QStringLiteral("SIMULATED") && !label->isHidden());
+        QVERIFY(says);
+    }
+
+    void everyFieldHasItsName() {
+        ServoPanel panel;
+        for (const char* name : {"servoForce", "servoSlide", "servoGain", "servoTask"}) {
+            auto* field = panel.findChild<QWidget*>(QLatin1String(name));
+            bool named = false;
+            for (const QLabel* label : panel.findChildren<QLabel*>())
+                named = named || (label->buddy() == field && !label->text().isEmpty());
+            QVERIFY2(named, name);
+        }
+    }
+
+    void everyLimitAndTaskHasWords() {
+        for (std::size_t i = 0; i < kLimits; ++i)
+            QVERIFY(!ServoTexts::limit(static_cast<Limit>(i)).isEmpty());
+        for (int kind = 0; kind <= static_cast<int>(TaskKind::comanipulation); ++kind)
+            QVERIFY(!ServoTexts::task(static_cast<TaskKind>(kind)).isEmpty());
+    }
+
+    void aTypedForceIsPostedWhenItIsWhole() {
+        ServoPanel panel;
+        panel.setReport(exploring());
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        QSignalSpy spy(&panel, &ServoPanel::tuningChanged);
+        auto* force = panel.findChild<QDoubleSpinBox*>(QStringLiteral("servoForce"));
+        force->setFocus();
+        force->selectAll();
+        QTest::keyClicks(force, QStringLiteral("7"));
+        QCOMPARE(spy.count(), 0);
+        QTest::keyClick(force, Qt::Key_Return);
+        QCOMPARE(spy.count(), 1);
+        QCOMPARE(spy.front().front().value<ServoTuning>().force_N, 7.0);
+        QCOMPARE(spy.front().front().value<ServoTuning>().slide_mPerS, 0.005);
+    }
+
+    void aWishStaysOnTheScreenUntilTheServoHasTakenIt() {
+        ServoPanel panel;
+        ServoReport report = exploring();
+        panel.setReport(report);
+        auto* moment = panel.findChild<QCheckBox*>(QStringLiteral("servoMoment"));
+        QVERIFY(moment->isChecked());
+        moment->click();
+        panel.setReport(report); // not yet in use
+        QVERIFY(!moment->isChecked());
+        report.tuning.moment = false;
+        panel.setReport(report);
+        QVERIFY(!moment->isChecked());
+        report.tuning.moment = true; // another hand
+        panel.setReport(report);
+        QVERIFY(moment->isChecked());
+    }
+
+    void whatIsShownCausesNoWish() {
+        ServoPanel panel;
+        QSignalSpy tuning(&panel, &ServoPanel::tuningChanged);
+        QSignalSpy task(&panel, &ServoPanel::taskRequested);
+        ServoReport report = exploring();
+        panel.setReport(report);
+        report.tuning = {8.0, 0.002, 2.0, false};
+        report.output.phase = 1;
+        panel.setReport(report);
+        QCOMPARE(tuning.count(), 0);
+        QCOMPARE(task.count(), 0);
+        QCOMPARE(panel.tuning().force_N, 8.0);
+        QCOMPARE(panel.findChild<QComboBox*>(QStringLiteral("servoTask"))->currentIndex(), 1);
+    }
+
+    void aTaskIsChosenByTheKeyboard() {
+        ServoPanel panel;
+        panel.setReport(exploring());
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        auto* tasks = panel.findChild<QComboBox*>(QStringLiteral("servoTask"));
+        QCOMPARE(tasks->count(), 5);
+        QSignalSpy spy(&panel, &ServoPanel::taskRequested);
+        tasks->setFocus();
+        QTest::keyClick(tasks, Qt::Key_Up);
+        QCOMPARE(spy.count(), 1);
+        QCOMPARE(spy.front().front().value<std::size_t>(), std::size_t{2});
+    }
+
+    void thePictureShowsOtherMatricesForAPointThanForAnEdge() {
+        ServoPicture picture;
+        const QImage empty = pictureOf(picture);
+        picture.setReport(exploring());
+        const QImage edge = pictureOf(picture);
+        ServoReport report = exploring();
+        report.output.inverseJacobian = inverseTactileJacobian(false);
+        picture.setReport(report);
+        const QImage point = pictureOf(picture);
+        QVERIFY(edge != empty);
+        QVERIFY(point != edge);
+    }
+};
+
+namespace {
+const teleta::test::Registration<ServoPanelTest> registration;
+}
+#include "servo_panel_test.moc"

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/servo/servo_panel.h"
+
+#include "widgets/base/theme.h"
+#include "widgets/servo/servo_picture.h"
+#include "widgets/servo/servo_texts.h"
+
+#include <QAbstractItemView>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QEvent>
+#include <QFormLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+namespace teleta::servo {
+
+namespace {
+
+QDoubleSpinBox* spinBox(QWidget* parent, double lowest, double highest, double step, int decimals) {
+    auto* box = new QDoubleSpinBox(parent);
+    box->setRange(lowest, highest);
+    box->setSingleStep(step);
+    box->setDecimals(decimals);
+    // A number that is being typed is not yet a wish.
+    box->setKeyboardTracking(false);
+    return box;
+}
+
+bool same(const ServoTuning& a, const ServoTuning& b) {
+    return std::abs(a.force_N - b.force_N) < 1e-6 && std::abs(a.slide_mPerS - b.slide_mPerS) < 1e-9 &&
+           std::abs(a.gain - b.gain) < 1e-6 && a.moment == b.moment;
+}
+
+} // namespace
+
+ServoPanel::ServoPanel(QWidget* parent)
+    : QWidget(parent)
+    , m_provenance(new QLabel(this))
+    , m_task(new QLabel(this))
+    , m_contact(new QLabel(this))
+    , m_limits(new QLabel(this))
+    , m_picture(new ServoPicture(this))
+    , m_form(new QFormLayout)
+    , m_tasks(new QComboBox(this))
+    , m_force(spinBox(this, ServoTuning::kLeastForce_N, ServoTuning::kHighestForce_N, 0.5, 1))
+    , m_slide(spinBox(this, 0.0, 1e3 * ServoTuning::kHighestSlide_mPerS, 0.5, 1))
+    , m_gain(spinBox(this, 100.0 * ServoTuning::kLeastGain, 100.0 * ServoTuning::kHighestGain, 10.0, 0))
+    , m_moment(new QCheckBox(this)) {
+    QFont bold = base::sized(font(), base::kSmallText);
+    bold.setBold(true);
+    m_provenance->setFont(bold);
+    m_provenance->hide();
+    m_task->setFont(base::sized(font(), base::kLargeText));
+    m_limits->setWordWrap(true);
+    m_force->setObjectName(QStringLiteral("servoForce"));
+    m_slide->setObjectName(QStringLiteral("servoSlide"));
+    m_gain->setObjectName(QStringLiteral("servoGain"));
+    m_moment->setObjectName(QStringLiteral("servoMoment"));
+    m_tasks->setObjectName(QStringLiteral("servoTask"));
+    m_force->setSuffix(QStringLiteral(" N"));
+    m_slide->setSuffix(QStringLiteral(" mm/s"));
+    m_gain->setSuffix(QStringLiteral(" %"));
+
+    auto* layout = new QVBoxLayout(this);
+    const int margin = base::grid(this);
+    layout->setContentsMargins(margin, margin, margin, margin);
+    layout->setSpacing(margin / 2);
+    layout->addWidget(m_provenance);
+    layout->addWidget(m_task);
+    layout->addWidget(m_contact);
+    layout->addWidget(m_limits);
+    layout->addWidget(m_picture);
+    for (QWidget* field : {static_cast<QWidget*>(m_tasks), static_cast<QWidget*>(m_force),
+                           static_cast<QWidget*>(m_slide), static_cast<QWidget*>(m_gain)}) {
+        auto* name = new QLabel(this);
+        name->setBuddy(field);
+        m_form->addRow(name, field);
+    }
+    m_form->addRow(m_moment);
+    layout->addLayout(m_form);
+    layout->addStretch(1);
+
+    const auto wish = [this] {
+        m_wish = tuning();
+        emit tuningChanged(*m_wish);
+    };
+    for (QDoubleSpinBox* box : {m_force, m_slide, m_gain})
+        connect(box, &QDoubleSpinBox::valueChanged, this, wish);
+    connect(m_moment, &QCheckBox::toggled, this, wish);
+    connect(m_tasks, &QComboBox::activated, this,
+            [this](int index) { emit taskRequested(static_cast<std::size_t>(index)); });
+    retranslate();
+    setReport(std::nullopt);
+}
+
+ServoTuning ServoPanel::tuning() const {
+    ServoTuning tuning;
+    tuning.force_N = m_force->value();
+    tuning.slide_mPerS = 1e-3 * m_slide->value();
+    tuning.gain = 0.01 * m_gain->value();
+    tuning.moment = m_moment->isChecked();
+    return tuning;
+}
+
+void ServoPanel::setProvenance(base::Provenance provenance) {
+    m_shownProvenance = provenance;
+    showTexts();
+}
+
+QString ServoPanel::taskText() const {
+    return m_task->text();
+}
+
+QString ServoPanel::limitText() const {
+    return m_limits->text();
+}
+
+void ServoPanel::setReport(const std::optional<ServoReport>& report) {
+    m_report = report;
+    m_picture->setReport(report);
+    setEnabled(report.has_value());
+    if (!report)
+        m_wish.reset();
+    showTexts();
+    showTasks();
+    if (!report)
+        return;
+    if (m_wish && same(*m_wish, report->tuning))
+        m_wish.reset();
+    if (!m_wish)
+        showTuning(report->tuning);
+}
+
+void ServoPanel::showTexts() {
+    const base::StatusColours& colours = base::statusColours(palette());
+    const auto paint = [](QLabel* label, const QColor& colour) {
+        QPalette changed = label->palette();
+        changed.setColor(QPalette::WindowText, colour);
+        label->setPalette(changed);
+    };
+    m_provenance->setText(base::provenanceText(m_shownProvenance));
+    m_provenance->setVisible(m_report && m_shownProvenance != base::Provenance::live);
+    paint(m_provenance, colours.simulated);
+    if (!m_report) {
+        m_task->setText(tr("No servo"));
+        m_contact->clear();
+        m_limits->clear();
+        return;
+    }
+    const ServoOutput& output = m_report->output;
+    m_task->setText(m_report->stopped ? tr("STOP: the arm is held") : ServoTexts::task(output.kind));
+    paint(m_task, m_report->stopped ? colours.lost : palette().color(QPalette::WindowText));
+    m_contact->setText(ServoTexts::contact(output.contact));
+    const bool gone = output.contact == ContactState::lost;
+    const bool searches = output.contact == ContactState::searching;
+    paint(m_contact, gone ? colours.lost : searches ? colours.stale : colours.neutral);
+    const QString limits = ServoTexts::limits(output.limits);
+    m_limits->setText(limits.isEmpty() ? tr("No limit acts.") : tr("Limits that act: %1").arg(limits));
+    paint(m_limits, limits.isEmpty() ? colours.neutral : colours.stale);
+}
+
+void ServoPanel::showTasks() {
+    const QSignalBlocker blocker(m_tasks);
+    const int count = m_report ? static_cast<int>(m_report->tasks) : 0;
+    QStringList names;
+    for (int i = 0; i < count; ++i)
+        names << tr("%1. %2", "number and name of a task")
+                     .arg(i + 1)
+                     .arg(ServoTexts::task(m_report->plan[static_cast<std::size_t>(i)]));
+    QStringList present;
+    for (int i = 0; i < m_tasks->count(); ++i)
+        present << m_tasks->itemText(i);
+    if (names != present) {
+        m_tasks->clear();
+        m_tasks->addItems(names);
+    }
+    if (m_report && !m_tasks->view()->isVisible())
+        m_tasks->setCurrentIndex(static_cast<int>(m_report->output.phase));
+}
+
+void ServoPanel::showTuning(const ServoTuning& tuning) {
+    const QSignalBlocker force(m_force);
+    const QSignalBlocker slide(m_slide);
+    const QSignalBlocker gain(m_gain);
+    const QSignalBlocker moment(m_moment);
+    // Setting a value would take away what is being typed.
+    if (!m_force->hasFocus())
+        m_force->setValue(tuning.force_N);
+    if (!m_slide->hasFocus())
+        m_slide->setValue(1e3 * tuning.slide_mPerS);
+    if (!m_gain->hasFocus())
+        m_gain->setValue(100.0 * tuning.gain);
+    m_moment->setChecked(tuning.moment);
+}
+
+void ServoPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    else if (event->type() == QEvent::PaletteChange)
+        showTexts();
+}
+
+void ServoPanel::retranslate() {
+    const auto label = [this](QWidget* field, const QString& text, const QString& toolTip) {
+        if (auto* name = qobject_cast<QLabel*>(m_form->labelForField(field)))
+            name->setText(text);
+        field->setToolTip(toolTip);
+        field->setAccessibleName(QString(text).remove(QLatin1Char('&')));
+    };
+    label(m_tasks, tr("&Task"), tr("The running task; choose one to begin it now"));
+    label(m_force, tr("&Force"), tr("Force with which the array presses"));
+    label(m_slide, tr("&Sliding speed"), tr("Along the edge, while it is explored"));
+    label(m_gain, tr("&Gains"), tr("All gains of the regulators, in percent of the scene's"));
+    m_moment->setText(tr("Balance the &moment (DZMP)"));
+    m_moment->setToolTip(tr("Off: the controller without the distance to the zero-moment point"));
+    showTexts();
+    showTasks();
+}
+
+} // namespace teleta::servo

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/servo/servo_link.h"
+#include "widgets/base/badge.h"
+
+#include <QWidget>
+
+#include <cstddef>
+#include <optional>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QLabel;
+
+namespace teleta::servo {
+
+class ServoPicture;
+
+/// A running servo: its task, its contact, the limits that act, its features and matrices, and what of it can
+/// be changed while it runs. Knows no source: wishes go out as signals, what is in use comes back with the
+/// report. Thread: GUI.
+class ServoPanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit ServoPanel(QWidget* parent = nullptr);
+
+    /// Nothing: no servo; the panel is disabled.
+    void setReport(const std::optional<ServoReport>& report);
+
+    /// Marks a servo that is not real in violet.
+    void setProvenance(base::Provenance provenance);
+
+    [[nodiscard]] ServoTuning tuning() const;
+    /// The lines of text, for tests.
+    [[nodiscard]] QString taskText() const;
+    [[nodiscard]] QString limitText() const;
+
+signals:
+    void tuningChanged(const teleta::servo::ServoTuning& tuning);
+    void taskRequested(std::size_t index);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void retranslate();
+    void showTexts();
+    void showTasks();
+    void showTuning(const ServoTuning& tuning);
+
+    QLabel* m_provenance;
+    QLabel* m_task;
+    QLabel* m_contact;
+    QLabel* m_limits;
+    ServoPicture* m_picture;
+    QFormLayout* m_form;
+    QComboBox* m_tasks;
+    QDoubleSpinBox* m_force;
+    QDoubleSpinBox* m_slide;
+    QDoubleSpinBox* m_gain;
+    QCheckBox* m_moment;
+    base::Provenance m_shownProvenance = base::Provenance::live;
+    std::optional<ServoReport> m_report;
+    std::optional<ServoTuning> m_wish; ///< posted, and not yet in use
+};
+
+} // namespace teleta::servo

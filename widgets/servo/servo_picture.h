@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/servo/servo_link.h"
+
+#include <QWidget>
+
+#include <optional>
+
+namespace teleta::servo {
+
+/// The features with desired and actual values and errors as a table, and below it the inverse tactile
+/// Jacobian and the projection matrix, their nonzero elements filled. Rows whose error acts are bold.
+/// Nothing: an empty table. Thread: GUI.
+class ServoPicture : public QWidget {
+    Q_OBJECT
+public:
+    explicit ServoPicture(QWidget* parent = nullptr);
+
+    void setReport(const std::optional<ServoReport>& report);
+
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    [[nodiscard]] double lineHeight() const;
+    void paintFeatures(QPainter& painter) const;
+    void paintMatrix(QPainter& painter, const QRectF& rect, const QString& name, const Matrix6& matrix) const;
+    void describe();
+
+    std::optional<ServoReport> m_report;
+};
+
+} // namespace teleta::servo

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/servo/servo_controller.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+namespace teleta::servo {
+
+/// Words for what a servo does, translated when they are asked for.
+class ServoTexts {
+    Q_DECLARE_TR_FUNCTIONS(ServoTexts)
+
+public:
+    [[nodiscard]] static QString task(TaskKind kind);
+    [[nodiscard]] static QString contact(ContactState state);
+    [[nodiscard]] static QString limit(Limit limit);
+    /// Those that act, separated by commas; empty: none.
+    [[nodiscard]] static QString limits(const ActiveLimits& limits);
+    /// What row 0..5 of the features is, for an edge or a point.
+    [[nodiscard]] static QString feature(int row, bool edge);
+};
+
+} // namespace teleta::servo
