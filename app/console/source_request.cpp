@@ -5,6 +5,8 @@
 #include "backend/scene/scene_reader.h"
 #include "backend/scene_run/scene_settings.h"
 #include "backend/simulation/arm/simulated_arm.h"
+#include "backend/simulation/servo/servo_array.h"
+#include "backend/simulation/servo/servo_loop.h"
 #include "backend/simulation/simulated_array.h"
 #include "devices/replay/replay_config.h"
 #include "devices/replay/replay_device.h"
@@ -126,12 +128,30 @@ core::Expected<pipeline::OpenedSource> openArm(const scene::Scene& scene, std::u
     return pipeline::OpenedSource{std::move(skin), scene_run::channelSettings(scene), std::move(arm), {}};
 }
 
+core::Expected<pipeline::OpenedSource> openServo(const scene::Scene& scene, std::uint64_t seed,
+                                                 const core::StopSwitch& stop) {
+    auto link = std::make_shared<servo::ServoLink>();
+    auto array = simulation::makeServoArray(scene, seed, link);
+    if (!array)
+        return core::Unexpected(array.error());
+    pipeline::ChannelSettings settings =
+        settingsFor(simulation::servoFeatures(scene).threshold_N, (*array)->description().unit);
+    settings.features = simulation::servoFeatures(scene);
+    return pipeline::OpenedSource{std::make_unique<simulated::SimulatedArrayDevice>(std::move(*array), stop),
+                                  std::move(settings),
+                                  nullptr,
+                                  {},
+                                  std::move(link)};
+}
+
 core::Expected<pipeline::OpenedSource> openScene(const SceneRequest& request, const core::StopSwitch& stop) {
     auto scene = readSceneOrResource(request.path);
     if (!scene)
         return core::Unexpected(scene.error());
     if (scene->isArm())
         return openArm(*scene, request.seed, stop);
+    if (scene->isServo())
+        return openServo(*scene, request.seed, stop);
     auto array = simulation::makeTactileArray(*scene, request.seed);
     if (!array)
         return core::Unexpected(array.error());

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/scene/scene_reader.h"
+#include "backend/simulation/servo/servo_array.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace teleta::simulation {
+namespace {
+
+/// A scene of the program with its operator's end of the link.
+class ServoArrayTest : public testing::Test {
+protected:
+    void SetUp() override {
+        const auto scene =
+            scene::readScene(std::string(TELETA_SOURCE_DIR) + "/resources/scenes/servo-straight-bar.toml");
+        ASSERT_TRUE(scene.has_value()) << scene.error().message;
+        auto array = makeServoArray(*scene, 1, m_link);
+        ASSERT_TRUE(array.has_value()) << array.error().message;
+        m_array = std::move(*array);
+        m_values.resize(m_array->description().layout.taxels());
+    }
+
+    const servo::ServoReport& run(double duration_s, bool held = false) {
+        const double end_s = m_array->time_s() + duration_s;
+        while (m_array->time_s() < end_s)
+            m_array->next(m_values, held);
+        EXPECT_TRUE(m_link->reports.update());
+        return m_link->reports.front();
+    }
+
+    std::shared_ptr<servo::ServoLink> m_link = std::make_shared<servo::ServoLink>();
+    std::unique_ptr<core::FrameGenerator> m_array;
+    std::vector<float> m_values;
+};
+
+} // namespace
+
+TEST_F(ServoArrayTest, framesComeAtTheirRateAndSayThatTheyAreSimulated) {
+    EXPECT_TRUE(m_array->description().simulated);
+    EXPECT_EQ(m_array->description().nominalRate_Hz, 200.0);
+    for (int frame = 1; frame <= 40; ++frame) {
+        m_array->next(m_values, false);
+        EXPECT_NEAR(m_array->time_s(), frame / 200.0, 1.001e-3);
+    }
+}
+
+TEST_F(ServoArrayTest, theServoReportsItsTaskAndTheEdgeThatItFollows) {
+    EXPECT_EQ(run(0.1).output.kind, servo::TaskKind::freeMotion);
+    const servo::ServoReport& report = run(8.0);
+    EXPECT_EQ(report.output.kind, servo::TaskKind::explore);
+    EXPECT_EQ(report.tasks, 5U);
+    Eigen::Vector3d first;
+    ASSERT_TRUE(m_link->contacts.pop(first));
+    Eigen::Vector3d last = first;
+    while (m_link->contacts.pop(last)) {
+    }
+    EXPECT_GT((last - first).norm(), 0.005);
+}
+
+TEST_F(ServoArrayTest, stopHoldsTheCommandAndTheArmComesToRest) {
+    run(6.0);
+    const Eigen::Isometry3d command = run(0.02, true).output.X_Base_Sensor;
+    run(1.0, true);
+    const Eigen::Isometry3d rest = m_link->reports.front().X_Base_Sensor;
+    const servo::ServoReport& held = run(1.0, true);
+    EXPECT_TRUE(held.stopped);
+    EXPECT_EQ(held.output.X_Base_Sensor.matrix(), command.matrix());
+    EXPECT_LE((held.X_Base_Sensor.translation() - rest.translation()).norm(), 1e-6);
+    // A task that is chosen meanwhile does not begin, then or later.
+    const std::size_t phase = held.output.phase;
+    m_link->task.post(0);
+    EXPECT_EQ(run(0.1, true).output.phase, phase);
+    EXPECT_NE(run(0.02, false).output.phase, 0U);
+}
+
+TEST_F(ServoArrayTest, wishesTakeEffectWithinTheirBounds) {
+    run(6.0);
+    servo::ServoTuning tuning = m_link->reports.front().tuning;
+    tuning.force_N = 8.0;
+    tuning.slide_mPerS = 1.0;
+    m_link->tuning.post(tuning);
+    const servo::ServoReport& report = run(0.1);
+    EXPECT_EQ(report.tuning.force_N, 8.0);
+    EXPECT_EQ(report.tuning.slide_mPerS, servo::ServoTuning::kHighestSlide_mPerS);
+    EXPECT_NEAR(report.output.desired[servo::kZ] / report.normalCompliance_mPerN, 8.0, 1e-12);
+    m_link->task.post(99); // there is none
+    const std::size_t phase = report.output.phase;
+    EXPECT_EQ(run(0.02).output.phase, phase);
+    m_link->task.post(2);
+    EXPECT_EQ(run(0.02).output.kind, servo::TaskKind::edgeControl);
+}
+
+TEST_F(ServoArrayTest, aRestartBeginsAnewAndSaysSo) {
+    const double before_s = run(3.0).time_s;
+    m_array->restart();
+    const servo::ServoReport& report = run(0.05);
+    EXPECT_LT(report.time_s, before_s);
+    EXPECT_EQ(report.restarts, 1U);
+    EXPECT_EQ(report.output.kind, servo::TaskKind::freeMotion);
+}
+
+TEST_F(ServoArrayTest, theSameSeedGivesTheSameFrames) {
+    const auto scene =
+        scene::readScene(std::string(TELETA_SOURCE_DIR) + "/resources/scenes/servo-straight-bar.toml");
+    auto other = makeServoArray(*scene, 1, std::make_shared<servo::ServoLink>());
+    std::vector<float> values(m_values.size());
+    for (int frame = 0; frame < 600; ++frame) {
+        m_array->next(m_values, false);
+        (*other)->next(values, false);
+        ASSERT_EQ(values, m_values) << frame;
+    }
+}
+
+} // namespace teleta::simulation
