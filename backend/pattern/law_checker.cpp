@@ -23,9 +23,10 @@ std::vector<int> allTactors() {
 
 class Checker {
 public:
-    Checker(const Pattern& pattern, const MotorProfiles& motors)
+    Checker(const Pattern& pattern, const MotorProfiles& motors, const std::atomic<bool>* cancelled)
         : m_pattern(pattern)
-        , m_motors(motors) {}
+        , m_motors(motors)
+        , m_cancelled(cancelled) {}
 
     std::vector<Finding> check() {
         for (m_object = 0; m_object < m_pattern.objects.size(); ++m_object) {
@@ -204,7 +205,8 @@ private:
                     }
                 }
             }
-            return m_findings.size() < kMostFindings;
+            return m_findings.size() < kMostFindings &&
+                   (m_cancelled == nullptr || !m_cancelled->load(std::memory_order_relaxed));
         });
         for (std::size_t i = 0; i < core::kTactors; ++i) {
             for (std::size_t j = i + 1; j < core::kTactors; ++j)
@@ -214,6 +216,7 @@ private:
 
     const Pattern& m_pattern;
     const MotorProfiles& m_motors;
+    const std::atomic<bool>* m_cancelled;
     std::size_t m_object = 0;
     std::vector<Finding> m_findings;
 };
@@ -248,8 +251,9 @@ void startAt(ObjectForm& form, double begin_s) {
 
 } // namespace
 
-std::vector<Finding> checkLaws(const Pattern& pattern, const MotorProfiles& motors) {
-    return Checker(pattern, motors).check();
+std::vector<Finding> checkLaws(const Pattern& pattern, const MotorProfiles& motors,
+                               const std::atomic<bool>* cancelled) {
+    return Checker(pattern, motors, cancelled).check();
 }
 
 std::optional<Pattern> fixed(const Pattern& pattern, const Finding& finding) {

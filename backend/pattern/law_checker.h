@@ -4,6 +4,7 @@
 #include "backend/pattern/motor_model.h"
 #include "backend/pattern/pattern.h"
 
+#include <atomic>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -42,8 +43,10 @@ struct Finding {
 };
 
 /// Looks where a pattern breaks the laws, objects in their order, then tracks, then pairs of motors; at most
-/// kMostFindings. motors: valid(). Thread: any (pure).
-[[nodiscard]] std::vector<Finding> checkLaws(const Pattern& pattern, const MotorProfiles& motors);
+/// kMostFindings. motors: valid(). cancelled: when it becomes true the answer is cut short.
+/// Thread: any (pure).
+[[nodiscard]] std::vector<Finding> checkLaws(const Pattern& pattern, const MotorProfiles& motors,
+                                             const std::atomic<bool>* cancelled = nullptr);
 
 /// The pattern with the suggestion of one finding carried out; empty when there is none to carry out.
 [[nodiscard]] std::optional<Pattern> fixed(const Pattern& pattern, const Finding& finding);

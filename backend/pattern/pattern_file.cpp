@@ -10,7 +10,6 @@
 #include "backend/pattern/hjif.h"
 #include "backend/pattern/pattern_format.h"
 #include "backend/pattern/pattern_json.h"
-#include "backend/pattern/sampled_output.h"
 #include "backend/pattern/tact.h"
 #include "backend/pattern/zip_archive.h"
 
@@ -101,7 +100,8 @@ core::Expected<std::string> zipped(const core::Expected<std::vector<ZipEntry>>& 
     return writeZip(*entries);
 }
 
-core::Expected<void> write(const Pattern& pattern, PatternFormat format, const std::string& path) {
+core::Expected<void> write(const Pattern& pattern, PatternFormat format, const std::string& path,
+                           const SampleOptions& samples) {
     const auto writeText = [&](const core::Expected<std::string>& text) {
         return text ? writeBytes(path, *text) : core::Expected<void>(core::Unexpected(text.error()));
     };
@@ -121,9 +121,9 @@ core::Expected<void> write(const Pattern& pattern, PatternFormat format, const s
     case PatternFormat::tact:
         return writeText(patternToTact(pattern));
     case PatternFormat::csv:
-        return writeCsv(pattern, path, kCsvRate_Hz);
+        return writeCsv(pattern, path, samples);
     case PatternFormat::wav:
-        return writeWav(pattern, path, kWavRate_Hz);
+        return writeWav(pattern, path, samples);
     }
     return {};
 }
@@ -179,11 +179,12 @@ core::Expected<Pattern> findPattern(const std::string& idOrPath) {
     return loadPattern(idOrPath);
 }
 
-core::Expected<void> savePattern(const Pattern& pattern, const std::string& path) {
+core::Expected<void> savePattern(const Pattern& pattern, const std::string& path,
+                                 const SampleOptions& samples) {
     const std::optional<PatternFormat> format = formatOf(path);
     if (!format)
         return core::Unexpected(unknownEnding(path));
-    return orWithPath(write(pattern, *format, path), path);
+    return orWithPath(write(pattern, *format, path, samples), path);
 }
 
 } // namespace teleta::pattern

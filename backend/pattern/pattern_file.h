@@ -3,6 +3,7 @@
 
 #include "backend/core/error.h"
 #include "backend/pattern/pattern.h"
+#include "backend/pattern/sampled_output.h"
 
 #include <string>
 
@@ -16,8 +17,10 @@ namespace teleta::pattern {
 /// A built-in pattern by its id, or a file.
 [[nodiscard]] core::Expected<Pattern> findPattern(const std::string& idOrPath);
 
-/// Writes a pattern file in the format of its name. The file appears when it is complete.
+/// Writes a pattern file in the format of its name. The file appears when it is complete. samples: of CSV and
+/// WAV files, all others leave them alone.
 /// Error: refused with what the format cannot express; ioFailed.
-[[nodiscard]] core::Expected<void> savePattern(const Pattern& pattern, const std::string& path);
+[[nodiscard]] core::Expected<void> savePattern(const Pattern& pattern, const std::string& path,
+                                               const SampleOptions& samples = {});
 
 } // namespace teleta::pattern

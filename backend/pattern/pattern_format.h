@@ -15,8 +15,8 @@ namespace teleta::pattern {
 ///   ahapZip     .ahap.zip     out, a file a tactor
 ///   ahap        .ahap         out, one tactor
 ///   tact        .tact         in and out
-///   csv         .csv          out: commanded intensities
-///   wav         .wav          out: 6 channels
+///   csv         .csv          out: commanded or predicted intensities
+///   wav         .wav          out: 6 channels of the same
 enum class PatternFormat { own, hjif, hapticZip, haptic, ahapZip, ahap, tact, csv, wav };
 
 /// Upper and lower case count the same. Empty: no format has this ending.

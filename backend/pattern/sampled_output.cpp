@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string_view>
@@ -52,6 +53,32 @@ std::string wavHeader(std::uint32_t dataBytes, std::uint32_t rate_Hz) {
     return header;
 }
 
+core::Unexpected refused(const std::string& path, const QString& message, const QString& expected) {
+    return core::Unexpected(
+        core::Error{core::ErrorKind::refused, message.toStdString(), expected.toStdString(), {path, 0, 0}});
+}
+
+core::Expected<void> checked(const SampleOptions& options, double rate_Hz, const std::string& path) {
+    if (!(rate_Hz >= kLowestRate_Hz && rate_Hz <= kHighestRate_Hz))
+        return refused(path, SampledText::tr("the rate of the samples is out of range"),
+                       SampledText::tr("%1 to %2 a second").arg(kLowestRate_Hz).arg(kHighestRate_Hz));
+    if (options.motors && !std::all_of(options.motors->begin(), options.motors->end(),
+                                       [](const MotorProfile& motor) { return motor.valid(); }))
+        return refused(path, SampledText::tr("the values of a motor contradict each other"), {});
+    return {};
+}
+
+void sample(const Pattern& pattern, const SampleOptions& options, double rate_Hz,
+            const std::function<bool(double t_s, const core::Intensities&)>& visit) {
+    if (!options.motors) {
+        forEachSample(pattern, rate_Hz, visit);
+        return;
+    }
+    forEachPredictedSample(pattern, *options.motors, rate_Hz,
+                           [&visit](double t_s, const core::Intensities& intensities,
+                                    const core::Intensities&) { return visit(t_s, intensities); });
+}
+
 } // namespace
 
 std::uint64_t samplesOf(double duration_s, double rate_Hz) {
@@ -77,12 +104,15 @@ void forEachSample(const Pattern& pattern, double rate_Hz,
     }
 }
 
-core::Expected<void> writeCsv(const Pattern& pattern, const std::string& path, double rate_Hz) {
+core::Expected<void> writeCsv(const Pattern& pattern, const std::string& path, const SampleOptions& options) {
     constexpr std::array<std::string_view, 7> kColumns{"time_s", "t1", "t2", "t3", "t4", "t5", "t6"};
+    const double rate_Hz = options.rate_Hz.value_or(kCsvRate_Hz);
+    if (const core::Expected<void> possible = checked(options, rate_Hz, path); !possible)
+        return possible;
     core::Expected<core::CsvWriter> csv = core::CsvWriter::create(path, kColumns);
     if (!csv)
         return core::Unexpected(csv.error());
-    forEachSample(pattern, rate_Hz, [&](double t_s, const core::Intensities& intensities) {
+    sample(pattern, options, rate_Hz, [&](double t_s, const core::Intensities& intensities) {
         csv->number(t_s);
         for (const double intensity : intensities)
             csv->number(intensity);
@@ -92,21 +122,24 @@ core::Expected<void> writeCsv(const Pattern& pattern, const std::string& path, d
     return csv->finish();
 }
 
-core::Expected<void> writeWav(const Pattern& pattern, const std::string& path, double rate_Hz) {
+core::Expected<void> writeWav(const Pattern& pattern, const std::string& path, const SampleOptions& options) {
+    const double rate_Hz = options.rate_Hz.value_or(kWavRate_Hz);
+    if (const core::Expected<void> possible = checked(options, rate_Hz, path); !possible)
+        return possible;
+    if (rate_Hz != std::floor(rate_Hz))
+        return refused(path, SampledText::tr("a WAV file cannot have this rate"),
+                       SampledText::tr("a whole number of samples a second"));
     const std::uint64_t frames = samplesOf(pattern.duration_s, rate_Hz);
     if (frames > (std::numeric_limits<std::uint32_t>::max() - kHeaderBytes) / kBytesPerFrame)
-        return core::Unexpected(
-            core::Error{core::ErrorKind::refused,
-                        SampledText::tr("the pattern is too long for a WAV file").toStdString(),
-                        SampledText::tr("at most 4 GiB of samples").toStdString(),
-                        {path, 0, 0}});
+        return refused(path, SampledText::tr("the pattern is too long for a WAV file"),
+                       SampledText::tr("at most 4 GiB of samples"));
     core::Expected<core::OutputFile> file = core::OutputFile::create(path);
     if (!file)
         return core::Unexpected(file.error());
     file->write(wavHeader(static_cast<std::uint32_t>(frames) * kBytesPerFrame,
                           static_cast<std::uint32_t>(std::lround(rate_Hz))));
     std::string bytes;
-    forEachSample(pattern, rate_Hz, [&](double, const core::Intensities& intensities) {
+    sample(pattern, options, rate_Hz, [&](double, const core::Intensities& intensities) {
         bytes.clear();
         for (const double intensity : intensities)
             put(bytes, static_cast<std::uint64_t>(std::lround(32767.0 * intensity)), kBytesPerSample);

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "backend/core/error.h"
+#include "backend/pattern/motor_model.h"
 #include "backend/pattern/pattern.h"
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace teleta::pattern {
@@ -24,11 +26,19 @@ inline constexpr double kWavRate_Hz = 8000.0;
 void forEachSample(const Pattern& pattern, double rate_Hz,
                    const std::function<bool(double t_s, const core::Intensities&)>& visit);
 
-/// CSV time_s,t1..t6.
-[[nodiscard]] core::Expected<void> writeCsv(const Pattern& pattern, const std::string& path, double rate_Hz);
+/// What the samples of a CSV or WAV file are.
+struct SampleOptions {
+    std::optional<double> rate_Hz;       ///< empty: kCsvRate_Hz, kWavRate_Hz
+    std::optional<MotorProfiles> motors; ///< what these are predicted to do; empty: what is commanded
+};
 
+/// CSV time_s,t1..t6.
+/// Error: refused: a rate outside of [kLowestRate_Hz, kHighestRate_Hz], a profile that is not valid().
+[[nodiscard]] core::Expected<void> writeCsv(const Pattern& pattern, const std::string& path,
+                                            const SampleOptions& options = {});
 /// WAV with 6 channels of 16 bit (WAVE_FORMAT_EXTENSIBLE, no speakers assigned): the intensities, 1 is 32767.
-/// rate_Hz: a whole number. Error: refused when the file would be longer than 4 GiB.
-[[nodiscard]] core::Expected<void> writeWav(const Pattern& pattern, const std::string& path, double rate_Hz);
+/// Error: as writeCsv(); refused: a rate that is no whole number, a file that would be longer than 4 GiB.
+[[nodiscard]] core::Expected<void> writeWav(const Pattern& pattern, const std::string& path,
+                                            const SampleOptions& options = {});
 
 } // namespace teleta::pattern

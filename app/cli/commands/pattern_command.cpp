@@ -174,6 +174,16 @@ void PatternCommand::declare(CLI::App& app) {
                          pattern::allEndings())
         ->type_name("OUT")
         ->required();
+    m_convert
+        ->add_option("--rate", m_convertRate_Hz,
+                     help(QT_TRANSLATE_NOOP("PatternCommand",
+                                            "Samples a second of CSV (default 200) and WAV (default 8000)")))
+        ->type_name("HZ")
+        ->check(between(pattern::kLowestRate_Hz, pattern::kHighestRate_Hz));
+    m_convert->add_flag(
+        "--predicted", m_predicted,
+        help(QT_TRANSLATE_NOOP("PatternCommand", "CSV and WAV: what the motors will do, with an assumed "
+                                                 "motor: lag, start and speed are not measured")));
 
     m_check = part(
         "check", QT_TRANSLATE_NOOP("PatternCommand", "Say where a pattern breaks a law of what can be felt"));
@@ -264,12 +274,23 @@ core::Expected<void> PatternCommand::convert() const {
     const core::Expected<Pattern> pattern = pattern::findPattern(m_pattern);
     if (!pattern)
         return core::Unexpected(pattern.error());
-    if (!pattern::formatOf(m_outPath))
+    const std::optional<pattern::PatternFormat> format = pattern::formatOf(m_outPath);
+    if (!format)
         throw CLI::ValidationError(
             "OUT", PatternText::tr("the ending of %1 tells no format; expected one of %2")
                        .arg(QString::fromStdString(m_outPath), QString::fromStdString(pattern::allEndings()))
                        .toStdString());
-    return pattern::savePattern(*pattern, m_outPath);
+    const bool sampled = format == pattern::PatternFormat::csv || format == pattern::PatternFormat::wav;
+    if (!sampled && (m_convertRate_Hz || m_predicted))
+        throw CLI::ValidationError(
+            "OUT", PatternText::tr("%1 holds no samples: --rate and --predicted are for .csv and .wav files")
+                       .arg(QString::fromStdString(m_outPath))
+                       .toStdString());
+    pattern::SampleOptions samples;
+    samples.rate_Hz = m_convertRate_Hz;
+    if (m_predicted)
+        samples.motors = pattern::assumedMotors();
+    return pattern::savePattern(*pattern, m_outPath, samples);
 }
 
 core::Expected<void> PatternCommand::check() const {

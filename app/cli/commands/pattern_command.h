@@ -3,6 +3,7 @@
 
 #include "app/cli/command.h"
 
+#include <optional>
 #include <string>
 
 namespace teleta::cli {
@@ -32,6 +33,7 @@ private:
     std::string m_pattern;
     std::string m_outPath;
     double m_rate_Hz = 200.0;
+    std::optional<double> m_convertRate_Hz;
     bool m_predicted = false;
     bool m_json = false;
 };

@@ -53,6 +53,26 @@ TEST(PatternCommand, rendersIntoAFileAndConvertsToTheSameRows) {
     EXPECT_EQ(splitCsv(readAll(rendered)).size(), 401U);
 }
 
+TEST(PatternCommand, convertsWithARateAndWithWhatTheMotorsWillDo) {
+    const TemporaryFolder folder;
+    const std::string rendered = folder.path("a.csv");
+    const std::string converted = folder.path("b.csv");
+    const std::string wav = folder.path("c.wav");
+    ASSERT_EQ(run({"pattern", "render", "shape.F.static", "--rate", "50", "--predicted", "--csv", rendered})
+                  .exitCode,
+              0);
+    ASSERT_EQ(
+        run({"pattern", "convert", "shape.F.static", converted, "--rate", "50", "--predicted"}).exitCode, 0);
+    EXPECT_EQ(readAll(rendered), readAll(converted));
+    ASSERT_EQ(run({"pattern", "convert", "shape.F.static", wav, "--rate", "1000"}).exitCode, 0);
+    EXPECT_EQ(readAll(wav).size(), 68U + 2000U * 12U);
+    EXPECT_EQ(run({"pattern", "convert", "shape.F.static", wav, "--rate", "0.5"}).exitCode, 1);
+    const ProgramResult noSamples =
+        run({"pattern", "convert", "shape.F.static", folder.path("d.json"), "--rate", "50"});
+    EXPECT_EQ(noSamples.exitCode, 2);
+    EXPECT_NE(noSamples.err.find("--rate"), std::string::npos);
+}
+
 TEST(PatternCommand, showPrintsAFileThatCanBeReadAgain) {
     const ProgramResult shown = run({"pattern", "show", "shape.B.static", "--json"});
     ASSERT_EQ(shown.exitCode, 0) << shown.err;

@@ -9,6 +9,7 @@
 #include <cmath>
 
 using namespace teleta::pattern;
+using teleta::core::ErrorKind;
 using teleta::test::readAll;
 using teleta::test::TemporaryFolder;
 
@@ -32,6 +33,30 @@ TEST(SampledOutput, countsTheSamplesThatLieInThePattern) {
     EXPECT_EQ(samplesOf(-1.0, 100.0), 0U);
     EXPECT_EQ(samplesOf(std::nan(""), 100.0), 0U);
     EXPECT_EQ(samplesOf(1.0, 0.0), 0U);
+}
+
+TEST(SampledOutput, refusesRatesThatAreOutOfRangeOrThatAWavFileCannotHave) {
+    const TemporaryFolder folder;
+    const Pattern& pattern = *findBuiltIn("shape.F.static");
+    for (const double rate_Hz : {0.0, -1.0, 1e9, std::nan("")}) {
+        EXPECT_EQ(writeCsv(pattern, folder.path("a.csv"), {rate_Hz, {}}).error().kind, ErrorKind::refused);
+        EXPECT_EQ(writeWav(pattern, folder.path("a.wav"), {rate_Hz, {}}).error().kind, ErrorKind::refused);
+    }
+    EXPECT_EQ(writeWav(pattern, folder.path("a.wav"), {0.5, {}}).error().kind, ErrorKind::refused);
+    MotorProfiles none{};
+    EXPECT_EQ(writeCsv(pattern, folder.path("a.csv"), {100.0, none}).error().kind, ErrorKind::refused);
+    EXPECT_EQ(folder.entries(), 0U);
+}
+
+TEST(SampledOutput, predictedValuesAreBehindTheCommandedOnes) {
+    const TemporaryFolder folder;
+    const std::string path = folder.path("a.wav");
+    ASSERT_TRUE(writeWav(*findBuiltIn("shape.F.static"), path, {1000.0, assumedMotors()}));
+    const std::string wav = readAll(path);
+    EXPECT_EQ(value(wav, 68, 2), 0U); // the motors stand at 0 s
+    // One rise time, 55 ms, after the start: 90 % of the speed at full drive; a speed in proportion to the
+    // drive, started at a third of it, is an intensity of (0.9 - 1/3) / (2/3).
+    EXPECT_NEAR(static_cast<double>(value(wav, 68 + 55 * 12, 2)) / 32767.0, 0.85, 0.005);
 }
 
 TEST(SampledOutput, wavHasTheHeaderOfTheFormatAndSixChannels) {
