@@ -39,6 +39,16 @@
     </message>
 </context>
 <context>
+    <name>teleta::console::PatternsPage</name>
+    <message numerus="yes">
+        <source>There are %n more.</source>
+        <translation>
+            <numerusform>There is %n more.</numerusform>
+            <numerusform>There are %n more.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::RecordingDialog</name>
     <message numerus="yes">
         <source>%n taxel(s), as in the file</source>

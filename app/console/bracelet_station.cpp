@@ -17,8 +17,9 @@ namespace {
 /// How strong a tactor is that is held to be felt: clearly, but not all it has.
 constexpr double kHeldIntensity = 0.75;
 
-const pattern::Pattern* fromLibrary(const std::string& id) {
-    return pattern::findBuiltIn(id);
+playback::Program builtIn(const std::string& id) {
+    const pattern::Pattern* pattern = pattern::findBuiltIn(id);
+    return pattern == nullptr ? playback::Program{} : playback::programOf(*pattern);
 }
 
 } // namespace
@@ -30,7 +31,8 @@ BraceletStation::BraceletStation(core::StopSwitch& stop, QObject* parent)
     , m_feedback(std::make_shared<pipeline::TactileFeedback>([slot = m_slot](playback::Program program) {
         if (const auto session = slot->get())
             session->player().play(std::move(program));
-    })) {
+    }))
+    , m_library(builtIn) {
 }
 
 BraceletStation::~BraceletStation() {
@@ -87,23 +89,32 @@ void BraceletStation::takeOpened() {
 }
 
 void BraceletStation::setMap(const pattern::PatternMap& map) {
-    m_feedback->setMap(map, fromLibrary);
+    m_map = map;
+    m_feedback->setMap(m_map, m_library);
+}
+
+void BraceletStation::setLibrary(pipeline::TactileFeedback::Library library) {
+    m_library = std::move(library);
+    m_feedback->setMap(m_map, m_library);
 }
 
 void BraceletStation::setMode(pipeline::FeedbackMode mode) {
     m_feedback->setMode(mode);
 }
 
-void BraceletStation::play(const QString& patternId) {
-    const pattern::Pattern* pattern = fromLibrary(patternId.toStdString());
-    if (pattern == nullptr || !m_session)
-        return;
-    m_session->player().play(playback::programOf(*pattern));
+void BraceletStation::play(playback::Program program, bool loop, double from_s) {
+    if (m_session)
+        m_session->player().play(std::move(program), loop, from_s);
 }
 
-void BraceletStation::play(const pattern::Pattern& pattern, bool loop) {
+void BraceletStation::seek(double time_s) {
     if (m_session)
-        m_session->player().play(playback::programOf(pattern), loop);
+        m_session->player().seek(time_s);
+}
+
+void BraceletStation::setLoop(bool loop) {
+    if (m_session)
+        m_session->player().setLoop(loop);
 }
 
 void BraceletStation::stopPlaying() {
@@ -146,7 +157,7 @@ void BraceletStation::tick() {
         m_last = FeedbackEvent{std::move(sent), std::nullopt};
         emit felt(*m_last);
     }
-    if (!m_session || !m_last || m_last->onset_s || m_last->sent.patternId.empty())
+    if (!m_session || !m_last || m_last->onset_s || m_last->sent.patternId.empty() || m_last->sent.missing)
         return;
     const playback::PlayerCounters counters = m_session->player().counters();
     if (counters.onset_ns < m_last->sent.felt_ns)

@@ -43,11 +43,15 @@ public:
     /// For the arm whose touches are to be felt. It goes on telling what would be played without a bracelet.
     [[nodiscard]] const std::shared_ptr<pipeline::TactileFeedback>& feedback() const { return m_feedback; }
     void setMap(const pattern::PatternMap& map);
+    /// Where the patterns of the map come from (the built-in ones until then); looks all of them up again.
+    void setLibrary(pipeline::TactileFeedback::Library library);
     void setMode(pipeline::FeedbackMode mode);
 
-    /// Plays a pattern of the library once.
-    void play(const QString& patternId);
-    void play(const pattern::Pattern& pattern, bool loop);
+    /// Plays a program from a time on, once or again and again.
+    void play(playback::Program program, bool loop, double from_s = 0.0);
+    /// Goes on somewhere else in what is played.
+    void seek(double time_s);
+    void setLoop(bool loop);
     void stopPlaying();
     /// Where the pattern that is played stands; empty while none is.
     [[nodiscard]] std::optional<double> playingPosition_s() const;
@@ -96,6 +100,8 @@ private:
     /// The same for the pipeline's thread.
     std::shared_ptr<core::LatestCopy<std::shared_ptr<BraceletSession>>> m_slot;
     std::shared_ptr<pipeline::TactileFeedback> m_feedback;
+    pipeline::TactileFeedback::Library m_library;
+    pattern::PatternMap m_map;
     std::optional<FeedbackEvent> m_last;
     std::optional<double> m_touchToSkin_s;
     std::optional<std::size_t> m_held;

@@ -107,6 +107,11 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
         option("threshold", tr("Load from which a taxel is in contact (default 0.2)."), tr("LOAD"));
     const auto rate = option("rate", tr("Play at this rate in Hz instead of the recorded times."), tr("HZ"));
     const auto sources = option("sources", tr("Open the sources listed in a TOML file."), tr("FILE"));
+    const auto pattern =
+        option("pattern", tr("Open a pattern file, or a built-in pattern by its id, on the Patterns page."),
+               tr("FILE"));
+    const auto data =
+        option("data", tr("Folder of your own patterns (default: the user's data folder)."), tr("FOLDER"));
     const auto dock = option("dock",
                              tr("View of the Operate page to bring to the front: %1.")
                                  .arg(OperateDocks::names().join(QStringLiteral(", "))),
@@ -167,6 +172,8 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
     options.sourceList = m_parser.value(sources);
     if (const auto seeds = integers(seed, 0, std::numeric_limits<int>::max()); !seeds.empty())
         options.seed = static_cast<std::uint64_t>(seeds.back());
+    options.pattern = m_parser.value(pattern);
+    options.dataFolder = m_parser.value(data);
     options.dock = m_parser.value(dock);
     if (m_parser.isSet(dock) && !OperateDocks::names().contains(options.dock))
         fail(tr("--dock %1: expected one of %2")

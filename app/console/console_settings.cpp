@@ -32,17 +32,33 @@ ConsoleSettings::ConsoleSettings(bool fresh) {
 }
 
 QStringList ConsoleSettings::recentFiles() const {
-    return m_settings ? m_settings->value(QStringLiteral("recent")).toStringList() : QStringList();
+    return list(QStringLiteral("recent"));
 }
 
 void ConsoleSettings::addRecentFile(const QString& path) {
+    addToList(QStringLiteral("recent"), path);
+}
+
+QStringList ConsoleSettings::recentPatterns() const {
+    return list(QStringLiteral("patterns/recent"));
+}
+
+void ConsoleSettings::addRecentPattern(const QString& path) {
+    addToList(QStringLiteral("patterns/recent"), path);
+}
+
+QStringList ConsoleSettings::list(const QString& key) const {
+    return m_settings ? m_settings->value(key).toStringList() : QStringList();
+}
+
+void ConsoleSettings::addToList(const QString& key, const QString& path) {
     const QString absolute = QFileInfo(path).absoluteFilePath();
-    QStringList files = recentFiles();
+    QStringList files = list(key);
     files.removeAll(absolute);
     files.prepend(absolute);
     while (files.size() > kRecentFiles)
         files.removeLast();
-    set(QStringLiteral("recent"), files);
+    set(key, files);
 }
 
 std::optional<RecordingRequest> ConsoleSettings::recording(const QString& path) const {

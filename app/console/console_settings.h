@@ -50,6 +50,10 @@ public:
     [[nodiscard]] QStringList recentFiles() const;
     void addRecentFile(const QString& path);
 
+    /// Pattern files, the newest first.
+    [[nodiscard]] QStringList recentPatterns() const;
+    void addRecentPattern(const QString& path);
+
     /// How a recording was opened the last time.
     [[nodiscard]] std::optional<RecordingRequest> recording(const QString& path) const;
     void setRecording(const RecordingRequest& request);
@@ -58,6 +62,8 @@ private:
     [[nodiscard]] QString text(const QString& key, const QString& fallback) const;
     [[nodiscard]] QByteArray bytes(const QString& key) const;
     void set(const QString& key, const QVariant& value);
+    [[nodiscard]] QStringList list(const QString& key) const;
+    void addToList(const QString& key, const QString& path);
 
     std::unique_ptr<QSettings> m_settings; ///< null when fresh
 };

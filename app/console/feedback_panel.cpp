@@ -4,7 +4,6 @@
 #include "backend/pattern/built_in_patterns.h"
 #include "widgets/base/number_format.h"
 #include "widgets/base/theme.h"
-#include "widgets/touch/pattern_map_table.h"
 #include "widgets/touch/touch_texts.h"
 
 #include <QComboBox>
@@ -77,12 +76,17 @@ void FeedbackPanel::setMap(const pattern::PatternMap& map) {
 }
 
 void FeedbackPanel::offerPatterns() {
-    std::vector<touch::PatternChoice> choices;
+    std::vector<touch::PatternChoice> choices = m_own;
     for (const pattern::Pattern& pattern : pattern::builtInPatterns())
         choices.push_back({pattern.id, QString::fromStdString(pattern.name),
                            pattern.task == pattern::Task::shape ? tr("shape") : tr("stiffness"),
                            pattern.condition == pattern::Condition::dynamic ? tr("dynamic") : tr("static")});
     m_table->setChoices(std::move(choices));
+}
+
+void FeedbackPanel::setOwnPatterns(std::vector<touch::PatternChoice> own) {
+    m_own = std::move(own);
+    offerPatterns();
 }
 
 void FeedbackPanel::showLast(const FeedbackEvent& event) {
@@ -94,10 +98,18 @@ void FeedbackPanel::showLast(const FeedbackEvent& event) {
         m_table->setRecognisedStiffness(stiffness::level(*event.sent.material));
     const QString touch = QString::number(event.sent.touch);
     const QString pattern = QString::fromStdString(event.sent.patternId);
-    m_lastText = pattern.isEmpty() ? tr("%1: no pattern", "what was recognised").arg(what)
-                                   : tr("%1: %2", "what was recognised: id of a pattern").arg(what, pattern);
+    m_lastText = event.sent.missing
+                     ? tr("%1: %2 is missing", "what was recognised: id of a pattern").arg(what, pattern)
+                 : pattern.isEmpty()
+                     ? tr("%1: no pattern", "what was recognised").arg(what)
+                     : tr("%1: %2", "what was recognised: id of a pattern").arg(what, pattern);
     if (pattern.isEmpty())
         m_last->setText(tr("Touch %1: %2. There is no pattern for it in the table.").arg(touch, what));
+    else if (event.sent.missing)
+        m_last->setText(
+            tr("Touch %1: %2. Its pattern %3 is missing: nothing was played. Choose another one, or "
+               "put it back among your patterns.")
+                .arg(touch, what, pattern));
     else if (event.onset_s)
         m_last->setText(
             tr("Touch %1: %2. %3 was felt %4 later.")

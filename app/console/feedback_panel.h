@@ -2,16 +2,15 @@
 #pragma once
 
 #include "app/console/bracelet_station.h"
+#include "widgets/touch/pattern_map_table.h"
 
 #include <QString>
 #include <QWidget>
 
+#include <vector>
+
 class QComboBox;
 class QLabel;
-
-namespace teleta::touch {
-class PatternMapTable;
-}
 
 namespace teleta::console {
 
@@ -29,6 +28,8 @@ public:
     void setMode(pipeline::FeedbackMode mode);
     [[nodiscard]] const pattern::PatternMap& map() const;
     void setMap(const pattern::PatternMap& map);
+    /// Patterns of the user's own, which can be chosen beside the built-in ones.
+    void setOwnPatterns(std::vector<touch::PatternChoice> own);
 
 signals:
     /// The mode or the map was changed by a person.
@@ -48,6 +49,7 @@ private:
     QComboBox* m_mode;
     QLabel* m_last;
     touch::PatternMapTable* m_table;
+    std::vector<touch::PatternChoice> m_own;
     QString m_lastText;
 };
 

@@ -11,6 +11,7 @@
 
 #include <QApplication>
 #include <QLocale>
+#include <QStandardPaths>
 
 #include <cstdio>
 
@@ -31,10 +32,12 @@ int main(int argc, char* argv[]) {
         std::fprintf(parsed.exitCode == 0 ? stdout : stderr, "%s\n", qPrintable(parsed.text));
         return parsed.exitCode;
     }
-    const console::ConsoleOptions& options = *parsed.options;
+    console::ConsoleOptions options = *parsed.options;
+    const bool fresh = options.freshLayout || !options.screenshot.isEmpty() || options.measure_s;
+    if (options.dataFolder.isEmpty() && !fresh)
+        options.dataFolder = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
 
-    console::ConsoleSettings settings(options.freshLayout || !options.screenshot.isEmpty() ||
-                                      options.measure_s);
+    console::ConsoleSettings settings(fresh);
     const QString language = options.language.isEmpty() ? settings.language() : options.language;
     if (!language.isEmpty())
         app::installTranslator(application, QLocale(language));

@@ -6,6 +6,7 @@
 #include "app/console/background.h"
 #include "app/console/bracelet_station.h"
 #include "app/console/operate_page.h"
+#include "app/console/pattern_collection.h"
 #include "app/console/patterns_page.h"
 #include "app/console/recording_dialog.h"
 #include "app/console/source_list.h"
@@ -14,6 +15,7 @@
 #include "widgets/chrome/device_strip.h"
 #include "widgets/chrome/page_rail.h"
 #include "widgets/chrome/stop_button.h"
+#include "widgets/pattern/pattern_editor.h"
 
 #include <QActionGroup>
 #include <QApplication>
@@ -68,10 +70,14 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     : m_settings(settings)
     , m_stop(stop)
     , m_sources(stop)
+    , m_collection(new PatternCollection(
+          options.dataFolder.isEmpty() ? QString() : options.dataFolder + QStringLiteral("/patterns"), this))
     , m_rail(new chrome::PageRail(this))
     , m_pages(new QStackedWidget(this))
     , m_operate(new OperatePage(m_sources, stop, this))
-    , m_patterns(new PatternsPage(m_operate->bracelet(), this))
+    , m_patterns(new PatternsPage(
+          m_operate->bracelet(), *m_collection,
+          options.dataFolder.isEmpty() ? QString() : options.dataFolder + QStringLiteral("/recovery"), this))
     , m_devices(new chrome::DeviceStrip(this))
     , m_stopButton(new chrome::StopButton(this))
     , m_seed(options.seed) {
@@ -135,6 +141,16 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     connect(&m_operate->bracelet(), &BraceletStation::chosen, this, &MainWindow::buildMenus);
     connect(&m_operate->armViews().feedbackPanel(), &FeedbackPanel::changed, this, &MainWindow::saveFeedback);
     connect(&m_sources, &SourceManager::activeChanged, this, &MainWindow::buildMenus);
+    connect(m_collection, &PatternCollection::changed, this, &MainWindow::takeOwnPatterns);
+    m_patterns->editor().setRecent(m_settings.recentPatterns());
+    connect(m_patterns, &PatternsPage::used, this, [this](const QString& path) {
+        m_settings.addRecentPattern(path);
+        m_patterns->editor().setRecent(m_settings.recentPatterns());
+    });
+    connect(m_patterns, &PatternsPage::recoveryOffered, this, [this](const QString& text) {
+        m_operate->messages().post({chrome::Message::Severity::information, text,
+                                    tr("The page Patterns opens the edits."), QString()});
+    });
     restoreFeedback();
     fillDemos();
     chooser.setRecent(m_settings.recentFiles());
@@ -190,6 +206,8 @@ void MainWindow::openRequested(const ConsoleOptions& options) {
     }
     if (!options.sourceList.isEmpty())
         openList(options.sourceList);
+    if (!options.pattern.isEmpty())
+        m_patterns->open(options.pattern);
 }
 
 void MainWindow::openDemo() {
@@ -433,6 +451,19 @@ void MainWindow::saveFeedback() {
             m_settings.setFeedbackMode(QLatin1String(known.name));
 }
 
+void MainWindow::takeOwnPatterns() {
+    std::vector<touch::PatternChoice> own;
+    for (const pattern::StoredPattern& stored : m_collection->patterns())
+        if (stored.pattern)
+            own.push_back({stored.id, QString::fromStdString(stored.pattern->name), tr("my own"),
+                           stored.pattern->condition == pattern::Condition::dynamic    ? tr("dynamic")
+                           : stored.pattern->condition == pattern::Condition::constant ? tr("static")
+                                                                                       : QString()});
+    m_operate->armViews().feedbackPanel().setOwnPatterns(std::move(own));
+    m_operate->bracelet().setLibrary(
+        [collection = m_collection](const std::string& id) { return collection->program(id); });
+}
+
 void MainWindow::showPage(const QString& name) {
     m_rail->setCurrentPage(name);
     m_pages->setCurrentWidget(name == QLatin1String(kPatterns) ? static_cast<QWidget*>(m_patterns)
@@ -459,6 +490,15 @@ void MainWindow::saveState() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    if (m_patterns->hasUnsaved() && !m_closing) {
+        event->ignore();
+        showPage(QLatin1String(kPatterns));
+        m_patterns->whenSettled([this] {
+            m_closing = true;
+            close();
+        });
+        return;
+    }
     // Whatever moves is stopped before the window that can stop it is gone.
     m_stop.engage();
     m_clock.stop();

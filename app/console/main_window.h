@@ -21,6 +21,7 @@ class StopButton;
 namespace teleta::console {
 
 class OperatePage;
+class PatternCollection;
 class PatternsPage;
 
 /// The console's window: rail of pages, status bar with the devices, STOP, menus. Composition only: what a
@@ -56,6 +57,7 @@ private:
     void buildBraceletMenu();
     void restoreFeedback();
     void saveFeedback();
+    void takeOwnPatterns();
     void fillDemos();
     void onTick();
     void onFailed(const QString& name, const core::Error& error);
@@ -76,6 +78,7 @@ private:
     core::StopSwitch& m_stop;
     SourceManager m_sources;
     GuiClock m_clock;
+    PatternCollection* m_collection;
     chrome::PageRail* m_rail;
     QStackedWidget* m_pages;
     OperatePage* m_operate;
@@ -86,6 +89,7 @@ private:
     QElapsedTimer m_lastEscape;
     bool m_escapeDown = false;
     bool m_anyFailure = false;
+    bool m_closing = false;
 };
 
 } // namespace teleta::console

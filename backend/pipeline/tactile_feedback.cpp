@@ -2,7 +2,6 @@
 #include "backend/pipeline/tactile_feedback.h"
 
 #include "backend/core/steady_time.h"
-#include "backend/playback/pattern_program.h"
 
 #include <utility>
 
@@ -29,8 +28,7 @@ TactileFeedback::TactileFeedback(Play play)
 
 void TactileFeedback::setMap(const pattern::PatternMap& map, const Library& library) {
     const auto entryOf = [&library](const std::string& id) {
-        const pattern::Pattern* pattern = id.empty() ? nullptr : library(id);
-        return pattern == nullptr ? Entry{} : Entry{id, playback::programOf(*pattern)};
+        return id.empty() ? Entry{} : Entry{id, library(id)};
     };
     Settings settings = *m_settings.get();
     for (std::size_t i = 0; i < map.stiffness.size(); ++i)
@@ -99,6 +97,7 @@ FeedbackSent TactileFeedback::messageOf(const TouchRecord& record, const Entry& 
     FeedbackSent sent;
     sent.touch = record.number;
     sent.patternId = entry.id;
+    sent.missing = !entry.id.empty() && !entry.program.evaluate;
     sent.felt_ns = record.ready_ns;
     sent.sent_ns = core::steadyNow_ns();
     return sent;

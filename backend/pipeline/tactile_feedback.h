@@ -4,7 +4,6 @@
 #include "backend/contour/shape_recogniser.h"
 #include "backend/core/bounded_queue.h"
 #include "backend/core/latest_copy.h"
-#include "backend/pattern/pattern.h"
 #include "backend/pattern/pattern_map.h"
 #include "backend/pipeline/touch_record.h"
 #include "backend/playback/player_types.h"
@@ -28,6 +27,7 @@ struct FeedbackSent {
     std::optional<stiffness::Material> material;
     std::optional<contour::Shape> shape;
     std::string patternId;    ///< empty: the map has none for it, nothing was sent
+    bool missing = false;     ///< the map has this id, but there is no such pattern: nothing was sent
     std::int64_t felt_ns = 0; ///< steady time of the sample that completed the touch
     std::int64_t sent_ns = 0; ///< steady time at which the player had it
 };
@@ -45,13 +45,13 @@ public:
 
     /// Hands a program to the player; returns at once.
     using Play = std::function<void(playback::Program)>;
-    /// Pattern of an id, or nullptr.
-    using Library = std::function<const pattern::Pattern*(const std::string& id)>;
+    /// Pattern of an id, ready to be played; without evaluate when there is none.
+    using Library = std::function<playback::Program(const std::string& id)>;
 
     explicit TactileFeedback(Play play);
 
-    /// Looks the patterns of the map up and prepares them. An id that the library does not know plays
-    /// nothing.
+    /// Looks the patterns of the map up. An id that the library does not know plays nothing, and is told as
+    /// missing.
     void setMap(const pattern::PatternMap& map, const Library& library);
     void setMode(FeedbackMode mode);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/pattern/law_list.h"
 
+#include "widgets/base/background.h"
 #include "widgets/base/icons.h"
 
 #include <QEvent>
@@ -11,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace teleta::editor {
 
@@ -26,14 +28,12 @@ LawList::LawList(PatternDocument* document, QWidget* parent)
     , m_headline(new QLabel(this))
     , m_list(new QListWidget(this))
     , m_fix(new QPushButton(this))
-    , m_check(new QPushButton(this)) {
+    , m_checkedRevision(document->revision() - 1) {
     m_list->setWordWrap(true);
     m_list->setAlternatingRowColors(true);
     m_fix->setAutoDefault(false);
-    m_check->setAutoDefault(false);
     auto* top = new QHBoxLayout;
     top->addWidget(m_headline, 1);
-    top->addWidget(m_check);
     top->addWidget(m_fix);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -45,10 +45,10 @@ LawList::LawList(PatternDocument* document, QWidget* parent)
     connect(m_document, &PatternDocument::patternChanged, this, &LawList::checkLater);
     connect(m_document, &PatternDocument::motorsChanged, this, &LawList::checkLater);
     connect(m_list, &QListWidget::currentRowChanged, this, &LawList::takeCurrent);
-    connect(m_check, &QPushButton::clicked, this, &LawList::check);
+    connect(m_list, &QListWidget::itemClicked, this, &LawList::takeCurrent);
     connect(m_fix, &QPushButton::clicked, this, [this] {
         const int row = m_list->currentRow();
-        if (row < 0 || row >= static_cast<int>(m_findings.size()))
+        if (!isChecked() || row < 0 || row >= static_cast<int>(m_findings.size()))
             return;
         const Finding finding = m_findings[static_cast<std::size_t>(row)];
         m_document->fix(finding);
@@ -57,19 +57,41 @@ LawList::LawList(PatternDocument* document, QWidget* parent)
     check();
 }
 
+LawList::~LawList() {
+    if (m_cancelled)
+        m_cancelled->store(true);
+}
+
 void LawList::checkLater() {
-    m_checked = false;
-    m_fix->setEnabled(false); // the findings are of a pattern that is no more
-    if (m_document->pattern().duration_s <= kLongestAtOnce_s)
-        m_rest.start();
-    else
-        showFindings();
+    if (m_cancelled)
+        m_cancelled->store(true);
+    m_rest.start();
+    showFindings(); // those of the pattern that is no more are greyed
 }
 
 void LawList::check() {
     m_rest.stop();
-    m_findings = checkLaws(m_document->pattern(), m_document->motors());
-    m_checked = true;
+    if (m_cancelled) {
+        m_cancelled->store(true); // its end begins the next one
+        return;
+    }
+    m_cancelled = std::make_shared<std::atomic<bool>>(false);
+    base::runInBackground(
+        this,
+        [pattern = std::make_shared<const Pattern>(m_document->pattern()), motors = m_document->motors(),
+         cancelled = m_cancelled] { return checkLaws(*pattern, motors, cancelled.get()); },
+        [this, revision = m_document->revision()](std::vector<Finding> findings) {
+            m_cancelled.reset();
+            if (revision != m_document->revision()) {
+                if (!m_rest.isActive())
+                    check();
+                return;
+            }
+            m_findings = std::move(findings);
+            m_checkedRevision = revision;
+            showFindings();
+            emit checked();
+        });
     showFindings();
 }
 
@@ -81,15 +103,14 @@ void LawList::showFindings() {
     setAccessibleName(tr("Laws of the display"));
     m_list->setAccessibleName(tr("Warnings"));
     m_fix->setText(tr("&Fix"));
-    m_check->setText(tr("&Check"));
-    m_check->setVisible(!m_checked && m_document->pattern().duration_s > kLongestAtOnce_s);
-    const int row = m_list->currentRow();
-    m_list->clear();
-    if (!m_checked) {
-        m_headline->setText(tr("Laws: not looked at"));
-        takeCurrent();
+    m_list->setEnabled(isChecked());
+    if (!isChecked()) {
+        m_headline->setText(tr("Laws: looking\u2026"));
+        m_fix->setEnabled(false);
         return;
     }
+    const int row = m_list->currentRow();
+    m_list->clear();
     m_headline->setText(m_findings.empty() ? tr("Laws: no warning")
                                            : tr("Laws: %1 to look at").arg(m_findings.size()));
     for (const Finding& finding : m_findings) {
@@ -106,13 +127,15 @@ void LawList::showFindings() {
 
 void LawList::takeCurrent() {
     const int row = m_list->currentRow();
-    if (!m_checked || row < 0 || row >= static_cast<int>(m_findings.size())) {
+    if (!isChecked() || row < 0 || row >= static_cast<int>(m_findings.size())) {
         m_fix->setEnabled(false);
         return;
     }
     const Finding& finding = m_findings[static_cast<std::size_t>(row)];
-    m_fix->setEnabled(fixed(m_document->pattern(), finding).has_value());
-    emit shown(finding.span.begin_s, finding.span.end_s);
+    // A fix copies the pattern: whether there is one is told by the suggestion.
+    m_fix->setEnabled(finding.suggestion.has_value());
+    if (m_list->hasFocus()) // chosen by the user, not by a new look
+        emit shown(row);
 }
 
 void LawList::changeEvent(QEvent* event) {

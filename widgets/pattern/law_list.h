@@ -6,6 +6,8 @@
 #include <QTimer>
 #include <QWidget>
 
+#include <atomic>
+#include <memory>
 #include <vector>
 
 class QLabel;
@@ -15,26 +17,27 @@ class QPushButton;
 namespace teleta::editor {
 
 /// Where the pattern breaks the laws of the display, each with what to do about it; one edit does it. Looks
-/// again when the pattern has rested for a moment. Thread: GUI.
+/// again, on a thread of its own, when the pattern has rested for a moment. Thread: GUI.
 class LawList : public QWidget {
     Q_OBJECT
 public:
-    /// Patterns longer than this are looked at only when asked to: the checker walks through all of their
-    /// time.
-    static constexpr double kLongestAtOnce_s = 120.0;
-
     explicit LawList(PatternDocument* document, QWidget* parent = nullptr);
+    ~LawList() override;
 
     [[nodiscard]] const std::vector<pattern::Finding>& findings() const { return m_findings; }
+    /// Whether the findings are those of the pattern as it is now.
+    [[nodiscard]] bool isChecked() const { return m_checkedRevision == m_document->revision(); }
     [[nodiscard]] QListWidget* list() const { return m_list; }
     [[nodiscard]] QPushButton* fixButton() const { return m_fix; }
     [[nodiscard]] QString headline() const;
-    /// Looks now.
+    /// Looks now, without waiting for the pattern to rest; checked() tells the end.
     void check();
 
 signals:
-    /// A finding is chosen: it is here.
-    void shown(double begin_s, double end_s);
+    /// The user has chosen a finding.
+    void shown(int finding);
+    /// The findings are those of the pattern as it is now.
+    void checked();
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -48,10 +51,10 @@ private:
     QLabel* m_headline;
     QListWidget* m_list;
     QPushButton* m_fix;
-    QPushButton* m_check;
     QTimer m_rest;
     std::vector<pattern::Finding> m_findings;
-    bool m_checked = false;
+    std::shared_ptr<std::atomic<bool>> m_cancelled; ///< of the check that is under way; null: none is
+    quint64 m_checkedRevision;
 };
 
 } // namespace teleta::editor

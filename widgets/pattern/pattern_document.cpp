@@ -4,10 +4,10 @@
 #include "backend/pattern/bake.h"
 #include "backend/pattern/built_in_patterns.h"
 #include "backend/pattern/edit.h"
+#include "backend/pattern/pattern_folder.h"
 
 #include <QStringList>
 #include <QUndoCommand>
-#include <QUuid>
 
 #include <algorithm>
 #include <array>
@@ -20,7 +20,7 @@ using namespace pattern;
 
 namespace {
 
-constexpr int kAutosaveDelay_ms = 10'000;
+constexpr int kAutosaveDelay_ms = 2000;
 constexpr int kNoMerge = -1;
 constexpr int kDrag = 1;
 constexpr int kNudge = 2;
@@ -111,14 +111,16 @@ PatternDocument::Snapshot PatternDocument::snapshotOf(const Pattern& pattern, co
     return snapshot;
 }
 
-void PatternDocument::setPattern(const Pattern& pattern, const QString& path) {
+void PatternDocument::setPattern(Pattern pattern, const QString& path, bool unsaved) {
     m_autosave.stop();
     m_dragBase.reset();
-    m_pattern = pattern;
+    m_pattern = std::move(pattern);
     m_selection = {};
     ++m_gesture;
     *m_current = snapshotOf(m_pattern, {}, nullptr);
     m_undo->clear();
+    if (unsaved)
+        m_undo->resetClean();
     m_path = path;
     changed();
     emit selectionChanged();
@@ -203,7 +205,8 @@ void PatternDocument::take(const Snapshot& snapshot) {
     *m_current = snapshot;
     const bool otherSelection = !(m_selection == snapshot.selection);
     m_selection = snapshot.selection;
-    m_autosave.start();
+    if (!m_autosave.isActive()) // not later with every edit: then it would never come
+        m_autosave.start();
     changed();
     if (otherSelection)
         emit selectionChanged();
@@ -213,7 +216,7 @@ void PatternDocument::apply(Pattern after, const QString& text, Selection select
     if (after == m_pattern)
         return;
     if (isBuiltIn() && after.id == m_pattern.id) {
-        after.id = "mine." + QUuid::createUuid().toString(QUuid::Id128).left(12).toStdString();
+        after.id = newPatternId();
         if (after.name == m_pattern.name)
             after.name = tr("%1 (copy)").arg(QString::fromStdString(m_pattern.name)).toStdString();
         std::erase(after.tags, "built-in");

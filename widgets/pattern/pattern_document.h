@@ -38,8 +38,9 @@ public:
     explicit PatternDocument(QObject* parent = nullptr);
     ~PatternDocument() override;
 
-    /// Opens a pattern and forgets the edits of the one before. path: empty for one without a file.
-    void setPattern(const pattern::Pattern& pattern, const QString& path = {});
+    /// Opens a pattern and forgets the edits of the one before. path: empty for one without a file. unsaved:
+    /// its file does not hold it.
+    void setPattern(pattern::Pattern pattern, const QString& path = {}, bool unsaved = false);
     [[nodiscard]] const pattern::Pattern& pattern() const { return m_pattern; }
     [[nodiscard]] const pattern::CompiledPattern& compiled() const { return m_compiled; }
     /// Counts the changes of the pattern, for caches.
@@ -51,7 +52,7 @@ public:
     /// The pattern, as it is now, lies in a file.
     void markSaved(const QString& path);
     [[nodiscard]] QUndoStack* undoStack() const { return m_undo; }
-    /// How long after an edit autosaveDue() comes.
+    /// How long after the first edit since the last one autosaveDue() comes.
     void setAutosaveDelay(int delay_ms) { m_autosave.setInterval(delay_ms); }
 
     /// Motors of the predicted curves and the laws; an invalid profile is not taken.
@@ -125,7 +126,8 @@ signals:
     void snappingChanged();
     void motorsChanged();
     void clipboardChanged();
-    /// The pattern was edited a while ago and is not saved: time to keep a copy of it.
+    /// There are edits that are not saved: time to keep a copy of them. While the pattern is being edited it
+    /// comes again and again.
     void autosaveDue(const teleta::pattern::Pattern& pattern);
     /// An edit could not be done.
     void refused(const QString& message);

@@ -6,14 +6,20 @@
 #include "widgets/pattern/law_list.h"
 #include "widgets/pattern/pattern_inspector.h"
 #include "widgets/pattern/pattern_library.h"
+#include "widgets/pattern/pattern_reference.h"
 #include "widgets/pattern/stroke_pad.h"
 #include "widgets/pattern/timeline_painter.h"
 #include "widgets/pattern/timeline_view.h"
 
 #include <QAction>
+#include <QDoubleSpinBox>
 #include <QEvent>
+#include <QFileInfo>
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QMenu>
+#include <QPushButton>
 #include <QSplitter>
 #include <QToolBar>
 #include <QToolButton>
@@ -21,10 +27,20 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
+#include <utility>
 
 namespace teleta::editor {
 
 using namespace pattern;
+
+namespace {
+
+constexpr double kLeastSnap_ms = 1.0;
+constexpr double kMostSnap_ms = 1000.0;
+constexpr double kMsPerS = 1e3;
+
+} // namespace
 
 PatternEditor::PatternEditor(QWidget* parent)
     : QWidget(parent)
@@ -36,8 +52,17 @@ PatternEditor::PatternEditor(QWidget* parent)
     , m_inspector(new PatternInspector(m_document, this))
     , m_bar(new QToolBar(this))
     , m_title(new QLabel(this))
-    , m_below(new QSplitter(Qt::Horizontal, this)) {
+    , m_below(new QSplitter(Qt::Horizontal, this))
+    , m_comparison(new QWidget(this))
+    , m_comparisonText(new QLabel(m_comparison))
+    , m_endComparison(new QPushButton(m_comparison))
+    , m_snapStep(new QDoubleSpinBox(this))
+    , m_fileMenu(new QMenu(this))
+    , m_addMenu(new QMenu(this)) {
     makeActions();
+    makeFileMenu();
+    makeBar();
+    makeComparison();
     auto* numbers = new QSplitter(Qt::Horizontal, this);
     numbers->addWidget(m_laws);
     numbers->addWidget(m_inspector);
@@ -45,8 +70,14 @@ PatternEditor::PatternEditor(QWidget* parent)
     m_below->addWidget(numbers);
     m_below->setStretchFactor(0, 2);
     m_below->setStretchFactor(1, 3);
+    auto* above = new QWidget(this);
+    auto* aboveLayout = new QVBoxLayout(above);
+    aboveLayout->setContentsMargins(0, 0, 0, 0);
+    aboveLayout->setSpacing(0);
+    aboveLayout->addWidget(m_comparison);
+    aboveLayout->addWidget(m_timeline, 1);
     auto* right = new QSplitter(Qt::Vertical, this);
-    right->addWidget(m_timeline);
+    right->addWidget(above);
     right->addWidget(m_below);
     right->setStretchFactor(0, 3);
     right->setStretchFactor(1, 1);
@@ -77,11 +108,22 @@ PatternEditor::PatternEditor(QWidget* parent)
         m_inspector->setFocus();
     });
     connect(m_timeline, &TimelineView::penChanged, m_pen, &QAction::setChecked);
+    connect(m_timeline, &TimelineView::loopChanged, this, [this] {
+        m_inspector->setLoop(m_timeline->loop());
+        if (m_timeline->loop())
+            m_loop->setChecked(true);
+    });
+    connect(m_inspector, &PatternInspector::loopEdited, this, [this](double begin_s, double end_s) {
+        m_timeline->setLoop(begin_s < end_s ? std::optional(Span{begin_s, end_s}) : std::nullopt);
+    });
+    connect(m_laws, &LawList::shown, this, &PatternEditor::showFinding);
     connect(m_document, &PatternDocument::patternChanged, this, &PatternEditor::updateTitle);
     connect(m_document, &PatternDocument::dirtyChanged, this, &PatternEditor::updateTitle);
     connect(m_document, &PatternDocument::pathChanged, this, &PatternEditor::updateTitle);
-    connect(m_document, &PatternDocument::snappingChanged, this,
-            [this] { m_snap->setChecked(m_document->snapping()); });
+    connect(m_document, &PatternDocument::snappingChanged, this, [this] {
+        m_snap->setChecked(m_document->snapping());
+        m_snapStep->setEnabled(m_document->snapping());
+    });
     connect(m_document, &PatternDocument::patternOpened, this, [this] { m_stroke->setStart(0.0); });
     retranslate();
 }
@@ -95,9 +137,11 @@ void PatternEditor::makeActions() {
         connect(made, &QAction::triggered, this, act);
         return made;
     };
-    m_bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_new = action({}, QKeySequence::New, [this] { emit newRequested(); });
     m_open = action({}, QKeySequence::Open, [this] { emit openRequested({}); });
-    m_save = action({}, QKeySequence::Save, [this] { emit saveRequested(m_document->path()); });
+    m_save = action({}, QKeySequence::Save, [this] { emit saveRequested(); });
+    m_saveAs = action({}, Qt::CTRL | Qt::SHIFT | Qt::Key_S, [this] { emit saveAsRequested(); });
+    m_exportTo = action({}, Qt::CTRL | Qt::Key_E, [this] { emit exportRequested(); });
     m_play = action(base::themeIcon(base::Icon::play), {}, [this] { togglePlay(); });
     m_stop = action({}, {}, [this] { emit stopRequested(); });
     m_loop = action(base::themeIcon(base::Icon::loop), {}, [] {});
@@ -120,9 +164,45 @@ void PatternEditor::makeActions() {
     m_mirror = action({}, QKeySequence(Qt::CTRL | Qt::Key_M), [this] { m_document->mirror(); });
     m_swap = action({}, QKeySequence(Qt::CTRL | Qt::Key_L), [this] { m_document->swapArms(); });
     m_fit = action({}, {}, [this] { m_timeline->zoomToFit(); });
+    m_file = new QAction(this);
+    m_file->setMenu(m_fileMenu);
     m_add = new QAction(this);
-    m_add->setMenu(new QMenu(this));
+    m_add->setMenu(m_addMenu);
+    m_snapStep->setRange(kLeastSnap_ms, kMostSnap_ms);
+    m_snapStep->setDecimals(0);
+    m_snapStep->setSuffix(QStringLiteral(" ms"));
+    m_snapStep->setValue(kMsPerS * m_document->snapStep_s());
+    m_snapStep->setKeyboardTracking(false);
+    connect(m_snapStep, &QDoubleSpinBox::valueChanged, m_document,
+            [this](double step_ms) { m_document->setSnapStep(step_ms / kMsPerS); });
+}
 
+void PatternEditor::makeFileMenu() {
+    connect(m_fileMenu, &QMenu::aboutToShow, this, &PatternEditor::fillFileMenu);
+    fillFileMenu();
+}
+
+void PatternEditor::fillFileMenu() {
+    m_fileMenu->clear();
+    m_fileMenu->addAction(m_new);
+    m_fileMenu->addAction(m_open);
+    QMenu* recent = m_fileMenu->addMenu(tr("&Recent"));
+    for (const QString& path : m_recent)
+        recent->addAction(QFileInfo(path).fileName(), this, [this, path] { emit openRequested(path); })
+            ->setToolTip(path);
+    recent->setToolTipsVisible(true);
+    recent->setEnabled(!m_recent.isEmpty());
+    m_fileMenu->addSeparator();
+    m_fileMenu->addAction(m_save);
+    m_fileMenu->addAction(m_saveAs);
+    m_fileMenu->addAction(m_exportTo);
+}
+
+void PatternEditor::makeBar() {
+    m_bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_bar->addAction(m_file);
+    m_bar->addAction(m_save);
+    m_bar->addSeparator();
     m_bar->addAction(m_play);
     m_bar->addAction(m_stop);
     m_bar->addAction(m_loop);
@@ -132,21 +212,76 @@ void PatternEditor::makeActions() {
     m_bar->addSeparator();
     m_bar->addAction(m_pen);
     m_bar->addAction(m_snap);
+    m_bar->addWidget(m_snapStep);
     m_bar->addAction(m_add);
-    qobject_cast<QToolButton*>(m_bar->widgetForAction(m_add))->setPopupMode(QToolButton::InstantPopup);
+    for (QAction* action : {m_file, m_add})
+        qobject_cast<QToolButton*>(m_bar->widgetForAction(action))->setPopupMode(QToolButton::InstantPopup);
     m_bar->addSeparator();
     m_bar->addAction(m_rotateBack);
     m_bar->addAction(m_rotate);
     m_bar->addAction(m_mirror);
     m_bar->addAction(m_swap);
     m_bar->addAction(m_fit);
-    m_bar->addSeparator();
-    m_bar->addAction(m_open);
-    m_bar->addAction(m_save);
     auto* room = new QWidget(m_bar);
     room->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     m_bar->addWidget(room);
     m_bar->addWidget(m_title);
+}
+
+void PatternEditor::makeComparison() {
+    m_endComparison->setAutoDefault(false);
+    m_comparisonText->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_comparisonText->setObjectName(QStringLiteral("comparison"));
+    auto* layout = new QHBoxLayout(m_comparison);
+    layout->setContentsMargins(base::grid(this), 0, base::grid(this), base::grid(this, 0.5));
+    layout->addWidget(m_comparisonText, 1);
+    layout->addWidget(m_endComparison);
+    m_comparison->hide();
+    connect(m_endComparison, &QPushButton::clicked, this, [this] { compareWith(nullptr); });
+    connect(m_timeline->reference(), &PatternReference::changed, this, &PatternEditor::updateComparison);
+}
+
+void PatternEditor::compareWith(std::shared_ptr<const Pattern> other) {
+    m_timeline->reference()->setPattern(std::move(other));
+}
+
+QString PatternEditor::comparisonText() const {
+    return m_timeline->reference()->pattern() ? m_comparisonText->text() : QString();
+}
+
+void PatternEditor::updateComparison() {
+    const PatternReference& reference = *m_timeline->reference();
+    m_comparison->setVisible(reference.pattern() != nullptr);
+    if (!reference.pattern())
+        return;
+    const QString name = QString::fromStdString(reference.pattern()->name);
+    if (!reference.comparison()) {
+        m_comparisonText->setText(tr("Compared with %1\u2026").arg(name));
+        return;
+    }
+    const Comparison& apart = *reference.comparison();
+    const TactorDifference& largest = apart.tactors[static_cast<std::size_t>(apart.largestTactor)];
+    const QLocale locale;
+    const auto percent = [&locale](double share) { return locale.toString(100.0 * share, 'f', 1); };
+    m_comparisonText->setText(
+        largest.largest > 0.0 ? tr("Compared with %1: largest difference %2 % (motor %3 at %4 s), rms %5 %")
+                                    .arg(name, percent(largest.largest))
+                                    .arg(apart.largestTactor + 1)
+                                    .arg(locale.toString(largest.largestAt_s, 'f', 3), percent(apart.rms))
+                              : tr("Compared with %1: the motors do the same").arg(name));
+}
+
+void PatternEditor::setRecent(const QStringList& paths) {
+    m_recent = paths;
+}
+
+void PatternEditor::showFinding(int index) {
+    if (index < 0 || index >= static_cast<int>(m_laws->findings().size()))
+        return;
+    const Finding& finding = m_laws->findings()[static_cast<std::size_t>(index)];
+    if (finding.object)
+        m_document->select({{}, *finding.object});
+    m_timeline->reveal(finding.span);
 }
 
 void PatternEditor::retranslate() {
@@ -156,8 +291,12 @@ void PatternEditor::retranslate() {
         const QString keys = action->shortcut().toString(QKeySequence::NativeText);
         action->setToolTip(keys.isEmpty() ? help : help + QStringLiteral(" (") + keys + QLatin1Char(')'));
     };
-    name(m_open, tr("Open…"), tr("Open a pattern file"));
-    name(m_save, tr("Save"), tr("Save the pattern"));
+    name(m_file, tr("File"), tr("New, open, recent, save, export"));
+    name(m_new, tr("New"), tr("An empty pattern"));
+    name(m_open, tr("Open\u2026"), tr("Open a pattern file"));
+    name(m_save, tr("Save"), tr("Save the pattern; one without a file goes to one's own patterns"));
+    name(m_saveAs, tr("Save As\u2026"), tr("Save the pattern under another name"));
+    name(m_exportTo, tr("Export\u2026"), tr("Write HJIF, .haptic, AHAP, .tact, CSV or WAV"));
     name(m_play, m_playing ? tr("Pause") : tr("Play"), tr("Play from the playhead, or pause (Space)"));
     name(m_stop, tr("Stop"), tr("Stop playing"));
     name(m_loop, tr("Loop"), tr("Begin again at the end; Shift and a drag on the ruler set the range"));
@@ -165,14 +304,25 @@ void PatternEditor::retranslate() {
     name(m_redo, tr("Redo"), tr("Redo what was undone"));
     name(m_pen, tr("Pen"), tr("Every click adds a breakpoint (P)"));
     name(m_snap, tr("Snap"), tr("Times on a grid; Alt while dragging leaves it"));
+    m_snapStep->setToolTip(tr("Step of the grid, and of the arrow keys"));
+    m_snapStep->setAccessibleName(tr("Step of the grid"));
     name(m_add, tr("Add"), tr("Add an object at the playhead"));
-    name(m_rotateBack, tr("↺ 60°"), tr("Rotate around the ring: every motor does what the next one did"));
-    name(m_rotate, tr("↻ 60°"), tr("Rotate around the ring: every motor does what the one before did"));
+    name(m_rotateBack, tr("\u21ba 60\u00b0"),
+         tr("Rotate around the ring: every motor does what the next one did"));
+    name(m_rotate, tr("\u21bb 60\u00b0"),
+         tr("Rotate around the ring: every motor does what the one before did"));
     name(m_mirror, tr("Mirror"), tr("The order of the motors the other way round"));
     name(m_swap, tr("Other arm"), tr("The pattern for the other arm"));
     name(m_fit, tr("Fit"), tr("Show the whole pattern (Ctrl+0 on the timeline)"));
-    QMenu* menu = m_add->menu();
-    menu->clear();
+    m_endComparison->setText(tr("Compare no more"));
+    fillAddMenu();
+    updateTitle();
+    updateComparison();
+}
+
+void PatternEditor::fillAddMenu() {
+    for (QAction* action : m_addMenu->actions())
+        delete action;
     const std::vector<int> all{0, 1, 2, 3, 4, 5};
     Sweep sweep;
     sweep.tactors = all;
@@ -180,9 +330,13 @@ void PatternEditor::retranslate() {
     ramp.tactors = {0};
     PulseTrain train;
     train.tactors = {0};
-    for (const ObjectForm& form : std::array<ObjectForm, 5>{sweep, Ring{}, Phantom{}, ramp, train})
-        menu->addAction(formName(form), this, [this, form] { addObject(form); });
-    updateTitle();
+    int key = Qt::Key_1;
+    for (const ObjectForm& form : std::array<ObjectForm, 5>{sweep, Ring{}, Phantom{}, ramp, train}) {
+        QAction* action = m_addMenu->addAction(formName(form), this, [this, form] { addObject(form); });
+        action->setShortcut(QKeyCombination(Qt::CTRL | Qt::ALT, static_cast<Qt::Key>(key++)));
+        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+        addAction(action);
+    }
 }
 
 void PatternEditor::addObject(const ObjectForm& form) {
@@ -200,6 +354,7 @@ void PatternEditor::updateTitle() {
         text += QStringLiteral(" · ") + tr("not saved");
     m_title->setText(text);
     m_title->setToolTip(m_document->path());
+    m_save->setEnabled(m_document->isDirty() || (m_document->path().isEmpty() && !m_document->isBuiltIn()));
     m_library->setCurrent(m_document->path().isEmpty() ? QString::fromStdString(m_document->pattern().id)
                                                        : m_document->path());
 }

@@ -3,10 +3,14 @@
 
 #include "widgets/pattern/pattern_document.h"
 
+#include <QStringList>
 #include <QWidget>
 
 class QAction;
+class QDoubleSpinBox;
 class QLabel;
+class QMenu;
+class QPushButton;
 class QSplitter;
 class QToolBar;
 
@@ -40,15 +44,25 @@ public:
     [[nodiscard]] bool isPlaying() const { return m_playing; }
     /// Whether play is to begin again at the end; the range is timeline()->loop() or, without it, all.
     [[nodiscard]] bool looping() const;
+    /// Files for the menu, the newest first.
+    void setRecent(const QStringList& paths);
+    /// Shows another pattern behind this one, and how far they are apart; null: no more.
+    void compareWith(std::shared_ptr<const pattern::Pattern> other);
+    /// The difference as it is told above the timeline; empty while nothing is compared.
+    [[nodiscard]] QString comparisonText() const;
 
 signals:
     void playRequested(const teleta::pattern::Pattern& pattern);
     void stopRequested();
     void playheadMoved(double t_s);
+    void newRequested();
     /// A built-in id or a path from the library; empty: the user is to be asked for a file.
     void openRequested(const QString& idOrPath);
-    /// Empty: the user is to be asked for a name.
-    void saveRequested(const QString& path);
+    /// Where it comes from; a pattern without a file of its own gets one.
+    void saveRequested();
+    /// The user is to be asked for a name.
+    void saveAsRequested();
+    void exportRequested();
     void duplicateRequested(const QString& idOrPath);
     void compareRequested(const QString& idOrPath);
 
@@ -57,10 +71,17 @@ protected:
 
 private:
     void makeActions();
+    void makeFileMenu();
+    void makeBar();
+    void makeComparison();
     void retranslate();
+    void fillAddMenu();
+    void fillFileMenu();
     void updateTitle();
+    void updateComparison();
     void togglePlay();
     void addObject(const pattern::ObjectForm& form);
+    void showFinding(int index);
 
     PatternDocument* m_document;
     PatternLibrary* m_library;
@@ -71,8 +92,14 @@ private:
     QToolBar* m_bar;
     QLabel* m_title;
     QSplitter* m_below;
-    QAction *m_open, *m_save, *m_play, *m_stop, *m_loop, *m_undo, *m_redo, *m_pen, *m_snap, *m_rotateBack,
-        *m_rotate, *m_mirror, *m_swap, *m_fit, *m_add;
+    QWidget* m_comparison;
+    QLabel* m_comparisonText;
+    QPushButton* m_endComparison;
+    QDoubleSpinBox* m_snapStep;
+    QMenu *m_fileMenu, *m_addMenu;
+    QStringList m_recent;
+    QAction *m_file, *m_new, *m_open, *m_save, *m_saveAs, *m_exportTo, *m_play, *m_stop, *m_loop, *m_undo,
+        *m_redo, *m_pen, *m_snap, *m_rotateBack, *m_rotate, *m_mirror, *m_swap, *m_fit, *m_add;
     bool m_playing = false;
 };
 

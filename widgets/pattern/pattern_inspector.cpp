@@ -9,6 +9,7 @@
 #include <QDoubleSpinBox>
 #include <QEvent>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
@@ -37,11 +38,17 @@ PatternInspector::PatternInspector(PatternDocument* document, QWidget* parent)
     , m_document(document)
     , m_nameLabel(new QLabel(this))
     , m_durationLabel(new QLabel(this))
+    , m_loopLabel(new QLabel(this))
+    , m_taskLabel(new QLabel(this))
     , m_tagsLabel(new QLabel(this))
     , m_notesLabel(new QLabel(this))
     , m_title(new QLabel(this))
     , m_name(new QLineEdit(this))
     , m_duration(new QDoubleSpinBox(this))
+    , m_loopBegin(new QDoubleSpinBox(this))
+    , m_loopEnd(new QDoubleSpinBox(this))
+    , m_task(new QComboBox(this))
+    , m_condition(new QComboBox(this))
     , m_tags(new QLineEdit(this))
     , m_notes(new QPlainTextEdit(this)) {
     m_name->setObjectName(QStringLiteral("name"));
@@ -56,9 +63,42 @@ PatternInspector::PatternInspector(PatternDocument* document, QWidget* parent)
     QFont bold = font();
     bold.setBold(true);
     m_title->setFont(bold);
+    const auto inARow = [this](QWidget* first, QWidget* second) {
+        auto* row = new QWidget(this);
+        auto* both = new QHBoxLayout(row);
+        both->setContentsMargins(0, 0, 0, 0);
+        both->addWidget(first, 1);
+        both->addWidget(second, 1);
+        return row;
+    };
+    for (QDoubleSpinBox* box : {m_loopBegin, m_loopEnd}) {
+        box->setRange(0.0, Pattern::kLongest_s);
+        box->setDecimals(3);
+        box->setSingleStep(0.1);
+        box->setKeyboardTracking(false);
+        connect(box, &QDoubleSpinBox::valueChanged, this, [this] {
+            if (!m_showing)
+                emit loopEdited(m_loopBegin->value(), m_loopEnd->value());
+        });
+    }
+    m_loopBegin->setObjectName(QStringLiteral("loopBegin"));
+    m_loopEnd->setObjectName(QStringLiteral("loopEnd"));
+    QWidget* loop = inARow(m_loopBegin, m_loopEnd);
+    for (QComboBox* box : {m_task, m_condition})
+        for (int k = 0; k < 3; ++k)
+            box->addItem(QString());
+    m_task->setObjectName(QStringLiteral("task"));
+    m_condition->setObjectName(QStringLiteral("condition"));
+    QWidget* kinds = inARow(m_task, m_condition);
+    connect(m_task, &QComboBox::activated, this,
+            [this](int index) { m_document->setTask(static_cast<Task>(index)); });
+    connect(m_condition, &QComboBox::activated, this,
+            [this](int index) { m_document->setCondition(static_cast<Condition>(index)); });
     auto* form = new QFormLayout;
     form->addRow(m_nameLabel, m_name);
     form->addRow(m_durationLabel, m_duration);
+    form->addRow(m_loopLabel, loop);
+    form->addRow(m_taskLabel, kinds);
     form->addRow(m_tagsLabel, m_tags);
     form->addRow(m_notesLabel, m_notes);
     auto* inside = new QWidget;
@@ -104,7 +144,22 @@ void PatternInspector::showPattern() {
         label->setBuddy(box);
     };
     describe(m_nameLabel, m_name, tr("&Name:"));
-    describe(m_durationLabel, m_duration, tr("&Length:"));
+    describe(m_durationLabel, m_duration, tr("Le&ngth:"));
+    describe(m_loopLabel, m_loopBegin, tr("&Loop:"));
+    m_loopBegin->setAccessibleName(tr("Begin of the loop"));
+    m_loopEnd->setAccessibleName(tr("End of the loop"));
+    for (QDoubleSpinBox* box : {m_loopBegin, m_loopEnd}) {
+        box->setSuffix(QStringLiteral(" s"));
+        box->setToolTip(tr("What is played again and again; the whole pattern when both are the same"));
+    }
+    describe(m_taskLabel, m_task, tr("T&ells:"));
+    m_condition->setAccessibleName(tr("Condition"));
+    const QStringList tasks{tr("a shape"), tr("a stiffness"), tr("something else")};
+    const QStringList conditions{tr("no condition"), tr("static"), tr("dynamic")};
+    for (int k = 0; k < 3; ++k) {
+        m_task->setItemText(k, tasks[k]);
+        m_condition->setItemText(k, conditions[k]);
+    }
     describe(m_tagsLabel, m_tags, tr("&Tags:"));
     describe(m_notesLabel, m_notes, tr("N&otes:"));
     m_duration->setSuffix(QStringLiteral(" s"));
@@ -122,6 +177,15 @@ void PatternInspector::showPattern() {
     show(m_notes, m_notes->toPlainText(), QString::fromStdString(pattern.notes),
          [](QPlainTextEdit* box, const QString& text) { box->setPlainText(text); });
     m_duration->setValue(pattern.duration_s);
+    m_task->setCurrentIndex(static_cast<int>(pattern.task));
+    m_condition->setCurrentIndex(static_cast<int>(pattern.condition));
+    m_showing = false;
+}
+
+void PatternInspector::setLoop(const std::optional<Span>& loop) {
+    m_showing = true;
+    m_loopBegin->setValue(loop ? loop->begin_s : 0.0);
+    m_loopEnd->setValue(loop ? loop->end_s : 0.0);
     m_showing = false;
 }
 
@@ -221,157 +285,21 @@ void PatternInspector::buildPoints() {
             [this](double value) { m_document->stretch(value / kPercent); });
         stretch->setSingleStep(10.0);
     }
-    auto* easing = new QComboBox(m_rows);
-    easing->setObjectName(QStringLiteral("easing"));
-    for (const Easing each : kEasings)
-        easing->addItem(easingName(each));
-    m_form->addRow(tr("Curve:"), easing);
-    connect(easing, &QComboBox::activated, this,
-            [this](int index) { m_document->setEasing(kEasings[static_cast<std::size_t>(index)]); });
-    m_refresh.push_back([easing, first] {
-        const auto at = std::find(kEasings.begin(), kEasings.end(), first().easing);
-        easing->setCurrentIndex(static_cast<int>(at - kEasings.begin()));
+    auto* easing = easingBox("easing");
+    connect(easing, &QComboBox::activated, this, [this, easing](int index) {
+        m_document->setEasing(static_cast<Easing>(easing->itemData(index).toInt()));
     });
+    m_refresh.push_back(
+        [easing, first] { easing->setCurrentIndex(easing->findData(static_cast<int>(first().easing))); });
 }
 
-template <typename Form>
-void PatternInspector::field(const char* name, const QString& label, const QString& unit, double low,
-                             double high, int decimals, std::function<double(const Form&)> get,
-                             std::function<void(Form&, double)> set) {
-    const auto current = [this]() -> const Form* {
-        const auto& object = m_document->selection().object;
-        return object ? std::get_if<Form>(&m_document->pattern().objects[*object].form) : nullptr;
-    };
-    number(
-        name, label, unit, low, high, decimals,
-        [current, get = std::move(get)] { return current() ? get(*current()) : 0.0; },
-        [this, current, set = std::move(set), key = QString::fromLatin1(name)](double value) {
-            if (!current())
-                return;
-            const std::size_t index = *m_document->selection().object;
-            PatternObject object = m_document->pattern().objects[index];
-            set(std::get<Form>(object.form), value);
-            m_document->replaceObject(index, object, key);
-        });
-}
-
-template <typename Form>
-void PatternInspector::tactors() {
-    auto* box = new QLineEdit(m_rows);
-    box->setObjectName(QStringLiteral("tactors"));
-    box->setToolTip(tr("Numbers from 1 to 6, separated by spaces"));
-    m_form->addRow(tr("Motors:"), box);
-    m_refresh.push_back([this, box] {
-        const auto& object = m_document->selection().object;
-        const Form* form = object ? std::get_if<Form>(&m_document->pattern().objects[*object].form) : nullptr;
-        QStringList numbers;
-        if (form)
-            for (const int tactor : form->tactors)
-                numbers << QString::number(tactor + 1);
-        box->setText(numbers.join(QLatin1Char(' ')));
-    });
-    connect(box, &QLineEdit::editingFinished, this, [this, box] {
-        const auto index = m_document->selection().object;
-        if (!index || !std::holds_alternative<Form>(m_document->pattern().objects[*index].form))
-            return;
-        PatternObject object = m_document->pattern().objects[*index];
-        std::vector<int> numbers;
-        for (const QString& part : box->text().split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
-            const int tactor = part.toInt();
-            if (tactor >= 1 && tactor <= static_cast<int>(core::kTactors))
-                numbers.push_back(tactor - 1);
-        }
-        if (!numbers.empty()) {
-            std::get<Form>(object.form).tactors = numbers;
-            m_document->replaceObject(*index, object);
-        }
-        showSelection();
-    });
-}
-
-void PatternInspector::buildObject() {
-    const QString s = QStringLiteral("s");
-    const QString percent = QStringLiteral("%");
-    const double day_s = Pattern::kLongest_s;
-    const auto start = [&]<typename Form>(Form*) {
-        field<Form>(
-            "start", tr("Start:"), s, 0.0, day_s, 3, [](const Form& f) { return f.start_s; },
-            [](Form& f, double v) { f.start_s = v; });
-    };
-    const auto length = [&]<typename Form>(Form*) {
-        field<Form>(
-            "length", tr("Length:"), s, 0.01, day_s, 3, [](const Form& f) { return f.duration_s; },
-            [](Form& f, double v) { f.duration_s = v; });
-    };
-    const auto strength = [&]<typename Form>(Form*) {
-        field<Form>(
-            "intensity", tr("Intensity:"), percent, 0.0, kPercent, 1,
-            [](const Form& f) { return kPercent * f.intensity; },
-            [](Form& f, double v) { f.intensity = v / kPercent; });
-    };
-    const ObjectForm& form = m_document->pattern().objects[*m_document->selection().object].form;
-    std::visit([&]<typename Form>(const Form&) { start(static_cast<Form*>(nullptr)); }, form);
-    if (std::holds_alternative<Sweep>(form)) {
-        field<Sweep>(
-            "burst", tr("Burst:"), s, 0.001, day_s, 3, [](const Sweep& f) { return f.burst_s; },
-            [](Sweep& f, double v) { f.burst_s = v; });
-        field<Sweep>(
-            "onset", tr("Onset to onset:"), s, 0.001, day_s, 4, [](const Sweep& f) { return onsetOf_s(f); },
-            [](Sweep& f, double v) { f.onset_s = v; });
-        tactors<Sweep>();
-        strength(static_cast<Sweep*>(nullptr));
-    } else if (std::holds_alternative<Ring>(form)) {
-        length(static_cast<Ring*>(nullptr));
-        field<Ring>(
-            "turns", tr("Turns:"), QString(), 1.0, 100.0, 0,
-            [](const Ring& f) { return static_cast<double>(f.turns); },
-            [](Ring& f, double v) { f.turns = static_cast<int>(v); });
-        field<Ring>(
-            "first", tr("First motor:"), QString(), 1.0, static_cast<double>(core::kTactors), 0,
-            [](const Ring& f) { return f.firstTactor + 1.0; },
-            [](Ring& f, double v) { f.firstTactor = static_cast<int>(v) - 1; });
-        strength(static_cast<Ring*>(nullptr));
-    } else if (std::holds_alternative<Phantom>(form)) {
-        length(static_cast<Phantom*>(nullptr));
-        field<Phantom>(
-            "from", tr("From:"), percent, 0.0, kPercent, 0,
-            [](const Phantom& f) { return kPercent * f.balanceFrom; },
-            [](Phantom& f, double v) { f.balanceFrom = v / kPercent; });
-        field<Phantom>(
-            "to", tr("To:"), percent, 0.0, kPercent, 0,
-            [](const Phantom& f) { return kPercent * f.balanceTo; },
-            [](Phantom& f, double v) { f.balanceTo = v / kPercent; });
-        strength(static_cast<Phantom*>(nullptr));
-    } else if (std::holds_alternative<Ramp>(form)) {
-        length(static_cast<Ramp*>(nullptr));
-        field<Ramp>(
-            "from", tr("From:"), percent, 0.0, kPercent, 1, [](const Ramp& f) { return kPercent * f.from; },
-            [](Ramp& f, double v) { f.from = v / kPercent; });
-        field<Ramp>(
-            "to", tr("To:"), percent, 0.0, kPercent, 1, [](const Ramp& f) { return kPercent * f.to; },
-            [](Ramp& f, double v) { f.to = v / kPercent; });
-        tactors<Ramp>();
-    } else if (std::holds_alternative<PulseTrain>(form)) {
-        length(static_cast<PulseTrain*>(nullptr));
-        field<PulseTrain>(
-            "period", tr("Period:"), s, 0.001, day_s, 3, [](const PulseTrain& f) { return f.period_s; },
-            [](PulseTrain& f, double v) { f.period_s = v; });
-        field<PulseTrain>(
-            "width", tr("Width:"), s, 0.001, day_s, 3, [](const PulseTrain& f) { return f.width_s; },
-            [](PulseTrain& f, double v) { f.width_s = v; });
-        tactors<PulseTrain>();
-        strength(static_cast<PulseTrain*>(nullptr));
-    } else {
-        strength(static_cast<Stroke*>(nullptr));
-    }
-    auto* bake = new QPushButton(tr("Bake into breakpoints"), m_rows);
-    bake->setObjectName(QStringLiteral("bake"));
-    bake->setAutoDefault(false);
-    m_form->addRow(bake);
-    connect(bake, &QPushButton::clicked, this, [this] {
-        if (m_document->selection().object)
-            m_document->bakeObject(*m_document->selection().object);
-    });
+QComboBox* PatternInspector::easingBox(const char* name) {
+    auto* box = new QComboBox(m_rows);
+    box->setObjectName(QLatin1String(name));
+    for (const Easing easing : kEasings)
+        box->addItem(easingName(easing), static_cast<int>(easing));
+    m_form->addRow(tr("Curve:"), box);
+    return box;
 }
 
 void PatternInspector::changeEvent(QEvent* event) {

@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 class QComboBox;
@@ -25,6 +26,13 @@ class PatternInspector : public QWidget {
 public:
     explicit PatternInspector(PatternDocument* document, QWidget* parent = nullptr);
 
+    /// Shows which part is played again and again; emits nothing.
+    void setLoop(const std::optional<pattern::Span>& loop);
+
+signals:
+    /// The user has typed another loop; begin and end the same: none.
+    void loopEdited(double begin_s, double end_s);
+
 protected:
     void changeEvent(QEvent* event) override;
 
@@ -38,6 +46,24 @@ private:
     QDoubleSpinBox* number(const char* name, const QString& label, const QString& unit, double low,
                            double high, int decimals, std::function<double()> get,
                            std::function<void(double)> set);
+    [[nodiscard]] QComboBox* easingBox(const char* name);
+    void buildSweep();
+    void buildRing();
+    void buildPhantom();
+    void buildRamp();
+    void buildPulseTrain();
+    void buildStroke();
+    /// The selected object when it is of this form.
+    template <typename Form>
+    [[nodiscard]] const Form* selectedForm() const;
+    /// field: as for PatternDocument::replaceObject().
+    template <typename Form, typename Change>
+    void change(Change change, const QString& field = {});
+    template <typename Form>
+    void check(const char* name, const QString& label, std::function<bool(const Form&)> get,
+               std::function<void(Form&, bool)> set);
+    template <typename Form>
+    void motor(const char* name, const QString& label, int Form::*tactor);
     template <typename Form>
     void field(const char* name, const QString& label, const QString& unit, double low, double high,
                int decimals, std::function<double(const Form&)> get, std::function<void(Form&, double)> set);
@@ -47,17 +73,24 @@ private:
     PatternDocument* m_document;
     QLabel* m_nameLabel;
     QLabel* m_durationLabel;
+    QLabel* m_loopLabel;
+    QLabel* m_taskLabel;
     QLabel* m_tagsLabel;
     QLabel* m_notesLabel;
     QLabel* m_title;
     QLineEdit* m_name;
     QDoubleSpinBox* m_duration;
+    QDoubleSpinBox* m_loopBegin;
+    QDoubleSpinBox* m_loopEnd;
+    QComboBox* m_task;
+    QComboBox* m_condition;
     QLineEdit* m_tags;
     QPlainTextEdit* m_notes;
     QWidget* m_rows = nullptr;
     QFormLayout* m_form = nullptr;
     std::vector<std::function<void()>> m_refresh;
-    QString m_kind; ///< what the rows are for
+    QString m_kind;                ///< what the rows are for
+    std::size_t m_strokePoint = 0; ///< of a stroke, the one whose numbers are shown
     bool m_showing = false;
 };
 

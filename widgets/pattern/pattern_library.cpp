@@ -2,16 +2,24 @@
 #include "widgets/pattern/pattern_library.h"
 
 #include "backend/pattern/built_in_patterns.h"
+#include "widgets/base/icons.h"
 #include "widgets/base/number_format.h"
 #include "widgets/base/theme.h"
 
-#include <QEvent>
+#include <QHBoxLayout>
 #include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
 #include <QMenu>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QSignalBlocker>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace teleta::editor {
 
@@ -20,6 +28,7 @@ using namespace pattern;
 namespace {
 
 constexpr int kKey = Qt::UserRole;
+constexpr int kWords = Qt::UserRole + 1; ///< what the filter looks through
 
 QString lengthText(double duration_s) {
     return base::withUnit(QLocale().toString(duration_s, 'f', duration_s < 100.0 ? 2 : 0),
@@ -31,33 +40,75 @@ QString lengthText(double duration_s) {
 PatternLibrary::PatternLibrary(QWidget* parent)
     : QWidget(parent)
     , m_filter(new QLineEdit(this))
-    , m_tree(new QTreeWidget(this)) {
+    , m_tree(new QTreeWidget(this))
+    , m_notice(new QLabel(this))
+    , m_undo(new QPushButton(this)) {
     m_filter->setClearButtonEnabled(true);
     m_tree->setColumnCount(2);
     m_tree->setHeaderHidden(true);
     m_tree->setUniformRowHeights(true);
     m_tree->setIndentation(base::em(this, 0.9));
+    m_tree->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_tree->header()->setStretchLastSection(false);
     m_tree->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     m_tree->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
     m_tree->setContextMenuPolicy(Qt::CustomContextMenu);
+    m_tree->installEventFilter(this);
+    m_notice->setWordWrap(true);
+    m_undo->setAutoDefault(false);
+    auto* done = new QHBoxLayout;
+    done->setContentsMargins(0, 0, 0, 0);
+    done->addWidget(m_notice, 1);
+    done->addWidget(m_undo);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_filter);
     layout->addWidget(m_tree, 1);
+    layout->addLayout(done);
+    setNotice({}, false);
     connect(m_filter, &QLineEdit::textChanged, this, &PatternLibrary::applyFilter);
     connect(m_tree, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) {
         const QString key = item->data(0, kKey).toString();
         if (!key.isEmpty())
             emit openRequested(key);
     });
+    connect(m_tree, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int column) {
+        const OwnPattern* own = ownOf(item->data(0, kKey).toString());
+        const QString name = item->text(0).trimmed();
+        if (column != 0 || !own || name == own->name)
+            return;
+        const QString path = own->path;
+        if (name.isEmpty()) {
+            const QSignalBlocker quiet(m_tree);
+            item->setText(0, own->name);
+            return;
+        }
+        emit renameRequested(path, name);
+    });
     connect(m_tree, &QWidget::customContextMenuRequested, this, &PatternLibrary::showMenu);
+    connect(m_undo, &QPushButton::clicked, this, &PatternLibrary::undoRequested);
     fill();
 }
 
 void PatternLibrary::setOwn(std::vector<OwnPattern> own) {
     m_own = std::move(own);
     fill();
+}
+
+void PatternLibrary::setNotice(const QString& text, bool undoable) {
+    m_notice->setText(text);
+    m_notice->setVisible(!text.isEmpty());
+    m_undo->setVisible(undoable);
+}
+
+const OwnPattern* PatternLibrary::ownOf(const QString& key) const {
+    const auto found = std::ranges::find(m_own, key, &OwnPattern::path);
+    return found == m_own.end() ? nullptr : &*found;
+}
+
+QString PatternLibrary::currentKey() const {
+    const QTreeWidgetItem* item = m_tree->currentItem();
+    return item ? item->data(0, kKey).toString() : QString();
 }
 
 void PatternLibrary::setCurrent(const QString& idOrPath) {
@@ -68,11 +119,18 @@ void PatternLibrary::setCurrent(const QString& idOrPath) {
 }
 
 void PatternLibrary::fill() {
-    m_filter->setPlaceholderText(tr("Filter"));
+    m_filter->setPlaceholderText(tr("Filter: name, tag"));
     m_filter->setAccessibleName(tr("Filter the patterns"));
+    m_undo->setText(tr("Undo"));
+    m_undo->setToolTip(tr("Undo what was done to the library last (Ctrl+Z in the list)"));
     m_tree->setAccessibleName(tr("Patterns"));
-    m_tree->setWhatsThis(tr("<p>Double-click opens a pattern. Built-in patterns stay as they are: the first "
-                            "edit makes a copy.</p>"));
+    m_tree->setWhatsThis(tr(
+        "<p>Double-click or <b>Enter</b> opens a pattern. Built-in patterns stay as they are: the first edit "
+        "makes a copy. In one's own: <b>F2</b> renames, <b>Ctrl+D</b> duplicates, <b>Delete</b> deletes, "
+        "<b>Ctrl+Z</b> takes that back.</p>"));
+    const QSignalBlocker quiet(m_tree);
+    const QString selected = currentKey();
+    const int scrolled = m_tree->verticalScrollBar()->value();
     m_tree->clear();
     const auto group = [this](const QString& name) {
         auto* item = new QTreeWidgetItem(m_tree, {name});
@@ -83,37 +141,72 @@ void PatternLibrary::fill() {
         item->setExpanded(true);
         return item;
     };
-    const auto add = [this](QTreeWidgetItem* parent, const QString& name, double duration_s,
-                            const QString& key) {
-        auto* item = new QTreeWidgetItem(parent, {name, lengthText(duration_s)});
-        item->setData(0, kKey, key);
-        item->setForeground(1, palette().color(QPalette::PlaceholderText));
-        item->setToolTip(0, key);
-        if (key == m_current)
-            m_tree->setCurrentItem(item);
-    };
     QTreeWidgetItem* shapes = group(tr("Built-in: shapes"));
     QTreeWidgetItem* stiffness = group(tr("Built-in: stiffness"));
-    for (const Pattern& pattern : builtInPatterns())
-        add(pattern.task == Task::shape ? shapes : stiffness, QString::fromStdString(pattern.name),
-            pattern.duration_s, QString::fromStdString(pattern.id));
+    for (const Pattern& pattern : builtInPatterns()) {
+        auto* item =
+            new QTreeWidgetItem(pattern.task == Task::shape ? shapes : stiffness,
+                                {QString::fromStdString(pattern.name), lengthText(pattern.duration_s)});
+        item->setData(0, kKey, QString::fromStdString(pattern.id));
+        item->setData(0, kWords, QString::fromStdString(pattern.name + " " + pattern.id));
+        item->setForeground(1, palette().color(QPalette::PlaceholderText));
+        item->setToolTip(0, QString::fromStdString(pattern.id));
+    }
     QTreeWidgetItem* mine = group(tr("Mine"));
     for (const OwnPattern& own : m_own)
-        add(mine, own.name, own.duration_s, own.path);
+        addOwn(mine, own);
     if (m_own.empty())
         (new QTreeWidgetItem(mine, {tr("none yet: edit a built-in one")}))->setFlags(Qt::NoItemFlags);
+    for (QTreeWidgetItemIterator at(m_tree); *at; ++at) {
+        const QString key = (*at)->data(0, kKey).toString();
+        if (key.isEmpty())
+            continue;
+        if (key == m_current) {
+            QFont font = m_tree->font();
+            font.setBold(true);
+            (*at)->setFont(0, font);
+        }
+        if (key == (selected.isEmpty() ? m_current : selected))
+            m_tree->setCurrentItem(*at);
+    }
     applyFilter();
+    m_tree->verticalScrollBar()->setValue(scrolled);
+}
+
+void PatternLibrary::addOwn(QTreeWidgetItem* group, const OwnPattern& own) {
+    auto* item = new QTreeWidgetItem(
+        group, {own.name, own.problem.isEmpty() ? lengthText(own.duration_s) : QString()});
+    item->setData(0, kKey, own.path);
+    item->setData(0, kWords, own.name + QLatin1Char(' ') + own.tags.join(QLatin1Char(' ')));
+    item->setForeground(1, palette().color(QPalette::PlaceholderText));
+    QStringList lines;
+    if (!own.problem.isEmpty()) {
+        item->setIcon(0, base::themeIcon(base::Icon::warning));
+        item->setText(1, tr("damaged"));
+        item->setForeground(1, base::statusColours(palette()).lost);
+        lines << own.problem;
+    } else if (own.renamable) {
+        item->setFlags(item->flags() | Qt::ItemIsEditable);
+    }
+    if (!own.tags.isEmpty())
+        lines << tr("Tags: %1").arg(own.tags.join(QStringLiteral(", ")));
+    if (!own.notes.isEmpty())
+        lines << own.notes;
+    lines << own.path;
+    for (int column = 0; column < 2; ++column)
+        item->setToolTip(column, lines.join(QLatin1Char('\n')));
 }
 
 void PatternLibrary::applyFilter() {
-    const QString wanted = m_filter->text().trimmed();
+    const QStringList wanted = m_filter->text().split(QLatin1Char(' '), Qt::SkipEmptyParts);
     for (int g = 0; g < m_tree->topLevelItemCount(); ++g) {
         QTreeWidgetItem* group = m_tree->topLevelItem(g);
         bool any = wanted.isEmpty();
         for (int i = 0; i < group->childCount(); ++i) {
             QTreeWidgetItem* item = group->child(i);
-            const bool shown = wanted.isEmpty() || item->text(0).contains(wanted, Qt::CaseInsensitive) ||
-                               item->data(0, kKey).toString().contains(wanted, Qt::CaseInsensitive);
+            const QString words = item->data(0, kWords).toString();
+            const bool shown = std::ranges::all_of(
+                wanted, [&words](const QString& word) { return words.contains(word, Qt::CaseInsensitive); });
             item->setHidden(!shown);
             any = any || shown;
         }
@@ -121,17 +214,61 @@ void PatternLibrary::applyFilter() {
     }
 }
 
+void PatternLibrary::rename(QTreeWidgetItem* item) {
+    const OwnPattern* own = item ? ownOf(item->data(0, kKey).toString()) : nullptr;
+    if (own && own->problem.isEmpty() && own->renamable)
+        m_tree->editItem(item, 0);
+}
+
 void PatternLibrary::showMenu(const QPoint& at) {
-    const QTreeWidgetItem* item = m_tree->itemAt(at);
+    QTreeWidgetItem* item = m_tree->itemAt(at);
     const QString key = item ? item->data(0, kKey).toString() : QString();
     if (key.isEmpty())
         return;
+    const OwnPattern* own = ownOf(key);
+    const bool sound = !own || own->problem.isEmpty();
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    menu->addAction(tr("&Open"), this, [this, key] { emit openRequested(key); });
-    menu->addAction(tr("&Duplicate"), this, [this, key] { emit duplicateRequested(key); });
-    menu->addAction(tr("&Compare with It"), this, [this, key] { emit compareRequested(key); });
+    const auto add = [menu, this](const QString& text, const QKeySequence& keys, bool enabled, auto act) {
+        QAction* action = menu->addAction(text, this, act);
+        action->setShortcut(keys); // shown only: the list takes the keys itself
+        action->setShortcutContext(Qt::WidgetShortcut);
+        action->setEnabled(enabled);
+    };
+    add(tr("&Open"), Qt::Key_Return, true, [this, key] { emit openRequested(key); });
+    add(tr("&Compare with It"), {}, sound, [this, key] { emit compareRequested(key); });
+    add(tr("&Duplicate"), Qt::CTRL | Qt::Key_D, sound, [this, key] { emit duplicateRequested(key); });
+    if (own) {
+        add(tr("&Rename"), Qt::Key_F2, sound && own->renamable, [this, item] { rename(item); });
+        add(tr("De&lete"), Qt::Key_Delete, true, [this, key] { emit deleteRequested(key); });
+    }
     menu->popup(m_tree->viewport()->mapToGlobal(at));
+}
+
+bool PatternLibrary::eventFilter(QObject* watched, QEvent* event) {
+    const bool override = event->type() == QEvent::ShortcutOverride;
+    if (watched != m_tree || (!override && event->type() != QEvent::KeyPress))
+        return QWidget::eventFilter(watched, event);
+    const auto* key = static_cast<QKeyEvent*>(event);
+    const QString chosen = currentKey();
+    const bool own = ownOf(chosen) != nullptr;
+    // The editor has Ctrl+Z and Ctrl+D for itself: in the list they are the list's.
+    const auto take = [&](auto act) {
+        if (override)
+            event->accept();
+        else
+            act();
+        return true;
+    };
+    if (key->matches(QKeySequence::Undo))
+        return take([this] { emit undoRequested(); });
+    if (key->key() == Qt::Key_D && key->modifiers() == Qt::ControlModifier && !chosen.isEmpty())
+        return take([&] { emit duplicateRequested(chosen); });
+    if (key->key() == Qt::Key_Delete && own)
+        return take([&] { emit deleteRequested(chosen); });
+    if (key->key() == Qt::Key_F2 && own)
+        return take([this] { rename(m_tree->currentItem()); });
+    return QWidget::eventFilter(watched, event);
 }
 
 void PatternLibrary::changeEvent(QEvent* event) {

@@ -41,7 +41,9 @@ void StrokePad::retranslate() {
     setWhatsThis(
         tr("<p>The forearm, unrolled: from left to right once around it. What is drawn here with the "
            "mouse becomes a stroke of the pattern, from the playhead on, as fast as it was drawn. "
-           "<b>Esc</b> gives it up.</p>"));
+           "<b>Esc</b> gives it up.</p><p>By keys: the arrows move a cursor, <b>Space</b> sets a point a "
+           "quarter of a second after the last one, <b>Backspace</b> takes it back, <b>Enter</b> "
+           "finishes.</p>"));
 }
 
 QRectF StrokePad::arm() const {
@@ -78,6 +80,7 @@ void StrokePad::mousePressEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton)
         return;
     m_drawing = true;
+    m_cursorShown = false;
     m_drawn.clear();
     m_begin_ms = event->timestamp();
     append(event->position(), m_begin_ms);
@@ -93,23 +96,81 @@ void StrokePad::mouseReleaseEvent(QMouseEvent* event) {
         return;
     append(event->position(), event->timestamp());
     m_drawing = false;
+    finish();
+}
+
+void StrokePad::finish() {
     Stroke stroke;
     stroke.start_s = m_start_s;
     stroke.points = std::move(m_drawn);
     m_drawn.clear();
-    if (stroke.points.back().time_s >= kShortestStroke_s)
+    if (!stroke.points.empty() && stroke.points.back().time_s >= kShortestStroke_s)
         m_document->addObject({{}, std::move(stroke), {}});
     update();
 }
 
-void StrokePad::keyPressEvent(QKeyEvent* event) {
-    if (event->key() != Qt::Key_Escape || !m_drawing) {
-        QWidget::keyPressEvent(event);
-        return;
-    }
+void StrokePad::giveUp() {
     m_drawing = false;
     m_drawn.clear();
     update();
+}
+
+void StrokePad::moveCursor(int key, bool fine) {
+    const double angle_rad = (fine ? 0.1 : 0.5) * kTactor_rad;
+    const double along = fine ? 0.05 : 0.25;
+    if (key == Qt::Key_Left || key == Qt::Key_Right)
+        m_cursor.angle_rad += key == Qt::Key_Right ? angle_rad : -angle_rad;
+    else
+        m_cursor.along = std::clamp(m_cursor.along + (key == Qt::Key_Down ? along : -along), 0.0, 1.0);
+    m_cursorShown = true;
+    update();
+}
+
+void StrokePad::setPointAtCursor() {
+    m_cursorShown = true;
+    if (m_drawing || m_drawn.size() >= Pattern::kMostBreakpoints)
+        return;
+    StrokePoint point = m_cursor;
+    point.time_s = kKeyStep_s * static_cast<double>(m_drawn.size());
+    m_drawn.push_back(point);
+    update();
+}
+
+void StrokePad::keyPressEvent(QKeyEvent* event) {
+    switch (event->key()) {
+    case Qt::Key_Left:
+    case Qt::Key_Right:
+    case Qt::Key_Up:
+    case Qt::Key_Down:
+        moveCursor(event->key(), event->modifiers().testFlag(Qt::ShiftModifier));
+        return;
+    case Qt::Key_Space:
+        setPointAtCursor();
+        return;
+    case Qt::Key_Backspace:
+        if (!m_drawing && !m_drawn.empty()) {
+            m_drawn.pop_back();
+            update();
+            return;
+        }
+        break;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        if (!m_drawing && !m_drawn.empty()) {
+            finish();
+            return;
+        }
+        break;
+    case Qt::Key_Escape:
+        if (m_drawing || !m_drawn.empty()) {
+            giveUp();
+            return;
+        }
+        break;
+    default:
+        break;
+    }
+    QWidget::keyPressEvent(event);
 }
 
 void StrokePad::paintEvent(QPaintEvent*) {
@@ -153,7 +214,7 @@ void StrokePad::paintEvent(QPaintEvent*) {
         painter.drawEllipse(line.first(), 1.8 * width, 1.8 * width);
     };
     painter.setClipRect(arm());
-    bool any = m_drawing;
+    bool any = m_drawing || !m_drawn.empty() || m_cursorShown;
     const auto& objects = m_document->pattern().objects;
     for (std::size_t k = 0; k < objects.size(); ++k)
         if (const auto* stroke = std::get_if<Stroke>(&objects[k].form)) {
@@ -162,7 +223,23 @@ void StrokePad::paintEvent(QPaintEvent*) {
             any = true;
         }
     draw(m_drawn, accent, 3.0);
+    if (m_cursorShown && hasFocus()) {
+        painter.setPen(QPen(accent, 1.5));
+        painter.setBrush(Qt::NoBrush);
+        for (const double turns : {-1.0, 0.0, 1.0}) {
+            const QPointF at = placeOf(std::remainder(m_cursor.angle_rad, kTurn_rad), m_cursor.along) +
+                               QPointF(turns * arm().width(), 0.0);
+            painter.drawEllipse(at, 0.45 * em, 0.45 * em);
+            painter.drawLine(at - QPointF(0.8 * em, 0.0), at + QPointF(0.8 * em, 0.0));
+            painter.drawLine(at - QPointF(0.0, 0.8 * em), at + QPointF(0.0, 0.8 * em));
+        }
+    }
     painter.setClipping(false);
+    if (hasFocus()) {
+        painter.setPen(QPen(accent, 1.0));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(rect().adjusted(0, 0, -1, -1));
+    }
     if (!any) {
         painter.setPen(faint);
         painter.drawText(arm().adjusted(0.0, 0.0, 0.0, -0.2 * em), Qt::AlignHCenter | Qt::AlignBottom,

@@ -11,10 +11,13 @@ namespace teleta::editor {
 
 /// The unrolled forearm, on which a stroke is drawn with the mouse: it becomes an object of the pattern, at
 /// the playhead, as fast as it was drawn. From left to right once around the arm (the tactors at 0 to 300
-/// degrees), from the row of the even ones at the top to that of the odd ones below. Thread: GUI.
+/// degrees), from the row of the even ones at the top to that of the odd ones below. By keys: a cursor that
+/// sets one point after the other, kKeyStep_s apart. Thread: GUI.
 class StrokePad : public QWidget {
     Q_OBJECT
 public:
+    static constexpr double kKeyStep_s = 0.25;
+
     explicit StrokePad(PatternDocument* document, QWidget* parent = nullptr);
 
     /// Where in the pattern the next stroke begins.
@@ -38,12 +41,18 @@ private:
     void retranslate();
     [[nodiscard]] QRectF arm() const;
     void append(const QPointF& at, quint64 timestamp_ms);
+    void moveCursor(int key, bool fine);
+    void setPointAtCursor();
+    void finish();
+    void giveUp();
 
     PatternDocument* m_document;
     std::vector<pattern::StrokePoint> m_drawn;
     quint64 m_begin_ms = 0;
     double m_start_s = 0.0;
     bool m_drawing = false;
+    pattern::StrokePoint m_cursor; ///< of the keys
+    bool m_cursorShown = false;
 };
 
 } // namespace teleta::editor

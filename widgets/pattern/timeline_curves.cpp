@@ -79,7 +79,7 @@ void predict(TimelineCurves& curves, const CompiledPattern& compiled, const Moto
 } // namespace
 
 TimelineCurves sampleCurves(const Pattern& pattern, const CompiledPattern& compiled,
-                            const MotorProfiles& motors, Span span, int samples) {
+                            const MotorProfiles& motors, Span span, int samples, bool predicts) {
     TimelineCurves curves;
     curves.times_s = timesIn(pattern, span, samples);
     for (auto& values : curves.commanded)
@@ -89,9 +89,27 @@ TimelineCurves sampleCurves(const Pattern& pattern, const CompiledPattern& compi
         for (std::size_t i = 0; i < core::kTactors; ++i)
             curves.commanded[i].push_back(intensities[i]);
     }
-    if (span.end_s - span.begin_s <= kLongestPrediction_s)
+    if (predicts && span.end_s - span.begin_s <= kLongestPrediction_s)
         predict(curves, compiled, motors, span);
     return curves;
+}
+
+TimelineBands bandsOf(const TrackEnvelopes& commanded, const MotorPrediction* predicted, Span span,
+                      int columns) {
+    TimelineBands bands;
+    bands.begin_s = span.begin_s;
+    bands.column_s = (span.end_s - span.begin_s) / columns;
+    for (std::size_t i = 0; i < core::kTactors; ++i) {
+        TimelineBands::Band& band = bands.tracks[i];
+        band.commanded.reserve(static_cast<std::size_t>(columns));
+        for (int k = 0; k < columns; ++k) {
+            const double begin_s = span.begin_s + k * bands.column_s;
+            band.commanded.push_back(commanded[i].over(begin_s, begin_s + bands.column_s));
+            if (predicted)
+                band.predicted.push_back(predicted->over(i, begin_s, begin_s + bands.column_s));
+        }
+    }
+    return bands;
 }
 
 std::vector<std::size_t> tactorsOf(const ObjectForm& form) {

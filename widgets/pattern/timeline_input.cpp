@@ -282,21 +282,37 @@ void TimelineView::wheelEvent(QWheelEvent* event) {
     event->accept();
 }
 
-void TimelineView::stepPoint(int direction) {
+void TimelineView::stepPoint(int direction, bool extends) {
     const Track& track = m_document->pattern().tracks[m_lane];
     if (track.empty())
         return;
     const auto last = static_cast<std::ptrdiff_t>(track.size()) - 1;
-    const PointRefs& chosen = m_document->selection().points;
+    PointRefs chosen = m_document->selection().points;
+    std::erase_if(chosen, [this](const PointRef& point) { return point.track != m_lane; });
     std::ptrdiff_t index = direction > 0 ? static_cast<std::ptrdiff_t>(firstFrom(track, m_playhead_s))
                                          : static_cast<std::ptrdiff_t>(firstFrom(track, m_playhead_s)) - 1;
-    if (chosen.size() == 1 && chosen.front().track == m_lane)
-        index = static_cast<std::ptrdiff_t>(chosen.front().index) + direction;
+    if (!chosen.empty())
+        index =
+            static_cast<std::ptrdiff_t>((direction > 0 ? chosen.back() : chosen.front()).index) + direction;
     index = std::clamp<std::ptrdiff_t>(index, 0, last);
-    m_document->select({{{m_lane, static_cast<std::size_t>(index)}}, {}});
+    PointRefs points = extends ? m_document->selection().points : PointRefs{};
+    points.push_back({m_lane, static_cast<std::size_t>(index)});
+    m_document->select({std::move(points), {}});
     const double time_s = track[static_cast<std::size_t>(index)].time_s;
-    if (time_s < m_begin_s || time_s > m_begin_s + m_span_s)
-        showSpan(time_s - 0.5 * m_span_s, m_span_s);
+    reveal({time_s, time_s});
+}
+
+void TimelineView::stepObject(int direction) {
+    const auto& objects = m_document->pattern().objects;
+    if (objects.empty())
+        return;
+    const std::size_t count = objects.size();
+    const auto& chosen = m_document->selection().object;
+    const std::size_t next = chosen          ? (*chosen + (direction > 0 ? 1 : count - 1)) % count
+                             : direction > 0 ? 0
+                                             : count - 1;
+    m_document->select({{}, next});
+    reveal(spanOf(objects[next].form));
 }
 
 void TimelineView::nudge(int key, Qt::KeyboardModifiers modifiers) {
@@ -369,10 +385,24 @@ void TimelineView::keyPressEvent(QKeyEvent* event) {
             setCurrentLane((m_lane + 1) % core::kTactors);
             break;
         case Qt::Key_Comma:
-            stepPoint(-1);
+        case Qt::Key_Less:
+            stepPoint(-1, event->modifiers().testFlag(Qt::ShiftModifier));
             break;
         case Qt::Key_Period:
-            stepPoint(1);
+        case Qt::Key_Greater:
+            stepPoint(1, event->modifiers().testFlag(Qt::ShiftModifier));
+            break;
+        case Qt::Key_N:
+            stepObject(event->modifiers().testFlag(Qt::ShiftModifier) ? -1 : 1);
+            break;
+        case Qt::Key_BracketLeft:
+            setLoop(Span{m_playhead_s, m_loop ? m_loop->end_s : m_document->pattern().duration_s});
+            break;
+        case Qt::Key_BracketRight:
+            setLoop(Span{m_loop ? m_loop->begin_s : 0.0, m_playhead_s});
+            break;
+        case Qt::Key_Backslash:
+            setLoop(std::nullopt);
             break;
         case Qt::Key_Insert:
             m_document->addPoint(m_lane,

@@ -7,10 +7,12 @@
 #include "widgets/base/theme.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace teleta::editor {
@@ -51,8 +53,14 @@ public:
         m_painter.save();
         m_painter.setClipRect(m_g.plot);
         objects();
-        for (std::size_t i = 0; i < core::kTactors; ++i)
-            curves(i);
+        for (std::size_t i = 0; i < core::kTactors; ++i) {
+            if (hasBands())
+                bands(i);
+            else
+                curves(i);
+            if (m_content.comparison)
+                differences(i);
+        }
         int drawn = 0;
         if (m_content.handles)
             for (std::size_t i = 0; i < core::kTactors; ++i)
@@ -182,6 +190,9 @@ private:
     }
 
     void objects() {
+        constexpr double kNarrow_px = 4.0;
+        std::array<double, core::kTactors> drawnTo;
+        drawnTo.fill(-1.0);
         for (std::size_t k = 0; k < m_content.pattern->objects.size(); ++k) {
             const PatternObject& object = m_content.pattern->objects[k];
             const Span span = spanOf(object.form);
@@ -198,6 +209,15 @@ private:
             bool titled = false;
             for (const std::size_t tactor : tactorsOf(object.form)) {
                 const QRectF& lane = m_g.lane[tactor];
+                if (!selected && to - from < kNarrow_px) {
+                    // Thousands of them may lie on a few pixels: each pixel once, without a frame.
+                    if (std::floor(from) > drawnTo[tactor])
+                        m_painter.fillRect(QRectF(QPointF(std::floor(from), lane.top() + 1.0),
+                                                  QPointF(std::ceil(to), lane.bottom() - 1.0)),
+                                           wash);
+                    drawnTo[tactor] = std::max(drawnTo[tactor], std::floor(to));
+                    continue;
+                }
                 const QRectF block(QPointF(from, lane.top() + 1.0), QPointF(to, lane.bottom() - 1.0));
                 m_painter.setPen(QPen(selected ? m_line : colour, selected ? 2.0 : 1.0));
                 m_painter.setBrush(wash);
@@ -250,10 +270,20 @@ private:
         if (curves.hasPrediction())
             hatch(track);
         if (m_content.reference) {
+            const QPolygonF other =
+                lineOf(*m_content.reference, m_content.reference->commanded[track], track);
+            // What lies between the two lines: there and back, filled where that goes round once.
+            QPolygonF between = commanded;
+            for (auto at = other.rbegin(); at != other.rend(); ++at)
+                between << *at;
+            QColor apart = referenceColour();
+            apart.setAlphaF(0.22F);
+            m_painter.setPen(Qt::NoPen);
+            m_painter.setBrush(apart);
+            m_painter.drawPolygon(between, Qt::OddEvenFill);
             m_painter.setBrush(Qt::NoBrush);
-            m_painter.setPen(QPen(base::identityColour(2, base::isDark(m_palette)), 1.5, Qt::DashLine));
-            m_painter.drawPolyline(
-                lineOf(*m_content.reference, m_content.reference->commanded[track], track));
+            m_painter.setPen(QPen(referenceColour(), 1.5, Qt::DashLine));
+            m_painter.drawPolyline(other);
         }
         m_painter.setBrush(Qt::NoBrush);
         m_painter.setPen(QPen(m_line, 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
@@ -262,6 +292,112 @@ private:
             m_painter.setPen(QPen(base::mixed(m_ground, m_text, 0.75), 1.2));
             m_painter.drawPolyline(lineOf(curves, curves.predicted[track], track));
         }
+    }
+
+    [[nodiscard]] QColor referenceColour() const { return base::identityColour(2, base::isDark(m_palette)); }
+
+    [[nodiscard]] bool hasBands() const { return m_content.bands && !m_content.bands->empty(); }
+    [[nodiscard]] bool hasPrediction() const {
+        return hasBands() ? m_content.bands->hasPrediction() : m_content.curves->hasPrediction();
+    }
+
+    /// A line through one value of each column.
+    template <typename Values, typename Value>
+    [[nodiscard]] QPolygonF lineOf(const TimelineBands& bands, const Values& values, std::size_t track,
+                                   Value value) const {
+        QPolygonF line;
+        line.reserve(static_cast<qsizetype>(values.size()));
+        for (std::size_t k = 0; k < values.size(); ++k)
+            line << QPointF(m_g.xOf(bands.begin_s + (static_cast<double>(k) + 0.5) * bands.column_s),
+                            m_g.yOf(track, value(values[k])));
+        return line;
+    }
+
+    /// A long stretch: from the lowest to the highest value of each column of pixels.
+    void bands(std::size_t track) {
+        const TimelineBands& all = *m_content.bands;
+        const TimelineBands::Band& band = all.tracks[track];
+        const auto high = [](const auto& range) { return static_cast<double>(range.high); };
+        const auto low = [](const auto& range) { return static_cast<double>(range.low); };
+        const QPolygonF upper = lineOf(all, band.commanded, track, high);
+        const QPolygonF lower = lineOf(all, band.commanded, track, low);
+        m_painter.setPen(Qt::NoPen);
+        QPolygonF area = upper;
+        area << QPointF(upper.last().x(), m_g.yOf(track, 0.0))
+             << QPointF(upper.first().x(), m_g.yOf(track, 0.0));
+        QColor wash = m_line;
+        wash.setAlphaF(0.16F);
+        m_painter.setBrush(wash);
+        m_painter.drawPolygon(area);
+        QPolygonF between = upper;
+        for (auto at = lower.rbegin(); at != lower.rend(); ++at)
+            between << *at;
+        wash.setAlphaF(0.5F);
+        m_painter.setBrush(wash);
+        m_painter.drawPolygon(between);
+        if (all.hasPrediction())
+            hatchColumns(track);
+        m_painter.setBrush(Qt::NoBrush);
+        if (m_content.referenceBands && !m_content.referenceBands->empty()) {
+            m_painter.setPen(QPen(referenceColour(), 1.5, Qt::DashLine));
+            m_painter.drawPolyline(lineOf(*m_content.referenceBands,
+                                          m_content.referenceBands->tracks[track].commanded, track, high));
+        } else if (m_content.reference) {
+            m_painter.setPen(QPen(referenceColour(), 1.5, Qt::DashLine));
+            m_painter.drawPolyline(
+                lineOf(*m_content.reference, m_content.reference->commanded[track], track));
+        }
+        m_painter.setPen(QPen(m_line, 1.4));
+        m_painter.drawPolyline(upper);
+        if (all.hasPrediction()) {
+            m_painter.setPen(QPen(base::mixed(m_ground, m_text, 0.75), 1.0));
+            m_painter.drawPolyline(lineOf(all, band.predicted, track, high));
+        }
+    }
+
+    /// A strip along the floor of the lane where somewhere in the column the motor cannot follow.
+    void hatchColumns(std::size_t track) {
+        const TimelineBands& all = *m_content.bands;
+        const auto& columns = all.tracks[track].predicted;
+        const double floor = m_g.yOf(track, 0.0);
+        m_painter.setPen(Qt::NoPen);
+        m_painter.setBrush(QBrush(base::statusColours(m_palette).stale, Qt::BDiagPattern));
+        const auto apart = [&](std::size_t k) {
+            return static_cast<double>(columns[k].apart) > kFollowTolerance;
+        };
+        for (std::size_t k = 0; k < columns.size();) {
+            const std::size_t first = k;
+            while (k < columns.size() && apart(k))
+                ++k;
+            if (k > first)
+                m_painter.drawRect(
+                    QRectF(QPointF(m_g.xOf(all.begin_s + static_cast<double>(first) * all.column_s),
+                                   floor - 0.35 * m_g.em),
+                           QPointF(m_g.xOf(all.begin_s + static_cast<double>(k) * all.column_s), floor)));
+            else
+                ++k;
+        }
+    }
+
+    /// How far the two patterns are apart on a tactor, in its lane.
+    void differences(std::size_t track) {
+        const TactorDifference& apart = m_content.comparison->tactors[track];
+        const QLocale locale;
+        const QString words = text(QT_TRANSLATE_NOOP("Timeline", "\u0394 %1 %, rms %2 %"))
+                                  .arg(locale.toString(100.0 * apart.largest, 'f', 1),
+                                       locale.toString(100.0 * apart.rms, 'f', 1));
+        m_painter.setFont(m_small);
+        const double width = base::tabularWidth(QFontMetricsF(m_small), words) + 0.6 * m_g.em;
+        const QRectF room(m_g.lane[track].right() - width - 0.3 * m_g.em, m_g.lane[track].top() + 2.0, width,
+                          1.1 * m_g.em);
+        QColor back = m_ground;
+        back.setAlphaF(0.8F);
+        m_painter.setPen(Qt::NoPen);
+        m_painter.setBrush(back);
+        m_painter.drawRoundedRect(room, 3.0, 3.0);
+        m_painter.setPen(apart.largest > 0.0 ? referenceColour() : m_faint);
+        base::drawTabularText(m_painter, room, Qt::AlignCenter, words);
+        m_painter.setFont(m_font);
     }
 
     /// Between what is asked and what the motor does, where these are too far apart.
@@ -345,7 +481,7 @@ private:
         };
         sample(QPen(m_line, 1.8));
         word(text(QT_TRANSLATE_NOOP("Timeline", "commanded")));
-        if (m_content.curves->hasPrediction()) {
+        if (hasPrediction()) {
             sample(QPen(base::mixed(m_ground, m_text, 0.75), 1.2));
             word(m_content.assumedMotors ? text(QT_TRANSLATE_NOOP("Timeline", "predicted (assumed motors)"))
                                          : text(QT_TRANSLATE_NOOP("Timeline", "predicted")));
@@ -358,7 +494,7 @@ private:
             word(text(QT_TRANSLATE_NOOP("Timeline", "zoom in to see what the motors do")));
         }
         if (m_content.reference) {
-            sample(QPen(base::identityColour(2, base::isDark(m_palette)), 1.5, Qt::DashLine));
+            sample(QPen(referenceColour(), 1.5, Qt::DashLine));
             word(m_content.referenceName);
         }
         m_painter.setFont(m_font);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/pattern/comparison.h"
 #include "widgets/pattern/pattern_document.h"
 #include "widgets/pattern/timeline_curves.h"
 #include "widgets/pattern/timeline_geometry.h"
@@ -16,8 +17,11 @@ namespace teleta::editor {
 struct TimelineContent {
     const pattern::Pattern* pattern = nullptr;
     const TimelineCurves* curves = nullptr;
+    const TimelineBands* bands = nullptr;      ///< of a long stretch, in place of the curves; may be null
     const TimelineCurves* reference = nullptr; ///< another pattern to compare with; may be null
+    const TimelineBands* referenceBands = nullptr;
     QString referenceName;
+    const pattern::Comparison* comparison = nullptr; ///< with the other pattern; may be null
     const Selection* selection = nullptr;
     std::optional<pattern::Span> loop;
     std::optional<std::size_t> currentLane; ///< where the keyboard is

@@ -30,7 +30,9 @@ TimelineView::TimelineView(PatternDocument* document, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
     , m_scroll(new QScrollBar(Qt::Horizontal, this))
-    , m_export(new base::FigureExport(this, [this] { return figure(); })) {
+    , m_export(new base::FigureExport(this, [this] { return figure(); }))
+    , m_overview(new PatternOverview(document, this))
+    , m_reference(new PatternReference(document, this)) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAutoFillBackground(true);
@@ -55,6 +57,12 @@ TimelineView::TimelineView(PatternDocument* document, QWidget* parent)
     });
     connect(m_document, &PatternDocument::selectionChanged, this, &TimelineView::invalidate);
     connect(m_document, &PatternDocument::motorsChanged, this, &TimelineView::invalidate);
+    connect(m_overview, &PatternOverview::changed, this, &TimelineView::invalidate);
+    connect(m_reference, &PatternReference::changed, this, [this] {
+        const auto& other = m_reference->pattern();
+        m_compiledReference = other ? CompiledPattern(*other) : CompiledPattern();
+        invalidate();
+    });
     retranslate();
     zoomToFit();
 }
@@ -68,8 +76,11 @@ void TimelineView::retranslate() {
         "<p>Double-click or <b>P</b>: add breakpoints. Drag: move, with <b>Alt</b> off the grid. Drag on "
         "the ground, or with <b>Shift</b>: select. Double-click on a breakpoint or <b>Enter</b>: type its "
         "numbers. Arrow keys: move what is selected, with <b>Shift</b> farther in time and finer in "
-        "intensity. <b>Page Up</b>, <b>Page Down</b>: lane; <b>,</b> and <b>.</b>: breakpoint; "
-        "<b>Insert</b>: a breakpoint at the playhead.</p>"
+        "intensity. <b>Page Up</b>, <b>Page Down</b>: lane; <b>,</b> and <b>.</b>: breakpoint, with "
+        "<b>Shift</b> "
+        "one more; <b>N</b>: object; <b>Insert</b>: a breakpoint at the playhead; <b>[</b> and <b>]</b>: "
+        "begin "
+        "and end of the loop, <b>\\</b>: none.</p>"
         "<p><b>Ctrl</b> and wheel: zoom. <b>Shift</b> and wheel: scroll. On the ruler a drag moves the "
         "playhead and, with <b>Shift</b>, sets the loop.</p>"));
 }
@@ -165,20 +176,31 @@ void TimelineView::setPen(bool pen) {
     emit penChanged(pen);
 }
 
-void TimelineView::setReference(const Pattern* reference) {
-    m_reference = reference ? std::optional(*reference) : std::nullopt;
-    m_compiledReference = reference ? CompiledPattern(*reference) : CompiledPattern();
-    invalidate();
+void TimelineView::reveal(Span span) {
+    const double length_s = std::max(span.end_s - span.begin_s, 0.0);
+    if (span.begin_s >= m_begin_s && span.end_s <= m_begin_s + m_span_s)
+        return;
+    const double shown_s = std::max(m_span_s, 1.2 * length_s);
+    showSpan(span.begin_s - 0.5 * (shown_s - length_s), shown_s);
 }
 
 void TimelineView::refreshCurves() {
     const Span span{m_begin_s, m_begin_s + m_span_s};
-    const int samples = 2 * static_cast<int>(geometryNow().plot.width());
-    m_curves =
-        sampleCurves(m_document->pattern(), m_document->compiled(), m_document->motors(), span, samples);
-    if (m_reference)
-        m_referenceCurves =
-            sampleCurves(*m_reference, m_compiledReference, m_document->motors(), span, samples);
+    const int columns = std::max(1, static_cast<int>(geometryNow().plot.width()));
+    m_bands = {};
+    m_referenceBands = {};
+    if (m_span_s > kLongestPrediction_s && m_overview->commanded())
+        m_bands = bandsOf(*m_overview->commanded(), m_overview->predicted().get(), span, columns);
+    else
+        m_curves = sampleCurves(m_document->pattern(), m_document->compiled(), m_document->motors(), span,
+                                2 * columns);
+    const auto& other = m_reference->pattern();
+    if (!other)
+        return;
+    if (!m_bands.empty() && m_reference->envelopes())
+        m_referenceBands = bandsOf(*m_reference->envelopes(), nullptr, span, columns);
+    m_referenceCurves =
+        sampleCurves(*other, m_compiledReference, m_document->motors(), span, 2 * columns, false);
 }
 
 void TimelineView::paintEvent(QPaintEvent*) {
@@ -192,8 +214,13 @@ void TimelineView::paintEvent(QPaintEvent*) {
         TimelineContent content;
         content.pattern = &m_document->pattern();
         content.curves = &m_curves;
-        content.reference = m_reference ? &m_referenceCurves : nullptr;
-        content.referenceName = m_reference ? QString::fromStdString(m_reference->name) : QString();
+        content.bands = &m_bands;
+        if (const auto& other = m_reference->pattern()) {
+            content.reference = &m_referenceCurves;
+            content.referenceBands = &m_referenceBands;
+            content.referenceName = QString::fromStdString(other->name);
+            content.comparison = m_reference->comparison() ? &*m_reference->comparison() : nullptr;
+        }
         content.selection = &m_document->selection();
         content.loop = m_loop;
         content.currentLane = m_lane;
@@ -259,12 +286,13 @@ base::Figure TimelineView::figure() const {
         }
         return csv;
     };
-    figure.paint = [copy, curves = std::move(curves), begin_s, span_s, used,
+    figure.paint = [copy, curves = std::move(curves), bands = m_bands, begin_s, span_s, used,
                     size = figure.size_px](QPainter& painter) {
         painter.setFont(used);
         TimelineContent content;
         content.pattern = &copy;
         content.curves = &curves;
+        content.bands = &bands;
         (void)paintTimeline(painter, {QRectF(QPointF(), size), used, begin_s, span_s}, content,
                             base::designedPalette(false), used);
     };

@@ -3,6 +3,7 @@
 
 #include "widgets/base/figure_export.h"
 #include "widgets/pattern/pattern_document.h"
+#include "widgets/pattern/pattern_reference.h"
 #include "widgets/pattern/timeline_curves.h"
 #include "widgets/pattern/timeline_geometry.h"
 
@@ -42,8 +43,11 @@ public:
     /// A click adds a breakpoint.
     void setPen(bool pen);
     [[nodiscard]] bool pen() const { return m_pen; }
-    /// Another pattern, drawn behind this one to compare them; nullptr: none.
-    void setReference(const pattern::Pattern* reference);
+    /// Another pattern, drawn behind this one to compare them; null: none.
+    [[nodiscard]] PatternReference* reference() const { return m_reference; }
+    [[nodiscard]] PatternOverview* overview() const { return m_overview; }
+    /// Scrolls, and zooms out when it must, so that a stretch of time can be seen.
+    void reveal(pattern::Span span);
 
     [[nodiscard]] TimelineGeometry geometryNow() const;
     /// Handles that the last painting drew.
@@ -93,7 +97,8 @@ private:
     void finishBox();
     void zoomAround(double anchor_s, double factor);
     void setCurrentLane(std::size_t lane);
-    void stepPoint(int direction);
+    void stepPoint(int direction, bool extends);
+    void stepObject(int direction);
     void nudge(int key, Qt::KeyboardModifiers modifiers);
     [[nodiscard]] std::optional<PointRef> pointAt(const QPointF& at) const;
     [[nodiscard]] std::optional<std::size_t> objectAt(const QPointF& at) const;
@@ -104,10 +109,13 @@ private:
     PatternDocument* m_document;
     QScrollBar* m_scroll;
     base::FigureExport* m_export;
+    PatternOverview* m_overview;
+    PatternReference* m_reference;
     TimelineCurves m_curves;
-    std::optional<pattern::Pattern> m_reference;
+    TimelineBands m_bands;
     pattern::CompiledPattern m_compiledReference;
     TimelineCurves m_referenceCurves;
+    TimelineBands m_referenceBands;
     QPixmap m_layer; ///< all but the playhead and the box
     bool m_layerValid = false;
     int m_drawnHandles = 0;

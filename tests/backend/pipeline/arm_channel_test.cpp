@@ -2,6 +2,7 @@
 #include "backend/pattern/built_in_patterns.h"
 #include "backend/pipeline/arm_channel.h"
 #include "backend/pipeline/touch_pipeline.h"
+#include "backend/playback/pattern_program.h"
 #include "tests/backend/pipeline/scripted_arm_source.h"
 #include "tests/backend/pipeline/scripted_source.h"
 
@@ -22,6 +23,11 @@ using test::ScriptedArmSource;
 using test::ScriptedSource;
 
 namespace {
+
+playback::Program builtInProgram(const std::string& id) {
+    const pattern::Pattern* pattern = pattern::findBuiltIn(id);
+    return pattern == nullptr ? playback::Program{} : playback::programOf(*pattern);
+}
 
 /// 9 x 9 taxels of 5 mm around the crest of the forearm: the middle one lies at P_C = 0.15 m.
 constexpr core::ArrayLayout kSkin{.rows = 9, .columns = 9, .pitch_m = 0.005};
@@ -180,8 +186,7 @@ TEST_F(ArmChannelTest, tellsTheFeedbackOfEveryTouch) {
     int played = 0;
     const auto feedback =
         std::make_shared<pipeline::TactileFeedback>([&played](const playback::Program&) { ++played; });
-    feedback->setMap(pattern::PatternMap::defaults(),
-                     [](const std::string& id) { return pattern::findBuiltIn(id); });
+    feedback->setMap(pattern::PatternMap::defaults(), builtInProgram);
     touch();
     m_channel.process();
     EXPECT_EQ(played, 0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pattern/built_in_patterns.h"
 #include "backend/pipeline/tactile_feedback.h"
+#include "backend/playback/pattern_program.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +9,11 @@
 
 namespace teleta::pipeline {
 namespace {
+
+playback::Program builtInProgram(const std::string& id) {
+    const pattern::Pattern* pattern = pattern::findBuiltIn(id);
+    return pattern == nullptr ? playback::Program{} : playback::programOf(*pattern);
+}
 
 using contour::Shape;
 using stiffness::Material;
@@ -34,10 +40,7 @@ ExploredContour contourOf(std::size_t points, Shape shape, double confidence) {
 
 class TactileFeedbackTest : public testing::Test {
 protected:
-    TactileFeedbackTest() {
-        m_feedback.setMap(pattern::PatternMap::defaults(),
-                          [](const std::string& id) { return pattern::findBuiltIn(id); });
-    }
+    TactileFeedbackTest() { m_feedback.setMap(pattern::PatternMap::defaults(), builtInProgram); }
 
     void felt(const TouchRecord& record, const ExploredContour& contour) {
         m_feedback.onTouch(record);
@@ -132,9 +135,27 @@ TEST_F(TactileFeedbackTest, whatTheMapHasNothingForIsReportedButNotPlayed) {
 TEST_F(TactileFeedbackTest, anIdThatTheLibraryDoesNotKnowPlaysNothing) {
     pattern::PatternMap map = pattern::PatternMap::defaults();
     map.stiffness[0] = "no.such.pattern";
-    m_feedback.setMap(map, [](const std::string& id) { return pattern::findBuiltIn(id); });
+    m_feedback.setMap(map, builtInProgram);
     m_feedback.onTouch(touchOf(1, Material::sponge));
     EXPECT_TRUE(m_played.empty());
+    const auto messages = sent();
+    ASSERT_EQ(messages.size(), 1U);
+    EXPECT_TRUE(messages[0].missing);
+    EXPECT_EQ(messages[0].patternId, "no.such.pattern");
+}
+
+TEST_F(TactileFeedbackTest, playsPatternsOfTheUsersOwn) {
+    pattern::PatternMap map = pattern::PatternMap::defaults();
+    map.stiffness[0] = "mine.wave";
+    m_feedback.setMap(map, [](const std::string& id) {
+        return id == "mine.wave" ? playback::Program{[](double) { return core::Intensities{0.25}; }, 1.5}
+                                 : builtInProgram(id);
+    });
+    m_feedback.onTouch(touchOf(1, Material::sponge));
+    ASSERT_EQ(m_played.size(), 1U);
+    EXPECT_EQ(m_played[0].duration_s, 1.5);
+    EXPECT_EQ(m_played[0].evaluate(0.0)[0], 0.25);
+    EXPECT_FALSE(sent().front().missing);
 }
 
 TEST_F(TactileFeedbackTest, offPlaysNothing) {

@@ -193,6 +193,26 @@ private slots:
         QVERIFY(document.isDirty());
     }
 
+    void keepsACopyAlsoWhileItIsBeingEdited() {
+        PatternDocument document;
+        document.setPattern(sample(), "a.json");
+        document.setAutosaveDelay(50);
+        QSignalSpy due(&document, &PatternDocument::autosaveDue);
+        // An edit every few milliseconds: a delay that began anew with each of them would never end.
+        QTimer edits;
+        connect(&edits, &QTimer::timeout, &document, [&document] { document.rotate(1); });
+        edits.start(5);
+        QTRY_VERIFY(due.size() >= 3);
+    }
+
+    void whatWasRecoveredIsUnsavedUntilItIsSaved() {
+        PatternDocument document;
+        document.setPattern(sample(), "a.json", true);
+        QVERIFY(document.isDirty());
+        document.markSaved("a.json");
+        QVERIFY(!document.isDirty());
+    }
+
     void snapsToItsGridUnlessToldNot() {
         PatternDocument document;
         QCOMPARE(document.snapped(0.1234), 0.12);

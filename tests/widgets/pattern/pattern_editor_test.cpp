@@ -3,11 +3,13 @@
 #include "tests/widgets/test_registry.h"
 #include "widgets/pattern/law_list.h"
 #include "widgets/pattern/pattern_editor.h"
+#include "widgets/pattern/pattern_inspector.h"
 #include "widgets/pattern/pattern_library.h"
 #include "widgets/pattern/stroke_pad.h"
 #include "widgets/pattern/timeline_view.h"
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QListWidget>
@@ -17,7 +19,10 @@
 #include <QTest>
 #include <QTreeWidget>
 
+#include <array>
 #include <cmath>
+#include <memory>
+#include <numbers>
 
 using namespace teleta;
 using namespace teleta::editor;
@@ -51,10 +56,13 @@ private slots:
         fast.objects.push_back({"", Ring{.duration_s = 1.0, .turns = 5, .burst_s = {}}, {}});
         editor.document()->setPattern(fast);
         editor.laws()->check();
+        QTRY_VERIFY(editor.laws()->isChecked());
         QVERIFY(!editor.laws()->findings().empty());
         QVERIFY(editor.laws()->fixButton()->isEnabled());
         const std::size_t before = editor.laws()->findings().size();
         QTest::mouseClick(editor.laws()->fixButton(), Qt::LeftButton);
+        QVERIFY(!editor.laws()->fixButton()->isEnabled()); // the findings are of the pattern before
+        QTRY_VERIFY(editor.laws()->isChecked());
         QVERIFY(editor.laws()->findings().size() < before);
         QVERIFY(!(editor.document()->pattern() == fast));
         QCOMPARE(editor.document()->undoStack()->count(), 1);
@@ -63,7 +71,7 @@ private slots:
         Pattern silent;
         silent.duration_s = 1.0;
         editor.document()->setPattern(silent);
-        editor.laws()->check();
+        QTRY_VERIFY(editor.laws()->isChecked());
         QVERIFY(editor.laws()->headline().contains("no warning"));
         QVERIFY(!editor.laws()->fixButton()->isEnabled());
     }
@@ -113,6 +121,197 @@ private slots:
         QVERIFY2(refusals.empty(), refusals.empty() ? "" : qPrintable(refusals[0][0].toString()));
         QVERIFY(editor.document()->pattern().objects.empty());
         QCOMPARE(editor.document()->undoStack()->count(), 2);
+    }
+
+    void ownPatternsAreFoundByTagRenamedDeletedAndDamagedOnesSayWhy() {
+        PatternLibrary library;
+        library.setOwn({{"/p/wave.json", "Slow wave", 2.0, {"soft", "arm"}, "notes", {}, true},
+                        {"/p/bad.json", "bad.json", 0.0, {}, {}, "/p/bad.json:3:1: damaged", true}});
+        library.resize(300, 700);
+        library.show();
+        QTreeWidgetItem* mine = library.tree()->topLevelItem(2);
+        QCOMPARE(mine->childCount(), 2);
+        QVERIFY(mine->child(1)->toolTip(0).contains(":3:1"));
+        QTest::keyClicks(library.filter(), "soft wave");
+        QVERIFY(!mine->child(0)->isHidden());
+        QVERIFY(mine->child(1)->isHidden());
+        library.filter()->clear();
+        QSignalSpy deletions(&library, &PatternLibrary::deleteRequested);
+        QSignalSpy duplicates(&library, &PatternLibrary::duplicateRequested);
+        QSignalSpy renames(&library, &PatternLibrary::renameRequested);
+        QSignalSpy undos(&library, &PatternLibrary::undoRequested);
+        library.tree()->setCurrentItem(mine->child(0));
+        QTest::keyClick(library.tree(), Qt::Key_F2);
+        auto* line = library.tree()->findChild<QLineEdit*>();
+        QVERIFY(line);
+        line->selectAll();
+        QTest::keyClicks(line, "Fast wave");
+        QTest::keyClick(line, Qt::Key_Return);
+        QTRY_COMPARE(renames.size(), 1);
+        QCOMPARE(renames[0][0].toString(), QString("/p/wave.json"));
+        QCOMPARE(renames[0][1].toString(), QString("Fast wave"));
+        QTest::keyClick(library.tree(), Qt::Key_D, Qt::ControlModifier);
+        QCOMPARE(duplicates.size(), 1);
+        QTest::keyClick(library.tree(), Qt::Key_Delete);
+        QCOMPARE(deletions[0][0].toString(), QString("/p/wave.json"));
+        QTest::keyClick(library.tree(), Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(undos.size(), 1);
+        library.setNotice("Slow wave was deleted.", true);
+        QTest::mouseClick(library.undoButton(), Qt::LeftButton);
+        QCOMPARE(undos.size(), 2);
+        library.tree()->setCurrentItem(library.tree()->topLevelItem(0)->child(0));
+        QTest::keyClick(library.tree(), Qt::Key_Delete); // a built-in one stays
+        QCOMPARE(deletions.size(), 1);
+    }
+
+    void twoPatternsAreComparedInNumbers() {
+        PatternEditor editor;
+        Pattern ramp;
+        ramp.id = "mine.1";
+        ramp.duration_s = 1.0;
+        ramp.tracks[2] = {{0.0, 0.0}, {1.0, 1.0}};
+        editor.document()->setPattern(ramp);
+        auto other = std::make_shared<Pattern>();
+        other->name = "silence";
+        other->duration_s = 1.0;
+        QVERIFY(editor.comparisonText().isEmpty());
+        editor.compareWith(other);
+        // Largest 1 at its end; rms over six motors sqrt(1/3 / 6).
+        QTRY_VERIFY2(editor.comparisonText().contains("100.0 %"), qPrintable(editor.comparisonText()));
+        QVERIFY(editor.comparisonText().contains("motor 3"));
+        QVERIFY(editor.comparisonText().contains("23.6 %"));
+        editor.document()->select({{{2, 1}}, {}});
+        editor.document()->deleteSelection();
+        editor.document()->select({{{2, 0}}, {}});
+        editor.document()->deleteSelection();
+        QTRY_VERIFY(editor.comparisonText().contains("do the same"));
+        editor.compareWith(nullptr);
+        QVERIFY(editor.comparisonText().isEmpty());
+    }
+
+    void aStrokeIsDrawnWithKeysAlone() {
+        PatternDocument document;
+        StrokePad pad(&document);
+        pad.resize(400, 200);
+        QTest::keyClick(&pad, Qt::Key_Space);
+        QTest::keyClick(&pad, Qt::Key_Right);
+        QTest::keyClick(&pad, Qt::Key_Right);
+        QTest::keyClick(&pad, Qt::Key_Down);
+        QTest::keyClick(&pad, Qt::Key_Space);
+        QTest::keyClick(&pad, Qt::Key_Space);
+        QTest::keyClick(&pad, Qt::Key_Backspace);
+        QVERIFY(document.pattern().objects.empty());
+        QTest::keyClick(&pad, Qt::Key_Return);
+        QCOMPARE(document.pattern().objects.size(), std::size_t(1));
+        const auto& stroke = std::get<Stroke>(document.pattern().objects[0].form);
+        QCOMPARE(stroke.points.size(), std::size_t(2));
+        QCOMPARE(stroke.points[1].time_s, StrokePad::kKeyStep_s);
+        QVERIFY(std::abs(stroke.points[1].angle_rad - std::numbers::pi / 3.0) < 1e-12);
+        QCOMPARE(stroke.points[1].along, 0.25);
+        QTest::keyClick(&pad, Qt::Key_Space);
+        QTest::keyClick(&pad, Qt::Key_Escape);
+        QTest::keyClick(&pad, Qt::Key_Return);
+        QCOMPARE(document.pattern().objects.size(), std::size_t(1));
+    }
+
+    void everyNumberOfEveryObjectCanBeTyped_data() {
+        QTest::addColumn<int>("form");
+        QTest::addColumn<QStringList>("fields");
+        QTest::newRow("sweep") << 0 << QStringList{"start", "burst", "onset", "intensity"};
+        QTest::newRow("ring") << 1 << QStringList{"start", "length", "turns", "first", "burst", "intensity"};
+        QTest::newRow("phantom") << 2 << QStringList{"start", "length", "first",    "second",
+                                                     "from",  "to",     "intensity"};
+        QTest::newRow("ramp") << 3 << QStringList{"start", "length", "from", "to"};
+        QTest::newRow("pulse train") << 4 << QStringList{"start", "length", "period", "width", "intensity"};
+        QTest::newRow("stroke") << 5 << QStringList{"start",      "length",     "turned",   "intensity",
+                                                    "pointAngle", "pointAlong", "pointTime"};
+    }
+    void everyNumberOfEveryObjectCanBeTyped() {
+        QFETCH(int, form);
+        QFETCH(QStringList, fields);
+        const std::array<ObjectForm, 6> forms{
+            Sweep{.start_s = 0.0, .burst_s = 0.1, .onset_s = {}, .tactors = {0, 1}, .intensity = 1.0},
+            Ring{.start_s = 0.0, .duration_s = 2.0, .burst_s = {}},
+            Phantom{},
+            Ramp{.tactors = {0}},
+            PulseTrain{.tactors = {0}},
+            Stroke{.points = {{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}}}};
+        PatternEditor editor;
+        Pattern pattern;
+        pattern.id = "mine.1";
+        pattern.duration_s = 5.0;
+        pattern.objects.push_back({"", forms[static_cast<std::size_t>(form)], {}});
+        editor.document()->setPattern(pattern);
+        editor.document()->select({{}, 0});
+        for (const QString& name : fields) {
+            auto* box = editor.inspector()->findChild<QDoubleSpinBox*>(name);
+            QVERIFY2(box, qPrintable(name));
+            const double wanted = box->value() > 0.5 * box->maximum() ? box->value() - box->singleStep()
+                                                                      : box->value() + box->singleStep();
+            const quint64 before = editor.document()->revision();
+            box->setValue(wanted);
+            QVERIFY2(editor.document()->revision() > before, qPrintable(name));
+            QVERIFY2(std::abs(box->value() - wanted) < 1e-3, qPrintable(name)); // as the pattern has it
+            editor.document()->undoStack()->undo();
+            QVERIFY2(editor.document()->pattern() == pattern, qPrintable(name));
+        }
+        auto* name = editor.inspector()->findChild<QLineEdit*>("objectName");
+        QTest::keyClicks(name, "wave");
+        QCOMPARE(editor.document()->pattern().objects[0].name, std::string("wave"));
+        QCOMPARE(editor.document()->undoStack()->count(), 1);
+    }
+
+    void theLawOfApparentMotionIsTurnedOnAndOff() {
+        PatternEditor editor;
+        Pattern pattern;
+        pattern.id = "mine.1";
+        pattern.duration_s = 3.0;
+        pattern.objects.push_back({"", Ring{.burst_s = {}}, {}});
+        editor.document()->setPattern(pattern);
+        editor.document()->select({{}, 0});
+        auto* byLaw = editor.inspector()->findChild<QCheckBox*>("burstByLaw");
+        QVERIFY(byLaw && byLaw->isChecked());
+        byLaw->click();
+        const auto ring = [&editor] { return std::get<Ring>(editor.document()->pattern().objects[0].form); };
+        QVERIFY(ring().burst_s && std::abs(*ring().burst_s - 0.1994) < 1e-4); // 3 turns in 2 s: 199.4 ms
+        byLaw->click();
+        QVERIFY(!ring().burst_s);
+        editor.inspector()->findChild<QCheckBox*>("counterClockwise")->click();
+        QVERIFY(!ring().counterClockwise);
+    }
+
+    void theLoopIsSetByNumbersAndByKeys() {
+        PatternEditor editor;
+        editor.document()->setPattern(*findBuiltIn("shape.A.dynamic"));
+        editor.inspector()->findChild<QDoubleSpinBox*>("loopEnd")->setValue(1.5);
+        QVERIFY(editor.timeline()->loop());
+        QCOMPARE(editor.timeline()->loop()->end_s, 1.5);
+        QVERIFY(editor.looping());
+        editor.setPlayhead(0.5);
+        QTest::keyClick(editor.timeline(), Qt::Key_BracketLeft);
+        QCOMPARE(editor.timeline()->loop()->begin_s, 0.5);
+        QCOMPARE(editor.inspector()->findChild<QDoubleSpinBox*>("loopBegin")->value(), 0.5);
+        QTest::keyClick(editor.timeline(), Qt::Key_Backslash);
+        QVERIFY(!editor.timeline()->loop());
+    }
+
+    void breakpointsAndObjectsAreChosenWithKeys() {
+        PatternEditor editor;
+        Pattern pattern;
+        pattern.id = "mine.1";
+        pattern.duration_s = 2.0;
+        pattern.tracks[0] = {{0.1, 0.2}, {0.5, 0.4}, {0.9, 0.6}};
+        pattern.objects = {{"a", Phantom{}, {}}, {"b", Phantom{.start_s = 1.0}, {}}};
+        editor.document()->setPattern(pattern);
+        QTest::keyClick(editor.timeline(), Qt::Key_Period);
+        QTest::keyClick(editor.timeline(), Qt::Key_Greater, Qt::ShiftModifier);
+        QVERIFY(editor.document()->selection().points == PointRefs({{0, 0}, {0, 1}}));
+        QTest::keyClick(editor.timeline(), Qt::Key_Right);
+        QCOMPARE(editor.document()->pattern().tracks[0][1].time_s, 0.51);
+        QTest::keyClick(editor.timeline(), Qt::Key_N);
+        QVERIFY(editor.document()->selection().object == std::size_t(0));
+        QTest::keyClick(editor.timeline(), Qt::Key_N, Qt::ShiftModifier);
+        QVERIFY(editor.document()->selection().object == std::size_t(1));
     }
 
     void asksToPlayAndToStop() {

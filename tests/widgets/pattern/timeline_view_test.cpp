@@ -332,6 +332,30 @@ private slots:
         QCOMPARE(f.view.drawnHandles(), 0);
     }
 
+    /// Bursts that are narrower than a pixel are there all the same, with what the motors do.
+    void anHourSeenAsAWholeShowsEveryBurst() {
+        Pattern hour;
+        hour.id = "mine.hour";
+        hour.duration_s = 3600.0;
+        const Pattern silent = hour;
+        hour.tracks[2] = {{1800.0, 0.0}, {1800.0, 0.9}, {1800.2, 0.9}, {1800.2, 0.0}};
+        Fixture f(hour);
+        QTRY_VERIFY(f.view.overview()->isCurrent());
+        QVERIFY(f.view.overview()->commanded() && f.view.overview()->predicted());
+        const TimelineBands bands = bandsOf(*f.view.overview()->commanded(),
+                                            f.view.overview()->predicted().get(), {0.0, 3600.0}, 500);
+        QCOMPARE(bands.tracks[2].commanded[250].high, 0.9);
+        QVERIFY(bands.tracks[2].predicted[250].high > 0.5F);
+        QCOMPARE(bands.tracks[2].commanded[100].high, 0.0);
+        f.view.zoomToFit();
+        const QImage with = f.view.grab().toImage();
+        Fixture empty(silent);
+        QTRY_VERIFY(empty.view.overview()->isCurrent());
+        empty.view.zoomToFit();
+        QVERIFY(painted(with, empty.view.grab().toImage(), f.at(2, 1800.0, 0.4)));
+        QVERIFY(!painted(with, empty.view.grab().toImage(), f.at(2, 900.0, 0.4)));
+    }
+
     void theFigureHasItsNumbers() {
         Fixture f;
         const base::Figure figure = f.view.figure();
