@@ -15,7 +15,7 @@ packages=(
     # charts and the 3D view
     libqcustomplot-dev libqcustomplot2.1-qt6 libvtk9-dev
     # numerics
-    libeigen3-dev libboost-math-dev
+    libeigen3-dev libceres-dev libboost-math-dev
     # files, queues, command line
     libtomlplusplus-dev nlohmann-json3-dev libzip-dev libreaderwriterqueue-dev libcli11-dev libexpected-dev
     # figures as PDF and PNG without a GUI library

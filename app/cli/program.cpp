@@ -3,10 +3,12 @@
 
 #include "app/cli/command.h"
 #include "app/cli/command_io.h"
+#include "app/cli/commands/calibrate_command.h"
 #include "app/cli/commands/contacts_command.h"
 #include "app/cli/commands/contour_command.h"
 #include "app/cli/commands/devices_command.h"
 #include "app/cli/commands/features_command.h"
+#include "app/cli/commands/locate_command.h"
 #include "app/cli/commands/pattern_command.h"
 #include "app/cli/commands/simulate_command.h"
 #include "app/cli/commands/stiffness_command.h"
@@ -31,6 +33,8 @@ std::vector<std::unique_ptr<Command>> makeCommands() {
     commands.push_back(std::make_unique<ContactsCommand>());
     commands.push_back(std::make_unique<StiffnessCommand>());
     commands.push_back(std::make_unique<ContourCommand>());
+    commands.push_back(std::make_unique<CalibrateCommand>());
+    commands.push_back(std::make_unique<LocateCommand>());
     commands.push_back(std::make_unique<SimulateCommand>());
     commands.push_back(std::make_unique<PatternCommand>());
     commands.push_back(std::make_unique<StudyCommand>());

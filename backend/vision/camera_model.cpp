@@ -103,24 +103,35 @@ CameraModel::project(const Eigen::Vector3d& p_Sensor_m) const {
 
 tl::expected<Projection, ProjectionFailure>
 CameraModel::projectWithDerivatives(const Eigen::Vector3d& p_Sensor_m) const {
-    const auto pixel = project(p_Sensor_m);
-    if (!pixel)
+    if (const auto pixel = project(p_Sensor_m); !pixel)
         return tl::unexpected(pixel.error());
-    const Eigen::Vector3d p_Camera_m = m_linear * (p_Sensor_m - centre_m());
+    return projectFreely(m_parameters, p_Sensor_m);
+}
+
+tl::expected<Projection, ProjectionFailure> projectFreely(const CameraParameters& camera,
+                                                          const Eigen::Vector3d& p_Sensor_m) {
+    if (!isUsable(p_Sensor_m))
+        return tl::unexpected(ProjectionFailure::notFinite);
+    const Eigen::Matrix3d linear = camera.linearPart();
+    const Eigen::Vector3d p_Camera_m = linear * (p_Sensor_m - camera.p_Sensor_Camera_m);
+    if (!(p_Camera_m.z() > 0.0))
+        return tl::unexpected(ProjectionFailure::behindCamera);
     const Eigen::Vector2d point = p_Camera_m.head<2>() / p_Camera_m.z();
-    const RationalDistortion& lens = m_parameters.distortion;
+    const RationalDistortion& lens = camera.distortion;
+    if (!isUsable(point) || !(lens.denominator(point.squaredNorm()) > 0.0))
+        return tl::unexpected(ProjectionFailure::outsideValidRadius);
     const Eigen::Vector2d distorted = lens.apply(point);
 
     Eigen::Matrix2d k;
-    k << m_parameters.fx_px, m_parameters.skew_px, 0.0, m_parameters.fy_px;
+    k << camera.fx_px, camera.skew_px, 0.0, camera.fy_px;
     Eigen::Matrix<double, 2, 3> perspective;
     perspective << 1.0, 0.0, -point.x(), 0.0, 1.0, -point.y();
     const Eigen::Matrix<double, 2, 3> byCameraPoint =
         k * lens.slope(point) * perspective * (1.0 / p_Camera_m.z());
 
     Projection result;
-    result.pixel = *pixel;
-    result.byPoint = byCameraPoint * m_linear;
+    result.pixel = k * distorted + Eigen::Vector2d(camera.cx_px, camera.cy_px);
+    result.byPoint = byCameraPoint * linear;
     result.byParameters.setZero();
     result.byParameters(0, 0) = distorted.x();
     result.byParameters(1, 1) = distorted.y();

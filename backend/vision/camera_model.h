@@ -50,6 +50,12 @@ struct Projection {
     Eigen::Matrix<double, 2, kCameraParameters> byParameters; ///< px per unit of the parameter
 };
 
+/// The pixel of a point by the formulas of CameraModel alone, also where the lens model folds, as a fit needs
+/// it. Failure: notFinite, behindCamera, outsideValidRadius where the distortion's denominator is not
+/// positive.
+[[nodiscard]] tl::expected<Projection, ProjectionFailure> projectFreely(const CameraParameters& camera,
+                                                                        const Eigen::Vector3d& p_Sensor_m);
+
 /// Perspective camera with rational lens distortion:
 ///   x_Camera = R F (p_Sensor - C), F = diag(1, -1, 1) when mirrored, otherwise the identity
 ///   (x, y) = (x_Camera / z_Camera, y_Camera / z_Camera), distorted (RationalDistortion)

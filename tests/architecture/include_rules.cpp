@@ -113,6 +113,7 @@ constexpr std::array kLibraries = {
     Library{"vtk", "VTK"},
     Library{"opencv2/", "OpenCV"},
     Library{"ceres/", "Ceres"},
+    Library{"glog/", "Ceres"}, // its log
     Library{"hidapi/", "hidapi"},
     Library{"zip.h", "libzip"},
     Library{"librsvg/", "librsvg"},

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+namespace teleta::vision {
+
+/// A pixel and the point of the sensor frame that it shows.
+struct CalibrationPair {
+    Eigen::Vector2d pixel;
+    Eigen::Vector3d p_Sensor_m;
+};
+
+} // namespace teleta::vision
