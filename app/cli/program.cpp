@@ -13,6 +13,7 @@
 #include "app/cli/commands/simulate_command.h"
 #include "app/cli/commands/stiffness_command.h"
 #include "app/cli/commands/study_command.h"
+#include "app/cli/commands/track_command.h"
 
 #include <QCoreApplication>
 
@@ -35,6 +36,7 @@ std::vector<std::unique_ptr<Command>> makeCommands() {
     commands.push_back(std::make_unique<ContourCommand>());
     commands.push_back(std::make_unique<CalibrateCommand>());
     commands.push_back(std::make_unique<LocateCommand>());
+    commands.push_back(std::make_unique<TrackCommand>());
     commands.push_back(std::make_unique<SimulateCommand>());
     commands.push_back(std::make_unique<PatternCommand>());
     commands.push_back(std::make_unique<StudyCommand>());
