@@ -120,6 +120,8 @@ void PlaybackCycle::beginAny(PlayerMode mode) {
     m_status.mode = mode;
     m_status.ending = PlayerEnding::none;
     m_status.message.clear();
+    m_status.begun_ns = now;
+    m_status.ended_ns = 0;
     m_epoch_ns = now;
     m_cycle = 0;
     m_extraWritten = false;
@@ -153,6 +155,7 @@ void PlaybackCycle::end(PlayerEnding ending, std::string message) {
     // A bracelet that is gone is told by its own time-out, and again when it comes back.
     m_bracelet.write({.drive = {}, .timeout_ms = m_config.boardTimeout_ms, .connection = m_connection});
     m_program = {};
+    m_status.ended_ns = now_ns();
     m_status.mode = PlayerMode::idle;
     m_status.ending = ending;
     m_status.message = std::move(message);

@@ -60,6 +60,8 @@ struct PlayerStatus {
     PlayerMode mode = PlayerMode::idle;
     PlayerEnding ending = PlayerEnding::none;
     std::string message;       ///< with sourceFailed: text of the exception, not translated
+    std::int64_t begun_ns = 0; ///< steady time at which the playing began; tells one from another
+    std::int64_t ended_ns = 0; ///< steady time of the zero frame that ended it; 0 while it runs
     double position_s = 0.0;   ///< in the program, of the newest frame
     double duration_s = 0.0;   ///< of the program
     bool loop = false;         ///< the program begins anew at its end

@@ -125,6 +125,8 @@ TEST_F(PlaybackCycleTest, endsAProgramWithAZeroFrame) {
     EXPECT_EQ(frames[20].time_ns - frames[0].time_ns, 100 * kMs_ns);
     EXPECT_FALSE(isOff(frames[19].frame.drive));
     EXPECT_EQ(m_cycle->status().ending, PlayerEnding::finished);
+    EXPECT_EQ(m_cycle->status().begun_ns, frames[0].time_ns);
+    EXPECT_EQ(m_cycle->status().ended_ns, frames[20].time_ns);
     EXPECT_EQ(m_cycle->status().position_s, 0.1);
     EXPECT_EQ(m_cycle->status().given, all(0.0));
 }
