@@ -63,6 +63,11 @@ public:
     /// When the time to answer is over; empty while it does not run.
     [[nodiscard]] std::optional<std::int64_t> deadline_ns() const;
 
+    /// How often the stimulus of the trial that runs may still be felt again.
+    [[nodiscard]] std::size_t replaysLeft() const {
+        return isRunning() && m_trial.replays < m_replays ? m_replays - m_trial.replays : 0;
+    }
+
     /// The participant asks for the next trial. False, and nothing happens, unless ready with no result that
     /// waits to be taken.
     [[nodiscard]] bool startTrial(std::int64_t time_ns);

@@ -53,7 +53,11 @@ const std::vector<QStringList>& steps() {
          QStringLiteral("CREATE UNIQUE INDEX answer_once_a_session ON answer (session, questionnaire, item) "
                         "WHERE session IS NOT NULL"),
          QStringLiteral("CREATE UNIQUE INDEX answer_once ON answer (participant, questionnaire, item) "
-                        "WHERE session IS NULL")}};
+                        "WHERE session IS NULL")},
+        {QStringLiteral("ALTER TABLE trial ADD COLUMN frame_write_ms FLOAT"),
+         QStringLiteral("ALTER TABLE trial ADD COLUMN frames_missed INTEGER"),
+         QStringLiteral("CREATE TABLE note (key AUTOKEY, session INTEGER NOT NULL REFERENCES session (key), "
+                        "text TEXT NOT NULL, time_utc TEXT NOT NULL)")}};
     return kSteps;
 }
 

@@ -47,6 +47,12 @@ struct StoredTrial {
     QDateTime time; ///< UTC of its end
 };
 
+/// What the experimenter wrote down during a session.
+struct StoredNote {
+    std::string text;
+    QDateTime time; ///< UTC
+};
+
 /// Answers to a questionnaire, as they were kept.
 struct StoredAnswer {
     std::optional<long long> session; ///< key; empty for those of a participant as a whole
@@ -122,6 +128,12 @@ public:
                                                  const QDateTime& now);
     /// In the order in which they were kept.
     [[nodiscard]] core::Expected<std::vector<StoredTrial>> trials(const SessionRecord& session) const;
+
+    /// Error: ioFailed, unavailable.
+    [[nodiscard]] core::Expected<void> keepNote(const SessionRecord& session, const std::string& text,
+                                                const QDateTime& now);
+    /// In the order in which they were kept.
+    [[nodiscard]] core::Expected<std::vector<StoredNote>> notes(const SessionRecord& session) const;
 
     /// Keeps all answers of a questionnaire, or none. session: the one that it belongs to; empty for those of
     /// a participant as a whole. Error: refused when they are there already or do not fit, ioFailed,

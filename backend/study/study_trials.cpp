@@ -28,8 +28,9 @@ core::Expected<void> StudyStore::insertTrial(long long session, const StoredTria
         QStringLiteral(
             "INSERT INTO trial (session, phase, trial, attempt, trial_in_block, repetition, stimulus, "
             "response, outcome, response_time_s, response_time_offset_s, response_device, response_key, "
-            "n_replays, early_presses, onset_s, duration_s, device_latency_ms, device_faults, time_utc) "
-            "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+            "n_replays, early_presses, onset_s, duration_s, device_latency_ms, device_faults, time_utc, "
+            "frame_write_ms, frames_missed) "
+            "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
         {session,
          QString::fromLatin1(toString(result.planned.phase)),
          number(result.planned.trial),
@@ -49,7 +50,9 @@ core::Expected<void> StudyStore::insertTrial(long long session, const StoredTria
          result.duration_s,
          orNull(result.deviceLatency_ms),
          number(result.deviceFaults),
-         timeText(trial.time)});
+         timeText(trial.time),
+         orNull(result.frameWrite_ms),
+         orNull(result.framesMissed)});
     if (!kept && kept.error().kind == core::ErrorKind::refused)
         return m_connection->refused(TrialsText::tr("this trial is kept already"),
                                      TrialsText::tr("each attempt of a trial once"));
@@ -147,7 +150,8 @@ core::Expected<std::vector<StoredTrial>> StudyStore::trials(const SessionRecord&
         QStringLiteral(
             "SELECT phase, trial, attempt, trial_in_block, repetition, stimulus, response, outcome, "
             "response_time_s, response_time_offset_s, response_device, response_key, n_replays, "
-            "early_presses, onset_s, duration_s, device_latency_ms, device_faults, time_utc FROM trial "
+            "early_presses, onset_s, duration_s, device_latency_ms, device_faults, time_utc, "
+            "frame_write_ms, frames_missed FROM trial "
             "WHERE session = ? ORDER BY key"),
         {session.key});
     if (!query)
@@ -181,8 +185,32 @@ core::Expected<std::vector<StoredTrial>> StudyStore::trials(const SessionRecord&
         result.deviceLatency_ms = optionalNumber(query->value(16));
         result.deviceFaults = count(query->value(17));
         trial.time = timeOf(query->value(18).toString());
+        result.frameWrite_ms = optionalNumber(query->value(19));
+        if (!query->value(20).isNull())
+            result.framesMissed = count(query->value(20));
         all.push_back(std::move(trial));
     }
+    return all;
+}
+
+core::Expected<void> StudyStore::keepNote(const SessionRecord& session, const std::string& text,
+                                          const QDateTime& now) {
+    const auto kept =
+        m_connection->run(QStringLiteral("INSERT INTO note (session, text, time_utc) VALUES (?, ?, ?)"),
+                          {session.key, QString::fromStdString(text), timeText(now)});
+    if (!kept)
+        return core::Unexpected(kept.error());
+    return {};
+}
+
+core::Expected<std::vector<StoredNote>> StudyStore::notes(const SessionRecord& session) const {
+    auto query = m_connection->run(
+        QStringLiteral("SELECT text, time_utc FROM note WHERE session = ? ORDER BY key"), {session.key});
+    if (!query)
+        return core::Unexpected(query.error());
+    std::vector<StoredNote> all;
+    while (query->next())
+        all.push_back({query->value(0).toString().toStdString(), timeOf(query->value(1).toString())});
     return all;
 }
 

@@ -51,6 +51,8 @@ struct TrialResult {
     double duration_s = 0.0;                ///< of the stimulus
     std::optional<double> deviceLatency_ms; ///< from the request to the stimulus
     std::size_t deviceFaults = 0;
+    std::optional<double> frameWrite_ms;     ///< longest write of a frame of the stimulus; empty: not known
+    std::optional<std::size_t> framesMissed; ///< deadlines without a frame, and frames that were lost
 
     [[nodiscard]] bool isComplete() const {
         return outcome != Outcome::aborted && outcome != Outcome::deviceError;

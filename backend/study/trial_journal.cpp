@@ -54,6 +54,8 @@ ordered_json toJson(const PendingTrial& trial) {
             {"duration_s", result.duration_s},
             {"device_latency_ms", jsonOrNull(result.deviceLatency_ms)},
             {"device_faults", result.deviceFaults},
+            {"frame_write_ms", orNull(result.frameWrite_ms)},
+            {"frames_missed", orNull(result.framesMissed)},
             {"time_utc", trial.time.toUTC().toString(Qt::ISODateWithMs).toStdString()}};
 }
 
@@ -77,6 +79,8 @@ PendingTrial fromJson(const ordered_json& json) {
     result.duration_s = json.at("duration_s");
     result.deviceLatency_ms = optionalOf<double>(json.at("device_latency_ms"));
     result.deviceFaults = json.at("device_faults");
+    result.frameWrite_ms = optionalOf<double>(json.at("frame_write_ms"));
+    result.framesMissed = optionalOf<std::size_t>(json.at("frames_missed"));
     trial.time =
         QDateTime::fromString(QString::fromStdString(json.at("time_utc")), Qt::ISODateWithMs).toUTC();
     return trial;

@@ -84,6 +84,8 @@ protected:
         result.duration_s = 2.0;
         result.deviceLatency_ms = 4.25;
         result.deviceFaults = 1;
+        result.frameWrite_ms = 0.125;
+        result.framesMissed = 3;
         return result;
     }
 
@@ -142,11 +144,15 @@ TEST_F(StudyStoreTest, givesATrialBackAsItWas) {
     EXPECT_EQ(first.duration_s, 2.0);
     EXPECT_EQ(first.deviceLatency_ms, 4.25);
     EXPECT_EQ(first.deviceFaults, 1U);
+    EXPECT_EQ(first.frameWrite_ms, 0.125);
+    EXPECT_EQ(first.framesMissed, 3U);
     EXPECT_EQ(trials->front().time, kNow);
     const TrialResult& second = trials->back().result;
     EXPECT_FALSE(second.response);
     EXPECT_FALSE(second.responseTime_s);
     EXPECT_FALSE(second.deviceLatency_ms);
+    EXPECT_FALSE(second.frameWrite_ms);
+    EXPECT_FALSE(second.framesMissed);
     EXPECT_EQ(second.outcome, Outcome::timeout);
 }
 
@@ -257,6 +263,9 @@ TEST_F(StudyStoreTest, bringsAnOlderStudyUpToDateAndKeepsItsTrials) {
         ASSERT_TRUE(store.keepTrial(session, answered(), kNow));
         EXPECT_EQ(store.head().stimulusSetSha256.size(), 64U);
     }
+    runSql(QStringLiteral("DROP TABLE note"));
+    runSql(QStringLiteral("ALTER TABLE trial DROP COLUMN frame_write_ms"));
+    runSql(QStringLiteral("ALTER TABLE trial DROP COLUMN frames_missed"));
     runSql(QStringLiteral("DROP TABLE answer"));
     runSql(QStringLiteral("ALTER TABLE study DROP COLUMN stimulus_set_sha256"));
     runSql(QStringLiteral("PRAGMA user_version = 1"));
@@ -266,6 +275,21 @@ TEST_F(StudyStoreTest, bringsAnOlderStudyUpToDateAndKeepsItsTrials) {
     const Participant participant = store->participants()->front();
     const SessionRecord session = store->sessions(participant)->front();
     EXPECT_EQ(store->trials(session)->size(), 1U);
+    EXPECT_FALSE(store->trials(session)->front().result.frameWrite_ms);
+}
+
+TEST_F(StudyStoreTest, keepsNotesOfASessionInTheirOrder) {
+    StudyStore store = create();
+    const PlannedSession plan = planSessions(store.head().protocol, store.head().seed, 0)[0];
+    const SessionRecord session = store.beginSession(store.enrol("P07").value(), 0, plan, kNow).value();
+    ASSERT_TRUE(store.keepNote(session, "coughed; \"again\"", kNow));
+    ASSERT_TRUE(store.keepNote(session, "\u96d1\u97f3", kNow.addSecs(-5)));
+    const auto notes = StudyStore::open(folder())->notes(session);
+    ASSERT_TRUE(notes);
+    ASSERT_EQ(notes->size(), 2U);
+    EXPECT_EQ(notes->front().text, "coughed; \"again\"");
+    EXPECT_EQ(notes->front().time, kNow);
+    EXPECT_EQ(notes->back().text, "\u96d1\u97f3");
 }
 
 TEST_F(StudyStoreTest, keepsAnswersOfAQuestionnaireTogetherAndOnce) {
