@@ -80,6 +80,7 @@ const std::vector<Rule> kRules = {
     {"widgets/bracelet", {"backend", "widgets/base"}, {"QtCore", "QtGui", "QtWidgets"}},
     {"widgets/pattern", {"backend", "widgets/base"}, {"QtCore", "QtGui", "QtWidgets"}},
     {"widgets/servo", {"backend", "widgets/base"}, {"QtCore", "QtGui", "QtWidgets", "Eigen"}},
+    {"widgets/study", {"backend", "widgets/base"}, {"QtCore", "QtGui", "QtWidgets", "expected"}},
     {"widgets/chrome", {"backend", "widgets/base"}, {"QtCore", "QtGui", "QtWidgets", "QtSvg"}},
     {"widgets/view3d",
      {"backend", "widgets/base"},
@@ -91,8 +92,8 @@ const std::vector<Rule> kRules = {
      {"QtCore", "posix", "expected", "CLI11", "nlohmann_json"}},
     {"app/console",
      {"backend", "devices", "widgets", "app/common"},
-     {"QtCore", "QtGui", "QtWidgets", "QtSvg", "QtPrintSupport", "QtOpenGLWidgets", "posix", "expected",
-      "Eigen"}},
+     {"QtCore", "QtGui", "QtWidgets", "QtSvg", "QtPrintSupport", "QtOpenGLWidgets", "QtMultimedia", "posix",
+      "expected", "Eigen"}},
 };
 
 struct Library {

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/pattern/built_in_patterns.h"
+#include "tests/widgets/test_registry.h"
+#include "widgets/base/theme.h"
+#include "widgets/study/answer_button.h"
+#include "widgets/study/answer_keys.h"
+#include "widgets/study/participant_window.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+using namespace teleta;
+using studyview::AnswerButton;
+using studyview::ParticipantScene;
+using studyview::ParticipantWindow;
+using State = ParticipantScene::State;
+
+Q_DECLARE_METATYPE(teleta::study::KeyPress)
+
+namespace {
+
+/// A touch screen that the test touches.
+QPointingDevice* touchScreen() {
+    static QPointingDevice* device = QTest::createTouchDevice();
+    return device;
+}
+
+} // namespace
+
+class ParticipantWindowTest : public QObject {
+    Q_OBJECT
+
+    std::int64_t m_now = 5;
+    std::unique_ptr<ParticipantWindow> m_window;
+    std::vector<study::KeyPress> m_presses;
+    std::vector<std::pair<QString, QString>> m_releases;
+
+private slots:
+    void init() {
+        m_presses.clear();
+        m_releases.clear();
+        m_window = std::make_unique<ParticipantWindow>([this] { return m_now; });
+        std::vector<studyview::AnswerChoice> choices;
+        for (const char* letter : {"A", "B", "C", "D", "E", "F"})
+            choices.push_back({letter, QString(letter).toLower(), {}});
+        m_window->setChoices(std::move(choices));
+        connect(m_window.get(), &ParticipantWindow::pressed, this,
+                [this](const study::KeyPress& press) { m_presses.push_back(press); });
+        connect(m_window.get(), &ParticipantWindow::released, this,
+                [this](const QString& device, const QString& key) { m_releases.emplace_back(device, key); });
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+    }
+    void cleanup() { m_window.reset(); }
+
+    void stampsAPressWithTheTimeOfItsArrivalAndThePhysicalKey() {
+        m_now = 1234;
+        QTest::keyClick(m_window.get(), Qt::Key_3);
+        QCOMPARE(m_presses.size(), std::size_t(1));
+        QCOMPARE(m_presses[0].time_ns, std::int64_t(1234));
+        QCOMPARE(m_presses[0].response, std::optional<std::size_t>(2));
+        QCOMPARE(m_presses[0].device, std::string("keyboard"));
+        QCOMPARE(m_presses[0].key, std::string("Digit3"));
+        QCOMPARE(m_releases.size(), std::size_t(1));
+        QCOMPARE(m_releases[0].second, QStringLiteral("Digit3"));
+    }
+
+    void aDigitWithoutAnAnswerIsNoAnswer() {
+        QTest::keyClick(m_window.get(), Qt::Key_8);
+        QCOMPARE(m_presses.size(), std::size_t(1));
+        QVERIFY(!m_presses[0].response);
+        QTest::keyClick(m_window.get(), Qt::Key_A);
+        QTest::keyClick(m_window.get(), Qt::Key_0);
+        QCOMPARE(m_presses.size(), std::size_t(1));
+    }
+
+    void shortcutsAreNoAnswers() {
+        QTest::keyClick(m_window.get(), Qt::Key_1, Qt::ControlModifier);
+        QVERIFY(m_presses.empty());
+    }
+
+    void answersOnTheWayDownOfTheMouse() {
+        AnswerButton* button = m_window->buttons()[4];
+        QTest::mousePress(m_window.get(), Qt::LeftButton, {}, button->geometry().center());
+        QCOMPARE(m_presses.size(), std::size_t(1));
+        QCOMPARE(m_presses[0].response, std::optional<std::size_t>(4));
+        QCOMPARE(m_presses[0].device, std::string("mouse"));
+        QCOMPARE(m_presses[0].key, std::string("button E"));
+        QVERIFY(m_releases.empty());
+        QTest::mouseRelease(m_window.get(), Qt::LeftButton, {}, button->geometry().center());
+        QCOMPARE(m_releases.size(), std::size_t(1));
+        QTest::mouseClick(m_window.get(), Qt::RightButton, {}, button->geometry().center());
+        QCOMPARE(m_presses.size(), std::size_t(1));
+    }
+
+    void answersByTouchOnce() {
+        AnswerButton* button = m_window->buttons()[1];
+        QTest::touchEvent(m_window.get(), touchScreen())
+            .press(0, button->geometry().center(), m_window.get());
+        QTest::touchEvent(m_window.get(), touchScreen())
+            .release(0, button->geometry().center(), m_window.get());
+        QCOMPARE(m_presses.size(), std::size_t(1));
+        QCOMPARE(m_presses[0].response, std::optional<std::size_t>(1));
+        QCOMPARE(m_presses[0].device, std::string("touch"));
+        QCOMPARE(m_releases.size(), std::size_t(1));
+    }
+
+    void spaceAsksForTheNextTrialButNotByItself() {
+        QSignalSpy next(m_window.get(), &ParticipantWindow::nextRequested);
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QCOMPARE(next.count(), 1);
+        QKeyEvent held(QEvent::KeyPress, Qt::Key_Space, Qt::NoModifier, QStringLiteral(" "), true);
+        QApplication::sendEvent(m_window.get(), &held);
+        QCOMPARE(next.count(), 1);
+    }
+
+    void aPressBesideTheButtonsGoesOnOnlyWhenThereIsSomethingToGoOnTo() {
+        QSignalSpy next(m_window.get(), &ParticipantWindow::nextRequested);
+        QTest::mouseClick(m_window.get(), Qt::LeftButton, {}, QPoint(3, 3));
+        QCOMPARE(next.count(), 0);
+        m_window->setScene({.state = State::ready, .trials = 3});
+        QTest::mouseClick(m_window.get(), Qt::LeftButton, {}, QPoint(3, 3));
+        QCOMPARE(next.count(), 1);
+        m_window->setScene({.state = State::answering, .answersOpen = true});
+        QTest::mouseClick(m_window.get(), Qt::LeftButton, {}, QPoint(3, 3));
+        QCOMPARE(next.count(), 1);
+    }
+
+    void letsGoOfKeysWhenItIsClosed() {
+        QSignalSpy left(m_window.get(), &ParticipantWindow::left);
+        QTest::keyPress(m_window.get(), Qt::Key_2);
+        m_window->close();
+        QCOMPARE(left.count(), 1);
+        QCOMPARE(m_releases.size(), std::size_t(1));
+        QCOMPARE(m_releases[0].second, QStringLiteral("Digit2"));
+    }
+
+    void showsTheRightAnswerInFeedbackOnly() {
+        ParticipantScene scene{.state = State::feedback, .diagrams = true, .answered = 0, .presented = 3};
+        m_window->setScene(scene);
+        QCOMPARE(m_window->buttons()[0]->look(), AnswerButton::Look::wrong);
+        QCOMPARE(m_window->buttons()[3]->look(), AnswerButton::Look::right);
+        scene.answered = 3;
+        m_window->setScene(scene);
+        QCOMPARE(m_window->buttons()[3]->look(), AnswerButton::Look::right);
+        scene = {.state = State::ready, .trials = 30, .answered = 3};
+        m_window->setScene(scene);
+        QCOMPARE(m_window->buttons()[3]->look(), AnswerButton::Look::chosen);
+        scene.state = State::stimulus;
+        scene.answersOpen = true;
+        m_window->setScene(scene);
+        for (const AnswerButton* button : m_window->buttons()) {
+            QCOMPARE(button->look(), AnswerButton::Look::plain);
+            QVERIFY(button->isOpen());
+        }
+    }
+
+    void stopIsSeenInTheWholeWindow() {
+        const auto reds = [&] {
+            const QImage image = m_window->grab().toImage();
+            int count = 0;
+            for (int x = 0; x < image.width(); ++x)
+                count += image.pixelColor(x, 1) == base::statusColours(m_window->palette()).stop ? 1 : 0;
+            return count;
+        };
+        m_window->setScene({.state = State::ready});
+        QCOMPARE(reds(), 0);
+        m_window->setScene({.state = State::stopped});
+        QVERIFY(reds() > m_window->width() / 2);
+        QVERIFY(m_window->instruction().contains(QStringLiteral("Stopped")));
+    }
+
+    void theMarkOfAPilotIsSeen() {
+        m_window->setScene({.state = State::ready, .mode = study::Mode::run});
+        const QImage real = m_window->grab().toImage();
+        m_window->setScene({.state = State::ready, .mode = study::Mode::pilot});
+        QVERIFY(m_window->grab().toImage() != real);
+    }
+
+    void aDiagramIsThatOfThePattern() {
+        const auto diagram = [](const char* id) {
+            return studyview::diagramOf(*pattern::findBuiltIn(id), 2.0);
+        };
+        // All six tactors at once for the static circle, one after another for the dynamic one.
+        for (const int turn : diagram("shape.A.static").turn)
+            QCOMPARE(turn, 0);
+        auto turns = diagram("shape.A.dynamic").turn;
+        std::sort(turns.begin(), turns.end());
+        QCOMPARE(turns, (std::array{1, 2, 3, 4, 5, 6}));
+        // The hardest material is an impulse of 0.3 s in 2 s.
+        const auto impulse = diagram("stiffness.E.dynamic");
+        const auto on = static_cast<double>(std::count_if(impulse.course.begin(), impulse.course.end(),
+                                                          [](const auto& at) { return at[0] > 0.0; }));
+        QVERIFY(std::abs(on / double(impulse.kColumns) - 0.15) < 0.03);
+        // Static levels rise from 1/2 to 1.
+        QVERIFY(std::abs(diagram("stiffness.A.static").strongest[0] - 0.5) < 1e-9);
+        QVERIFY(std::abs(diagram("stiffness.E.static").strongest[5] - 1.0) < 1e-9);
+    }
+};
+
+static const test::Registration<ParticipantWindowTest> registration;
+#include "participant_window_test.moc"

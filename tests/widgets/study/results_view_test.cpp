@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/widgets/test_registry.h"
+#include "widgets/study/confusion_view.h"
+#include "widgets/study/interval_chart.h"
+#include "widgets/study/result_table.h"
+#include "widgets/study/results_content.h"
+#include "widgets/study/results_view.h"
+
+#include <QComboBox>
+#include <QTest>
+
+#include <array>
+#include <cmath>
+#include <string>
+
+using namespace teleta;
+using studyview::ResultsContent;
+using studyview::ResultsView;
+
+namespace {
+
+std::string name(const char* begin, std::size_t number) {
+    return QStringLiteral("%1%2").arg(QLatin1String(begin)).arg(number).toStdString();
+}
+
+/// Data set A of the specification: correct of five, patterns P1 to P6, static and dynamic.
+study::TaskResults dataSetA() {
+    constexpr std::array kRows{"552555443555", "242141533232", "443221542142", "443351554443",
+                               "432242542352", "442423543552", "554534554545", "543332453544"};
+    study::TrialTally tally;
+    for (std::size_t person = 0; person < kRows.size(); ++person) {
+        const std::string id = name("s0", person + 1);
+        for (std::size_t cell = 0; cell < 12; ++cell) {
+            const std::string pattern = name("P", cell % 6 + 1);
+            const std::string other = name("P", (cell + 1) % 6 + 1);
+            for (int trial = 0; trial < 5; ++trial) {
+                const bool right = trial < kRows[person][cell] - '0';
+                study::TalliedTrial one;
+                one.participant = id;
+                one.task = "shape";
+                one.condition = cell < 6 ? "static" : "dynamic";
+                one.stimulus = pattern;
+                one.response = right ? pattern : other;
+                one.responseTime_s = 2.0;
+                if (!tally.add(one))
+                    qFatal("too many names");
+            }
+        }
+    }
+    return study::studyResults(tally, {.resamples = 10}).front();
+}
+
+const study::TaskResults& results() {
+    static const study::TaskResults all = dataSetA();
+    return all;
+}
+
+QString cellOf(const studyview::TableContent& table, const QString& row, const QString& column) {
+    for (const auto& cells : table.rows) {
+        if (cells[0].shown == row)
+            return cells[static_cast<std::size_t>(table.header.indexOf(column))].shown;
+    }
+    return {};
+}
+
+} // namespace
+
+class ResultsViewTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    // Table of the specification, from R.
+    void showsTheAnovaOfDataSetAToThePrintedDigits() {
+        const studyview::TableContent table = ResultsContent::anova(results());
+        QCOMPARE(cellOf(table, "condition", "F"), QStringLiteral("18.78"));
+        QCOMPARE(cellOf(table, "condition", "p"), QStringLiteral("0.003"));
+        QCOMPARE(cellOf(table, "condition", "df"), QStringLiteral("1; 7"));
+        QCOMPARE(cellOf(table, "pattern", "F"), QStringLiteral("7.85"));
+        QCOMPARE(cellOf(table, "pattern", "eps GG"), QStringLiteral("0.461"));
+        QCOMPARE(cellOf(table, "pattern", "p GG"), QStringLiteral("0.003"));
+        QCOMPARE(cellOf(table, "condition:pattern", "eps HF"), QStringLiteral("1.000"));
+        QCOMPARE(cellOf(table, "condition:pattern", "p"), QStringLiteral("0.845"));
+        QCOMPARE(cellOf(table, "pattern", "partial eta\u00b2"), QStringLiteral("0.529"));
+        QCOMPARE(table.rows.size(), std::size_t(3 + 6));
+    }
+
+    // 100 times the mean of the rows of data set A; the t interval is that of R's t.test.
+    void accuracyIsTheMeanOfParticipantsWithTheirDots() {
+        const studyview::IntervalChartContent chart = ResultsContent::accuracy(results(), {});
+        QCOMPARE(chart.categories, (QStringList{"dynamic", "static"}));
+        double sum = 0.0;
+        for (const double one : chart.series[0].points[1].single)
+            sum += one;
+        QCOMPARE(chart.series[0].points[1].single.size(), std::size_t(8));
+        QVERIFY(std::abs(*chart.series[0].points[1].value - sum / 8.0) < 1e-9);
+        QVERIFY(std::abs(chart.series[0].points[1].single[0] - 90.0) < 1e-9); // 27 of 30
+        QVERIFY(std::abs(*chart.reference - 100.0 / 6.0) < 1e-9);
+    }
+
+    // Wilson's interval of 27/30 from the roots of its quadratic.
+    void oneParticipantHasWilsonsInterval() {
+        const studyview::IntervalChartContent chart =
+            ResultsContent::accuracy(results(), QStringLiteral("s01"));
+        const studyview::ChartPoint& point = chart.series[0].points[1];
+        const double n = 30.0, share = 0.9, z = 1.959963984540054;
+        const double middle = (share + z * z / (2 * n)) / (1 + z * z / n);
+        const double half = z / (1 + z * z / n) * std::sqrt(share * (1 - share) / n + z * z / (4 * n * n));
+        QVERIFY(std::abs(point.interval->low - 100 * (middle - half)) < 1e-6);
+        QVERIFY(std::abs(point.interval->high - 100 * (middle + half)) < 1e-6);
+        QVERIFY(point.single.empty());
+    }
+
+    void everyPatternHasBothConditionsAndTheirComparison() {
+        const studyview::IntervalChartContent chart = ResultsContent::patterns(results(), {});
+        QCOMPARE(chart.categories.size(), 6);
+        QCOMPARE(chart.series.size(), std::size_t(2));
+        QCOMPARE(chart.notes.size(), 6);
+        for (const QString& note : chart.notes)
+            QVERIFY2(note.startsWith(QStringLiteral("p ")), qPrintable(note));
+        QVERIFY(studyview::intervalChartCsv(chart).startsWith(
+            QStringLiteral("category,series,value,low,high,singles\nP1,")));
+    }
+
+    // The specification: at 30 trials a pure guesser of six patterns shows 0.74 bit.
+    void saysWhatAGuesserWouldShow() {
+        QVERIFY(std::abs(ResultsContent::guesserTransfer_bit(6, 5) - 0.74) < 0.01);
+        studyview::ResultsScene scene;
+        study::TaskResults small = results();
+        QVERIFY(ResultsContent::transferNote(small).contains(QStringLiteral("30 trials")));
+    }
+
+    void followsTheChoiceOfTaskAndParticipant() {
+        ResultsView view;
+        studyview::ResultsScene scene;
+        scene.tasks = {results()};
+        scene.taskNames.insert("shape", "Object shape");
+        scene.mode = study::Mode::pilot;
+        view.setScene(scene);
+        view.resize(1200, 900);
+        view.show();
+        QCOMPARE(view.matrices().size(), std::size_t(2));
+        QCOMPARE(view.matrices()[1]->content().matrix.total(), 8 * 30);
+        QCOMPARE(view.matrices()[1]->content().mode, study::Mode::pilot);
+        auto* who = view.findChild<QComboBox*>("resultParticipant");
+        QCOMPARE(who->count(), 9);
+        who->setCurrentIndex(who->findData(QStringLiteral("s01")));
+        QCOMPARE(view.matrices()[1]->content().matrix.total(), 30);
+        QCOMPARE(view.matrices()[1]->content().matrix.correct(), 27);
+        QCOMPARE(view.peopleTable()->rowCount(), 2);
+        view.setScene(scene);
+        QCOMPARE(view.participant(), QStringLiteral("s01"));
+        auto* counts = view.findChild<QComboBox*>("resultCounts");
+        counts->setCurrentIndex(1);
+        for (const studyview::ConfusionView* matrix : view.matrices())
+            QVERIFY(matrix->content().percent);
+    }
+
+    void showsNothingWithoutTrials() {
+        ResultsView view;
+        view.setScene({});
+        view.show();
+        QVERIFY(!view.groupTable()->isVisible());
+        QVERIFY(!view.findChild<QComboBox*>("resultTask")->isEnabled());
+    }
+
+    void aTablesDataAreInTheCLocale() {
+        studyview::ResultTable table(QStringLiteral("t"));
+        table.setRows({"a", "b, c"}, {}, {{{"1,5", "1.5"}, {"x \"y\""}}});
+        QCOMPARE(table.csv(), QStringLiteral("a,\"b, c\"\n1.5,\"x \"\"y\"\"\"\n"));
+    }
+};
+
+static const test::Registration<ResultsViewTest> registration;
+#include "results_view_test.moc"

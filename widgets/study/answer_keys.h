@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include <cstddef>
+#include <optional>
+
+class QKeyEvent;
+
+namespace teleta::studyview {
+
+/// A key as it lies on the keyboard, whatever the layout prints on it and whether Num Lock is on.
+struct PhysicalKey {
+    enum class Kind {
+        digit, ///< 1 to 9, above the letters
+        pad,   ///< 1 to 9 on the keypad
+        space,
+    };
+    Kind kind = Kind::digit;
+    std::size_t number = 0; ///< 1 .. 9; 0 for the space bar
+
+    /// The code of the W3C's UI Events: "Digit3", "Numpad3", "Space".
+    [[nodiscard]] QString code() const;
+    /// "keyboard" or "keypad".
+    [[nodiscard]] QString device() const;
+};
+
+/// By the scan code under X11 and Wayland (evdev + 8), otherwise by what Qt makes of the key. Empty for any
+/// other key. Thread: GUI.
+[[nodiscard]] std::optional<PhysicalKey> physicalKey(const QKeyEvent& event);
+
+} // namespace teleta::studyview

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/study/session.h"
+#include "widgets/study/participant_scene.h"
+
+#include <QWidget>
+
+#include <cstdint>
+#include <functional>
+#include <set>
+#include <vector>
+
+class QGridLayout;
+class QLabel;
+
+namespace teleta::studyview {
+
+class AnswerButton;
+
+/// The participant's own window: the answers as large buttons, and nothing else. Answers come by the digits
+/// of keyboard and keypad, mouse and touch; Space asks for the next trial, R for the stimulus once more where
+/// that is allowed. It decides nothing: each press goes out with the time of its arrival. Thread: GUI.
+class ParticipantWindow : public QWidget {
+    Q_OBJECT
+
+public:
+    static constexpr std::size_t kMostAnswers = 9; ///< one digit each
+
+    using Clock = std::function<std::int64_t()>;
+
+    /// clock: the steady clock on which presses are stamped.
+    explicit ParticipantWindow(Clock clock, QWidget* parent = nullptr);
+
+    void setChoices(std::vector<AnswerChoice> choices);
+    void setScene(const ParticipantScene& scene);
+    [[nodiscard]] const ParticipantScene& scene() const { return m_scene; }
+    /// The sentence that says what to do.
+    [[nodiscard]] QString instruction() const;
+    [[nodiscard]] const std::vector<AnswerButton*>& buttons() const { return m_buttons; }
+
+signals:
+    void nextRequested(std::int64_t time_ns);
+    void replayRequested(std::int64_t time_ns);
+    void pressed(const teleta::study::KeyPress& press);
+    void released(const QString& device, const QString& key);
+    /// The window was closed, or lost the keyboard, while it was shown.
+    void left();
+
+protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void arrange();
+    void refresh();
+    void pressAt(const QPointF& at, const QString& device, std::int64_t time_ns);
+    void releasePointer();
+    void releaseAll();
+
+    Clock m_clock;
+    std::vector<AnswerChoice> m_choices;
+    ParticipantScene m_scene;
+    QLabel* m_title;
+    QLabel* m_instruction;
+    QGridLayout* m_grid;
+    std::vector<AnswerButton*> m_buttons;
+    std::set<std::pair<QString, QString>> m_down; ///< keys and buttons, by device, that were passed on
+};
+
+} // namespace teleta::studyview

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/study/study_results.h"
+#include "backend/study/trial.h"
+
+#include <QMap>
+#include <QString>
+#include <QWidget>
+
+#include <vector>
+
+class QComboBox;
+class QHBoxLayout;
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace teleta::studyview {
+
+class ConfusionView;
+class IntervalChart;
+class ResultTable;
+
+/// Results of a study, and how to call its parts.
+struct ResultsScene {
+    std::vector<study::TaskResults> tasks;
+    QMap<QString, QString> taskNames; ///< by id
+    study::Mode mode = study::Mode::run;
+};
+
+/// The results of a study: confusion matrices, accuracy with intervals, conditions compared for each pattern,
+/// response times, information transfer with its bias, ANOVA. Every picture and table copies and saves.
+/// Thread: GUI.
+class ResultsView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ResultsView(QWidget* parent = nullptr);
+
+    void setScene(ResultsScene scene);
+    /// What is going on with them: being computed, none yet.
+    void setState(const QString& state);
+    /// The task and the participant that are shown; empty participant: all together.
+    [[nodiscard]] QString task() const;
+    [[nodiscard]] QString participant() const;
+    [[nodiscard]] const std::vector<ConfusionView*>& matrices() const { return m_matrices; }
+    [[nodiscard]] IntervalChart* accuracyChart() const { return m_accuracy; }
+    [[nodiscard]] IntervalChart* patternChart() const { return m_patterns; }
+    [[nodiscard]] IntervalChart* timeChart() const { return m_times; }
+    [[nodiscard]] ResultTable* groupTable() const { return m_groups; }
+    [[nodiscard]] ResultTable* peopleTable() const { return m_people; }
+    [[nodiscard]] ResultTable* anovaTable() const { return m_anova; }
+
+signals:
+    /// psychds, bids, excel, or analysis for the files of this page.
+    void exportRequested(const QString& format);
+    void figureFailed(const QString& message);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void retranslate();
+    void fillChoices();
+    void refresh();
+    void showMatrices(const study::TaskResults& task);
+    void showCharts(const study::TaskResults& task);
+    void showTables(const study::TaskResults& task);
+    [[nodiscard]] const study::TaskResults* chosen() const;
+
+    ResultsScene m_scene;
+    QComboBox* m_task;
+    QComboBox* m_who;
+    QComboBox* m_counts;
+    QPushButton* m_export;
+    QLabel* m_state;
+    QWidget* m_content;
+    QHBoxLayout* m_matrixRow;
+    std::vector<ConfusionView*> m_matrices;
+    IntervalChart* m_accuracy;
+    IntervalChart* m_patterns;
+    IntervalChart* m_times;
+    QLabel* m_groupsTitle;
+    ResultTable* m_groups;
+    QLabel* m_groupsNote;
+    QLabel* m_anovaTitle;
+    ResultTable* m_anova;
+    QLabel* m_anovaNote;
+    QLabel* m_peopleTitle;
+    ResultTable* m_people;
+};
+
+} // namespace teleta::studyview

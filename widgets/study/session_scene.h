@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/study/trial.h"
+
+#include <QString>
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace teleta::studyview {
+
+/// How much attention something wants.
+enum class Tone { calm, good, attention, alarm };
+
+/// A condition of a run.
+struct CheckLine {
+    QString name;
+    bool passed = false;
+    QString finding;
+    QString remedy; ///< empty when passed
+    friend bool operator==(const CheckLine&, const CheckLine&) = default;
+};
+
+/// A trial that is over.
+struct OutcomeLine {
+    QString trial; ///< "test 12"
+    QString presented;
+    QString answered; ///< a dash: none
+    QString outcome;
+    Tone tone = Tone::calm;
+    std::optional<double> responseTime_s;
+    friend bool operator==(const OutcomeLine&, const OutcomeLine&) = default;
+};
+
+/// What the experimenter sees of a session.
+struct SessionScene {
+    QString title;    ///< participant and what is discriminated
+    QString subtitle; ///< place in the plan
+    study::Mode mode = study::Mode::run;
+    QString next; ///< the next step, on the large button
+    bool nextEnabled = false;
+    QString state; ///< what happens now, or why nothing does
+    Tone tone = Tone::calm;
+    std::vector<CheckLine> checks; ///< before a run
+    QString phase;
+    std::size_t done = 0;              ///< of the phase
+    std::size_t total = 0;             ///< of the phase; 0: no bar
+    std::vector<OutcomeLine> outcomes; ///< newest first
+    QString device;
+    Tone deviceTone = Tone::calm;
+    QString saved; ///< where the results are safe
+    bool canPause = false;
+    bool canAbort = false;
+    bool canNote = false;
+    bool needsNoise = false;
+    bool noiseConfirmed = false;
+    bool noisePlaying = false;
+    QString noiseText;
+    friend bool operator==(const SessionScene&, const SessionScene&) = default;
+};
+
+} // namespace teleta::studyview

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/study/study_panel.h"
+
+#include "widgets/base/theme.h"
+#include "widgets/study/text_colour.h"
+#include "widgets/study/watermark.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <initializer_list>
+
+namespace teleta::studyview {
+
+namespace {
+
+constexpr int kSession = Qt::UserRole;
+
+} // namespace
+
+StudyPanel::StudyPanel(QWidget* parent)
+    : QWidget(parent)
+    , m_name(new QLabel(this))
+    , m_mark(new QLabel(this))
+    , m_folder(new QLabel(this))
+    , m_protocol(new QLabel(this))
+    , m_new(new QPushButton(this))
+    , m_open(new QPushButton(this))
+    , m_edit(new QPushButton(this))
+    , m_people(new QLabel(this))
+    , m_list(new QTreeWidget(this))
+    , m_id(new QLineEdit(this))
+    , m_add(new QPushButton(this)) {
+    m_list->setObjectName(QStringLiteral("participants"));
+    m_id->setObjectName(QStringLiteral("participantId"));
+    m_add->setObjectName(QStringLiteral("addParticipant"));
+    QFont bold = font();
+    bold.setBold(true);
+    m_name->setFont(base::sized(font(), base::kLargeText));
+    m_mark->setFont(bold);
+    m_people->setFont(bold);
+    for (QLabel* label : {m_name, m_folder, m_protocol}) {
+        label->setTextFormat(Qt::PlainText);
+        label->setWordWrap(true);
+    }
+    for (QLabel* label : {m_folder, m_protocol})
+        label->setFont(base::sized(font(), base::kSmallText));
+    m_folder->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_list->setColumnCount(2);
+    m_list->setUniformRowHeights(true);
+    m_list->setIndentation(base::em(this, 0.9));
+    m_list->header()->setStretchLastSection(false);
+    m_list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    m_list->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+
+    auto* head = new QHBoxLayout;
+    head->addWidget(m_name, 1);
+    head->addWidget(m_mark, 0, Qt::AlignTop);
+    auto* buttons = new QHBoxLayout;
+    for (QPushButton* button : {m_new, m_open, m_edit})
+        buttons->addWidget(button);
+    auto* add = new QHBoxLayout;
+    add->addWidget(m_id, 1);
+    add->addWidget(m_add);
+    auto* layout = new QVBoxLayout(this);
+    const int margin = base::grid(this, 2);
+    layout->setContentsMargins(margin, margin, margin, margin);
+    layout->setSpacing(base::grid(this));
+    layout->addLayout(head);
+    layout->addWidget(m_folder);
+    layout->addWidget(m_protocol);
+    layout->addLayout(buttons);
+    layout->addSpacing(base::grid(this));
+    layout->addWidget(m_people);
+    layout->addWidget(m_list, 1);
+    layout->addLayout(add);
+
+    connect(m_new, &QPushButton::clicked, this, &StudyPanel::newRequested);
+    connect(m_open, &QPushButton::clicked, this, &StudyPanel::openRequested);
+    connect(m_edit, &QPushButton::clicked, this, &StudyPanel::protocolRequested);
+    const auto enrol = [this] {
+        const QString id = m_id->text().trimmed();
+        if (id.isEmpty())
+            return;
+        m_id->clear();
+        emit enrolRequested(id);
+    };
+    connect(m_add, &QPushButton::clicked, this, enrol);
+    connect(m_id, &QLineEdit::returnPressed, this, enrol);
+    connect(m_list, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
+        if (item == nullptr)
+            return;
+        const QTreeWidgetItem* person = item->parent() != nullptr ? item->parent() : item;
+        const int index = m_list->indexOfTopLevelItem(const_cast<QTreeWidgetItem*>(person));
+        const int session = item->data(0, kSession).toInt();
+        // Not from within the list, which is filled anew.
+        QMetaObject::invokeMethod(
+            this, [this, index, session] { emit sessionChosen(index, session); }, Qt::QueuedConnection);
+    });
+    retranslate();
+}
+
+void StudyPanel::setScene(const StudyScene& scene) {
+    if (scene == m_scene)
+        return;
+    const bool newPeople = scene.participants != m_scene.participants || scene.chosen != m_scene.chosen;
+    m_scene = scene;
+    if (newPeople)
+        fillList();
+    refresh();
+}
+
+void StudyPanel::refresh() {
+    m_name->setText(m_scene.name);
+    m_mark->setText(modeMark(m_scene.mode));
+    setTextColour(m_mark, modeColour(m_scene.mode, palette()));
+    m_folder->setText(m_scene.folder);
+    setTextColour(m_folder, palette().color(QPalette::PlaceholderText));
+    m_protocol->setText(m_scene.protocol);
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_list, m_new, m_open})
+        widget->setEnabled(!m_scene.locked);
+    const bool real = m_scene.mode != study::Mode::simulated;
+    m_id->setVisible(real);
+    m_add->setVisible(real);
+}
+
+void StudyPanel::fillList() {
+    const QSignalBlocker quiet(m_list);
+    m_list->clear();
+    const base::StatusColours& colours = base::statusColours(palette());
+    for (std::size_t p = 0; p < m_scene.participants.size(); ++p) {
+        const ParticipantLine& person = m_scene.participants[p];
+        auto* top = new QTreeWidgetItem(m_list, {person.id, person.order});
+        int next = -1;
+        for (std::size_t s = 0; s < person.sessions.size(); ++s) {
+            const SessionLine& session = person.sessions[s];
+            auto* item = new QTreeWidgetItem(top, {session.name, session.state});
+            item->setData(0, kSession, static_cast<int>(s));
+            item->setToolTip(1, tr("%1 of %2 trials", "kept").arg(session.kept).arg(session.planned));
+            if (session.finished)
+                item->setForeground(1, colours.live);
+            else if (session.interrupted)
+                item->setForeground(1, colours.stale);
+            if (!session.finished && next < 0)
+                next = static_cast<int>(s);
+            if (m_scene.chosen == std::pair(static_cast<int>(p), static_cast<int>(s))) {
+                top->setExpanded(true);
+                m_list->setCurrentItem(item);
+            }
+        }
+        top->setData(0, kSession, std::max(next, 0));
+    }
+}
+
+void StudyPanel::retranslate() {
+    m_new->setText(tr("&New\u2026"));
+    m_new->setToolTip(tr("Begin a new study"));
+    m_open->setText(tr("&Open\u2026"));
+    m_open->setToolTip(tr("Open the folder of a study"));
+    m_edit->setText(tr("Pro&tocol\u2026"));
+    m_edit->setToolTip(tr("Look at the protocol, or make another one from it"));
+    m_people->setText(tr("Participants"));
+    m_list->setHeaderLabels({tr("Session"), tr("State")});
+    m_list->setAccessibleName(tr("Participants and their sessions"));
+    m_id->setPlaceholderText(tr("Name of a new participant, for example P07"));
+    m_id->setAccessibleName(tr("Name of a new participant"));
+    m_add->setText(tr("A&dd"));
+    m_add->setToolTip(tr("Enrol this participant"));
+    fillList();
+    refresh();
+}
+
+void StudyPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    if (event->type() == QEvent::PaletteChange) {
+        fillList();
+        refresh();
+    }
+}
+
+} // namespace teleta::studyview

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/study/trial.h"
+
+#include <QString>
+#include <QWidget>
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTreeWidget;
+
+namespace teleta::studyview {
+
+/// A participant's session in the list.
+struct SessionLine {
+    QString name;
+    QString state; ///< "finished", "interrupted", ..
+    std::size_t kept = 0;
+    std::size_t planned = 0;
+    bool finished = false;
+    bool interrupted = false;
+    friend bool operator==(const SessionLine&, const SessionLine&) = default;
+};
+
+struct ParticipantLine {
+    QString id;
+    QString order; ///< of the conditions, by the Williams square
+    std::vector<SessionLine> sessions;
+    friend bool operator==(const ParticipantLine&, const ParticipantLine&) = default;
+};
+
+/// What there is to see of a study.
+struct StudyScene {
+    QString name;
+    QString folder;
+    study::Mode mode = study::Mode::run;
+    QString protocol; ///< some lines
+    std::vector<ParticipantLine> participants;
+    std::optional<std::pair<int, int>> chosen; ///< participant, session
+    bool locked = false;                       ///< a session runs: nothing else can be chosen
+    friend bool operator==(const StudyScene&, const StudyScene&) = default;
+};
+
+/// The study at the left of its page: the protocol in short, the participants with their sessions. Thread:
+/// GUI.
+class StudyPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit StudyPanel(QWidget* parent = nullptr);
+
+    void setScene(const StudyScene& scene);
+    [[nodiscard]] QTreeWidget* list() const { return m_list; }
+
+signals:
+    void newRequested();
+    void openRequested();
+    void protocolRequested();
+    void enrolRequested(const QString& id);
+    void sessionChosen(int participant, int session);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void retranslate();
+    void refresh();
+    void fillList();
+
+    StudyScene m_scene;
+    QLabel* m_name;
+    QLabel* m_mark;
+    QLabel* m_folder;
+    QLabel* m_protocol;
+    QPushButton* m_new;
+    QPushButton* m_open;
+    QPushButton* m_edit;
+    QLabel* m_people;
+    QTreeWidget* m_list;
+    QLineEdit* m_id;
+    QPushButton* m_add;
+};
+
+} // namespace teleta::studyview

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/study/watermark.h"
+
+#include "widgets/base/theme.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QPainter>
+
+#include <algorithm>
+
+namespace teleta::studyview {
+
+namespace {
+
+struct MarkText {
+    Q_DECLARE_TR_FUNCTIONS(StudyWatermark)
+};
+
+constexpr double kTilt_deg = -24.0;
+constexpr float kOpacity = 0.16F;
+
+} // namespace
+
+QString modeMark(study::Mode mode) {
+    switch (mode) {
+    case study::Mode::run:
+        return {};
+    case study::Mode::pilot:
+        return MarkText::tr("PILOT");
+    case study::Mode::simulated:
+        break;
+    }
+    return MarkText::tr("SIMULATED");
+}
+
+QColor modeColour(study::Mode mode, const QPalette& palette) {
+    const base::StatusColours& colours = base::statusColours(palette);
+    return mode == study::Mode::simulated ? colours.simulated
+           : mode == study::Mode::pilot   ? colours.stale
+                                          : colours.live;
+}
+
+void paintWatermark(QPainter& painter, const QRectF& rect, study::Mode mode, const QPalette& palette) {
+    const QString mark = modeMark(mode);
+    if (mark.isEmpty() || rect.isEmpty())
+        return;
+    painter.save();
+    QFont font = painter.font();
+    font.setBold(true);
+    font.setPixelSize(100);
+    const double width = QFontMetricsF(font).horizontalAdvance(mark);
+    const double size = std::min(0.85 * 100.0 * rect.width() / width, 0.5 * rect.height());
+    font.setPixelSize(std::max(8, static_cast<int>(size)));
+    QColor colour = modeColour(mode, palette);
+    colour.setAlphaF(kOpacity);
+    painter.setFont(font);
+    painter.setPen(colour);
+    painter.translate(rect.center());
+    painter.rotate(kTilt_deg);
+    painter.drawText(QRectF(-rect.width(), -rect.height(), 2.0 * rect.width(), 2.0 * rect.height()),
+                     Qt::AlignCenter, mark);
+    painter.restore();
+}
+
+} // namespace teleta::studyview
