@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Makes the pictures of the README from the running console: touches and a contour of a simulated arm, a recorded pressure mat, a
-# simulated array, light and dark. The contour takes four minutes: it is explored in real time.
+# simulated array, a rehearsed study, light and dark. The contour takes four minutes: it is explored in real time.
 #   screenshots.sh [FOLDER [WIDTHxHEIGHT]]      default: resources/screenshots 1600x1000
 set -euo pipefail
 source "$(dirname -- "${BASH_SOURCE[0]}")/build_environment.sh"
@@ -11,7 +11,7 @@ mkdir -p "$folder"
 
 "$root/packaging/install_dependencies.sh"
 configure release
-cmake --build "$root/build/release" --target teleta-console
+cmake --build "$root/build/release" --target teleta-console teleta
 ensure_runtime_folder
 
 data="$root/tests/data/popu"
@@ -22,6 +22,13 @@ touch=(--scene "$root/resources/scenes/teleta-touch.toml" --after 15)
 touches=(--scene "$root/resources/scenes/teleta-touch.toml" --after 34)
 contour=(--scene "$root/resources/scenes/teleta-contour-triangle.toml" --after 250)
 bar=(--scene "$root/resources/scenes/tactile-indenter.toml" --after 14)
+
+studies=$(mktemp -d)
+trap 'rm -rf -- "$studies"' EXIT
+"$root/build/release/app/cli/teleta" study rehearse --participants 6 --seed 1 --out "$studies/whole"
+session=(--study "$studies/session" --rehearse --page study --after 45)
+participant=(--study "$studies/participant" --rehearse --page study --dock participant --after 8)
+results=(--study "$studies/whole" --page study --dock results --after 8)
 
 # take NAME ARGUMENTS...
 take() {
@@ -36,6 +43,9 @@ take operate-touch-dark "${touch[@]}" --theme dark
 take operate-contour-light "${contour[@]}" --dock contour --theme light
 take operate-touches-dark "${touches[@]}" --dock touches --theme dark
 take patterns-light --page patterns --after 4 --theme light
+take study-session-light "${session[@]}" --theme light
+take study-participant-light "${participant[@]}" --theme light
+take study-results-dark "${results[@]}" --theme dark
 take operate-recording-dark "${recording[@]}" --theme dark
 take operate-recording-light "${recording[@]}" --theme light
 take operate-ball-light "${ball[@]}" --theme light

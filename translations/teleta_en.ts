@@ -22,6 +22,17 @@
     </message>
 </context>
 <context>
+    <name>StudyScenes</name>
+    <message numerus="yes">
+        <source>%1: %n pattern(s); %2</source>
+        <comment>task; conditions</comment>
+        <translation>
+            <numerusform>%1: %n pattern; %2</numerusform>
+            <numerusform>%1: %n patterns; %2</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>teleta::chrome::MessageBar</name>
     <message numerus="yes">
         <source>%n older message(s)</source>
@@ -45,6 +56,23 @@
         <translation>
             <numerusform>There is %n more.</numerusform>
             <numerusform>There are %n more.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::ProtocolDialog</name>
+    <message numerus="yes">
+        <source>%n questionnaire(s), kept as they are</source>
+        <translation>
+            <numerusform>%n questionnaire, kept as it is</numerusform>
+            <numerusform>%n questionnaires, kept as they are</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n test trial(s) a participant</source>
+        <translation>
+            <numerusform>%n test trial a participant</numerusform>
+            <numerusform>%n test trials a participant</numerusform>
         </translation>
     </message>
 </context>

@@ -80,7 +80,7 @@ void BraceletStation::takeOpened() {
         close(std::move(*session));
     } else if (session) {
         m_session = std::move(*session);
-        m_slot->set(m_session);
+        m_slot->set(m_reserved ? nullptr : m_session);
     } else if (wanted) {
         m_choice = BraceletChoice::none;
         emit chosen(m_choice);
@@ -103,22 +103,22 @@ void BraceletStation::setMode(pipeline::FeedbackMode mode) {
 }
 
 void BraceletStation::play(playback::Program program, bool loop, double from_s) {
-    if (m_session)
+    if (m_session && !m_reserved)
         m_session->player().play(std::move(program), loop, from_s);
 }
 
 void BraceletStation::seek(double time_s) {
-    if (m_session)
+    if (m_session && !m_reserved)
         m_session->player().seek(time_s);
 }
 
 void BraceletStation::setLoop(bool loop) {
-    if (m_session)
+    if (m_session && !m_reserved)
         m_session->player().setLoop(loop);
 }
 
 void BraceletStation::stopPlaying() {
-    if (m_session)
+    if (m_session && !m_reserved)
         m_session->player().stop();
 }
 
@@ -130,8 +130,8 @@ std::optional<double> BraceletStation::playingPosition_s() const {
 }
 
 void BraceletStation::hold(std::optional<std::size_t> tactor) {
-    m_held = tactor;
-    if (!m_session)
+    m_held = m_reserved ? std::nullopt : tactor;
+    if (!m_session || m_reserved)
         return;
     if (tactor) {
         m_session->player().startLive();
@@ -139,6 +139,16 @@ void BraceletStation::hold(std::optional<std::size_t> tactor) {
     } else {
         m_session->player().stop();
     }
+}
+
+void BraceletStation::reserve(bool reserved) {
+    if (reserved == m_reserved)
+        return;
+    if (reserved && m_session)
+        m_session->player().stop();
+    m_held.reset();
+    m_reserved = reserved;
+    m_slot->set(reserved ? nullptr : m_session);
 }
 
 void BraceletStation::repeatHold() {

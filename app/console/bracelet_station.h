@@ -58,10 +58,15 @@ public:
     /// Lets one tactor be felt while it is held; empty: none.
     void hold(std::optional<std::size_t> tactor);
 
+    /// For whoever drives session() alone: meanwhile nothing else is played or held.
+    void reserve(bool reserved);
+
     /// Collects what happened since the last tick.
     void tick();
     /// What the tactors do now, after the safety limits.
     [[nodiscard]] core::Intensities given() const;
+    /// The bracelet that is open; null while there is none.
+    [[nodiscard]] const std::shared_ptr<BraceletSession>& session() const { return m_session; }
     /// Connected, and not stopped.
     [[nodiscard]] bool isReady() const;
     /// One line on the state; empty when there is nothing to say.
@@ -105,6 +110,7 @@ private:
     std::optional<FeedbackEvent> m_last;
     std::optional<double> m_touchToSkin_s;
     std::optional<std::size_t> m_held;
+    bool m_reserved = false;
 };
 
 } // namespace teleta::console

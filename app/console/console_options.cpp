@@ -2,6 +2,7 @@
 #include "app/console/console_options.h"
 
 #include "app/console/operate_docks.h"
+#include "app/console/study_page.h"
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
@@ -112,10 +113,16 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
                tr("FILE"));
     const auto data =
         option("data", tr("Folder of your own patterns (default: the user's data folder)."), tr("FOLDER"));
-    const auto dock = option("dock",
-                             tr("View of the Operate page to bring to the front: %1.")
-                                 .arg(OperateDocks::names().join(QStringLiteral(", "))),
-                             tr("NAME"));
+    const auto dock =
+        option("dock",
+               tr("View of the Operate page (%1) or of the Study page (%2) to bring to the front.")
+                   .arg(OperateDocks::names().join(QStringLiteral(", ")),
+                        StudyPage::viewNames().join(QStringLiteral(", "))),
+               tr("NAME"));
+    const auto study = option(
+        "study", tr("Open the folder of a study, or a protocol (TOML) to begin one with."), tr("PATH"));
+    const auto rehearse =
+        option("rehearse", tr("Let simulated participants go through the study, which is made if need be."));
     const auto page =
         option("page", tr("Page to show: %1.").arg(pageNames().join(QStringLiteral(", "))), tr("NAME"));
     const auto theme = option("theme", tr("light, dark or system."), tr("NAME"));
@@ -175,9 +182,11 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
     options.pattern = m_parser.value(pattern);
     options.dataFolder = m_parser.value(data);
     options.dock = m_parser.value(dock);
-    if (m_parser.isSet(dock) && !OperateDocks::names().contains(options.dock))
-        fail(tr("--dock %1: expected one of %2")
-                 .arg(options.dock, OperateDocks::names().join(QStringLiteral(", "))));
+    const QStringList views = OperateDocks::names() + StudyPage::viewNames();
+    if (m_parser.isSet(dock) && !views.contains(options.dock))
+        fail(tr("--dock %1: expected one of %2").arg(options.dock, views.join(QStringLiteral(", "))));
+    options.study = m_parser.value(study);
+    options.rehearse = m_parser.isSet(rehearse);
     options.page = m_parser.value(page);
     if (m_parser.isSet(page) && !pageNames().contains(options.page))
         fail(tr("--page %1: expected one of %2").arg(options.page, pageNames().join(QStringLiteral(", "))));
@@ -211,7 +220,7 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
 } // namespace
 
 QStringList pageNames() {
-    return {QStringLiteral("operate"), QStringLiteral("patterns")};
+    return {QStringLiteral("operate"), QStringLiteral("patterns"), QStringLiteral("study")};
 }
 
 ParsedOptions parseOptions(const QStringList& arguments) {

@@ -33,8 +33,10 @@ struct ConsoleOptions {
     std::uint64_t seed = 1;
     QString pattern;    ///< id or file to open on the Patterns page
     QString dataFolder; ///< of the user's own patterns and of what was not saved; empty: none is used
+    QString study;         ///< folder of a study, or a protocol
+    bool rehearse = false; ///< simulated participants go through the study
     QString page;
-    QString dock; ///< of the Operate page, brought to the front
+    QString dock; ///< of the Operate page, or a view of the Study page, brought to the front
     QString theme;
     QString language;
     QString screenshot;

@@ -10,6 +10,7 @@
 #include "app/console/patterns_page.h"
 #include "app/console/recording_dialog.h"
 #include "app/console/source_list.h"
+#include "app/console/study_page.h"
 #include "backend/pattern/pattern_json.h"
 #include "widgets/base/theme.h"
 #include "widgets/chrome/device_strip.h"
@@ -43,6 +44,7 @@ namespace {
 
 constexpr char kOperate[] = "operate";
 constexpr char kPatterns[] = "patterns";
+constexpr char kStudy[] = "study";
 
 struct BraceletName {
     BraceletChoice choice;
@@ -78,6 +80,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     , m_patterns(new PatternsPage(
           m_operate->bracelet(), *m_collection,
           options.dataFolder.isEmpty() ? QString() : options.dataFolder + QStringLiteral("/recovery"), this))
+    , m_study(new StudyPage(m_operate->bracelet(), stop, core::steadyNow_ns, this))
     , m_devices(new chrome::DeviceStrip(this))
     , m_stopButton(new chrome::StopButton(this))
     , m_seed(options.seed) {
@@ -87,8 +90,11 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
                     tr("What the arm touches, live or played back"));
     m_rail->addPage(QLatin1String(kPatterns), base::Icon::patterns, tr("Patterns"),
                     tr("What the bracelet can say: edit, check and play patterns"));
+    m_rail->addPage(QLatin1String(kStudy), base::Icon::study, tr("Study"),
+                    tr("User studies: from the first practice trial to confusion matrices and ANOVA"));
     m_pages->addWidget(m_operate);
     m_pages->addWidget(m_patterns);
+    m_pages->addWidget(m_study);
 
     auto* status = new QWidget(this);
     auto* statusRow = new QHBoxLayout(status);
@@ -151,6 +157,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
         m_operate->messages().post({chrome::Message::Severity::information, text,
                                     tr("The page Patterns opens the edits."), QString()});
     });
+    connect(m_study, &StudyPage::openFailed, this, [this] { m_anyFailure = true; });
     restoreFeedback();
     fillDemos();
     chooser.setRecent(m_settings.recentFiles());
@@ -172,7 +179,9 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     const QString page = options.page.isEmpty() ? m_settings.page() : options.page;
     if (pageNames().contains(page))
         showPage(page);
-    if (!options.dock.isEmpty())
+    if (StudyPage::viewNames().contains(options.dock))
+        m_study->bringForward(options.dock);
+    else if (!options.dock.isEmpty())
         m_operate->docks().bringForward(options.dock);
 
     connect(&m_clock, &GuiClock::tick, this, &MainWindow::onTick);
@@ -181,12 +190,15 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
 
 MainWindow::~MainWindow() {
     qApp->removeEventFilter(this);
+    // It gives the bracelet back, which is the Operate page's.
+    delete m_study;
 }
 
 void MainWindow::onTick() {
     m_sources.poll();
     m_operate->tick();
     m_patterns->tick();
+    m_study->tick();
     m_devices->setReadings(m_operate->readings());
     showStop();
 }
@@ -208,6 +220,10 @@ void MainWindow::openRequested(const ConsoleOptions& options) {
         openList(options.sourceList);
     if (!options.pattern.isEmpty())
         m_patterns->open(options.pattern);
+    if (options.rehearse)
+        m_study->watchRehearsal(options.study);
+    else if (!options.study.isEmpty())
+        m_study->open(options.study);
 }
 
 void MainWindow::openDemo() {
@@ -467,6 +483,7 @@ void MainWindow::takeOwnPatterns() {
 void MainWindow::showPage(const QString& name) {
     m_rail->setCurrentPage(name);
     m_pages->setCurrentWidget(name == QLatin1String(kPatterns) ? static_cast<QWidget*>(m_patterns)
+                              : name == QLatin1String(kStudy)  ? static_cast<QWidget*>(m_study)
                                                                : m_operate);
     m_settings.setPage(name);
 }
@@ -515,6 +532,8 @@ void MainWindow::changeEvent(QEvent* event) {
                          tr("What the arm touches, live or played back"));
         m_rail->setTitle(QLatin1String(kPatterns), tr("Patterns"),
                          tr("What the bracelet can say: edit, check and play patterns"));
+        m_rail->setTitle(QLatin1String(kStudy), tr("Study"),
+                         tr("User studies: from the first practice trial to confusion matrices and ANOVA"));
         fillDemos();
         buildMenus();
     }

@@ -23,6 +23,7 @@ namespace teleta::console {
 class OperatePage;
 class PatternCollection;
 class PatternsPage;
+class StudyPage;
 
 /// The console's window: rail of pages, status bar with the devices, STOP, menus. Composition only: what a
 /// page shows is the page's business, what is open is the SourceManager's. Thread: GUI.
@@ -40,6 +41,7 @@ public:
     [[nodiscard]] GuiClock& clock() { return m_clock; }
     [[nodiscard]] SourceManager& sources() { return m_sources; }
     [[nodiscard]] PatternsPage& patternsPage() { return *m_patterns; }
+    [[nodiscard]] StudyPage& studyPage() { return *m_study; }
     [[nodiscard]] OperatePage& operatePage() { return *m_operate; }
     /// Whether a source failed to open since the start; decides the exit code of --screenshot.
     [[nodiscard]] bool anyFailure() const { return m_anyFailure; }
@@ -83,6 +85,7 @@ private:
     QStackedWidget* m_pages;
     OperatePage* m_operate;
     PatternsPage* m_patterns;
+    StudyPage* m_study;
     chrome::DeviceStrip* m_devices;
     chrome::StopButton* m_stopButton;
     std::uint64_t m_seed;

@@ -2,6 +2,7 @@
 #include "app/console/unattended.h"
 
 #include "app/console/main_window.h"
+#include "app/console/study_page.h"
 
 #include <QApplication>
 #include <QJsonArray>
@@ -43,7 +44,9 @@ void Unattended::start() {
 
 void Unattended::takePicture() {
     QSaveFile file(m_options.screenshot);
-    const bool saved = file.open(QIODevice::WriteOnly) && m_window.grab().save(&file, "PNG") && file.commit();
+    QWidget* other = m_window.studyPage().forwardWindow();
+    QWidget& window = other != nullptr ? *other : static_cast<QWidget&>(m_window);
+    const bool saved = file.open(QIODevice::WriteOnly) && window.grab().save(&file, "PNG") && file.commit();
     if (!saved)
         std::fprintf(stderr, "%s\n",
                      qPrintable(tr("teleta-console: %1: cannot write the picture: %2")

@@ -64,8 +64,8 @@ private slots:
         const auto help = parseOptions({"teleta-console", "--help"});
         QVERIFY(!help.options.has_value());
         QCOMPARE(help.exitCode, 0);
-        for (const char* option :
-             {"--scene", "--replay", "--page", "--dock", "--screenshot", "--after", "--theme", "--tare"})
+        for (const char* option : {"--scene", "--replay", "--study", "--page", "--dock", "--screenshot",
+                                   "--after", "--theme", "--tare"})
             QVERIFY2(help.text.contains(QLatin1String(option)), option);
         QCOMPARE(parseOptions({"teleta-console", "--version"}).exitCode, 0);
     }

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/study/protocol.h"
+
+#include <QDialog>
+
+#include <vector>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QSpinBox;
+class QVBoxLayout;
+
+namespace teleta::console {
+
+/// A protocol as a form. What is entered is checked by the reader of protocol files as it is typed. It can be
+/// saved as a file, and a study made of it; a study that was made keeps the protocol that it has. Thread:
+/// GUI; it does not block.
+class ProtocolDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit ProtocolDialog(const study::Protocol& protocol, QWidget* parent = nullptr);
+
+    /// What the form says, as the reader understands it. Error: what the reader says.
+    [[nodiscard]] core::Expected<study::Protocol> protocol() const;
+
+signals:
+    /// A study is to be made of a valid protocol.
+    void studyRequested(const teleta::study::Protocol& protocol);
+    void openRequested();
+    void paperRequested();
+
+private:
+    struct PhaseRow {
+        QSpinBox* repetitions;
+        QCheckBox* feedback;
+        QCheckBox* diagram;
+    };
+    struct TaskRow {
+        QWidget* box;
+        QLineEdit* id;
+        QLineEdit* name;
+        QLineEdit* conditions; ///< with commas between them
+        QLineEdit* patterns;   ///< "A circle, B rectangle"
+    };
+
+    [[nodiscard]] PhaseRow makePhase(const study::PhaseSettings& phase);
+    void addTask(const study::StudyTask& task);
+    void removeTask(QWidget* box);
+    void check();
+    void save();
+
+    std::vector<study::Questionnaire> m_questionnaires; ///< kept as they are
+    QLineEdit* m_name;
+    QLineEdit* m_description;
+    QDoubleSpinBox* m_stimulus_s;
+    QDoubleSpinBox* m_limit_s;
+    QComboBox* m_window;
+    QSpinBox* m_replays;
+    QComboBox* m_order;
+    PhaseRow m_practice;
+    PhaseRow m_test;
+    QComboBox* m_noise;
+    QDoubleSpinBox* m_level_dBA;
+    QVBoxLayout* m_taskRows;
+    std::vector<TaskRow> m_tasks;
+    QLabel* m_verdict;
+    QPushButton* m_save;
+    QPushButton* m_make;
+};
+
+} // namespace teleta::console
