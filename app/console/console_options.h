@@ -31,8 +31,8 @@ struct ConsoleOptions {
     std::vector<Recording> recordings;
     QString sourceList;
     std::uint64_t seed = 1;
-    QString pattern;    ///< id or file to open on the Patterns page
-    QString dataFolder; ///< of the user's own patterns and of what was not saved; empty: none is used
+    QString pattern;       ///< id or file to open on the Patterns page
+    QString dataFolder;    ///< of the user's own patterns and of what was not saved; empty: none is used
     QString study;         ///< folder of a study, or a protocol
     bool rehearse = false; ///< simulated participants go through the study
     QString page;

@@ -4,8 +4,10 @@
 #include "app/console/background.h"
 #include "app/console/new_study_dialog.h"
 #include "app/console/protocol_dialog.h"
-#include "backend/study/confusion_figure.h"
+#include "backend/figure/figure_file.h"
 #include "backend/study/study_export.h"
+#include "backend/study/study_figures.h"
+#include "backend/study/study_report.h"
 #include "backend/study/study_results.h"
 #include "backend/study/trial_source.h"
 #include "widgets/base/theme.h"
@@ -17,6 +19,7 @@
 #include "widgets/study/study_panel.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDateTime>
 #include <QDir>
 #include <QEvent>
@@ -52,33 +55,53 @@ QString studiesFolder() {
 }
 
 /// On a pool thread, with a connection of its own.
+core::Expected<std::vector<study::TaskResults>> resultsOf(const study::StudyStore& store) {
+    study::ModeFilter modes;
+    study::TrialTally tally;
+    if (const core::Expected<void> counted = study::tallyStore(store, modes, tally); !counted)
+        return core::Unexpected(counted.error());
+    return study::studyResults(tally);
+}
+
 core::Expected<std::vector<study::TaskResults>> resultsOf(const std::string& folder) {
     const core::Expected<study::StudyStore> store = study::StudyStore::open(folder);
     if (!store)
         return core::Unexpected(store.error());
-    study::ModeFilter modes;
-    study::TrialTally tally;
-    if (const core::Expected<void> counted = study::tallyStore(*store, modes, tally); !counted)
-        return core::Unexpected(counted.error());
-    return study::studyResults(tally);
+    return resultsOf(*store);
+}
+
+/// Tables, figures and report of a study in its folder "results", which is returned.
+core::Expected<QString> writeAnalysis(const study::StudyStore& store, const QDir& study) {
+    const core::Expected<std::vector<study::TaskResults>> tasks = resultsOf(store);
+    if (!tasks)
+        return core::Unexpected(tasks.error());
+    const QString results = study.filePath(QStringLiteral("results"));
+    const std::string folder = results.toStdString();
+    const study::Mode mode = store.head().mode;
+    const std::vector<study::FigureFormat> formats = {
+        {"svg", {}},
+        {"pdf", [](const std::string& svg) { return figure::pdfOf(svg); }},
+        {"png", [](const std::string& svg) { return figure::pngOf(svg); }}};
+    const study::ReportHeading heading{StudyPage::tr("Results of the study").toStdString(),
+                                       mode,
+                                       {study.path().toStdString()},
+                                       QCoreApplication::applicationVersion().toStdString()};
+    return study::writeResults(*tasks, folder)
+        .and_then([&] { return study::writeFigures(*tasks, folder, mode, formats); })
+        .and_then([&] { return study::writeReport(*tasks, heading, folder); })
+        .map([&] { return results; });
 }
 
 /// The folder that was written. On a pool thread too.
 core::Expected<QString> exportTo(const std::string& folder, const QString& format) {
     const QDir study(QString::fromStdString(folder));
-    if (format == QLatin1String("analysis")) {
-        const QString results = study.filePath(QStringLiteral("results"));
-        return resultsOf(folder).and_then([&](const std::vector<study::TaskResults>& tasks) {
-            return study::writeResults(tasks, results.toStdString())
-                .and_then([&] { return study::writeFigures(tasks, results.toStdString()); })
-                .map([&] { return results; });
-        });
-    }
-    const bool bids = format == QLatin1String("bids");
-    const bool excel = format == QLatin1String("excel");
     const core::Expected<study::StudyStore> store = study::StudyStore::open(folder);
     if (!store)
         return core::Unexpected(store.error());
+    if (format == QLatin1String("analysis"))
+        return writeAnalysis(*store, study);
+    const bool bids = format == QLatin1String("bids");
+    const bool excel = format == QLatin1String("excel");
     return study::exportStudy(*store, bids    ? study::ExportFormat::bids
                                       : excel ? study::ExportFormat::excel
                                               : study::ExportFormat::psychds)

@@ -3,6 +3,7 @@
 
 #include "backend/core/tactor_ring.h"
 #include "backend/pattern/easing.h"
+#include "backend/pattern/intensity.h"
 #include "backend/pattern/laws.h"
 
 #include <algorithm>
@@ -16,13 +17,9 @@ namespace {
 constexpr int kRing = static_cast<int>(core::kTactors);
 constexpr int kMostTurns = 100'000'000; ///< what can be counted; the next onset would be no time away
 
-double limited(double intensity) {
-    return intensity > 0.0 ? std::min(intensity, 1.0) : 0.0; // NaN is off
-}
-
 void raise(core::Intensities& intensities, int tactor, double value) {
     double& intensity = intensities[core::wrappedTactor(tactor)];
-    intensity = std::max(intensity, limited(value));
+    intensity = std::max(intensity, limitedIntensity(value));
 }
 
 /// Numbers of the bursts [k onset, k onset + burst) that may hold the time, one too many at either side.

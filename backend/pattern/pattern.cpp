@@ -2,6 +2,7 @@
 #include "backend/pattern/pattern.h"
 
 #include "backend/pattern/easing.h"
+#include "backend/pattern/intensity.h"
 
 #include <algorithm>
 #include <utility>
@@ -41,14 +42,10 @@ std::optional<Value> valueOf(const Names<Value, N>& names, std::string_view text
     return std::nullopt;
 }
 
-double limited(double intensity) {
-    return intensity > 0.0 ? std::min(intensity, 1.0) : 0.0; // NaN is off
-}
-
 /// a.time_s <= t_s < b.time_s.
 double between(const Breakpoint& a, const Breakpoint& b, double t_s) {
     const double share = eased(a.easing, (t_s - a.time_s) / (b.time_s - a.time_s));
-    return limited(a.intensity + share * (b.intensity - a.intensity));
+    return limitedIntensity(a.intensity + share * (b.intensity - a.intensity));
 }
 
 void raise(core::Intensities& intensities, const core::Intensities& other) {

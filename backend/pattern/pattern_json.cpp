@@ -25,7 +25,7 @@ struct PatternText {
 constexpr const char* kFormat = "teleta-pattern";
 constexpr const char* kMapFormat = "teleta-pattern-map";
 constexpr int kVersion = 1;
-constexpr int kMostTurns = 10'000;
+constexpr int kMostTurnsInFile = 10'000;
 constexpr double kMostAngle_rad = 1e6;
 
 UnknownKeys unknownKeys(const ordered_json& object, std::initializer_list<std::string_view> known) {
@@ -121,7 +121,7 @@ ObjectForm sweep(JsonReader& reader, const ordered_json& object) {
 ObjectForm ring(JsonReader& reader, const ordered_json& object) {
     return Ring{time_s(reader, object, "start_s"),
                 time_s(reader, object, "duration_s"),
-                static_cast<int>(reader.integer(reader.member(object, "turns"), 1, kMostTurns)),
+                static_cast<int>(reader.integer(reader.member(object, "turns"), 1, kMostTurnsInFile)),
                 tactor(reader, reader.member(object, "first_tactor")),
                 reader.boolean(object, "counter_clockwise", true),
                 optionalTime_s(reader, object, "burst_s"),

@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/scene/camera_world_check.h"
 
+#include "backend/scene/range_check.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace teleta::scene {
 
 namespace {
-
-bool isPositive(double value) {
-    return std::isfinite(value) && value > 0.0;
-}
-
-bool isNotNegative(double value) {
-    return std::isfinite(value) && value >= 0.0;
-}
 
 bool isShare(double value) {
     return value >= 0.0 && value <= 1.0;

@@ -38,7 +38,7 @@ TubeCamera readCamera(TomlTable& table) {
     return camera;
 }
 
-CameraSkin readSkin(TomlTable& table) {
+CameraSkin readCameraSkin(TomlTable& table) {
     CameraSkin skin;
     readSize(table, "radius_m", skin.radius_m);
     skin.begin_m = table.number("begin_m", NumberRange::any(), skin.begin_m);
@@ -122,7 +122,7 @@ CameraTables::CameraTables(TomlTable& root)
 CameraWorld readCameraWorld(CameraTables& tables) {
     CameraWorld world;
     world.camera = readCamera(tables.camera);
-    world.skin = readSkin(tables.skin);
+    world.skin = readCameraSkin(tables.skin);
     for (TomlTable& finger : tables.fingers)
         world.fingers.push_back(readFinger(finger));
     if (tables.reaction)

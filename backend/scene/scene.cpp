@@ -3,6 +3,7 @@
 
 #include "backend/scene/arm_world_check.h"
 #include "backend/scene/camera_world_check.h"
+#include "backend/scene/range_check.h"
 #include "backend/scene/servo_world_reader.h"
 
 #include <QCoreApplication>
@@ -18,14 +19,6 @@ namespace {
 struct SceneCheck {
     Q_DECLARE_TR_FUNCTIONS(Scene)
 };
-
-bool isPositive(double value) {
-    return std::isfinite(value) && value > 0.0;
-}
-
-bool isNotNegative(double value) {
-    return std::isfinite(value) && value >= 0.0;
-}
 
 bool isValid(const core::ArrayLayout& layout) {
     const auto side = [](int taxels) { return taxels >= 1 && taxels <= core::ArrayLayout::kMaximumSide; };

@@ -27,7 +27,7 @@ struct CameraRunText {
     Q_DECLARE_TR_FUNCTIONS(SceneRun)
 };
 
-constexpr std::uint64_t kFramesBetweenReports = 8;
+constexpr std::uint64_t kCameraFramesBetweenReports = 8;
 constexpr double kLeastDepth_m = 0.0006; ///< a lighter touch falls between the dots
 
 /// contacts.csv and arm.csv, or nothing without a folder.
@@ -214,7 +214,8 @@ core::Expected<SceneSummary> runCameraScene(const scene::Scene& scene, const Run
     std::optional<double> firstContact_s;
     std::uint64_t done = 0;
     for (; done < frames; ++done) {
-        if (done % kFramesBetweenReports == 0 && options.goOn && !options.goOn(tube.time_s(), duration_s)) {
+        if (done % kCameraFramesBetweenReports == 0 && options.goOn &&
+            !options.goOn(tube.time_s(), duration_s)) {
             summary.interrupted = true;
             break;
         }

@@ -13,7 +13,7 @@ namespace {
 constexpr double kSlideCopX_m = -0.025;
 /// Nothing is felt further from the sensor's centre.
 constexpr double kFarthestFeature_m = 0.050;
-constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kRadPerDegree = std::numbers::pi / 180.0;
 
 Vector6 vector(double x, double y, double z, double wx, double wy, double wz) {
     Vector6 v;
@@ -96,7 +96,7 @@ tl::expected<void, TaskRefusal> check(const ServoTask& task) {
     for (const double place_m : {desired.copX_m, desired.copY_m, desired.wx_m, desired.wy_m})
         if (std::abs(place_m) > kFarthestFeature_m)
             return tl::unexpected(TaskRefusal::featureOutside);
-    if (std::abs(desired.alphaZ_rad) > 90.0 * kDegree)
+    if (std::abs(desired.alphaZ_rad) > 90.0 * kRadPerDegree)
         return tl::unexpected(TaskRefusal::featureOutside);
     const Vector6 highest = highestGain();
     if ((task.gains.proportional.cwiseAbs().array() > highest.array()).any() ||
@@ -206,7 +206,7 @@ ServoPlan explorePlan(double force_N, double speed_mPerS, bool dzmp) {
         plan.tasks[i].next = i + 1;
     ExitCondition& aligned = plan.tasks[2].exit;
     aligned.edge = true;
-    aligned.alphaWithin_rad = 1.0 * kDegree;
+    aligned.alphaWithin_rad = 1.0 * kRadPerDegree;
     aligned.dzmpYWithin_m = 0.0005;
     aligned.copYWithin_m = 0.0005;
     aligned.hold_s = 0.2;

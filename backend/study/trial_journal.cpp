@@ -54,8 +54,8 @@ ordered_json toJson(const PendingTrial& trial) {
             {"duration_s", result.duration_s},
             {"device_latency_ms", jsonOrNull(result.deviceLatency_ms)},
             {"device_faults", result.deviceFaults},
-            {"frame_write_ms", orNull(result.frameWrite_ms)},
-            {"frames_missed", orNull(result.framesMissed)},
+            {"frame_write_ms", jsonOrNull(result.frameWrite_ms)},
+            {"frames_missed", jsonOrNull(result.framesMissed)},
             {"time_utc", trial.time.toUTC().toString(Qt::ISODateWithMs).toStdString()}};
 }
 

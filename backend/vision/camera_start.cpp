@@ -190,7 +190,7 @@ struct Candidate {
     double error_px = std::numeric_limits<double>::infinity();
 };
 
-double median(std::vector<double>& values) {
+double medianOf(std::vector<double>& values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
     return *middle;
@@ -230,10 +230,10 @@ Candidate searchDepth(std::span<const CalibrationPair> pairs, const std::vector<
             seen[i] = equidistant ? std::atan2(across, along) : across / along;
             focal[i] = distances_px[i] / std::max(seen[i], 1e-12);
         }
-        const double f = median(focal);
+        const double f = medianOf(focal);
         for (std::size_t i = 0; i < turned.size(); ++i)
             errors[i] = std::abs(distances_px[i] - f * seen[i]);
-        const double error_px = median(errors);
+        const double error_px = medianOf(errors);
         if (error_px < best.error_px) {
             best.error_px = error_px;
             best.camera.fx_px = f;

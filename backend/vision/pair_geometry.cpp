@@ -11,7 +11,7 @@ namespace teleta::vision {
 namespace {
 
 /// Pixels and metres beyond this are no coordinates.
-constexpr double kBeyondMeasure = 1e9;
+constexpr double kFarthest = 1e9;
 constexpr std::size_t kFewest = 6;
 
 template <typename Vector>
@@ -29,7 +29,7 @@ std::optional<CalibrationRefusal> degeneracy(std::span<const CalibrationPair> pa
     std::vector<Eigen::Vector3d> points;
     for (const CalibrationPair& pair : pairs) {
         const auto usable = [](const auto& v) {
-            return v.allFinite() && v.cwiseAbs().maxCoeff() < kBeyondMeasure;
+            return v.allFinite() && v.cwiseAbs().maxCoeff() < kFarthest;
         };
         if (!usable(pair.pixel) || !usable(pair.p_Sensor_m))
             return CalibrationRefusal::notFinite;

@@ -20,7 +20,6 @@ using namespace pattern;
 
 namespace {
 
-constexpr double kPercent = 100.0;
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kMostAngle_deg = 3600.0;
 

@@ -19,7 +19,7 @@ namespace teleta::editor {
 using namespace pattern;
 
 namespace {
-constexpr int kRest_ms = 200;
+constexpr int kRestOfLaws_ms = 200;
 }
 
 LawList::LawList(PatternDocument* document, QWidget* parent)
@@ -40,7 +40,7 @@ LawList::LawList(PatternDocument* document, QWidget* parent)
     layout->addLayout(top);
     layout->addWidget(m_list, 1);
     m_rest.setSingleShot(true);
-    m_rest.setInterval(kRest_ms);
+    m_rest.setInterval(kRestOfLaws_ms);
     connect(&m_rest, &QTimer::timeout, this, &LawList::check);
     connect(m_document, &PatternDocument::patternChanged, this, &LawList::checkLater);
     connect(m_document, &PatternDocument::motorsChanged, this, &LawList::checkLater);

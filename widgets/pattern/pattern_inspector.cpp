@@ -27,7 +27,6 @@ using namespace pattern;
 
 namespace {
 
-constexpr double kPercent = 100.0;
 constexpr std::array kEasings{Easing::linear, Easing::hold, Easing::easeIn, Easing::easeOut,
                               Easing::easeInOut};
 

@@ -19,6 +19,9 @@ class QPushButton;
 
 namespace teleta::editor {
 
+/// Intensities are shown in percent.
+inline constexpr double kPercent = 100.0;
+
 /// The numbers of a document: name, length, tags and notes of the pattern, and below them what is selected,
 /// one breakpoint, several of them, or an object with all its parameters. Thread: GUI.
 class PatternInspector : public QWidget {
