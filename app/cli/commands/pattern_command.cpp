@@ -2,9 +2,11 @@
 #include "app/cli/commands/pattern_command.h"
 
 #include "app/cli/command_io.h"
+#include "app/cli/commands/pattern_play.h"
 #include "app/cli/interruption.h"
 #include "app/cli/validators.h"
 #include "backend/core/output_file.h"
+#include "backend/motors/motor_file.h"
 #include "backend/pattern/built_in_patterns.h"
 #include "backend/pattern/law_checker.h"
 #include "backend/pattern/motor_model.h"
@@ -118,7 +120,7 @@ QString placeText(const Pattern& pattern, const pattern::Finding& finding) {
 } // namespace
 
 QString PatternCommand::summary() const {
-    return PatternText::tr("List, show, sample, convert and check the patterns of the bracelet");
+    return PatternText::tr("List, show, sample, convert, check and play the patterns of the bracelet");
 }
 
 const char* PatternCommand::example() const {
@@ -137,6 +139,14 @@ void PatternCommand::declare(CLI::App& app) {
                 help(QT_TRANSLATE_NOOP("PatternCommand", "Pattern file or id of a built-in pattern")))
             ->type_name("P")
             ->required();
+    };
+    const auto takesMotors = [&](CLI::App* command) {
+        command
+            ->add_option(
+                "--motors", m_motorsPath,
+                help(QT_TRANSLATE_NOOP("PatternCommand",
+                                       "Profile of the bracelet's motors, as the page Calibrate saves it")))
+            ->type_name("FILE");
     };
     app.require_subcommand(1);
 
@@ -161,8 +171,9 @@ void PatternCommand::declare(CLI::App& app) {
         ->type_name("OUT");
     m_render->add_flag(
         "--predicted", m_predicted,
-        help(QT_TRANSLATE_NOOP("PatternCommand", "What the motors will do, with an assumed motor: lag, start "
-                                                 "and speed are not measured")));
+        help(QT_TRANSLATE_NOOP("PatternCommand", "What the motors will do; without --motors with an assumed "
+                                                 "motor: lag, start and speed are not measured")));
+    takesMotors(m_render);
     declareJson(*m_render, m_json);
 
     m_convert = part("convert", QT_TRANSLATE_NOOP("PatternCommand",
@@ -188,7 +199,27 @@ void PatternCommand::declare(CLI::App& app) {
     m_check = part(
         "check", QT_TRANSLATE_NOOP("PatternCommand", "Say where a pattern breaks a law of what can be felt"));
     takesPattern(m_check);
+    takesMotors(m_check);
     declareJson(*m_check, m_json);
+
+    m_play = part("play", QT_TRANSLATE_NOOP("PatternCommand", "Play a pattern on a bracelet"));
+    takesPattern(m_play);
+    m_play
+        ->add_option("--device", m_device,
+                     help(QT_TRANSLATE_NOOP(
+                         "PatternCommand", "usb, simulated, or a file that describes a Modbus motor driver")))
+        ->type_name("WHICH")
+        ->capture_default_str();
+    takesMotors(m_play);
+    m_play
+        ->add_option(
+            "--measure", m_measure_s,
+            help(QT_TRANSLATE_NOOP(
+                "PatternCommand", "Play it over and over for so long, then live setpoints for as long again, "
+                                  "and print how punctual the frames were")))
+        ->type_name("S")
+        ->check(between(0.1, 86'400.0));
+    declareJson(*m_play, m_json);
 }
 
 core::Expected<void> PatternCommand::run() {
@@ -200,6 +231,8 @@ core::Expected<void> PatternCommand::run() {
         return render();
     if (m_check->parsed())
         return check();
+    if (m_play->parsed())
+        return play();
     return convert();
 }
 
@@ -247,6 +280,9 @@ core::Expected<void> PatternCommand::render() const {
     const core::Expected<Pattern> pattern = pattern::findPattern(m_pattern);
     if (!pattern)
         return core::Unexpected(pattern.error());
+    const core::Expected<pattern::MotorProfiles> profiles = motors();
+    if (!profiles)
+        return core::Unexpected(profiles.error());
     constexpr std::array<std::string_view, 7> kColumns{"time_s", "t1", "t2", "t3", "t4", "t5", "t6"};
     core::Expected<RowOutput> rows = RowOutput::open(kColumns, {m_json, m_outPath});
     if (!rows)
@@ -259,7 +295,7 @@ core::Expected<void> PatternCommand::render() const {
         return !rows->failed() && !interrupted();
     };
     if (m_predicted)
-        pattern::forEachPredictedSample(*pattern, pattern::assumedMotors(), m_rate_Hz,
+        pattern::forEachPredictedSample(*pattern, *profiles, m_rate_Hz,
                                         [&](double t_s, const core::Intensities& intensities,
                                             const core::Intensities&) { return addRow(t_s, intensities); });
     else
@@ -268,6 +304,20 @@ core::Expected<void> PatternCommand::render() const {
     if (done && interrupted())
         return core::Unexpected(interruption());
     return done;
+}
+
+core::Expected<pattern::MotorProfiles> PatternCommand::motors() const {
+    if (m_motorsPath.empty())
+        return pattern::assumedMotors();
+    return teleta::motors::readMotors(m_motorsPath).map(&teleta::motors::MotorCalibration::profiles);
+}
+
+core::Expected<void> PatternCommand::play() const {
+    const core::Expected<Pattern> pattern = pattern::findPattern(m_pattern);
+    if (!pattern)
+        return core::Unexpected(pattern.error());
+    return playPattern(
+        *pattern, {.device = m_device, .motorsPath = m_motorsPath, .measure_s = m_measure_s, .json = m_json});
 }
 
 core::Expected<void> PatternCommand::convert() const {
@@ -297,7 +347,10 @@ core::Expected<void> PatternCommand::check() const {
     const core::Expected<Pattern> pattern = pattern::findPattern(m_pattern);
     if (!pattern)
         return core::Unexpected(pattern.error());
-    const std::vector<pattern::Finding> findings = pattern::checkLaws(*pattern, pattern::assumedMotors());
+    const core::Expected<pattern::MotorProfiles> profiles = motors();
+    if (!profiles)
+        return core::Unexpected(profiles.error());
+    const std::vector<pattern::Finding> findings = pattern::checkLaws(*pattern, *profiles);
     if (m_json) {
         nlohmann::ordered_json all = nlohmann::ordered_json::array();
         for (const pattern::Finding& finding : findings)

@@ -2,13 +2,14 @@
 #pragma once
 
 #include "app/cli/command.h"
+#include "backend/pattern/motor_model.h"
 
 #include <optional>
 #include <string>
 
 namespace teleta::cli {
 
-/// teleta pattern: lists, shows, samples, converts and checks patterns of the bracelet.
+/// teleta pattern: lists, shows, samples, converts, checks and plays patterns of the bracelet.
 class PatternCommand : public Command {
 public:
     [[nodiscard]] const char* name() const override { return "pattern"; }
@@ -23,15 +24,22 @@ private:
     CLI::App* m_render = nullptr;
     CLI::App* m_convert = nullptr;
     CLI::App* m_check = nullptr;
+    CLI::App* m_play = nullptr;
 
     [[nodiscard]] core::Expected<void> list() const;
     [[nodiscard]] core::Expected<void> show() const;
     [[nodiscard]] core::Expected<void> render() const;
     [[nodiscard]] core::Expected<void> convert() const;
     [[nodiscard]] core::Expected<void> check() const;
+    [[nodiscard]] core::Expected<void> play() const;
+    /// Of --motors; assumed ones without it.
+    [[nodiscard]] core::Expected<pattern::MotorProfiles> motors() const;
 
     std::string m_pattern;
     std::string m_outPath;
+    std::string m_motorsPath;
+    std::string m_device = "usb";
+    std::optional<double> m_measure_s;
     double m_rate_Hz = 200.0;
     std::optional<double> m_convertRate_Hz;
     bool m_predicted = false;

@@ -145,3 +145,75 @@ TEST(PatternCommand, convertsBetweenAllFormatsByTheEnding) {
     EXPECT_NE(oneTactor.err.find(".haptic.zip"), std::string::npos) << oneTactor.err;
     EXPECT_EQ(run({"pattern", "show", folder.path("a.wav")}).exitCode, 3);
 }
+
+namespace {
+
+/// Six motors that follow within 50 ms (first motor: within 200 ms) and start at a fifth of the drive.
+std::string motorsFile(const TemporaryFolder& folder, const std::string& bracelet = "simulated") {
+    std::string text = "format = \"teleta-motors\"\nversion = 1\nbracelet = \"" + bracelet + "\"\n";
+    for (int i = 0; i < 6; ++i)
+        text +=
+            "[[motor]]\nstart_from = \"recording\"\nlag_from = \"recording\"\nstart_drive = 0.2\nrise_s = " +
+            std::string(i == 0 ? "0.2" : "0.05") +
+            "\nfall_s = 0.05\ncurve = [{ drive = 0.2, speed_Hz = 50 }, { drive = 1, speed_Hz = 250 }]\n";
+    return folder.write("motors.toml", text);
+}
+
+} // namespace
+
+// After the rise time a motor has 90 % of its speed: 225 of 250 Hz, that is the intensity (225 - 50) / (250 -
+// 50).
+TEST(PatternCommand, predictsAndChecksWithTheMotorsOfAFile) {
+    const TemporaryFolder folder;
+    const std::string motors = motorsFile(folder);
+    const ProgramResult result =
+        run({"pattern", "render", "stiffness.E.static", "--rate", "20", "--predicted", "--motors", motors});
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const auto rows = splitCsv(result.out);
+    ASSERT_GT(rows.size(), 6U);
+    EXPECT_EQ(rows[5][0], "0.2");
+    EXPECT_NEAR(std::stod(rows[5][1]), 0.875, 1e-6);
+    EXPECT_NEAR(std::stod(rows[2][2]), 0.875, 1e-6) << "at 50 ms";
+
+    const auto findings = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words{"pattern", "check", "shape.A.dynamic", "--json"};
+        words.insert(words.end(), more.begin(), more.end());
+        const ProgramResult checked = run(words);
+        EXPECT_EQ(checked.exitCode, 0) << checked.err;
+        return ordered_json::parse(checked.out, nullptr, false)["findings"].size();
+    };
+    EXPECT_LE(findings({}), findings({"--motors", motors})) << "a slower motor breaks no fewer laws";
+
+    const ProgramResult wrong =
+        run({"pattern", "check", "shape.A.dynamic", "--motors", folder.write("bad.toml", "format = 3\n")});
+    EXPECT_EQ(wrong.exitCode, 3);
+    EXPECT_NE(wrong.err.find("bad.toml:1:10"), std::string::npos) << wrong.err;
+}
+
+TEST(PatternCommand, playsOnASimulatedBraceletAndTellsHowPunctualItWas) {
+    const TemporaryFolder folder;
+    const ProgramResult result = run({"pattern", "play", "shape.A.static", "--device", "simulated",
+                                      "--motors", motorsFile(folder), "--measure", "0.3", "--json"});
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const ordered_json document = ordered_json::parse(result.out, nullptr, false);
+    EXPECT_EQ(document["simulated"], true);
+    EXPECT_EQ(document["rate_hz"], 200.0);
+    EXPECT_GT(document["frames"], 1);
+    EXPECT_TRUE(document["deadline_misses"].is_number_unsigned());
+    EXPECT_GT(document["write"]["longest_s"], 0.0);
+    EXPECT_LE(document["lateness"]["median_s"], document["lateness"]["longest_s"]);
+    EXPECT_GT(document["live"]["setpoints"], 0);
+    EXPECT_GT(document["live"]["snapshot_to_frame"]["median_s"], 0.0);
+}
+
+TEST(PatternCommand, doesNotPlayWithTheMotorsOfAnotherBraceletOrOnNone) {
+    const TemporaryFolder folder;
+    const ProgramResult other = run({"pattern", "play", "shape.A.static", "--device", "simulated", "--motors",
+                                     motorsFile(folder, "TB-0042")});
+    EXPECT_EQ(other.exitCode, 3);
+    EXPECT_NE(other.err.find("TB-0042"), std::string::npos) << other.err;
+    const ProgramResult none =
+        run({"pattern", "play", "shape.A.static", "--device", folder.path("no-such-driver.toml")});
+    EXPECT_EQ(none.exitCode, 3);
+    EXPECT_NE(none.err.find("no-such-driver.toml"), std::string::npos) << none.err;
+}
