@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/motors/felt_threshold.h"
 
+#include "backend/motors/refusal.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -22,11 +24,6 @@ constexpr int kThresholds = 400;
 constexpr int kSpreads = 20;
 constexpr double kNarrowest = 0.005;
 constexpr double kWidest = 0.4;
-
-core::Unexpected refused(const QString& message, const QString& expected) {
-    return core::Unexpected(
-        core::Error{core::ErrorKind::refused, message.toStdString(), expected.toStdString(), {}});
-}
 
 double logLikelihood(std::span<const FeltTrial> trials, double threshold, double spread) {
     double sum = 0.0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/motors/motor_fit.h"
 
+#include "backend/motors/refusal.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -34,11 +36,6 @@ constexpr double kLargestError = 0.25; ///< of a time, relative
 constexpr double kLeastExplained = 0.9;
 constexpr double kClippedShare = 0.25;
 constexpr double kSmallestStep_Hz = 1e-6;
-
-core::Unexpected refused(const QString& message, const QString& expected = {}) {
-    return core::Unexpected(
-        core::Error{core::ErrorKind::refused, message.toStdString(), expected.toStdString(), {}});
-}
 
 QString percent(double drive) {
     return QString::number(100.0 * drive, 'f', 1) + QStringLiteral(" %");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/motors/speed_from_signal.h"
 
+#include "backend/motors/refusal.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -17,16 +19,11 @@ struct SignalText {
 constexpr double kQuiet_s = 0.1;
 constexpr double kNoiseFactor = 4.0;
 constexpr double kSamplesPerTurn = 8.0;
-constexpr double kClippedShare = 0.02; ///< of the samples that are further out than half the largest one
+constexpr double kFarOutShare = 0.02; ///< of the samples that are further out than half the largest one
 constexpr int kClippedInARow = 3;
 /// So long a motor may turn unseen: below its slowest vibration, or within the noise.
 constexpr double kUnseenBefore_s = 1.0 / kSlowestVibration_Hz;
 constexpr double kUnseenAfter_s = 3.0 / kSlowestVibration_Hz;
-
-core::Unexpected refused(const QString& message, const QString& expected) {
-    return core::Unexpected(
-        core::Error{core::ErrorKind::refused, message.toStdString(), expected.toStdString(), {}});
-}
 
 /// Samples of one value in a row at an end of the range: a converter that is full.
 bool isClipped(std::span<const double> signal, double zero) {
@@ -43,7 +40,7 @@ bool isClipped(std::span<const double> signal, double zero) {
             run = height == end ? run + 1 : 0;
             flat += run >= kClippedInARow ? 1 : 0;
         }
-        if (end > 0.0 && static_cast<double>(flat) > kClippedShare * static_cast<double>(out))
+        if (end > 0.0 && static_cast<double>(flat) > kFarOutShare * static_cast<double>(out))
             return true;
     }
     return false;

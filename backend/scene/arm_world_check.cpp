@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/scene/arm_world_check.h"
 
+#include "backend/scene/range_check.h"
+
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
@@ -8,18 +10,6 @@
 namespace teleta::scene {
 
 namespace {
-
-bool arePositive(std::initializer_list<double> values) {
-    return std::ranges::all_of(values, [](double value) { return std::isfinite(value) && value > 0.0; });
-}
-
-bool areNotNegative(std::initializer_list<double> values) {
-    return std::ranges::all_of(values, [](double value) { return std::isfinite(value) && value >= 0.0; });
-}
-
-bool areFinite(std::initializer_list<double> values) {
-    return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
-}
 
 bool isFinite(const core::JointArray& values) {
     return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/scene/servo_world_reader.h"
 
+#include "backend/scene/range_check.h"
+
 #include <QCoreApplication>
 #include <QString>
 
@@ -163,18 +165,6 @@ ServoTaskSettings readTask(TomlTable table) {
     }
     table.finish();
     return task;
-}
-
-bool arePositive(std::initializer_list<double> values) {
-    return std::ranges::all_of(values, [](double value) { return std::isfinite(value) && value > 0.0; });
-}
-
-bool areNotNegative(std::initializer_list<double> values) {
-    return std::ranges::all_of(values, [](double value) { return std::isfinite(value) && value >= 0.0; });
-}
-
-bool areFinite(std::initializer_list<double> values) {
-    return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
 }
 
 struct ShapeIsValid {

@@ -16,7 +16,7 @@ namespace teleta::camera {
 
 namespace {
 
-struct CameraText {
+struct VideoText {
     Q_DECLARE_TR_FUNCTIONS(Camera)
 };
 
@@ -48,7 +48,7 @@ core::Expected<VideoStream> VideoStream::open(const std::string& source, const O
             stream.m_capture.open(*number, cv::CAP_V4L2);
             if (!stream.m_capture.isOpened())
                 return failed(core::ErrorKind::unavailable,
-                              CameraText::tr("camera %1 cannot be opened").arg(*number), {}, source);
+                              VideoText::tr("camera %1 cannot be opened").arg(*number), {}, source);
             if (options.width_px > 0 && options.height_px > 0) {
                 stream.m_capture.set(cv::CAP_PROP_FRAME_WIDTH, options.width_px);
                 stream.m_capture.set(cv::CAP_PROP_FRAME_HEIGHT, options.height_px);
@@ -58,16 +58,16 @@ core::Expected<VideoStream> VideoStream::open(const std::string& source, const O
         } else {
             std::error_code ignored;
             if (source.find('%') == std::string::npos && !std::filesystem::exists(source, ignored))
-                return failed(core::ErrorKind::notFound, CameraText::tr("the file does not exist"), {},
+                return failed(core::ErrorKind::notFound, VideoText::tr("the file does not exist"), {},
                               source);
             if (std::filesystem::is_directory(source, ignored))
-                return failed(core::ErrorKind::badInput, CameraText::tr("this is a folder"),
-                              CameraText::tr("a video, or the number of a camera"), source);
+                return failed(core::ErrorKind::badInput, VideoText::tr("this is a folder"),
+                              VideoText::tr("a video, or the number of a camera"), source);
             stream.m_capture.open(source, cv::CAP_ANY);
             if (!stream.m_capture.isOpened())
                 return failed(
-                    core::ErrorKind::badInput, CameraText::tr("the file is no video that can be read"),
-                    CameraText::tr("a video, a pattern like frame_%04d.png, or the number of a camera"),
+                    core::ErrorKind::badInput, VideoText::tr("the file is no video that can be read"),
+                    VideoText::tr("a video, a pattern like frame_%04d.png, or the number of a camera"),
                     source);
         }
         const double rate_Hz = stream.m_capture.get(cv::CAP_PROP_FPS);
