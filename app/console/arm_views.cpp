@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/arm_views.h"
 
+#include "backend/core/device_state.h"
 #include "backend/core/steady_time.h"
 #include "widgets/bracelet/bracelet_view.h"
 #include "widgets/charts/joint_chart_view.h"
@@ -26,6 +27,16 @@ std::vector<Eigen::Vector3d> atHeight(const std::vector<contour::Point>& points_
     for (const contour::Point& p : points_m)
         lifted.emplace_back(p.x(), p.y(), height_m);
     return lifted;
+}
+
+/// The joints are not known any more: what moves the arm by them would be blind.
+bool readingsAreOld(const pipeline::ArmChannel& arm) {
+    const core::DeviceStatus status = arm.status();
+    const core::DeviceState state =
+        core::observedState(status.state, status.lastData_ns, core::steadyNow_ns(),
+                            core::staleAfter_ns(arm.description().nominalRate_Hz));
+    return state == core::DeviceState::stale || state == core::DeviceState::lost ||
+           state == core::DeviceState::reconnecting;
 }
 
 } // namespace
@@ -107,8 +118,14 @@ void ArmViews::clear() {
     m_latency_s.reset();
 }
 
+void ArmViews::setHand(const std::optional<touch::HandMotion>& hand, const QString& text) {
+    m_jog->setHandText(text);
+    m_jog->setHand(hand);
+}
+
 void ArmViews::tick() {
     m_jog->setStopEngaged(m_stop.engaged());
+    m_jog->setReadingsOld(m_arm && readingsAreOld(*m_arm));
     m_picture->setIntensities(m_bracelet.given());
     m_picture->setNote(m_bracelet.note());
     m_picture->setHoldable(m_bracelet.isReady());

@@ -23,6 +23,7 @@ class JointChartView;
 namespace teleta::touch {
 class ContourView;
 class JogPanel;
+struct HandMotion;
 class StiffnessGauge;
 class TouchTable;
 } // namespace teleta::touch
@@ -47,6 +48,8 @@ public:
     /// The arm whose data are shown from now on; null: none. The former one stops being moved and felt.
     void setArm(std::shared_ptr<pipeline::ArmChannel> arm, base::Provenance provenance);
     [[nodiscard]] const std::shared_ptr<pipeline::ArmChannel>& arm() const { return m_arm; }
+    /// What a 3D mouse wants now, and its state in a line.
+    void setHand(const std::optional<touch::HandMotion>& hand, const QString& text);
     /// Shows what came since the last tick.
     void tick();
     /// Time from the read of the newest joint sample to its picture; empty without one.

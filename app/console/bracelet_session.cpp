@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/bracelet_session.h"
 
+#include "backend/playback/pattern_program.h"
 #include "devices/bracelet/hid_bracelet.h"
+#include "devices/modbus/modbus_bracelet.h"
 #include "devices/simulated/simulated_bracelet.h"
 
 #include <utility>
@@ -10,20 +12,31 @@ namespace teleta::console {
 
 namespace {
 
-core::Expected<std::unique_ptr<core::BraceletSource>> openSource(BraceletChoice choice,
-                                                                 const core::StopSwitch& stop) {
-    if (choice == BraceletChoice::simulated)
-        return std::make_unique<simulated::SimulatedBracelet>(stop);
-    return bracelet::openHidBracelet({}, stop).map([](std::unique_ptr<core::BraceletLink>&& link) {
+/// A sensor of the simulated bracelet is off by so much.
+constexpr double kSpeedNoise_Hz = 1.5;
+
+core::Expected<std::unique_ptr<core::BraceletSource>>
+openSource(BraceletChoice choice, const std::string& deviceFile, const core::StopSwitch& stop) {
+    const auto asSource = [](std::unique_ptr<core::BraceletLink>&& link) {
         return std::unique_ptr<core::BraceletSource>(std::move(link));
-    });
+    };
+    if (choice == BraceletChoice::simulated)
+        return std::make_unique<simulated::SimulatedBracelet>(
+            stop, simulated::SimulatedBraceletConfig{.motors = simulated::unequalMotors(),
+                                                     .speedNoise_Hz = kSpeedNoise_Hz});
+    if (choice == BraceletChoice::hid)
+        return bracelet::openHidBracelet({}, stop).map(asSource);
+    const auto map = modbus::readRegisterMap(deviceFile);
+    if (!map)
+        return core::Unexpected(map.error());
+    return modbus::openModbusBracelet(*map, stop).map(asSource);
 }
 
 } // namespace
 
-core::Expected<std::shared_ptr<BraceletSession>> BraceletSession::open(BraceletChoice choice,
-                                                                       const core::StopSwitch& stop) {
-    auto source = openSource(choice, stop);
+core::Expected<std::shared_ptr<BraceletSession>>
+BraceletSession::open(BraceletChoice choice, const std::string& deviceFile, const core::StopSwitch& stop) {
+    auto source = openSource(choice, deviceFile, stop);
     if (!source)
         return core::Unexpected(source.error());
     return std::make_shared<BraceletSession>(std::move(*source), stop);
@@ -31,8 +44,16 @@ core::Expected<std::shared_ptr<BraceletSession>> BraceletSession::open(BraceletC
 
 BraceletSession::BraceletSession(std::unique_ptr<core::BraceletSource> source, const core::StopSwitch& stop)
     : m_source(std::move(source)) {
+    const std::string& serial = m_source->description().serial;
+    auto found = motors::findMotors(serial);
+    if (!found)
+        m_calibrationError = found.error();
+    else if (*found)
+        m_calibration = std::move(**found);
+    m_calibration.bracelet = serial;
     m_source->start(m_wakeup);
-    m_player = std::make_unique<playback::Player>(*m_source, stop);
+    m_player = std::make_unique<playback::Player>(
+        *m_source, stop, playback::PlayerConfig{.ranges = playback::rangesOf(m_calibration.profiles())});
 }
 
 BraceletSession::~BraceletSession() {

@@ -5,9 +5,12 @@
 #include "backend/core/error.h"
 #include "backend/core/stop_switch.h"
 #include "backend/core/wakeup.h"
+#include "backend/motors/motor_file.h"
 #include "backend/playback/player.h"
 
 #include <memory>
+#include <optional>
+#include <string>
 
 namespace teleta::console {
 
@@ -15,16 +18,18 @@ namespace teleta::console {
 enum class BraceletChoice {
     none,
     simulated,
-    hid, ///< the first bracelet that is plugged in
+    hid,    ///< the first bracelet that is plugged in
+    modbus, ///< the motors that a file describes
 };
 
 /// A connected bracelet with its player. Making one and letting it go may wait for the device: off the GUI's
 /// thread. Thread: player() any, see Player.
 class BraceletSession {
 public:
-    /// stop must outlive the session. choice: not none. Error: of the device.
-    [[nodiscard]] static core::Expected<std::shared_ptr<BraceletSession>> open(BraceletChoice choice,
-                                                                               const core::StopSwitch& stop);
+    /// Opens the bracelet and reads the profile of its motors. stop must outlive the session. choice: not
+    /// none. deviceFile: of a Modbus bracelet. Error: of the device or its file.
+    [[nodiscard]] static core::Expected<std::shared_ptr<BraceletSession>>
+    open(BraceletChoice choice, const std::string& deviceFile, const core::StopSwitch& stop);
     BraceletSession(std::unique_ptr<core::BraceletSource> source, const core::StopSwitch& stop);
     ~BraceletSession();
     BraceletSession(const BraceletSession&) = delete;
@@ -32,10 +37,16 @@ public:
 
     [[nodiscard]] const core::BraceletSource& source() const { return *m_source; }
     [[nodiscard]] playback::Player& player() { return *m_player; }
+    /// As the file of this bracelet says; assumed motors without one.
+    [[nodiscard]] const motors::MotorCalibration& calibration() const { return m_calibration; }
+    /// Why that file could not be used.
+    [[nodiscard]] const std::optional<core::Error>& calibrationError() const { return m_calibrationError; }
 
 private:
     core::Wakeup m_wakeup; ///< nobody waits for it: the views look at 30 Hz
     std::unique_ptr<core::BraceletSource> m_source;
+    motors::MotorCalibration m_calibration;
+    std::optional<core::Error> m_calibrationError;
     std::unique_ptr<playback::Player> m_player;
 };
 

@@ -42,8 +42,12 @@ BraceletStation::~BraceletStation() {
 void BraceletStation::letGo() {
     m_slot->set(nullptr);
     m_held.reset();
-    if (m_session)
-        close(std::exchange(m_session, nullptr));
+    if (!m_session)
+        return;
+    close(std::exchange(m_session, nullptr));
+    m_calibration = {};
+    emit sessionChanged();
+    emit calibrationChanged(m_calibration);
 }
 
 void BraceletStation::close(std::shared_ptr<BraceletSession> session) {
@@ -52,16 +56,18 @@ void BraceletStation::close(std::shared_ptr<BraceletSession> session) {
         std::async(std::launch::async, [session = std::move(session)]() mutable { session.reset(); }));
 }
 
-void BraceletStation::choose(BraceletChoice choice) {
+void BraceletStation::choose(BraceletChoice choice, const QString& deviceFile) {
     letGo();
     m_choice = choice;
+    m_deviceFile = choice == BraceletChoice::modbus ? deviceFile : QString();
     ++m_chosen;
     emit chosen(choice);
     if (choice == BraceletChoice::none)
         return;
-    m_openings.push_back({m_chosen, std::async(std::launch::async, [choice, &stop = m_stop] {
-                              return BraceletSession::open(choice, stop);
-                          })});
+    m_openings.push_back({m_chosen, std::async(std::launch::async,
+                                               [choice, file = m_deviceFile.toStdString(), &stop = m_stop] {
+                                                   return BraceletSession::open(choice, file, stop);
+                                               })});
 }
 
 void BraceletStation::takeOpened() {
@@ -81,6 +87,11 @@ void BraceletStation::takeOpened() {
     } else if (session) {
         m_session = std::move(*session);
         m_slot->set(m_reserved ? nullptr : m_session);
+        m_calibration = m_session->calibration();
+        emit sessionChanged();
+        emit calibrationChanged(m_calibration);
+        if (m_session->calibrationError())
+            emit calibrationFailed(*m_session->calibrationError());
     } else if (wanted) {
         m_choice = BraceletChoice::none;
         emit chosen(m_choice);
@@ -115,6 +126,13 @@ void BraceletStation::seek(double time_s) {
 void BraceletStation::setLoop(bool loop) {
     if (m_session && !m_reserved)
         m_session->player().setLoop(loop);
+}
+
+void BraceletStation::setCalibration(const motors::MotorCalibration& calibration) {
+    m_calibration = calibration;
+    if (m_session)
+        m_session->player().setRanges(playback::rangesOf(calibration.profiles()));
+    emit calibrationChanged(m_calibration);
 }
 
 void BraceletStation::stopPlaying() {
@@ -199,6 +217,8 @@ QString BraceletStation::note() const {
     if (m_session->source().connection() == 0)
         return tr("The bracelet is not connected. %1")
             .arg(QString::fromStdString(m_session->source().status().message));
+    if (!m_calibration.measured())
+        return tr("The motors are not calibrated (page Calibrate).");
     return {};
 }
 
@@ -221,6 +241,8 @@ std::optional<chrome::DeviceReading> BraceletStation::reading() const {
     reading.rate_Hz = status.rate_Hz;
     reading.lost = status.framesLost;
     reading.details = QString::fromStdString(status.message);
+    if (reading.details.isEmpty() && !m_calibration.measured())
+        reading.details = tr("not calibrated: the motors are assumed");
     reading.touchToSkin_s = m_touchToSkin_s;
     return reading;
 }

@@ -36,9 +36,18 @@ public:
     explicit BraceletStation(core::StopSwitch& stop, QObject* parent = nullptr);
     ~BraceletStation() override;
 
-    /// Takes another bracelet in place of the present one.
-    void choose(BraceletChoice choice);
+    /// Takes another bracelet in place of the present one. deviceFile: of a Modbus bracelet.
+    void choose(BraceletChoice choice, const QString& deviceFile = {});
     [[nodiscard]] BraceletChoice choice() const { return m_choice; }
+    [[nodiscard]] const QString& deviceFile() const { return m_deviceFile; }
+    /// Null while none is connected, or one is being opened. It ends when its last owner lets it go, which
+    /// may wait.
+    [[nodiscard]] const std::shared_ptr<BraceletSession>& session() const { return m_session; }
+
+    /// What is known of the motors of the bracelet; of none, assumed ones.
+    [[nodiscard]] const motors::MotorCalibration& calibration() const { return m_calibration; }
+    /// Takes effect with the next frame. Writes no file.
+    void setCalibration(const motors::MotorCalibration& calibration);
 
     /// For the arm whose touches are to be felt. It goes on telling what would be played without a bracelet.
     [[nodiscard]] const std::shared_ptr<pipeline::TactileFeedback>& feedback() const { return m_feedback; }
@@ -65,8 +74,6 @@ public:
     void tick();
     /// What the tactors do now, after the safety limits.
     [[nodiscard]] core::Intensities given() const;
-    /// The bracelet that is open; null while there is none.
-    [[nodiscard]] const std::shared_ptr<BraceletSession>& session() const { return m_session; }
     /// Connected, and not stopped.
     [[nodiscard]] bool isReady() const;
     /// One line on the state; empty when there is nothing to say.
@@ -81,6 +88,11 @@ signals:
     void chosen(BraceletChoice choice);
     /// The bracelet that was chosen could not be opened.
     void failed(const core::Error& error);
+    /// Another bracelet is connected, or none is any more.
+    void sessionChanged();
+    void calibrationChanged(const teleta::motors::MotorCalibration& calibration);
+    /// The file with the motors' profile cannot be used.
+    void calibrationFailed(const core::Error& error);
     /// Something new was recognised, or its onset became known.
     void felt(const FeedbackEvent& event);
 
@@ -98,6 +110,8 @@ private:
 
     core::StopSwitch& m_stop;
     BraceletChoice m_choice = BraceletChoice::none;
+    QString m_deviceFile;
+    motors::MotorCalibration m_calibration;
     std::vector<Opening> m_openings;
     std::vector<std::future<void>> m_closings;
     std::uint64_t m_chosen = 0;                 ///< number of the newest choice

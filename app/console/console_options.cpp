@@ -125,6 +125,10 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
         option("rehearse", tr("Let simulated participants go through the study, which is made if need be."));
     const auto page =
         option("page", tr("Page to show: %1.").arg(pageNames().join(QStringLiteral(", "))), tr("NAME"));
+    const auto bracelet =
+        option("bracelet",
+               tr("Bracelet to drive: simulated, usb, none, or a file that describes a Modbus motor driver."),
+               tr("WHICH"));
     const auto theme = option("theme", tr("light, dark or system."), tr("NAME"));
     const auto language = option("language", tr("Language, for example en, ja, fr, zh_CN."), tr("CODE"));
     const auto screenshot =
@@ -190,6 +194,7 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
     options.page = m_parser.value(page);
     if (m_parser.isSet(page) && !pageNames().contains(options.page))
         fail(tr("--page %1: expected one of %2").arg(options.page, pageNames().join(QStringLiteral(", "))));
+    options.bracelet = m_parser.value(bracelet);
     options.theme = m_parser.value(theme);
     if (m_parser.isSet(theme) && !QStringList{"light", "dark", "system"}.contains(options.theme))
         fail(tr("--theme %1: expected light, dark or system").arg(options.theme));
@@ -220,7 +225,8 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
 } // namespace
 
 QStringList pageNames() {
-    return {QStringLiteral("operate"), QStringLiteral("patterns"), QStringLiteral("study")};
+    return {QStringLiteral("operate"), QStringLiteral("patterns"), QStringLiteral("study"),
+            QStringLiteral("calibrate")};
 }
 
 ParsedOptions parseOptions(const QStringList& arguments) {

@@ -36,7 +36,8 @@ struct ConsoleOptions {
     QString study;         ///< folder of a study, or a protocol
     bool rehearse = false; ///< simulated participants go through the study
     QString page;
-    QString dock; ///< of the Operate page, or a view of the Study page, brought to the front
+    QString dock;     ///< of the Operate page, or a view of the Study page, brought to the front
+    QString bracelet; ///< "simulated", "usb", "none" or a device file; empty: as the last time
     QString theme;
     QString language;
     QString screenshot;

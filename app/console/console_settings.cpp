@@ -15,6 +15,15 @@ QString recordingGroup(const QString& path) {
     return QStringLiteral("recordings/") + QString::fromLatin1(hash.toHex().left(16)) + QLatin1Char('/');
 }
 
+QStringList withNewest(QStringList files, const QString& path) {
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    files.removeAll(absolute);
+    files.prepend(absolute);
+    while (files.size() > ConsoleSettings::kRecentFiles)
+        files.removeLast();
+    return files;
+}
+
 } // namespace
 
 ConsoleSettings::ConsoleSettings(bool fresh) {
@@ -52,13 +61,15 @@ QStringList ConsoleSettings::list(const QString& key) const {
 }
 
 void ConsoleSettings::addToList(const QString& key, const QString& path) {
-    const QString absolute = QFileInfo(path).absoluteFilePath();
-    QStringList files = list(key);
-    files.removeAll(absolute);
-    files.prepend(absolute);
-    while (files.size() > kRecentFiles)
-        files.removeLast();
-    set(key, files);
+    set(key, withNewest(list(key), path));
+}
+
+QStringList ConsoleSettings::deviceFiles() const {
+    return list(QStringLiteral("devices"));
+}
+
+void ConsoleSettings::addDeviceFile(const QString& path) {
+    addToList(QStringLiteral("devices"), path);
 }
 
 std::optional<RecordingRequest> ConsoleSettings::recording(const QString& path) const {

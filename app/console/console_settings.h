@@ -37,9 +37,12 @@ public:
     [[nodiscard]] QByteArray layout(const QString& page) const { return bytes("layout/" + page); }
     void setLayout(const QString& page, const QByteArray& layout) { set("layout/" + page, layout); }
 
-    /// "simulated", "hid", "none".
+    /// "simulated", "hid", "none", "modbus:FILE".
     [[nodiscard]] QString bracelet() const { return text("bracelet", QStringLiteral("simulated")); }
     void setBracelet(const QString& bracelet) { set("bracelet", bracelet); }
+    /// Motor drivers that were opened, the newest first.
+    [[nodiscard]] QStringList deviceFiles() const;
+    void addDeviceFile(const QString& path);
     /// Which pattern tells what was recognised, as JSON; empty: the default.
     [[nodiscard]] QString patternMap() const { return text("feedback/map", {}); }
     void setPatternMap(const QString& json) { set("feedback/map", json); }

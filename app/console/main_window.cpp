@@ -4,7 +4,10 @@
 #include "app/console/about.h"
 #include "app/console/arm_views.h"
 #include "app/console/background.h"
+#include "app/console/bracelet_menu.h"
 #include "app/console/bracelet_station.h"
+#include "app/console/calibrate_page.h"
+#include "app/console/hand_station.h"
 #include "app/console/operate_page.h"
 #include "app/console/pattern_collection.h"
 #include "app/console/patterns_page.h"
@@ -45,14 +48,7 @@ namespace {
 constexpr char kOperate[] = "operate";
 constexpr char kPatterns[] = "patterns";
 constexpr char kStudy[] = "study";
-
-struct BraceletName {
-    BraceletChoice choice;
-    const char* name;
-};
-constexpr std::array kBracelets{BraceletName{BraceletChoice::simulated, "simulated"},
-                                BraceletName{BraceletChoice::hid, "hid"},
-                                BraceletName{BraceletChoice::none, "none"}};
+constexpr char kCalibrate[] = "calibrate";
 
 struct FeedbackName {
     pipeline::FeedbackMode mode;
@@ -81,6 +77,9 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
           m_operate->bracelet(), *m_collection,
           options.dataFolder.isEmpty() ? QString() : options.dataFolder + QStringLiteral("/recovery"), this))
     , m_study(new StudyPage(m_operate->bracelet(), stop, core::steadyNow_ns, this))
+    , m_calibrate(new CalibratePage(m_operate->bracelet(), this))
+    , m_braceletMenu(new BraceletMenu(m_operate->bracelet(), settings, this))
+    , m_hand(std::make_unique<HandStation>())
     , m_devices(new chrome::DeviceStrip(this))
     , m_stopButton(new chrome::StopButton(this))
     , m_seed(options.seed) {
@@ -92,9 +91,12 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
                     tr("What the bracelet can say: edit, check and play patterns"));
     m_rail->addPage(QLatin1String(kStudy), base::Icon::study, tr("Study"),
                     tr("User studies: from the first practice trial to confusion matrices and ANOVA"));
+    m_rail->addPage(QLatin1String(kCalibrate), base::Icon::calibrate, tr("Calibrate"),
+                    tr("What has to be measured: the motors of the bracelet"));
     m_pages->addWidget(m_operate);
     m_pages->addWidget(m_patterns);
     m_pages->addWidget(m_study);
+    m_pages->addWidget(m_calibrate);
 
     auto* status = new QWidget(this);
     auto* statusRow = new QHBoxLayout(status);
@@ -159,6 +161,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     });
     connect(m_study, &StudyPage::openFailed, this, [this] { m_anyFailure = true; });
     restoreFeedback();
+    m_braceletMenu->restore(options.bracelet);
     fillDemos();
     chooser.setRecent(m_settings.recentFiles());
     buildMenus();
@@ -196,10 +199,15 @@ MainWindow::~MainWindow() {
 
 void MainWindow::onTick() {
     m_sources.poll();
+    m_operate->armViews().setHand(m_hand->motion(), m_hand->text());
     m_operate->tick();
     m_patterns->tick();
     m_study->tick();
-    m_devices->setReadings(m_operate->readings());
+    m_calibrate->tick();
+    std::vector<chrome::DeviceReading> readings = m_operate->readings();
+    if (auto hand = m_hand->reading())
+        readings.push_back(std::move(*hand));
+    m_devices->setReadings(readings);
     showStop();
 }
 
@@ -395,7 +403,7 @@ void MainWindow::buildMenus() {
                     [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
 
     buildArmMenu();
-    buildBraceletMenu();
+    m_braceletMenu->fill(*menuBar()->addMenu(tr("&Bracelet")));
 
     QMenu* help = menuBar()->addMenu(tr("&Help"));
     QAction* what = QWhatsThis::createAction(help);
@@ -422,28 +430,6 @@ void MainWindow::buildArmMenu() {
     })->setToolTip(tr("What is touched from now on is another object"));
 }
 
-void MainWindow::buildBraceletMenu() {
-    QMenu* menu = menuBar()->addMenu(tr("&Bracelet"));
-    auto* group = new QActionGroup(menu);
-    BraceletStation& bracelet = m_operate->bracelet();
-    const auto add = [&](const QString& text, BraceletChoice choice) {
-        QAction* action = menu->addAction(text, this, [this, &bracelet, choice] {
-            for (const BraceletName& known : kBracelets)
-                if (known.choice == choice)
-                    m_settings.setBracelet(QLatin1String(known.name));
-            // Not from within the menu, which is built anew.
-            QMetaObject::invokeMethod(
-                &bracelet, [&bracelet, choice] { bracelet.choose(choice); }, Qt::QueuedConnection);
-        });
-        action->setCheckable(true);
-        action->setChecked(bracelet.choice() == choice);
-        group->addAction(action);
-    };
-    add(tr("&Simulated"), BraceletChoice::simulated);
-    add(tr("&USB"), BraceletChoice::hid);
-    add(tr("&None"), BraceletChoice::none);
-}
-
 void MainWindow::restoreFeedback() {
     FeedbackPanel& panel = m_operate->armViews().feedbackPanel();
     if (!m_settings.patternMap().isEmpty()) {
@@ -454,9 +440,6 @@ void MainWindow::restoreFeedback() {
     for (const FeedbackName& known : kFeedbackModes)
         if (m_settings.feedbackMode() == QLatin1String(known.name))
             panel.setMode(known.mode);
-    for (const BraceletName& known : kBracelets)
-        if (m_settings.bracelet() == QLatin1String(known.name))
-            m_operate->bracelet().choose(known.choice);
 }
 
 void MainWindow::saveFeedback() {
@@ -482,9 +465,14 @@ void MainWindow::takeOwnPatterns() {
 
 void MainWindow::showPage(const QString& name) {
     m_rail->setCurrentPage(name);
-    m_pages->setCurrentWidget(name == QLatin1String(kPatterns) ? static_cast<QWidget*>(m_patterns)
-                              : name == QLatin1String(kStudy)  ? static_cast<QWidget*>(m_study)
-                                                               : m_operate);
+    QWidget* page = m_operate;
+    if (name == QLatin1String(kPatterns))
+        page = m_patterns;
+    else if (name == QLatin1String(kStudy))
+        page = m_study;
+    else if (name == QLatin1String(kCalibrate))
+        page = m_calibrate;
+    m_pages->setCurrentWidget(page);
     m_settings.setPage(name);
 }
 
@@ -534,6 +522,8 @@ void MainWindow::changeEvent(QEvent* event) {
                          tr("What the bracelet can say: edit, check and play patterns"));
         m_rail->setTitle(QLatin1String(kStudy), tr("Study"),
                          tr("User studies: from the first practice trial to confusion matrices and ANOVA"));
+        m_rail->setTitle(QLatin1String(kCalibrate), tr("Calibrate"),
+                         tr("What has to be measured: the motors of the bracelet"));
         fillDemos();
         buildMenus();
     }

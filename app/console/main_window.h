@@ -10,6 +10,8 @@
 #include <QElapsedTimer>
 #include <QMainWindow>
 
+#include <memory>
+
 class QStackedWidget;
 
 namespace teleta::chrome {
@@ -20,6 +22,9 @@ class StopButton;
 
 namespace teleta::console {
 
+class BraceletMenu;
+class CalibratePage;
+class HandStation;
 class OperatePage;
 class PatternCollection;
 class PatternsPage;
@@ -42,6 +47,7 @@ public:
     [[nodiscard]] SourceManager& sources() { return m_sources; }
     [[nodiscard]] PatternsPage& patternsPage() { return *m_patterns; }
     [[nodiscard]] StudyPage& studyPage() { return *m_study; }
+    [[nodiscard]] CalibratePage& calibratePage() { return *m_calibrate; }
     [[nodiscard]] OperatePage& operatePage() { return *m_operate; }
     /// Whether a source failed to open since the start; decides the exit code of --screenshot.
     [[nodiscard]] bool anyFailure() const { return m_anyFailure; }
@@ -56,7 +62,6 @@ protected:
 private:
     void buildMenus();
     void buildArmMenu();
-    void buildBraceletMenu();
     void restoreFeedback();
     void saveFeedback();
     void takeOwnPatterns();
@@ -86,6 +91,9 @@ private:
     OperatePage* m_operate;
     PatternsPage* m_patterns;
     StudyPage* m_study;
+    CalibratePage* m_calibrate;
+    BraceletMenu* m_braceletMenu;
+    std::unique_ptr<HandStation> m_hand;
     chrome::DeviceStrip* m_devices;
     chrome::StopButton* m_stopButton;
     std::uint64_t m_seed;

@@ -150,6 +150,10 @@ void PatternsPage::connectEditor() {
         if (!dirty)
             m_keeper->forget();
     });
+    connect(&m_station, &BraceletStation::calibrationChanged, this,
+            [this](const motors::MotorCalibration& calibration) {
+                m_editor->document()->setMotors(calibration.profiles());
+            });
 }
 
 void PatternsPage::connectCollection() {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pattern/built_in_patterns.h"
+#include "tests/backend/motors/measured_motor.h"
 #include "tests/widgets/sample_touch.h"
 #include "tests/widgets/touch/sample_arm.h"
 #include "tests/widgets/touch/sample_records.h"
 #include "widgets/base/theme.h"
+#include "widgets/calibrate/felt_panel.h"
+#include "widgets/calibrate/motors_view.h"
 #include "widgets/charts/joint_chart_view.h"
 #include "widgets/charts/strip_chart_view.h"
 #include "widgets/pattern/law_list.h"
@@ -18,6 +21,7 @@
 #include <QApplication>
 #include <QDir>
 #include <QPainter>
+#include <QPushButton>
 #include <QTextStream>
 
 #include <cmath>
@@ -206,8 +210,34 @@ std::unique_ptr<QWidget> patternEditor() {
     return view;
 }
 
+/// Four of six motors are measured, one of them fails.
+std::unique_ptr<QWidget> motorsView(bool asking) {
+    auto view = std::make_unique<calibrate::MotorsView>();
+    motors::MotorCalibration assumed;
+    assumed.bracelet = "simulated";
+    view->setCalibration(assumed, true);
+    view->setFacts({.name = QStringLiteral("Simulated bracelet"),
+                    .serial = QStringLiteral("simulated"),
+                    .ready = true,
+                    .simulated = true,
+                    .hasSensor = true,
+                    .speeds_Hz = core::Intensities{}});
+    const simulated::SimulatedMotors kinds = simulated::unequalMotors();
+    for (const std::size_t motor : {0U, 1U, 3U, 2U}) {
+        const motors::MotorRecording recording = test::measured(kinds[motor], 1.5, motor + 1);
+        view->takeFit(motor, recording, motors::fitMotor(recording));
+    }
+    if (asking) {
+        view->button("feel")->click();
+        view->feltPanel()->playButton()->click();
+    }
+    return view;
+}
+
 std::vector<Exhibit> exhibits() {
     return {
+        {QStringLiteral("motors"), QSize(1440, 820), [] { return motorsView(false); }},
+        {QStringLiteral("motors_asking"), QSize(1200, 760), [] { return motorsView(true); }},
         {QStringLiteral("pattern_editor"), QSize(1440, 860), patternEditor},
         {QStringLiteral("gauge"), QSize(400, 220),
          [] { return gauge(test::estimateOf(1325.9, 1290.0, 1360.0)); }},

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/backend/motors/measured_motor.h"
+#include "tests/widgets/test_registry.h"
+#include "widgets/calibrate/felt_panel.h"
+#include "widgets/calibrate/motor_table.h"
+#include "widgets/calibrate/motors_view.h"
+
+#include <QApplication>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace teleta;
+using namespace teleta::calibrate;
+using motors::MotorCalibration;
+
+namespace {
+
+const simulated::SimulatedMotor kMotor{
+    .rise_s = 0.024, .fall_s = 0.033, .start = 0.163, .fullSpeed_Hz = 250.0, .bend = 0.8};
+
+BraceletFacts simulatedOne() {
+    return {.name = QStringLiteral("Simulated bracelet"),
+            .serial = QStringLiteral("simulated"),
+            .ready = true,
+            .simulated = true,
+            .hasSensor = true,
+            .speeds_Hz = std::nullopt};
+}
+
+struct Desk {
+    Desk() {
+        view.resize(1200, 800);
+        view.show();
+        active = QTest::qWaitForWindowActive(&view);
+        MotorCalibration assumed;
+        assumed.bracelet = "simulated";
+        view.setCalibration(assumed, true);
+        view.setFacts(simulatedOne());
+        QObject::connect(&view, &MotorsView::calibrationChanged,
+                         [this](const MotorCalibration& calibration) { changes.push_back(calibration); });
+    }
+    void fit(std::size_t motor) {
+        const motors::MotorRecording recording = test::measured(kMotor, 1.0);
+        view.takeFit(motor, recording, motors::fitMotor(recording));
+    }
+    [[nodiscard]] QString cell(int row, int column) const { return view.table()->item(row, column)->text(); }
+    [[nodiscard]] bool says(const char* words) const {
+        for (const QLabel* label : view.findChildren<QLabel*>())
+            if (label->isVisible() && label->text().contains(QLatin1String(words)))
+                return true;
+        return false;
+    }
+
+    MotorsView view;
+    bool active = false;
+    std::vector<MotorCalibration> changes;
+};
+
+} // namespace
+
+/// The steps of the calibration, as a person takes them.
+class MotorsViewTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void saysThatNothingIsCalibratedAndOffersWhatTheBraceletCan() {
+        Desk desk;
+        QVERIFY(desk.says("not calibrated"));
+        QVERIFY(desk.says("SIMULATED"));
+        QVERIFY(desk.view.button("measure")->isEnabled());
+        QVERIFY(!desk.view.button("save")->isEnabled());
+        BraceletFacts deaf = simulatedOne();
+        deaf.hasSensor = false;
+        desk.view.setFacts(deaf);
+        QVERIFY(!desk.view.button("measure")->isEnabled());
+        QVERIFY(desk.view.button("feel")->isEnabled());
+        desk.view.setFacts({});
+        QVERIFY(!desk.view.button("feel")->isEnabled());
+        QVERIFY(desk.says("No bracelet"));
+    }
+
+    void takesAMeasurementShowsItAndUndoesIt() {
+        Desk desk;
+        QVERIFY(desk.active);
+        desk.fit(3);
+        QCOMPARE(desk.changes.size(), std::size_t(1));
+        QCOMPARE(desk.view.table()->selectedMotor(), std::size_t(3));
+        QVERIFY(desk.view.verdict().contains(QLatin1String("Motor 4")));
+        const motors::CalibratedMotor& motor = desk.changes.back().motors[3];
+        QVERIFY(std::abs(motor.profile.riseTime_s - test::rise90_s(kMotor)) < 5.0 * motor.riseError_s);
+        QVERIFY(desk.cell(3, 6).contains(QLatin1String("measured")));
+        QVERIFY(desk.cell(2, 6).contains(QLatin1String("assumed")));
+        QVERIFY(desk.says("not saved"));
+        QVERIFY(desk.view.button("save")->isEnabled());
+        QTest::keyClick(desk.view.table(), Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(desk.changes.size(), std::size_t(2));
+        QVERIFY(!desk.view.calibration().measured());
+        QVERIFY(desk.view.isSaved());
+        QTest::mouseClick(desk.view.button("redo"), Qt::LeftButton);
+        QVERIFY(desk.view.calibration().measured());
+        desk.view.markSaved();
+        QVERIFY(desk.says("calibrated, saved"));
+    }
+
+    void saysWhyARecordingIsNoUseAndChangesNothing() {
+        Desk desk;
+        motors::MotorRecording recording = test::measured(kMotor, 1.0);
+        std::ranges::fill(recording.speed_Hz, 0.0);
+        desk.view.takeFit(0, recording, motors::fitMotor(recording));
+        QVERIFY(desk.changes.empty());
+        QVERIFY(desk.view.verdict().contains(QLatin1String("does not turn")));
+    }
+
+    void asksForTheRecordingOfTheSelectedMotor() {
+        Desk desk;
+        QSignalSpy recordings(&desk.view, &MotorsView::recordingRequested);
+        QSignalSpy measurements(&desk.view, &MotorsView::measureRequested);
+        desk.view.table()->selectMotor(4);
+        QTest::mouseClick(desk.view.button("recording"), Qt::LeftButton);
+        QCOMPARE(recordings.size(), 1);
+        QCOMPARE(recordings[0][0].value<std::size_t>(), std::size_t(4));
+        QTest::mouseClick(desk.view.button("measureAll"), Qt::LeftButton);
+        QCOMPARE(measurements[0][0].value<std::vector<std::size_t>>().size(), std::size_t(6));
+    }
+
+    void findsAStartByFeelAndUndoesAnAnswerThenTheWhole() {
+        Desk desk;
+        QVERIFY(desk.active);
+        QTest::mouseClick(desk.view.button("feel"), Qt::LeftButton);
+        FeltPanel* panel = desk.view.feltPanel();
+        QVERIFY(panel->isVisible());
+        QVERIFY(!desk.view.table()->isEnabled());
+        QTest::keyClick(panel, Qt::Key_Space);
+        QTest::keyClick(panel, Qt::Key_Y);
+        QCOMPARE(panel->task()->answers(), 1);
+        QTest::keyClick(panel, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(panel->task()->answers(), 0);
+        QTest::keyClick(panel, Qt::Key_Space);
+        for (int i = 0; i < 200 && panel->task() != nullptr; ++i) {
+            const playback::Program program = panel->task()->presentation();
+            QTest::keyClick(panel, program.evaluate(0.3)[0] > 0.3 ? Qt::Key_Y : Qt::Key_N);
+        }
+        QVERIFY(!panel->isVisible());
+        QVERIFY(std::abs(desk.view.calibration().motors[0].profile.startDrive - 0.3) < 0.03);
+        QVERIFY(desk.cell(0, 6).contains(QLatin1String("by feel")));
+        desk.view.undo();
+        QVERIFY(!desk.view.calibration().measured());
+    }
+
+    void balancesByTheCurvesAndResets() {
+        Desk desk;
+        desk.fit(0);
+        QVERIFY(!desk.view.button("curves")->isEnabled());
+        const motors::MotorRecording faster = test::measured(
+            {.rise_s = 0.02, .fall_s = 0.03, .start = 0.2, .fullSpeed_Hz = 300.0, .bend = 1.0}, 0.5);
+        desk.view.takeFit(1, faster, motors::fitMotor(faster));
+        QTest::mouseClick(desk.view.button("curves"), Qt::LeftButton);
+        // 250 of 300 Hz on a straight curve.
+        QVERIFY(std::abs(desk.view.calibration().motors[1].profile.fullDrive - 250.0 / 300.0) < 0.01);
+        QTest::mouseClick(desk.view.button("reset"), Qt::LeftButton);
+        QVERIFY(!desk.view.calibration().measured());
+        QCOMPARE(desk.view.calibration().bracelet, std::string("simulated"));
+        desk.view.undo();
+        QVERIFY(desk.view.calibration().measured());
+    }
+
+    void locksTheStepsWhileItMeasures() {
+        Desk desk;
+        QSignalSpy cancelled(&desk.view, &MotorsView::cancelMeasureRequested);
+        desk.view.setMeasuring(2, 0.3);
+        QVERIFY(desk.says("Measuring motor 3"));
+        QVERIFY(!desk.view.table()->isEnabled());
+        QTest::mouseClick(desk.view.button("cancel"), Qt::LeftButton);
+        QCOMPARE(cancelled.size(), 1);
+        desk.view.setMeasuring(std::nullopt);
+        QVERIFY(desk.view.table()->isEnabled());
+    }
+};
+
+namespace {
+const test::Registration<MotorsViewTest> registration;
+}
+#include "motors_view_test.moc"

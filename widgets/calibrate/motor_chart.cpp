@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/calibrate/motor_chart.h"
+
+#include "backend/core/number_text.h"
+#include "widgets/base/theme.h"
+
+#include <qcustomplot.h>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QMenu>
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <utility>
+
+namespace teleta::calibrate {
+
+namespace {
+
+constexpr double kInterval95 = 1.96;
+
+QString row(std::initializer_list<double> values) {
+    QString text;
+    for (const double value : values) {
+        const core::NumberText number(value);
+        if (!text.isEmpty())
+            text += QLatin1Char(',');
+        text += QString::fromUtf8(number.view().data(), static_cast<qsizetype>(number.view().size()));
+    }
+    return text + QLatin1Char('\n');
+}
+
+QString curveCsv(const motors::CalibratedMotor& motor, const MotorChart::Evidence* evidence) {
+    QString text = QStringLiteral("drive,speed_hz,standard_error_hz\n");
+    if (evidence != nullptr) {
+        for (const motors::SpeedLevel& level : evidence->fit.levels)
+            text += row({level.drive, level.speed_Hz, level.error_Hz});
+        return text;
+    }
+    for (const pattern::SpeedPoint& point : motor.profile.curve)
+        text += row({point.drive, point.speed_Hz, 0.0});
+    return text;
+}
+
+QString recordingCsv(const MotorChart::Evidence& evidence) {
+    QString text = QStringLiteral("time_s,commanded,speed_hz,model_hz\n");
+    const motors::MotorRecording& recording = evidence.recording;
+    for (std::size_t i = 0; i < recording.size(); ++i)
+        text += row(
+            {recording.time_s[i], recording.drive[i], recording.speed_Hz[i], evidence.fit.predicted_Hz[i]});
+    return text;
+}
+
+QCPGraph* addGraph(QCustomPlot* plot, const QPen& pen, const QString& name) {
+    QCPGraph* graph = plot->addGraph();
+    graph->setPen(pen);
+    graph->setName(name);
+    graph->setAdaptiveSampling(true);
+    return graph;
+}
+
+} // namespace
+
+MotorChart::MotorChart(QWidget* parent)
+    : QWidget(parent)
+    , m_curve(new QCustomPlot(this))
+    , m_recording(new QCustomPlot(this)) {
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_curve, 2);
+    layout->addWidget(m_recording, 3);
+    m_recording->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
+    m_recording->axisRect()->setRangeZoom(Qt::Horizontal);
+    m_recording->axisRect()->setRangeDrag(Qt::Horizontal);
+    connect(m_recording, &QCustomPlot::mouseDoubleClick, this, &MotorChart::showAll);
+    const auto addMenu = [this](QCustomPlot* plot, base::Figure (MotorChart::*make)() const) {
+        auto* exporter = new base::FigureExport(plot, [this, make] { return (this->*make)(); });
+        connect(exporter, &base::FigureExport::failed, this, &MotorChart::exportFailed);
+        plot->setContextMenuPolicy(Qt::CustomContextMenu);
+        connect(plot, &QWidget::customContextMenuRequested, this, [plot, exporter](const QPoint& point) {
+            auto* menu = new QMenu(plot);
+            menu->setAttribute(Qt::WA_DeleteOnClose);
+            exporter->addActions(*menu);
+            menu->popup(plot->mapToGlobal(point));
+        });
+    };
+    addMenu(m_curve, &MotorChart::curveFigure);
+    addMenu(m_recording, &MotorChart::recordingFigure);
+    restyle();
+}
+
+QSize MotorChart::sizeHint() const {
+    return {base::em(this, 60), base::em(this, 18)};
+}
+
+void MotorChart::setMotor(std::size_t number, const motors::CalibratedMotor& motor,
+                          std::shared_ptr<const Evidence> evidence, base::Provenance provenance) {
+    m_number = number;
+    m_motor = motor;
+    m_evidence = std::move(evidence);
+    m_provenance = provenance;
+    draw();
+}
+
+void MotorChart::draw() {
+    drawCurve();
+    drawRecording();
+    m_curve->setAccessibleName(tr("Speed of motor %1 over its drive").arg(m_number + 1));
+    m_recording->setAccessibleName(tr("Recording of motor %1, and the model").arg(m_number + 1));
+}
+
+void MotorChart::drawCurve() {
+    const QPalette colours = palette();
+    m_curve->clearPlottables();
+    m_curve->clearItems();
+    const pattern::MotorProfile& profile = m_motor.profile;
+    const bool assumed = m_motor.lagFrom == motors::CalibratedMotor::Origin::assumed;
+    m_curve->xAxis->setLabel(tr("drive (%)"));
+    m_curve->yAxis->setLabel(tr("speed (Hz)"));
+    double highest_Hz = 50.0;
+
+    const double low = m_evidence ? m_evidence->fit.startLow : profile.startDrive - 2.0 * m_motor.startError;
+    const double high =
+        m_evidence ? m_evidence->fit.startHigh : profile.startDrive + 2.0 * m_motor.startError;
+    auto* band = new QCPItemRect(m_curve);
+    QColor fill = base::statusColours(colours).stale;
+    fill.setAlphaF(0.35F);
+    band->setPen(Qt::NoPen);
+    band->setBrush(fill);
+    band->topLeft->setTypeY(QCPItemPosition::ptAxisRectRatio);
+    band->bottomRight->setTypeY(QCPItemPosition::ptAxisRectRatio);
+    const double narrowest = 0.004;
+    const double middle = 0.5 * (low + high);
+    const double half = std::max(0.5 * (high - low), 0.5 * narrowest);
+    band->topLeft->setCoords(100.0 * (middle - half), 0.0);
+    band->bottomRight->setCoords(100.0 * (middle + half), 1.0);
+
+    QCPGraph* curve =
+        addGraph(m_curve,
+                 QPen(assumed ? colours.color(QPalette::PlaceholderText) : colours.color(QPalette::Highlight),
+                      2.0, assumed ? Qt::DashLine : Qt::SolidLine),
+                 assumed ? tr("assumed") : tr("curve"));
+    curve->addData(0.0, 0.0);
+    curve->addData(100.0 * profile.startDrive, 0.0);
+    curve->addData(100.0 * profile.startDrive + 1e-6, steadySpeed_Hz(profile, profile.startDrive));
+    for (const pattern::SpeedPoint& point : profile.curve) {
+        if (point.drive > profile.startDrive)
+            curve->addData(100.0 * point.drive, point.speed_Hz);
+        highest_Hz = std::max(highest_Hz, point.speed_Hz);
+    }
+    if (m_evidence) {
+        QCPGraph* levels = addGraph(m_curve, QPen(colours.color(QPalette::Text)), tr("measured"));
+        levels->setLineStyle(QCPGraph::lsNone);
+        levels->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, 5.0));
+        auto* bars = new QCPErrorBars(m_curve->xAxis, m_curve->yAxis);
+        bars->setDataPlottable(levels);
+        bars->setPen(QPen(colours.color(QPalette::Text)));
+        bars->removeFromLegend();
+        for (const motors::SpeedLevel& level : m_evidence->fit.levels) {
+            levels->addData(100.0 * level.drive, level.speed_Hz);
+            bars->addData(kInterval95 * level.error_Hz);
+        }
+    }
+    auto* full = new QCPItemStraightLine(m_curve);
+    full->setPen(QPen(colours.color(QPalette::PlaceholderText), 1.0, Qt::DotLine));
+    full->point1->setCoords(100.0 * profile.fullDrive, 0.0);
+    full->point2->setCoords(100.0 * profile.fullDrive, 1.0);
+    auto* text = new QCPItemText(m_curve);
+    text->position->setType(QCPItemPosition::ptAxisRectRatio);
+    text->position->setCoords(0.03, 0.03);
+    text->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
+    text->setTextAlignment(Qt::AlignLeft);
+    text->setColor(colours.color(QPalette::Text));
+    text->setFont(font());
+    QString words = assumed ? tr("Motor %1: curve and lag are assumed").arg(m_number + 1)
+                            : tr("Motor %1").arg(m_number + 1);
+    if (m_evidence)
+        words += QLatin1Char('\n') + tr("%1 % of the variance, residual %2 Hz")
+                                         .arg(100.0 * m_evidence->fit.explained, 0, 'f', 2)
+                                         .arg(m_evidence->fit.residual_Hz, 0, 'f', 2);
+    text->setText(words);
+    m_curve->xAxis->setRange(0.0, 102.0);
+    m_curve->yAxis->setRange(0.0, 1.25 * highest_Hz);
+    m_curve->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void MotorChart::drawRecording() {
+    const QPalette colours = palette();
+    m_recording->clearPlottables();
+    m_recording->clearItems();
+    m_recording->xAxis->setLabel(tr("time (s)"));
+    m_recording->yAxis->setLabel(tr("speed (Hz)"));
+    m_recording->legend->setVisible(m_evidence != nullptr);
+    if (!m_evidence) {
+        auto* text = new QCPItemText(m_recording);
+        text->position->setType(QCPItemPosition::ptAxisRectRatio);
+        text->position->setCoords(0.5, 0.5);
+        text->setColor(colours.color(QPalette::PlaceholderText));
+        text->setFont(font());
+        text->setText(tr("No recording of this motor yet: measure it, or open a recording."));
+        m_recording->xAxis->setRange(0.0, 10.0);
+        m_recording->yAxis->setRange(0.0, 300.0);
+        m_recording->replot(QCustomPlot::rpQueuedReplot);
+        return;
+    }
+    const motors::MotorRecording& recording = m_evidence->recording;
+    const std::vector<double>& predicted_Hz = m_evidence->fit.predicted_Hz;
+    QCPGraph* measured =
+        addGraph(m_recording, QPen(colours.color(QPalette::PlaceholderText), 1.0),
+                 m_provenance == base::Provenance::simulated ? tr("measured (simulated)") : tr("measured"));
+    QCPGraph* model = addGraph(m_recording, QPen(colours.color(QPalette::Highlight), 2.0), tr("model"));
+    QCPGraph* residual = addGraph(m_recording, QPen(base::statusColours(colours).lost, 1.0), tr("residual"));
+    QVector<double> times_s;
+    QVector<double> speeds_Hz;
+    QVector<double> models_Hz;
+    QVector<double> residuals_Hz;
+    for (std::size_t i = 0; i < recording.size(); ++i) {
+        times_s.push_back(recording.time_s[i]);
+        speeds_Hz.push_back(recording.speed_Hz[i]);
+        models_Hz.push_back(predicted_Hz[i]);
+        residuals_Hz.push_back(recording.speed_Hz[i] - predicted_Hz[i]);
+    }
+    measured->setData(times_s, speeds_Hz, true);
+    model->setData(times_s, models_Hz, true);
+    residual->setData(times_s, residuals_Hz, true);
+    showAll();
+}
+
+void MotorChart::showAll() {
+    if (!m_evidence)
+        return;
+    const motors::MotorRecording& recording = m_evidence->recording;
+    const auto [low, high] = std::ranges::minmax_element(recording.speed_Hz);
+    m_recording->xAxis->setRange(recording.time_s.front(), recording.time_s.back());
+    m_recording->yAxis->setRange(std::min(-10.0, 1.2 * *low), 1.3 * *high);
+    m_recording->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void MotorChart::restyle() {
+    const QPalette colours = palette();
+    const QColor text = colours.color(QPalette::Text);
+    const QColor grid = base::mixed(colours.color(QPalette::Base), text, 0.15);
+    for (QCustomPlot* plot : {m_curve, m_recording}) {
+        plot->setBackground(colours.color(QPalette::Base));
+        plot->legend->setBrush(colours.color(QPalette::Base));
+        plot->legend->setTextColor(text);
+        plot->legend->setBorderPen(QPen(grid));
+        plot->legend->setFont(font());
+        for (QCPAxis* axis : {plot->xAxis, plot->yAxis}) {
+            axis->setBasePen(QPen(text));
+            axis->setTickPen(QPen(text));
+            axis->setSubTickPen(Qt::NoPen);
+            axis->setTickLabelColor(text);
+            axis->setLabelColor(text);
+            axis->setLabelFont(font());
+            axis->setTickLabelFont(font());
+            axis->grid()->setPen(QPen(grid));
+            axis->grid()->setZeroLinePen(QPen(grid));
+        }
+    }
+    draw();
+}
+
+base::Figure MotorChart::figure(QCustomPlot* plot, const QString& name, std::function<QString()> csv) const {
+    base::Figure figure;
+    figure.name = name;
+    figure.size_px = plot->size();
+    QPicture picture;
+    {
+        QCPPainter painter(&picture);
+        plot->toPainter(&painter, plot->width(), plot->height());
+    }
+    figure.paint = [picture](QPainter& painter) { painter.drawPicture(0, 0, picture); };
+    figure.csv = std::move(csv);
+    return figure;
+}
+
+base::Figure MotorChart::curveFigure() const {
+    return figure(m_curve, QStringLiteral("motor-%1-curve").arg(m_number + 1),
+                  [motor = m_motor, evidence = m_evidence] { return curveCsv(motor, evidence.get()); });
+}
+
+base::Figure MotorChart::recordingFigure() const {
+    return figure(m_recording, QStringLiteral("motor-%1-recording").arg(m_number + 1),
+                  [evidence = m_evidence] { return evidence ? recordingCsv(*evidence) : QString(); });
+}
+
+void MotorChart::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        draw();
+    else if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
+        restyle();
+}
+
+} // namespace teleta::calibrate

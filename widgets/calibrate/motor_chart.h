@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/motors/motor_file.h"
+#include "backend/motors/motor_fit.h"
+#include "backend/motors/motor_recording.h"
+#include "widgets/base/badge.h"
+#include "widgets/base/figure_export.h"
+
+#include <QWidget>
+
+#include <optional>
+
+class QCPItemText;
+class QCustomPlot;
+
+namespace teleta::calibrate {
+
+/// What is known of one motor as two charts: speed over drive (measured levels with their 95 % intervals, the
+/// curve, the interval of the start), and the recording that it comes from beside what the model says, with
+/// the residuals. Wheel and drag zoom and move the recording; a double click shows all of it. Thread: GUI.
+class MotorChart : public QWidget {
+    Q_OBJECT
+public:
+    struct Evidence {
+        motors::MotorRecording recording;
+        motors::MotorFit fit;
+    };
+
+    explicit MotorChart(QWidget* parent = nullptr);
+
+    /// evidence: null when the motor was not measured in this session.
+    void setMotor(std::size_t number, const motors::CalibratedMotor& motor,
+                  std::shared_ptr<const Evidence> evidence, base::Provenance provenance);
+
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] base::Figure curveFigure() const;
+    [[nodiscard]] base::Figure recordingFigure() const;
+
+signals:
+    void exportFailed(const QString& message);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void restyle();
+    void draw();
+    void drawCurve();
+    void drawRecording();
+    void showAll();
+    [[nodiscard]] base::Figure figure(QCustomPlot* plot, const QString& name,
+                                      std::function<QString()> csv) const;
+
+    std::size_t m_number = 0;
+    motors::CalibratedMotor m_motor;
+    std::shared_ptr<const Evidence> m_evidence;
+    base::Provenance m_provenance = base::Provenance::live;
+    QCustomPlot* m_curve;
+    QCustomPlot* m_recording;
+};
+
+} // namespace teleta::calibrate

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/calibrate/motor_table.h"
+
+#include "widgets/base/theme.h"
+
+#include <QEvent>
+#include <QHeaderView>
+
+#include <array>
+
+namespace teleta::calibrate {
+
+namespace {
+
+using Origin = motors::CalibratedMotor::Origin;
+
+enum Column { kMotor, kStart, kFull, kRise, kFall, kSpeed, kSource, kColumns };
+
+QString withError(double value, double error, int decimals) {
+    QString text = QString::number(value, 'f', decimals);
+    if (error > 0.0)
+        text += QStringLiteral(" \u00b1 ") + QString::number(error, 'f', decimals);
+    return text;
+}
+
+} // namespace
+
+MotorTable::MotorTable(QWidget* parent)
+    : QTableWidget(static_cast<int>(core::kTactors), kColumns, parent) {
+    setEditTriggers(NoEditTriggers);
+    setSelectionBehavior(SelectRows);
+    setSelectionMode(SingleSelection);
+    setAlternatingRowColors(true);
+    verticalHeader()->hide();
+    horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    horizontalHeader()->setStretchLastSection(true);
+    setTabKeyNavigation(false);
+    retranslate();
+    selectRow(0);
+    connect(this, &QTableWidget::itemSelectionChanged, this, [this] { emit motorSelected(selectedMotor()); });
+}
+
+void MotorTable::setCalibration(const motors::MotorCalibration& calibration) {
+    m_calibration = calibration;
+    fill();
+}
+
+std::size_t MotorTable::selectedMotor() const {
+    const int row = currentRow();
+    return row >= 0 ? static_cast<std::size_t>(row) : 0;
+}
+
+void MotorTable::selectMotor(std::size_t motor) {
+    selectRow(static_cast<int>(motor));
+}
+
+void MotorTable::fill() {
+    const auto originText = [](Origin origin) {
+        switch (origin) {
+        case Origin::assumed:
+            return tr("assumed");
+        case Origin::answers:
+            return tr("by feel");
+        case Origin::recording:
+            return tr("measured");
+        }
+        return QString();
+    };
+    const QColor faint = palette().color(QPalette::PlaceholderText);
+    for (int row = 0; row < rowCount(); ++row) {
+        const motors::CalibratedMotor& motor = m_calibration.motors[static_cast<std::size_t>(row)];
+        const pattern::MotorProfile& profile = motor.profile;
+        const auto set = [&](int column, const QString& text, bool assumed) {
+            auto* cell = item(row, column);
+            if (cell == nullptr) {
+                cell = new QTableWidgetItem;
+                setItem(row, column, cell);
+            }
+            cell->setText(text);
+            cell->setForeground(assumed ? faint : palette().color(QPalette::Text));
+            cell->setTextAlignment((column == kMotor || column == kSource ? Qt::AlignLeft : Qt::AlignRight) |
+                                   Qt::AlignVCenter);
+        };
+        const bool range = motor.startFrom == Origin::assumed;
+        const bool lag = motor.lagFrom == Origin::assumed;
+        set(kMotor,
+            profile.name.empty() || lag ? tr("Motor %1").arg(row + 1) : QString::fromStdString(profile.name),
+            false);
+        set(kStart, withError(100.0 * profile.startDrive, 100.0 * motor.startError, 1), range);
+        set(kFull, QString::number(100.0 * profile.fullDrive, 'f', 1), range);
+        set(kRise, withError(1e3 * profile.riseTime_s, 1e3 * motor.riseError_s, 1), lag);
+        set(kFall, withError(1e3 * profile.fallTime_s, 1e3 * motor.fallError_s, 1), lag);
+        set(kSpeed, QString::number(steadySpeed_Hz(profile, profile.fullDrive), 'f', 0), lag);
+        set(kSource,
+            tr("start %1, lag and curve %2", "where the values come from")
+                .arg(originText(motor.startFrom), originText(motor.lagFrom)),
+            range && lag);
+    }
+}
+
+void MotorTable::retranslate() {
+    setAccessibleName(tr("Motors of the bracelet"));
+    setHorizontalHeaderLabels({tr("Motor"), tr("Start (%)"), tr("Full (%)"), tr("Rise (ms)"), tr("Fall (ms)"),
+                               tr("Speed (Hz)"), tr("Known from")});
+    const std::array<QString, kColumns> tips{
+        QString(),
+        tr("Drive at which the motor begins to turn, with its standard error"),
+        tr("Drive of intensity 1, so that all motors are equally strong"),
+        tr("From rest to 90 % of a speed"),
+        tr("From a speed to 10 % of it"),
+        tr("Speed at the full drive of this motor"),
+        QString()};
+    for (int column = 0; column < kColumns; ++column)
+        horizontalHeaderItem(column)->setToolTip(tips[static_cast<std::size_t>(column)]);
+    fill();
+}
+
+void MotorTable::changeEvent(QEvent* event) {
+    QTableWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    else if (event->type() == QEvent::PaletteChange)
+        fill();
+}
+
+} // namespace teleta::calibrate

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/motors/motor_file.h"
+
+#include <QTableWidget>
+
+#include <cstddef>
+
+namespace teleta::calibrate {
+
+/// The six motors of a bracelet with what is known of them, standard errors behind the values, assumed values
+/// grey and in words. One is selected. Thread: GUI.
+class MotorTable : public QTableWidget {
+    Q_OBJECT
+public:
+    explicit MotorTable(QWidget* parent = nullptr);
+
+    void setCalibration(const motors::MotorCalibration& calibration);
+    [[nodiscard]] std::size_t selectedMotor() const;
+    void selectMotor(std::size_t motor);
+
+signals:
+    void motorSelected(std::size_t motor);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void fill();
+    void retranslate();
+
+    motors::MotorCalibration m_calibration;
+};
+
+} // namespace teleta::calibrate

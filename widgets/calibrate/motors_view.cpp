@@ -1,0 +1,424 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/calibrate/motors_view.h"
+
+#include "backend/motors/strength_balance.h"
+#include "widgets/base/number_format.h"
+#include "widgets/base/theme.h"
+#include "widgets/calibrate/felt_panel.h"
+#include "widgets/calibrate/motor_table.h"
+
+#include <QEvent>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QShortcut>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QUndoCommand>
+#include <QUndoStack>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace teleta::calibrate {
+
+namespace {
+
+enum Page { kSteps, kFelt, kMeasuring };
+
+using Origin = motors::CalibratedMotor::Origin;
+
+} // namespace
+
+class MotorsView::Edit : public QUndoCommand {
+public:
+    Edit(MotorsView* view, const motors::MotorCalibration& after, const QString& text)
+        : QUndoCommand(text)
+        , m_view(view)
+        , m_before(view->m_calibration)
+        , m_after(after) {}
+    void undo() override { m_view->take(m_before); }
+    void redo() override { m_view->take(m_after); }
+
+private:
+    MotorsView* m_view;
+    motors::MotorCalibration m_before;
+    motors::MotorCalibration m_after;
+};
+
+MotorsView::MotorsView(QWidget* parent)
+    : QWidget(parent)
+    , m_undo(new QUndoStack(this))
+    , m_title(new QLabel(this))
+    , m_state(new QLabel(this))
+    , m_table(new MotorTable(this))
+    , m_steps(new QStackedWidget(this))
+    , m_heading(new QLabel(this))
+    , m_speed(new QLabel(this))
+    , m_verdict(new QLabel(this))
+    , m_measureText(new QLabel(this))
+    , m_progress(new QProgressBar(this))
+    , m_felt(new FeltPanel(this))
+    , m_chart(new MotorChart(this)) {
+    m_title->setFont(base::sized(font(), base::kLargeText));
+    m_heading->setFont(base::sized(font(), base::kLargeText));
+    auto* top = new QHBoxLayout;
+    top->addWidget(m_title);
+    top->addSpacing(base::grid(this));
+    top->addWidget(m_state, 1);
+    for (const char* name : {"undo", "redo", "load", "copy", "reset", "save"})
+        top->addWidget(addButton(name, this));
+
+    m_steps->addWidget(makeSteps());
+    m_steps->addWidget(m_felt);
+    m_steps->addWidget(makeMeasuring());
+    auto* upper = new QSplitter(Qt::Horizontal, this);
+    upper->setChildrenCollapsible(false);
+    upper->addWidget(m_table);
+    upper->addWidget(m_steps);
+    upper->setStretchFactor(0, 3);
+    upper->setStretchFactor(1, 2);
+    auto* all = new QSplitter(Qt::Vertical, this);
+    all->setChildrenCollapsible(false);
+    all->addWidget(upper);
+    all->addWidget(m_chart);
+    all->setStretchFactor(0, 1);
+    all->setStretchFactor(1, 1);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(base::grid(this), base::grid(this), base::grid(this), base::grid(this));
+    layout->addLayout(top);
+    layout->addWidget(all, 1);
+
+    connect(m_table, &MotorTable::motorSelected, this, &MotorsView::refresh);
+    connect(m_chart, &MotorChart::exportFailed, this, &MotorsView::exportFailed);
+    connect(m_felt, &FeltPanel::playRequested, this, &MotorsView::playRequested);
+    connect(m_felt, &FeltPanel::cancelled, this, [this] {
+        emit stopRequested();
+        refresh();
+    });
+    connect(m_felt, &FeltPanel::finished, this,
+            [this](const motors::MotorCalibration& calibration, const QString& verdict) {
+                edit(calibration, tr("answers"));
+                m_verdict->setText(verdict);
+            });
+    connect(m_undo, &QUndoStack::indexChanged, this, &MotorsView::refresh);
+    const auto act = [this](const char* name, auto slot) {
+        connect(button(name), &QPushButton::clicked, this, slot);
+    };
+    act("undo", &MotorsView::undo);
+    act("redo", &MotorsView::redo);
+    act("load", &MotorsView::loadRequested);
+    act("copy", &MotorsView::copyRequested);
+    act("save", &MotorsView::saveRequested);
+    act("reset", &MotorsView::reset);
+    act("curves", &MotorsView::balanceByCurves);
+    act("excitation", &MotorsView::excitationFileRequested);
+    act("recording", [this] { emit recordingRequested(m_table->selectedMotor()); });
+    act("measure", [this] { emit measureRequested({m_table->selectedMotor()}); });
+    act("measureAll", [this] {
+        std::vector<std::size_t> motors(core::kTactors);
+        std::iota(motors.begin(), motors.end(), std::size_t{0});
+        emit measureRequested(motors);
+    });
+    act("cancel", &MotorsView::cancelMeasureRequested);
+    act("feel", [this] {
+        m_felt->begin(FeltTask::start(m_calibration, m_table->selectedMotor()));
+        refresh();
+        m_felt->setFocus();
+    });
+    act("balance", [this] {
+        m_felt->begin(FeltTask::balance(m_calibration));
+        refresh();
+        m_felt->setFocus();
+    });
+    for (const auto& [keys, slot] : {std::pair(QKeySequence::Undo, &MotorsView::undo),
+                                     std::pair(QKeySequence::Redo, &MotorsView::redo)}) {
+        auto* shortcut = new QShortcut(QKeySequence(keys), this);
+        shortcut->setContext(Qt::WidgetWithChildrenShortcut);
+        connect(shortcut, &QShortcut::activated, this, slot);
+    }
+    retranslate();
+}
+
+MotorsView::~MotorsView() {
+    // A stack that ends empties itself, and says so.
+    disconnect(m_undo, nullptr, this, nullptr);
+}
+
+QPushButton* MotorsView::addButton(const char* name, QWidget* parent) {
+    auto* made = new QPushButton(parent);
+    made->setObjectName(QLatin1String(name));
+    made->setAutoDefault(false);
+    return made;
+}
+
+QPushButton* MotorsView::button(const char* name) const {
+    return findChild<QPushButton*>(QLatin1String(name));
+}
+
+QWidget* MotorsView::makeSteps() {
+    auto* page = new QWidget(this);
+    auto* grid = new QGridLayout;
+    const auto add = [&](const char* name, int row, int column, int span) {
+        QPushButton* made = addButton(name, page);
+        made->setMinimumHeight(base::em(this, 2.2));
+        grid->addWidget(made, row, column, 1, span);
+    };
+    add("measure", 0, 0, 1);
+    add("measureAll", 0, 1, 1);
+    add("recording", 1, 0, 1);
+    add("excitation", 1, 1, 1);
+    add("feel", 2, 0, 2);
+    add("balance", 3, 0, 1);
+    add("curves", 3, 1, 1);
+    m_verdict->setWordWrap(true);
+    m_verdict->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    auto* layout = new QVBoxLayout(page);
+    layout->addWidget(m_heading);
+    layout->addWidget(m_speed);
+    layout->addLayout(grid);
+    layout->addWidget(m_verdict);
+    layout->addStretch(1);
+    return page;
+}
+
+QWidget* MotorsView::makeMeasuring() {
+    auto* page = new QWidget(this);
+    m_measureText->setFont(base::sized(font(), base::kLargeText));
+    m_measureText->setWordWrap(true);
+    m_progress->setRange(0, 100);
+    auto* layout = new QVBoxLayout(page);
+    layout->addWidget(m_measureText);
+    layout->addWidget(m_progress);
+    layout->addWidget(addButton("cancel", page));
+    layout->addStretch(1);
+    return page;
+}
+
+void MotorsView::setFacts(const BraceletFacts& facts) {
+    if (facts == m_facts)
+        return;
+    const bool only = facts.speeds_Hz != m_facts.speeds_Hz;
+    m_facts = facts;
+    m_felt->setReady(facts.ready);
+    const std::size_t motor = m_table->selectedMotor();
+    // Fewer words change than numbers come: the line is what moves.
+    m_speed->setText(facts.speeds_Hz
+                         ? tr("It turns at %1 Hz now, says the bracelet's sensor.")
+                               .arg(base::wholeNumber(std::max((*facts.speeds_Hz)[motor], 0.0)).trimmed())
+                         : QString());
+    if (!only || !facts.speeds_Hz)
+        refresh();
+}
+
+void MotorsView::setCalibration(const motors::MotorCalibration& calibration, bool saved) {
+    m_evidence = {};
+    m_verdict->clear();
+    m_undo->clear();
+    if (!saved)
+        m_undo->resetClean();
+    m_calibration = calibration;
+    m_table->setCalibration(calibration);
+    refresh();
+}
+
+bool MotorsView::isSaved() const {
+    return m_undo->isClean();
+}
+
+void MotorsView::markSaved() {
+    m_undo->setClean();
+    refresh();
+}
+
+void MotorsView::edit(const motors::MotorCalibration& after, const QString& text) {
+    if (after == m_calibration)
+        return;
+    m_undo->push(new Edit(this, after, text));
+}
+
+void MotorsView::take(const motors::MotorCalibration& calibration) {
+    m_calibration = calibration;
+    m_table->setCalibration(calibration);
+    refresh();
+    emit calibrationChanged(calibration);
+}
+
+void MotorsView::undo() {
+    if (m_felt->task() != nullptr)
+        m_felt->undoAnswer();
+    else if (!m_measuring)
+        m_undo->undo();
+}
+
+void MotorsView::redo() {
+    if (m_felt->task() == nullptr && !m_measuring)
+        m_undo->redo();
+}
+
+void MotorsView::reset() {
+    motors::MotorCalibration assumed;
+    assumed.bracelet = m_calibration.bracelet;
+    edit(assumed, tr("reset"));
+    m_verdict->setText(tr("All motors are assumed again. Undo brings back what was measured."));
+}
+
+void MotorsView::balanceByCurves() {
+    motors::MotorCalibration after = m_calibration;
+    const pattern::MotorProfiles balanced = motors::balancedBySpeed(after.profiles());
+    for (std::size_t i = 0; i < core::kTactors; ++i)
+        after.motors[i].profile = balanced[i];
+    edit(after, tr("balance"));
+    m_verdict->setText(tr("Every measured motor now ends at the speed of the slowest one."));
+}
+
+void MotorsView::setMeasuring(std::optional<std::size_t> motor, double progress) {
+    m_progress->setValue(static_cast<int>(100.0 * progress));
+    if (motor == m_measuring)
+        return;
+    m_measuring = motor;
+    if (motor) {
+        m_measureText->setText(
+            tr("Measuring motor %1: stairs up to the full drive, then pulses.").arg(*motor + 1));
+        m_table->selectMotor(*motor);
+    }
+    refresh();
+}
+
+void MotorsView::takeFit(std::size_t motor, const motors::MotorRecording& recording,
+                         const core::Expected<motors::MotorFit>& fit) {
+    m_table->selectMotor(motor);
+    if (!fit) {
+        m_verdict->setText(tr("Motor %1 was not calibrated. %2", "a motor, and why not")
+                               .arg(motor + 1)
+                               .arg(QString::fromStdString(core::describe(fit.error()))));
+        return;
+    }
+    m_evidence[motor] = std::make_shared<const MotorChart::Evidence>(MotorChart::Evidence{recording, *fit});
+    motors::MotorCalibration after = m_calibration;
+    motors::CalibratedMotor& known = after.motors[motor];
+    const std::string name = known.profile.name;
+    known.profile = fit->profile;
+    known.profile.name = name;
+    known.startFrom = known.lagFrom = Origin::recording;
+    known.startError = fit->startError;
+    known.riseError_s = fit->riseError_s;
+    known.fallError_s = fit->fallError_s;
+    edit(after, tr("measurement"));
+    m_verdict->setText(
+        tr("Motor %1: starts at %2 to %3 % of the drive, rises in %4 \u00b1 %5 ms, falls in %6 \u00b1 "
+           "%7 ms, reaches %8 Hz.")
+            .arg(motor + 1)
+            .arg(100.0 * fit->startLow, 0, 'f', 1)
+            .arg(100.0 * fit->startHigh, 0, 'f', 1)
+            .arg(1e3 * fit->profile.riseTime_s, 0, 'f', 1)
+            .arg(1e3 * fit->riseError_s, 0, 'f', 1)
+            .arg(1e3 * fit->profile.fallTime_s, 0, 'f', 1)
+            .arg(1e3 * fit->fallError_s, 0, 'f', 1)
+            .arg(fit->profile.curve.back().speed_Hz, 0, 'f', 0));
+}
+
+void MotorsView::showTrouble(const QString& text) {
+    m_verdict->setText(text);
+}
+
+QString MotorsView::verdict() const {
+    return m_verdict->text();
+}
+
+void MotorsView::refresh() {
+    const std::size_t motor = m_table->selectedMotor();
+    m_steps->setCurrentIndex(m_measuring ? kMeasuring : m_felt->task() != nullptr ? kFelt : kSteps);
+    m_title->setText(m_facts.name.isEmpty() ? tr("No bracelet") : m_facts.name);
+    const bool measured = m_calibration.measured();
+    QString state = m_facts.serial.isEmpty() ? tr("Choose a bracelet in the menu Bracelet.")
+                    : !measured              ? tr("not calibrated: motors are assumed")
+                    : isSaved()              ? tr("calibrated, saved")
+                                             : tr("calibrated, not saved");
+    if (m_facts.simulated)
+        state = tr("SIMULATED") + QStringLiteral(" \u00b7 ") + state;
+    m_state->setText(state);
+    QPalette colours = palette();
+    const base::StatusColours& status = base::statusColours(palette());
+    colours.setColor(QPalette::WindowText, m_facts.simulated ? status.simulated
+                                           : measured        ? status.live
+                                                             : status.stale);
+    m_state->setPalette(colours);
+    m_heading->setText(tr("Motor %1").arg(motor + 1));
+    const bool idle = !m_measuring && m_felt->task() == nullptr;
+    m_table->setEnabled(idle);
+    const auto enable = [this](const char* name, bool on) { button(name)->setEnabled(on); };
+    const bool known = !m_facts.serial.isEmpty();
+    enable("undo", m_felt->task() != nullptr || (idle && m_undo->canUndo()));
+    enable("redo", idle && m_undo->canRedo());
+    enable("load", idle && known);
+    enable("copy", idle && measured);
+    enable("reset", idle && measured);
+    enable("save", idle && known && !isSaved());
+    enable("measure", m_facts.ready && m_facts.hasSensor);
+    enable("measureAll", m_facts.ready && m_facts.hasSensor);
+    enable("feel", m_facts.ready);
+    enable("balance", m_facts.ready);
+    const auto hasCurve =
+        std::ranges::count_if(m_calibration.motors, [](const motors::CalibratedMotor& known_) {
+            return known_.lagFrom != Origin::assumed;
+        });
+    enable("curves", hasCurve > 1);
+    button("measure")->setToolTip(
+        m_facts.hasSensor ? tr("Drive the motor up and down and record it with the bracelet's sensor")
+                          : tr("This bracelet has no sensor: open a recording, or answer by feel"));
+    showChart();
+}
+
+void MotorsView::showChart() {
+    const std::size_t motor = m_table->selectedMotor();
+    const motors::CalibratedMotor& known = m_calibration.motors[motor];
+    auto evidence = m_evidence[motor];
+    // What was undone is not what the recording says.
+    if (evidence && evidence->fit.profile.curve != known.profile.curve)
+        evidence = nullptr;
+    m_chart->setMotor(motor, known, evidence,
+                      m_facts.simulated ? base::Provenance::simulated : base::Provenance::live);
+}
+
+void MotorsView::retranslate() {
+    const auto name = [this](const char* which, const QString& text, const QString& tip) {
+        button(which)->setText(text);
+        button(which)->setToolTip(tip);
+    };
+    name("undo", tr("Undo"), tr("Take back the last change, or the last answer (Ctrl+Z)"));
+    name("redo", tr("Redo"), tr("Bring it back"));
+    name("load", tr("&Load\u2026"), tr("Read a profile of this bracelet from a file"));
+    name("copy", tr("Save a &copy\u2026"), tr("Write the profile to another file"));
+    name("reset", tr("&Reset"), tr("Forget what was measured"));
+    name("save", tr("&Save"), tr("Keep the profile for this bracelet: it is used whenever it is connected"));
+    name("measure", tr("&Measure this motor"), QString());
+    name("measureAll", tr("Measure &all six"), tr("One after another, with the bracelet's sensor"));
+    name("recording", tr("&Open a recording\u2026"),
+         tr("CSV with time_s,commanded and speed_hz of a tachometer or signal of an accelerometer or "
+            "microphone"));
+    name("excitation", tr("Write the &excitation\u2026"),
+         tr("What the motor is told during a measurement, as CSV: for a sensor of your own"));
+    name("feel", tr("Find its start by &feel"),
+         tr("Bursts that get weaker and stronger; you say what you felt"));
+    name("balance", tr("&Balance by feel"), tr("Compare the strength of each motor with that of motor 1"));
+    name("curves", tr("Balance by the cur&ves"),
+         tr("Let all measured motors end at the speed of the slowest"));
+    name("cancel", tr("Stop measuring"), QString());
+    setAccessibleName(tr("Calibration of the bracelet's motors"));
+    refresh();
+}
+
+void MotorsView::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    else if (event->type() == QEvent::PaletteChange)
+        refresh();
+}
+
+} // namespace teleta::calibrate
