@@ -27,7 +27,9 @@ protected:
         teleta::scene::Scene scene = teleta::test::cameraScene();
         auto tube = teleta::simulation::SimulatedTube::make(scene, 1);
         ASSERT_TRUE(tube);
-        ASSERT_TRUE(teleta::vision::writeCamera({.camera = (*tube)->camera(), .summary = {}}, m_camera));
+        const teleta::vision::CalibrationSummary none;
+        const teleta::vision::CameraFile file{.camera = (*tube)->camera(), .summary = none};
+        ASSERT_TRUE(teleta::vision::writeCamera(file, m_camera));
         cv::Mat1b frame;
         for (int i = 0; i < 6; ++i) {
             (*tube)->pressed({{.centre = {kAngle_rad, kZ_m}, .ballRadius_m = 0.01, .depth_m = 0.0003 * i}},

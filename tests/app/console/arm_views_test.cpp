@@ -5,6 +5,8 @@
 #include "app/console/operate_docks.h"
 #include "app/console/operate_page.h"
 #include "app/console/patterns_page.h"
+#include "backend/pattern/built_in_patterns.h"
+#include "backend/playback/pattern_program.h"
 #include "widgets/base/theme.h"
 #include "widgets/bracelet/bracelet_view.h"
 #include "widgets/charts/joint_chart_view.h"
@@ -144,7 +146,7 @@ private slots:
         openArm();
         auto& bracelet = m_window->operatePage().bracelet();
         QTRY_VERIFY(bracelet.isReady());
-        bracelet.play(QStringLiteral("stiffness.E.static"));
+        bracelet.play(playback::programOf(*pattern::findBuiltIn("stiffness.E.static")), false);
         QTRY_VERIFY(bracelet.given()[0] > 0.5);
         QTest::keyClick(m_window.get(), Qt::Key_Period, Qt::ControlModifier);
         QVERIFY(m_stop->engaged());
@@ -209,7 +211,7 @@ private slots:
         page.editor().document()->setName(QStringLiteral("Mine"));
         QVERIFY(page.editor().document()->isDirty());
         const QString path = m_folder.filePath(QStringLiteral("mine.json"));
-        page.save(path);
+        page.saveAs(path);
         QTRY_VERIFY(!page.editor().document()->isDirty());
         QCOMPARE(page.editor().document()->path(), path);
         page.open(QStringLiteral("shape.A.static"));
