@@ -5,6 +5,7 @@
 #include "app/console/console_settings.h"
 #include "backend/core/stop_switch.h"
 #include "backend/pattern/built_in_patterns.h"
+#include "backend/playback/pattern_program.h"
 #include "tests/support/peer_process.h"
 
 #include <QAction>
@@ -98,7 +99,7 @@ private slots:
         m_station->choose(BraceletChoice::modbus, deviceFile(port));
         QTRY_VERIFY_WITH_TIMEOUT(m_station->isReady(), 20'000);
         // On the playback thread alone: while the test waits for the server no tick comes.
-        m_station->play(*pattern::findBuiltIn("stiffness.E.static"), true);
+        m_station->play(playback::programOf(*pattern::findBuiltIn("stiffness.E.static")), true);
         QVERIFY(m_server.waitFor("write 10 4095 4095 4095 4095 4095 4095"));
         m_stop.engage();
         QVERIFY(m_server.waitFor("write 10 0 0 0 0 0 0"));
