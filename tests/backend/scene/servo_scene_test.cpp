@@ -60,7 +60,8 @@ TEST(ServoScene, saysInWhichLineSomethingIsWrong) {
          {Fault{"a4 = -1.4", "a4 = -2.4"}, Fault{"shape = \"bar\"", "shape = \"rod\""},
           Fault{"stiffness_N_per_m = 1e7", "stiffness_N_per_m = 1e10"},
           Fault{"force_N = 10.0", "force_N = 31.0"}, Fault{"force_N = 10.0", "force = 10.0"},
-          Fault{"kind = \"explore_edge\"", "kind = \"comanipulate\""},
+          Fault{"kind = \"explore_edge\"\nforce_N = 10.0\napproach_m_per_s = 0.006\nslide_m_per_s = 0.005",
+                "kind = \"comanipulate\"\nforce_N = 10.0\napproach_m_per_s = 0.006"},
           Fault{"name = \"noise\"", "name = \"torque_noise\""},
           Fault{"yaw_rad = 0.087", "yaw_rad = -0.087"}}) {
         int line = 0;
