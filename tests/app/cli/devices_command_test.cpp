@@ -14,7 +14,7 @@ namespace {
 /// Nobody listens on the loopback address at the port of discard.
 const std::string kNobody =
     "kind = 'modbus'\nname = 'driver'\n[link]\nkind = 'tcp'\nhost = '127.0.0.1'\nport = 9\n"
-    "[tactors]\naddress = 0\ntype = 'uint16'\nunit = 'V'\nfull = 3\n[watchdog]\naddress = 6\n";
+    "[watchdog]\naddress = 6\n[tactors]\naddress = 0\ntype = 'uint16'\nunit = 'V'\nfull = 3\n";
 
 class DevicesCommand : public testing::Test {
 protected:
@@ -75,7 +75,7 @@ TEST_F(DevicesCommand, refusesABadDescriptionWithItsPlace) {
     const std::vector<Case> cases = {
         {"kind = 'modem'\n", "d.toml:1:8: unknown value \"modem\" of \"kind\""},
         {"name = 'n'\n", "d.toml:1:1: \"kind\" is missing (expected kind = \"modbus\" or \"wts\")"},
-        {kNobody + "scale = 0\n", "d.toml:12:9: \"scale\" is 0"},
+        {kNobody + "scale = 0\n", "d.toml:14:9: \"scale\" is 0"},
         {"kind = 'wts'\nname = 'a'\naddress = 'tcp://h'\n", "d.toml:3:11: "},
         {"kind = 'wts'\nname = 'a'\naddress = '/dev/ttyS0'\nspeed = 1\n",
          "d.toml:4:1: unknown key \"speed\""},

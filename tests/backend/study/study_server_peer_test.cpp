@@ -174,8 +174,10 @@ TEST_F(StudyServerTest, bringsAnOlderStudyUpToDateAndKeepsItsTrials) {
         session = begin(store, store.enrol("P07").value());
         ASSERT_TRUE(store.keepTrial(session, trialNumber(1), kNow));
     }
-    s_server->sql("DROP TABLE " + m_study + ".answer; DELETE FROM " + m_study +
-                  ".schema_version WHERE version = 3");
+    // As schema 2 left it.
+    s_server->sql("DROP TABLE " + m_study + ".answer, " + m_study + ".note; ALTER TABLE " + m_study +
+                  ".trial DROP COLUMN frame_write_ms, DROP COLUMN frames_missed; DELETE FROM " + m_study +
+                  ".schema_version WHERE version > 2");
     const auto store = StudyStore::open(at());
     ASSERT_TRUE(store) << core::describe(store.error());
     EXPECT_EQ(store->trials(session)->size(), 1U);
