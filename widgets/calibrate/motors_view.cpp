@@ -202,7 +202,9 @@ QWidget* MotorsView::makeMeasuring() {
 void MotorsView::setFacts(const BraceletFacts& facts) {
     if (facts == m_facts)
         return;
-    const bool only = facts.speeds_Hz != m_facts.speeds_Hz;
+    BraceletFacts atOldSpeeds = facts;
+    atOldSpeeds.speeds_Hz = m_facts.speeds_Hz;
+    const bool onlySpeedsChanged = atOldSpeeds == m_facts;
     m_facts = facts;
     m_felt->setReady(facts.ready);
     const std::size_t motor = m_table->selectedMotor();
@@ -211,7 +213,7 @@ void MotorsView::setFacts(const BraceletFacts& facts) {
                          ? tr("It turns at %1 Hz now, says the bracelet's sensor.")
                                .arg(base::wholeNumber(std::max((*facts.speeds_Hz)[motor], 0.0)).trimmed())
                          : QString());
-    if (!only || !facts.speeds_Hz)
+    if (!onlySpeedsChanged)
         refresh();
 }
 

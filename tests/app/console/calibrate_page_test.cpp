@@ -58,6 +58,7 @@ private slots:
         m_clock.start(10);
         m_station->choose(BraceletChoice::simulated);
         QTRY_VERIFY(m_station->isReady());
+        QTRY_VERIFY(view().button("measure")->isEnabled()); // the page is told with the next tick
     }
     void cleanup() {
         m_clock.stop();
