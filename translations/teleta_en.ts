@@ -2,6 +2,30 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>teleta::console::CameraCalibrator</name>
+    <message numerus="yes">
+        <source>use of %n pair(s)</source>
+        <translation>
+            <numerusform>use of %n pair</numerusform>
+            <numerusform>use of %n pairs</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>exclusion of %n pair(s)</source>
+        <translation>
+            <numerusform>exclusion of %n pair</numerusform>
+            <numerusform>exclusion of %n pairs</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n pair(s) kept; </source>
+        <translation>
+            <numerusform>%1 of %n pair kept; </numerusform>
+            <numerusform>%1 of %n pairs kept; </numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ContourPicture</name>
     <message numerus="yes">
         <source>%n point(s)</source>

@@ -17,7 +17,8 @@ CalibratePage::CalibratePage(BraceletStation& station, QWidget* parent)
     , m_messages(new chrome::MessageBar(this))
     , m_parts(new QListWidget(this))
     , m_contents(new QStackedWidget(this))
-    , m_motors(new MotorCalibrator(station, this)) {
+    , m_motors(new MotorCalibrator(station, this))
+    , m_camera(new CameraCalibrator) {
     m_parts->setFixedWidth(base::em(this, 12));
     m_parts->setFrameShape(QFrame::NoFrame);
     auto* row = new QHBoxLayout;
@@ -33,7 +34,12 @@ CalibratePage::CalibratePage(BraceletStation& station, QWidget* parent)
     connect(m_motors, &MotorCalibrator::trouble, this, [this](const QString& what, const QString& details) {
         m_messages->post({chrome::Message::Severity::error, what, details, QString()});
     });
+    connect(m_camera, &CameraCalibrator::message, this, [this](const QString& text, bool isError) {
+        using Severity = chrome::Message::Severity;
+        m_messages->post({isError ? Severity::error : Severity::information, text, QString(), QString()});
+    });
     addPart(&m_motors->view());
+    addPart(m_camera);
     m_parts->setCurrentRow(0);
     retranslate();
 }
@@ -43,6 +49,11 @@ void CalibratePage::addPart(QWidget* content) {
     m_contents->addWidget(content);
 }
 
+void CalibratePage::openPairs(const QString& path) {
+    m_parts->setCurrentRow(m_contents->indexOf(m_camera));
+    m_camera->open(path);
+}
+
 void CalibratePage::tick() {
     m_motors->tick();
 }
@@ -50,6 +61,7 @@ void CalibratePage::tick() {
 void CalibratePage::retranslate() {
     m_parts->setAccessibleName(tr("What can be calibrated"));
     m_parts->item(0)->setText(tr("Bracelet motors"));
+    m_parts->item(1)->setText(tr("Cylinder camera"));
 }
 
 void CalibratePage::changeEvent(QEvent* event) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/console/camera_calibrator.h"
 #include "app/console/motor_calibrator.h"
 #include "widgets/chrome/message_bar.h"
 
@@ -23,6 +24,9 @@ public:
 
     [[nodiscard]] chrome::MessageBar& messages() { return *m_messages; }
     [[nodiscard]] MotorCalibrator& motors() { return *m_motors; }
+    [[nodiscard]] CameraCalibrator& camera() { return *m_camera; }
+    /// Brings the camera forward and reads its pairs.
+    void openPairs(const QString& path);
     /// Shows what the devices do.
     void tick();
 
@@ -37,6 +41,7 @@ private:
     QListWidget* m_parts;
     QStackedWidget* m_contents;
     MotorCalibrator* m_motors;
+    CameraCalibrator* m_camera;
 };
 
 } // namespace teleta::console

@@ -119,6 +119,8 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
                    .arg(OperateDocks::names().join(QStringLiteral(", ")),
                         StudyPage::viewNames().join(QStringLiteral(", "))),
                tr("NAME"));
+    const auto cameraPairs =
+        option("camera-pairs", tr("Calibrate the cylinder camera with these pairs (CSV)."), tr("FILE"));
     const auto study = option(
         "study", tr("Open the folder of a study, or a protocol (TOML) to begin one with."), tr("PATH"));
     const auto rehearse =
@@ -189,6 +191,7 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
     const QStringList views = OperateDocks::names() + StudyPage::viewNames();
     if (m_parser.isSet(dock) && !views.contains(options.dock))
         fail(tr("--dock %1: expected one of %2").arg(options.dock, views.join(QStringLiteral(", "))));
+    options.cameraPairs = m_parser.value(cameraPairs);
     options.study = m_parser.value(study);
     options.rehearse = m_parser.isSet(rehearse);
     options.page = m_parser.value(page);

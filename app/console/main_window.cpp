@@ -232,6 +232,8 @@ void MainWindow::openRequested(const ConsoleOptions& options) {
         m_study->watchRehearsal(options.study);
     else if (!options.study.isEmpty())
         m_study->open(options.study);
+    if (!options.cameraPairs.isEmpty())
+        m_calibrate->openPairs(options.cameraPairs);
 }
 
 void MainWindow::openDemo() {

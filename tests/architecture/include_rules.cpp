@@ -77,6 +77,7 @@ const std::vector<Rule> kRules = {
     {"widgets/touch",
      {"backend", "widgets/base"},
      {"QtCore", "QtGui", "QtWidgets", "QtSvg", "QtPrintSupport", "QCustomPlot", "Eigen", "nlohmann_json"}},
+    {"widgets/camera", {"backend", "widgets/base"}, {"QtCore", "QtGui", "QtWidgets"}},
     {"widgets/bracelet", {"backend", "widgets/base"}, {"QtCore", "QtGui", "QtWidgets"}},
     {"widgets/pattern", {"backend", "widgets/base"}, {"QtCore", "QtGui", "QtWidgets"}},
     {"widgets/servo", {"backend", "widgets/base"}, {"QtCore", "QtGui", "QtWidgets", "Eigen"}},

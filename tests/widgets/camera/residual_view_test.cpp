@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/backend/vision/simulated_pairs.h"
+#include "tests/widgets/test_registry.h"
+#include "widgets/base/theme.h"
+#include "widgets/camera/pair_model.h"
+#include "widgets/camera/residual_view.h"
+
+#include <QImage>
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace teleta;
+using camera::CalibratedPairs;
+using camera::PairModel;
+using camera::ResidualPicture;
+using camera::ResidualView;
+
+namespace {
+
+/// Three pairs: kept and 10 px to the right, wrong, excluded.
+CalibratedPairs threePairs() {
+    CalibratedPairs pairs;
+    pairs.pairs = {{{400.0, 300.0}, {0.025, 0.0, 0.02}},
+                   {{1200.0, 300.0}, {0.0, 0.025, 0.05}},
+                   {{820.0, 1000.0}, {0.0, -0.025, 0.08}}};
+    pairs.used = {true, true, false};
+    pairs.residuals.resize(3);
+    pairs.residuals[0].kept = true;
+    pairs.residuals[0].error_px = Eigen::Vector2d(10.0, 0.0);
+    pairs.residuals[0].located_m = Eigen::Vector3d(0.025, 0.0, 0.021);
+    pairs.residuals[0].error_m = 0.001;
+    pairs.residuals[1].error_px = Eigen::Vector2d(300.0, 0.0);
+    pairs.camera = *vision::CameraModel::create(vision::paperCamera());
+    return pairs;
+}
+
+QColor pixelOf(ResidualView& view, const QPointF& at) {
+    return view.grab().toImage().pixelColor(at.toPoint());
+}
+
+} // namespace
+
+/// Residuals as pictures, and the table of pairs.
+class ResidualViewTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void anEmptyCalibrationIsDrawn() {
+        for (const auto surface : {ResidualPicture::Surface::image, ResidualPicture::Surface::cylinder}) {
+            ResidualView view(surface);
+            view.resize(500, 400);
+            QVERIFY(!view.grab().isNull());
+            QVERIFY(view.picture().headline().contains("no pairs yet"));
+            view.resize(20, 20);
+            QVERIFY(!view.grab().isNull());
+        }
+    }
+
+    void theImageIsToScaleWithVDownwardsAndTheCylinderHasZUpwards() {
+        ResidualView image(ResidualPicture::Surface::image);
+        image.setPairs(threePairs());
+        const QSizeF size(700, 500);
+        const QPointF a = image.picture().position(0, size);
+        const QPointF b = image.picture().position(1, size);
+        const QPointF c = image.picture().position(2, size);
+        QCOMPARE(a.y(), b.y());
+        QVERIFY(c.y() > a.y());
+        QVERIFY(std::abs((b.x() - a.x()) / 800.0 - (c.y() - a.y()) / 700.0) < 1e-9);
+        ResidualView cylinder(ResidualPicture::Surface::cylinder);
+        cylinder.setPairs(threePairs());
+        QVERIFY(cylinder.picture().position(1, size).y() < cylinder.picture().position(0, size).y());
+        QVERIFY(cylinder.picture().position(1, size).x() > cylinder.picture().position(0, size).x());
+        QVERIFY(cylinder.picture().position(2, size).x() < cylinder.picture().position(0, size).x());
+    }
+
+    void keptPairsAreDrawnInTheirColourInBothThemes() {
+        for (const bool dark : {false, true}) {
+            base::applyTheme(dark ? base::ThemeChoice::dark : base::ThemeChoice::light);
+            ResidualView view(ResidualPicture::Surface::image);
+            view.resize(800, 600);
+            view.setPairs(threePairs());
+            // Away from the arrow, which starts at the dot's centre to the right.
+            const QPointF at = view.picture().position(0, QSizeF(800, 600)) - QPointF(1, 0);
+            QCOMPARE(pixelOf(view, at), base::statusColours(view.palette()).live);
+        }
+        base::applyTheme(base::ThemeChoice::light);
+    }
+
+    void aClickChoosesThePairAndDeleteAsksToLeaveItOut() {
+        ResidualView view(ResidualPicture::Surface::image);
+        view.resize(800, 600);
+        view.setPairs(threePairs());
+        QSignalSpy chosen(&view, &ResidualView::selected);
+        QSignalSpy toggled(&view, &ResidualView::toggleRequested);
+        QTest::keyClick(&view, Qt::Key_Delete);
+        QCOMPARE(toggled.count(), 0);
+        QTest::mouseClick(&view, Qt::LeftButton, {}, view.picture().position(1, QSizeF(800, 600)).toPoint());
+        QCOMPARE(chosen.count(), 1);
+        QCOMPARE(chosen.takeFirst().at(0).value<std::size_t>(), 1U);
+        QVERIFY(view.accessibleDescription().contains("wrong"));
+        QTest::keyClick(&view, Qt::Key_Delete);
+        QCOMPARE(toggled.count(), 1);
+        QCOMPARE(toggled.takeFirst().at(0).value<std::size_t>(), 1U);
+    }
+
+    void arrowKeysGoThroughAllPairsAndAround() {
+        ResidualView view(ResidualPicture::Surface::cylinder);
+        view.setPairs(threePairs());
+        std::vector<std::size_t> way;
+        connect(&view, &ResidualView::selected, this, [&](std::size_t pair) { way.push_back(pair); });
+        for (int i = 0; i < 4; ++i)
+            QTest::keyClick(&view, Qt::Key_Right);
+        QTest::keyClick(&view, Qt::Key_Left);
+        QTest::keyClick(&view, Qt::Key_Left);
+        QCOMPARE(way, (std::vector<std::size_t>{0, 1, 2, 0, 2, 1}));
+    }
+
+    void theFigureKeepsItsData() {
+        base::Figure figure;
+        {
+            ResidualView view(ResidualPicture::Surface::image);
+            view.resize(400, 300);
+            view.setPairs(threePairs());
+            figure = view.figure();
+        }
+        const QStringList lines = figure.csv().split(u'\n', Qt::SkipEmptyParts);
+        QCOMPARE(lines.size(), 4);
+        QCOMPARE(lines[0], QStringLiteral("u_px,v_px,x_m,y_m,z_m,used,kept,du_px,dv_px,error_m"));
+        QCOMPARE(lines[1], QStringLiteral("400,300,0.025,0,0.02,1,1,10,0,0.001"));
+        QCOMPARE(lines[3], QStringLiteral("820,1000,0,-0.025,0.08,0,0,NA,NA,NA"));
+    }
+
+    void theTableTellsStatesAndAsksForUse() {
+        PairModel model;
+        model.setPairs(threePairs());
+        QCOMPARE(model.rowCount(), 3);
+        const auto state = [&](int row) { return model.index(row, PairModel::condition).data().toString(); };
+        QCOMPARE(state(0), QStringLiteral("kept"));
+        QCOMPARE(state(1), QStringLiteral("wrong"));
+        QCOMPARE(state(2), QStringLiteral("excluded"));
+        QSignalSpy asked(&model, &PairModel::useRequested);
+        const QModelIndex tick = model.index(2, PairModel::number);
+        QCOMPARE(tick.data(Qt::CheckStateRole).toInt(), static_cast<int>(Qt::Unchecked));
+        QVERIFY(model.setData(tick, Qt::Checked, Qt::CheckStateRole));
+        QCOMPARE(asked.count(), 1);
+        QCOMPARE(asked[0][0].value<std::size_t>(), 2U);
+        QCOMPARE(asked[0][1].toBool(), true);
+        // An intent changes nothing by itself.
+        QCOMPARE(tick.data(Qt::CheckStateRole).toInt(), static_cast<int>(Qt::Unchecked));
+    }
+};
+
+static const test::Registration<ResidualViewTest> kRegistration;
+#include "residual_view_test.moc"

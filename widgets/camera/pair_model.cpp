@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/camera/pair_model.h"
+
+#include "widgets/base/number_format.h"
+
+namespace teleta::camera {
+
+namespace {
+
+QString digits(double value) {
+    return base::threeDigits(value).trimmed();
+}
+
+} // namespace
+
+PairModel::PairModel(QObject* parent)
+    : QAbstractTableModel(parent) {
+}
+
+void PairModel::setPairs(const CalibratedPairs& pairs) {
+    if (pairs.pairs.size() != m_pairs.pairs.size()) {
+        beginResetModel();
+        m_pairs = pairs;
+        endResetModel();
+        return;
+    }
+    m_pairs = pairs;
+    if (rowCount() > 0)
+        emit dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
+}
+
+void PairModel::retranslate() {
+    beginResetModel();
+    endResetModel();
+}
+
+int PairModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(m_pairs.pairs.size());
+}
+
+int PairModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : kColumns;
+}
+
+QString PairModel::text(std::size_t pair, int column) const {
+    using State = CalibratedPairs::State;
+    const vision::CalibrationPair& p = m_pairs.pairs[pair];
+    const vision::PairResidual residual =
+        m_pairs.residuals.empty() ? vision::PairResidual{} : m_pairs.residuals[pair];
+    switch (column) {
+    case number:
+        return QString::number(pair + 1);
+    case pixel:
+        return QStringLiteral("%1, %2").arg(digits(p.pixel.x()), digits(p.pixel.y()));
+    case point:
+        return QStringLiteral("%1, %2, %3")
+            .arg(digits(1e3 * p.p_Sensor_m.x()), digits(1e3 * p.p_Sensor_m.y()),
+                 digits(1e3 * p.p_Sensor_m.z()));
+    case imageError:
+        return base::threeDigits(residual.error_px ? std::optional(residual.error_px->norm()) : std::nullopt)
+            .trimmed();
+    case surfaceError:
+        return base::threeDigits(residual.error_m ? std::optional(1e3 * *residual.error_m) : std::nullopt)
+            .trimmed();
+    case condition:
+        break;
+    default:
+        return {};
+    }
+    switch (m_pairs.state(pair)) {
+    case State::unknown:
+        return {};
+    case State::kept:
+        return tr("kept");
+    case State::outlier:
+        return tr("wrong");
+    case State::excluded:
+        return tr("excluded");
+    }
+    return {};
+}
+
+QVariant PairModel::sortValue(std::size_t pair, int column) const {
+    const vision::PairResidual residual =
+        m_pairs.residuals.empty() ? vision::PairResidual{} : m_pairs.residuals[pair];
+    switch (column) {
+    case number:
+        return static_cast<int>(pair);
+    case pixel:
+        return m_pairs.pairs[pair].pixel.x();
+    case point:
+        return m_pairs.pairs[pair].p_Sensor_m.z();
+    case imageError:
+        return residual.error_px ? residual.error_px->norm() : -1.0;
+    case surfaceError:
+        return residual.error_m ? *residual.error_m : -1.0;
+    default:
+        return static_cast<int>(m_pairs.state(pair));
+    }
+}
+
+QVariant PairModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid())
+        return {};
+    const auto pair = static_cast<std::size_t>(index.row());
+    if (role == Qt::CheckStateRole && index.column() == number)
+        return m_pairs.used[pair] ? Qt::Checked : Qt::Unchecked;
+    if (role == Qt::DisplayRole)
+        return text(pair, index.column());
+    if (role == kSortRole)
+        return sortValue(pair, index.column());
+    if (role == Qt::TextAlignmentRole && index.column() != condition)
+        return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
+    return {};
+}
+
+QVariant PairModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
+        return {};
+    switch (section) {
+    case number:
+        return tr("Pair");
+    case pixel:
+        return tr("Pixel, px");
+    case point:
+        return tr("Point, mm");
+    case imageError:
+        return tr("Image, px");
+    case surfaceError:
+        return tr("Surface, mm");
+    case condition:
+        return tr("State");
+    default:
+        return {};
+    }
+}
+
+Qt::ItemFlags PairModel::flags(const QModelIndex& index) const {
+    const Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+    return index.isValid() && index.column() == number ? flags | Qt::ItemIsUserCheckable : flags;
+}
+
+bool PairModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    if (!index.isValid() || index.column() != number || role != Qt::CheckStateRole)
+        return false;
+    emit useRequested(static_cast<std::size_t>(index.row()), value.toInt() == Qt::Checked);
+    return true;
+}
+
+} // namespace teleta::camera

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/camera/residual_picture.h"
+
+#include <QAbstractTableModel>
+
+namespace teleta::camera {
+
+/// Pairs of a calibration as a table; the tick of the first column says whether a pair is used. Ticking is an
+/// intent: it changes nothing here. Thread: GUI.
+class PairModel : public QAbstractTableModel {
+    Q_OBJECT
+public:
+    enum Column { number, pixel, point, imageError, surfaceError, condition };
+    static constexpr int kColumns = 6;
+    /// Value of a cell to sort by.
+    static constexpr int kSortRole = Qt::UserRole;
+
+    explicit PairModel(QObject* parent = nullptr);
+
+    void setPairs(const CalibratedPairs& pairs);
+    void retranslate();
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+
+signals:
+    void useRequested(std::size_t pair, bool use);
+
+private:
+    [[nodiscard]] QString text(std::size_t pair, int column) const;
+    [[nodiscard]] QVariant sortValue(std::size_t pair, int column) const;
+
+    CalibratedPairs m_pairs;
+};
+
+} // namespace teleta::camera

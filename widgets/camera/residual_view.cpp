@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/camera/residual_view.h"
+
+#include "backend/core/number_text.h"
+#include "widgets/base/number_format.h"
+#include "widgets/base/theme.h"
+
+#include <QContextMenuEvent>
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QMenu>
+#include <QPainter>
+#include <QToolTip>
+
+namespace teleta::camera {
+
+namespace {
+
+/// Rows of what the picture shows, C locale.
+QString csvOf(const CalibratedPairs& shown) {
+    QString text = QStringLiteral("u_px,v_px,x_m,y_m,z_m,used,kept,du_px,dv_px,error_m\n");
+    const auto put = [&](std::optional<double> value, QChar separator) {
+        text += value ? QString::fromLatin1(core::NumberText(*value).view().data(),
+                                            static_cast<qsizetype>(core::NumberText(*value).view().size()))
+                      : QStringLiteral("NA");
+        text += separator;
+    };
+    const vision::PairResidual none;
+    for (std::size_t i = 0; i < shown.pairs.size(); ++i) {
+        for (const double value : shown.pairs[i].pixel)
+            put(value, u',');
+        for (const double value : shown.pairs[i].p_Sensor_m)
+            put(value, u',');
+        put(shown.used[i] ? 1.0 : 0.0, u',');
+        const vision::PairResidual& residual = shown.residuals.empty() ? none : shown.residuals[i];
+        put(residual.kept ? 1.0 : 0.0, u',');
+        put(residual.error_px ? std::optional(residual.error_px->x()) : std::nullopt, u',');
+        put(residual.error_px ? std::optional(residual.error_px->y()) : std::nullopt, u',');
+        put(residual.error_m, u'\n');
+    }
+    return text;
+}
+
+} // namespace
+
+ResidualView::ResidualView(ResidualPicture::Surface surface, QWidget* parent)
+    : QWidget(parent)
+    , m_export(new base::FigureExport(this, [this] { return figure(); })) {
+    m_picture.surface = surface;
+    setFocusPolicy(Qt::StrongFocus);
+    setAutoFillBackground(true);
+    setBackgroundRole(QPalette::Base);
+    connect(m_export, &base::FigureExport::saved, this, &ResidualView::exported);
+    connect(m_export, &base::FigureExport::failed, this, &ResidualView::exportFailed);
+    retranslate();
+}
+
+void ResidualView::retranslate() {
+    const bool image = m_picture.surface == ResidualPicture::Surface::image;
+    setAccessibleName(image ? tr("Residuals on the image") : tr("Residuals on the unrolled cylinder"));
+    setWhatsThis(
+        image
+            ? tr("<p>Each pair at its pixel, with an enlarged arrow to where the camera projects its point. "
+                 "Arrows without a pattern are noise; arrows that flow are something that the "
+                 "camera does not describe.</p><p>A pixel outside the dashed circle has no ray.</p>")
+            : tr("<p>Each pair at its point on the cylinder, cut open at the back, with an enlarged arrow to "
+                 "where "
+                 "its pixel is located. The colour is the error along the axis.</p>"));
+    update();
+}
+
+void ResidualView::setPairs(const CalibratedPairs& pairs) {
+    m_picture.shown = pairs;
+    if (m_picture.selected && *m_picture.selected >= pairs.pairs.size())
+        m_picture.selected.reset();
+    update();
+}
+
+void ResidualView::select(std::optional<std::size_t> pair) {
+    m_picture.selected = pair;
+    setAccessibleDescription(pair ? wordsFor(*pair) : QString());
+    update();
+}
+
+QString ResidualView::wordsFor(std::size_t pair) const {
+    using State = CalibratedPairs::State;
+    QString text = tr("Pair %1").arg(pair + 1);
+    switch (m_picture.shown.state(pair)) {
+    case State::unknown:
+        break;
+    case State::kept:
+        text += QStringLiteral(": ") + tr("kept");
+        break;
+    case State::outlier:
+        text += QStringLiteral(": ") + tr("left out as wrong");
+        break;
+    case State::excluded:
+        text += QStringLiteral(": ") + tr("excluded by you");
+        break;
+    }
+    if (m_picture.shown.residuals.empty())
+        return text;
+    const vision::PairResidual& residual = m_picture.shown.residuals[pair];
+    if (residual.error_px)
+        text += QStringLiteral("\n") +
+                tr("off by %1 in the image")
+                    .arg(base::withUnit(base::threeDigits(residual.error_px->norm()).trimmed(),
+                                        QStringLiteral("px")));
+    if (residual.error_m)
+        text += QStringLiteral("\n") +
+                tr("off by %1 on the cylinder")
+                    .arg(base::withUnit(base::threeDigits(1e3 * *residual.error_m).trimmed(),
+                                        QStringLiteral("mm")));
+    return text;
+}
+
+base::Figure ResidualView::figure() const {
+    base::Figure figure;
+    figure.name = m_picture.surface == ResidualPicture::Surface::image ? tr("residuals-image")
+                                                                       : tr("residuals-cylinder");
+    figure.size_px = QSizeF(size());
+    ResidualPicture picture = m_picture;
+    picture.font = font();
+    picture.selected.reset();
+    figure.paint = [picture, size = figure.size_px](QPainter& painter) {
+        picture.paint(painter, size, base::designedPalette(false));
+    };
+    figure.csv = [pairs = m_picture.shown] { return csvOf(pairs); };
+    return figure;
+}
+
+QSize ResidualView::sizeHint() const {
+    return {base::em(this, 32), base::em(this, 24)};
+}
+
+QSize ResidualView::minimumSizeHint() const {
+    return {base::em(this, 16), base::em(this, 12)};
+}
+
+bool ResidualView::event(QEvent* event) {
+    if (event->type() == QEvent::ToolTip) {
+        const auto* help = static_cast<QHelpEvent*>(event);
+        if (const auto pair = m_picture.pairAt(help->pos(), QSizeF(size())))
+            QToolTip::showText(help->globalPos(), wordsFor(*pair), this);
+        else
+            QToolTip::hideText();
+        return true;
+    }
+    return QWidget::event(event);
+}
+
+void ResidualView::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    m_picture.font = font();
+    m_picture.paint(painter, QSizeF(size()), palette());
+    if (hasFocus()) {
+        painter.setPen(QPen(palette().color(QPalette::Highlight), 1.0));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(rect().adjusted(0, 0, -1, -1));
+    }
+}
+
+void ResidualView::mousePressEvent(QMouseEvent* event) {
+    m_picture.font = font();
+    const auto pair = m_picture.pairAt(event->position(), QSizeF(size()));
+    if (event->button() == Qt::LeftButton && pair) {
+        select(pair);
+        emit selected(*pair);
+    }
+    QWidget::mousePressEvent(event);
+}
+
+void ResidualView::keyPressEvent(QKeyEvent* event) {
+    const std::size_t count = m_picture.shown.pairs.size();
+    const int step = event->key() == Qt::Key_Right || event->key() == Qt::Key_Down ? 1
+                     : event->key() == Qt::Key_Left || event->key() == Qt::Key_Up  ? -1
+                                                                                   : 0;
+    if (step != 0 && count > 0) {
+        const std::size_t start = m_picture.selected.value_or(step > 0 ? count - 1 : 0);
+        select((start + count + static_cast<std::size_t>(step + 1) - 1) % count);
+        emit selected(*m_picture.selected);
+    } else if (event->key() == Qt::Key_Delete && m_picture.selected) {
+        emit toggleRequested(*m_picture.selected);
+    } else if (event->matches(QKeySequence::Copy)) {
+        base::copyPicture(figure());
+    } else {
+        QWidget::keyPressEvent(event);
+    }
+}
+
+void ResidualView::contextMenuEvent(QContextMenuEvent* event) {
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    if (const auto pair = m_picture.pairAt(event->pos(), QSizeF(size()))) {
+        menu->addAction(m_picture.shown.used[*pair] ? tr("&Exclude pair %1").arg(*pair + 1)
+                                                    : tr("&Use pair %1 again").arg(*pair + 1),
+                        this, [this, pair] { emit toggleRequested(*pair); });
+        menu->addSeparator();
+    }
+    m_export->addActions(*menu);
+    menu->popup(event->globalPos());
+}
+
+void ResidualView::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+} // namespace teleta::camera
