@@ -227,9 +227,10 @@ bool PlaybackCycle::evaluate(std::int64_t now, core::Intensities& wanted) {
 
 bool PlaybackCycle::programAt(std::int64_t now, core::Intensities& wanted) {
     const double duration_s = m_status.duration_s;
-    double position_s = m_anchorPosition_s + static_cast<double>(now - m_anchor_ns) / kNsPerS;
+    double position_s = programPosition_s(now);
     if (position_s >= duration_s) {
         if (!m_status.loop || !(duration_s > 0.0)) {
+            countMisses(m_cycle, firstDeadlineAfter(now));
             m_status.position_s = duration_s;
             end(PlayerEnding::finished);
             return false;
@@ -285,16 +286,32 @@ void PlaybackCycle::schedule(bool regular, std::int64_t now) {
     if (!regular)
         return;
     // To the next deadline that has not passed: frames are never written in a row to catch up.
-    const double periods = std::floor(static_cast<double>(now - m_epoch_ns) * m_rate_Hz / kNsPerS);
-    std::int64_t next = std::max(m_cycle, static_cast<std::int64_t>(periods)) + 1;
-    while (deadline_ns(next) <= now)
-        ++next;
-    const std::int64_t missed = next - m_cycle - 1;
+    const std::int64_t next = std::max(m_cycle + 1, firstDeadlineAfter(now));
+    countMisses(m_cycle + 1, next);
     m_cycle = next;
-    if (missed > 0) {
+}
+
+/// Cycles from `first` until before `next`, as far as they lie in the program.
+void PlaybackCycle::countMisses(std::int64_t first, std::int64_t next) {
+    if (m_mode == PlayerMode::program && !m_status.loop)
+        while (next > first && programPosition_s(deadline_ns(next - 1)) >= m_status.duration_s)
+            --next;
+    if (next > first) {
         const std::scoped_lock lock(m_countersMutex);
-        m_counters.deadlineMisses += static_cast<std::uint64_t>(missed);
+        m_counters.deadlineMisses += static_cast<std::uint64_t>(next - first);
     }
+}
+
+std::int64_t PlaybackCycle::firstDeadlineAfter(std::int64_t now) const {
+    const double periods = std::floor(static_cast<double>(now - m_epoch_ns) * m_rate_Hz / kNsPerS);
+    auto cycle = static_cast<std::int64_t>(periods);
+    while (deadline_ns(cycle) <= now)
+        ++cycle;
+    return cycle;
+}
+
+double PlaybackCycle::programPosition_s(std::int64_t time_ns) const {
+    return m_anchorPosition_s + static_cast<double>(time_ns - m_anchor_ns) / kNsPerS;
 }
 
 double PlaybackCycle::sinceLastFrame_s(std::int64_t now) {

@@ -54,6 +54,9 @@ private:
     void liveAt(std::int64_t now_ns, core::Intensities& wanted);
     void account(const core::Drive& drive, std::int64_t begun_ns, std::int64_t written_ns);
     void schedule(bool regular, std::int64_t now_ns);
+    void countMisses(std::int64_t first, std::int64_t next);
+    [[nodiscard]] std::int64_t firstDeadlineAfter(std::int64_t now_ns) const;
+    [[nodiscard]] double programPosition_s(std::int64_t time_ns) const;
     [[nodiscard]] double sinceLastFrame_s(std::int64_t now_ns);
     [[nodiscard]] std::int64_t deadline_ns(std::int64_t cycle) const;
     [[nodiscard]] std::int64_t boardTimeout_ns() const {

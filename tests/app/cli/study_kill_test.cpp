@@ -73,8 +73,8 @@ TEST(StudyKill, aStudyKilledAtAHundredRandomInstantsLosesAndRepeatsNothing) {
     PortableRandom random(11);
     int studies = 0;
     int killsBetweenTrials = 0;
-    // The while in which the kill falls follows the machine: longer when the program had not come to its first
-    // trial, shorter when it was done before.
+    // The while in which the kill falls follows the machine: longer when the program had not come to its
+    // first trial, shorter when it was done before.
     std::uint64_t longest_ms = 120;
     std::string killed;
     std::size_t before = expected.size();

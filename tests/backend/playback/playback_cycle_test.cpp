@@ -1,88 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/playback/playback_cycle.h"
-#include "tests/backend/playback/scripted_bracelet.h"
-
-#include <gtest/gtest.h>
+#include "tests/backend/playback/playback_cycle_fixture.h"
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 using namespace teleta;
-using core::Intensities;
-using core::isOff;
-using core::kFullDrive;
-using core::PacingClock;
-using playback::LiveRequest;
-using playback::PlaybackCycle;
-using playback::PlayerCommands;
-using playback::PlayerConfig;
-using playback::PlayerEnding;
-using playback::PlayerMode;
-using playback::Program;
-using playback::ProgramRequest;
-using playback::SafetyLimits;
-using test::all;
-using test::ScriptedBracelet;
-using test::SetClock;
-
-namespace {
-
-constexpr std::int64_t kMs_ns = 1'000'000;
-constexpr std::int64_t kPeriod_ns = 5 * kMs_ns;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-class PlaybackCycleTest : public testing::Test {
-protected:
-    /// limits: have tests of their own.
-    void make(PlayerConfig config = {},
-              const SafetyLimits& limits = {.rise_perS = kInfinity, .heatBudget = 1.0}) {
-        config.clock = m_clock;
-        config.limits = limits;
-        m_cycle = std::make_unique<PlaybackCycle>(m_bracelet, m_stop, std::move(config));
-    }
-
-    std::int64_t run(PlayerCommands commands = {}) { return m_cycle->run(std::move(commands)); }
-
-    std::int64_t play(Program program, bool loop = false, double from_s = 0.0) {
-        PlayerCommands commands;
-        commands.start = ProgramRequest{std::move(program), loop, from_s};
-        return run(std::move(commands));
-    }
-
-    std::int64_t startLive() {
-        PlayerCommands commands;
-        commands.start = LiveRequest{};
-        return run(std::move(commands));
-    }
-
-    /// Runs every cycle at its deadline for so long.
-    void runOnTime(std::int64_t duration_ns) {
-        const std::int64_t end_ns = m_clock->now_ns() + duration_ns;
-        for (std::int64_t next_ns = run(); next_ns <= end_ns; next_ns = run())
-            m_clock->add(next_ns - m_clock->now_ns());
-        m_clock->add(end_ns - m_clock->now_ns());
-    }
-
-    [[nodiscard]] std::vector<ScriptedBracelet::Written> written() const { return m_bracelet.written(); }
-    [[nodiscard]] bool lastIsOff() const { return isOff(written().back().frame.drive); }
-
-    std::shared_ptr<SetClock> m_clock = std::make_shared<SetClock>();
-    core::StopSwitch m_stop;
-    ScriptedBracelet m_bracelet{m_clock};
-    std::unique_ptr<PlaybackCycle> m_cycle;
-};
-
-Program steady(double intensity, double duration_s = kInfinity) {
-    return {[intensity](double) { return all(intensity); }, duration_s};
-}
-
-/// The first tactor tells the time: 1 is 1 s.
-Program clockOf1s() {
-    return {[](double t_s) { return Intensities{t_s}; }, 1.0};
-}
-
-} // namespace
+using namespace teleta::test;
 
 TEST_F(PlaybackCycleTest, writesNothingUnasked) {
     make();
@@ -184,37 +107,6 @@ TEST_F(PlaybackCycleTest, seeksWithinTheProgramAndStartsWhereAsked) {
     m_clock->add(kPeriod_ns);
     run();
     EXPECT_EQ(m_cycle->status().ending, PlayerEnding::finished);
-}
-
-TEST_F(PlaybackCycleTest, evaluatesALateCycleAtTheTrueTimeAndCatchesNothingUp) {
-    make();
-    const std::int64_t begin_ns = m_clock->now_ns();
-    play(clockOf1s());
-    m_clock->add(kPeriod_ns + 13 * kMs_ns); // deadlines 1, 2 and 3 have passed
-    EXPECT_EQ(run(), begin_ns + 4 * kPeriod_ns) << "the grid stays";
-    const auto frames = written();
-    ASSERT_EQ(frames.size(), 2U);
-    EXPECT_NEAR(frames[1].frame.drive[0], 0.018 * kFullDrive, 1.0);
-    EXPECT_EQ(m_cycle->counters().deadlineMisses, 2U);
-    m_clock->add(2 * kMs_ns);
-    EXPECT_EQ(run(), begin_ns + 5 * kPeriod_ns);
-    EXPECT_EQ(written().size(), 3U);
-    EXPECT_EQ(m_cycle->counters().deadlineMisses, 2U);
-}
-
-TEST_F(PlaybackCycleTest, countsSlowWritesAndTheDeadlinesTheyCost) {
-    make();
-    const std::int64_t begin_ns = m_clock->now_ns();
-    m_bracelet.whileWriting([this] { m_clock->add(8 * kMs_ns); });
-    EXPECT_EQ(play(steady(1.0)), begin_ns + 2 * kPeriod_ns);
-    EXPECT_EQ(m_cycle->counters().deadlineMisses, 1U);
-    EXPECT_EQ(m_cycle->counters().writeMedian_ns, 8 * kMs_ns);
-    m_bracelet.whileWriting([this] { m_clock->add(1 * kMs_ns); });
-    runOnTime(100 * kMs_ns);
-    EXPECT_EQ(m_cycle->counters().deadlineMisses, 1U);
-    EXPECT_NEAR(static_cast<double>(m_cycle->counters().writeMedian_ns), 1e6, 0.032e6) << "a bucket";
-    EXPECT_EQ(m_cycle->counters().writeLongest_ns, 8 * kMs_ns);
-    EXPECT_EQ(m_cycle->counters().onset_ns, begin_ns + 8 * kMs_ns) << "when the write returned";
 }
 
 TEST_F(PlaybackCycleTest, endsWhenItStoodStillLongerThanTheBoardsTimeout) {
