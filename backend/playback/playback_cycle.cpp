@@ -53,7 +53,7 @@ std::int64_t PlaybackCycle::run(PlayerCommands commands) {
     if (commands.loop)
         m_status.loop = *commands.loop;
     if (commands.seek_s)
-        seek(*commands.seek_s);
+        moveTo(*commands.seek_s, now_ns());
     if (m_mode == PlayerMode::idle)
         return core::PacingClock::kNever_ns;
 
@@ -101,8 +101,10 @@ void PlaybackCycle::begin(ProgramRequest request) {
     m_status.duration_s = m_program.duration_s > 0.0 && m_program.evaluate ? m_program.duration_s : 0.0;
     m_status.loop = request.loop;
     beginAny(PlayerMode::program);
-    if (m_mode == PlayerMode::program)
-        seek(request.from_s);
+    // The same instant as the first deadline's, so that the cycles fill the program exactly.
+    m_anchorPosition_s = 0.0;
+    m_anchor_ns = m_epoch_ns;
+    moveTo(request.from_s, m_epoch_ns);
 }
 
 void PlaybackCycle::begin(LiveRequest) {
@@ -142,11 +144,13 @@ void PlaybackCycle::beginAny(PlayerMode mode) {
         publish();
 }
 
-void PlaybackCycle::seek(double time_s) {
-    if (m_mode != PlayerMode::program || std::isnan(time_s))
+/// A time that is no number, or the end of an endless program, changes nothing.
+void PlaybackCycle::moveTo(double position_s, std::int64_t now) {
+    position_s = std::clamp(position_s, 0.0, m_status.duration_s);
+    if (m_mode != PlayerMode::program || !std::isfinite(position_s))
         return;
-    m_anchor_ns = now_ns();
-    m_anchorPosition_s = std::clamp(time_s, 0.0, m_status.duration_s);
+    m_anchor_ns = now;
+    m_anchorPosition_s = position_s;
 }
 
 void PlaybackCycle::end(PlayerEnding ending, std::string message) {

@@ -54,3 +54,28 @@ TEST_F(PlaybackCycleTest, countsSlowWritesAndTheDeadlinesTheyCost) {
     EXPECT_EQ(m_cycle->counters().writeLongest_ns, 8 * kMs_ns);
     EXPECT_EQ(m_cycle->counters().onset_ns, begin_ns + 8 * kMs_ns) << "when the write returned";
 }
+
+TEST_F(PlaybackCycleTest, aProgramHasAFrameForEachOfItsCyclesWhateverTheClockDoesAtItsStart) {
+    // Every look at the clock takes 3 us.
+    m_clock->addAtEachLook(3'000);
+    make();
+    play(steady(1.0, 0.1));
+    runOnTime(500 * kMs_ns);
+    EXPECT_EQ(m_cycle->counters().framesWritten, 20U);
+    EXPECT_EQ(m_cycle->counters().deadlineMisses, 0U);
+}
+
+TEST_F(PlaybackCycleTest, aPlaceThatIsNoTimeOfTheProgramIsIgnored) {
+    make();
+    play(steady(1.0, 0.1), false, 0.05);
+    play(steady(1.0, 0.1), false, std::numeric_limits<double>::quiet_NaN());
+    EXPECT_EQ(m_cycle->status().position_s, 0.0) << "not where the program before began";
+    play(steady(0.5), true, kInfinity);
+    EXPECT_EQ(m_cycle->status().position_s, 0.0);
+    m_clock->add(kPeriod_ns);
+    PlayerCommands commands;
+    commands.seek_s = kInfinity;
+    run(std::move(commands));
+    EXPECT_NEAR(m_cycle->status().position_s, 0.005, 1e-12);
+    EXPECT_EQ(m_cycle->status().mode, PlayerMode::program);
+}

@@ -14,11 +14,14 @@ namespace teleta::test {
 /// A clock that is set.
 class SetClock : public core::PacingClock {
 public:
-    [[nodiscard]] std::int64_t now_ns() const override { return m_now_ns; }
+    [[nodiscard]] std::int64_t now_ns() const override { return m_now_ns += m_eachLook_ns; }
     void add(std::int64_t step_ns) { m_now_ns += step_ns; }
+    /// As if time went on between one look at the clock and the next.
+    void addAtEachLook(std::int64_t step_ns) { m_eachLook_ns = step_ns; }
 
 private:
-    std::int64_t m_now_ns = 1'000'000'000'000;
+    std::int64_t m_eachLook_ns = 0;
+    mutable std::int64_t m_now_ns = 1'000'000'000'000;
 };
 
 /// A bracelet that remembers its frames and does what the test says.
