@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/console_options.h"
 
-#include "app/console/operate_docks.h"
-#include "app/console/study_page.h"
+#include "app/console/operate/operate_docks.h"
+#include "app/console/study/study_page.h"
 
 #include <QCommandLineParser>
 #include <QCoreApplication>

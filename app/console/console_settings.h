@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/console/source_request.h"
+#include "app/console/operate/source_request.h"
 
 #include <QByteArray>
 #include <QSettings>

@@ -4,7 +4,7 @@
 #include "app/console/console_options.h"
 #include "app/console/console_settings.h"
 #include "app/console/gui_clock.h"
-#include "app/console/source_manager.h"
+#include "app/console/operate/source_manager.h"
 #include "backend/core/stop_switch.h"
 
 #include <QElapsedTimer>

@@ -2,7 +2,7 @@
 #include "app/console/unattended.h"
 
 #include "app/console/main_window.h"
-#include "app/console/study_page.h"
+#include "app/console/study/study_page.h"
 
 #include <QApplication>
 #include <QJsonArray>

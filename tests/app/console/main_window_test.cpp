@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/main_window.h"
-#include "app/console/operate_page.h"
+#include "app/console/operate/operate_page.h"
 #include "widgets/base/theme.h"
 #include "widgets/chrome/device_strip.h"
 #include "widgets/chrome/playback_bar.h"

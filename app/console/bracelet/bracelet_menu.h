@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/bracelet/bracelet_station.h"
+#include "app/console/console_settings.h"
+
+#include <QObject>
+#include <QString>
+
+class QMenu;
+class QWidget;
+
+namespace teleta::console {
+
+/// Which bracelet the console drives: as a menu, as remembered, as the command line says. Thread: GUI.
+class BraceletMenu : public QObject {
+    Q_OBJECT
+
+public:
+    BraceletMenu(BraceletStation& station, ConsoleSettings& settings, QWidget* window);
+
+    void fill(QMenu& menu);
+    /// The one of the command line ("simulated", "usb", "none" or a device file), or the one of the last
+    /// time.
+    void restore(const QString& option);
+
+private:
+    void choose(BraceletChoice choice, const QString& deviceFile = {});
+    void askForFile();
+
+    BraceletStation& m_station;
+    ConsoleSettings& m_settings;
+    QWidget* m_window;
+};
+
+} // namespace teleta::console

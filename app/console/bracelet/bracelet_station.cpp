@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/bracelet/bracelet_station.h"
+
+#include "backend/core/device_state.h"
+#include "backend/core/steady_time.h"
+#include "backend/pattern/built_in_patterns.h"
+#include "backend/playback/pattern_program.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace teleta::console {
+
+namespace {
+
+/// How strong a tactor is that is held to be felt: clearly, but not all it has.
+constexpr double kHeldIntensity = 0.75;
+
+playback::Program builtIn(const std::string& id) {
+    const pattern::Pattern* pattern = pattern::findBuiltIn(id);
+    return pattern == nullptr ? playback::Program{} : playback::programOf(*pattern);
+}
+
+} // namespace
+
+BraceletStation::BraceletStation(core::StopSwitch& stop, QObject* parent)
+    : QObject(parent)
+    , m_stop(stop)
+    , m_slot(std::make_shared<core::LatestCopy<std::shared_ptr<BraceletSession>>>())
+    , m_feedback(std::make_shared<pipeline::TactileFeedback>([slot = m_slot](playback::Program program) {
+        if (const auto session = slot->get())
+            session->player().play(std::move(program));
+    }))
+    , m_library(builtIn) {
+}
+
+BraceletStation::~BraceletStation() {
+    m_slot->set(nullptr);
+}
+
+void BraceletStation::letGo() {
+    m_slot->set(nullptr);
+    m_held.reset();
+    if (!m_session)
+        return;
+    close(std::exchange(m_session, nullptr));
+    m_calibration = {};
+    emit sessionChanged();
+    emit calibrationChanged(m_calibration);
+}
+
+void BraceletStation::close(std::shared_ptr<BraceletSession> session) {
+    // Its end waits for the device's last frame.
+    m_closings.push_back(
+        std::async(std::launch::async, [session = std::move(session)]() mutable { session.reset(); }));
+}
+
+void BraceletStation::choose(BraceletChoice choice, const QString& deviceFile) {
+    letGo();
+    m_choice = choice;
+    m_deviceFile = choice == BraceletChoice::modbus ? deviceFile : QString();
+    ++m_chosen;
+    emit chosen(choice);
+    if (choice == BraceletChoice::none)
+        return;
+    m_openings.push_back({m_chosen, std::async(std::launch::async,
+                                               [choice, file = m_deviceFile.toStdString(), &stop = m_stop] {
+                                                   return BraceletSession::open(choice, file, stop);
+                                               })});
+}
+
+void BraceletStation::takeOpened() {
+    const auto isReady = [](const auto& future) {
+        return future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    };
+    std::erase_if(m_closings, isReady);
+    const auto ready = std::find_if(m_openings.begin(), m_openings.end(),
+                                    [&](const Opening& opening) { return isReady(opening.result); });
+    if (ready == m_openings.end())
+        return;
+    const bool wanted = ready->number == m_chosen;
+    core::Expected<std::shared_ptr<BraceletSession>> session = ready->result.get();
+    m_openings.erase(ready);
+    if (session && !wanted) {
+        close(std::move(*session));
+    } else if (session) {
+        m_session = std::move(*session);
+        m_slot->set(m_reserved ? nullptr : m_session);
+        m_calibration = m_session->calibration();
+        emit sessionChanged();
+        emit calibrationChanged(m_calibration);
+        if (m_session->calibrationError())
+            emit calibrationFailed(*m_session->calibrationError());
+    } else if (wanted) {
+        m_choice = BraceletChoice::none;
+        emit chosen(m_choice);
+        emit failed(session.error());
+    }
+}
+
+void BraceletStation::setMap(const pattern::PatternMap& map) {
+    m_map = map;
+    m_feedback->setMap(m_map, m_library);
+}
+
+void BraceletStation::setLibrary(pipeline::TactileFeedback::Library library) {
+    m_library = std::move(library);
+    m_feedback->setMap(m_map, m_library);
+}
+
+void BraceletStation::setMode(pipeline::FeedbackMode mode) {
+    m_feedback->setMode(mode);
+}
+
+void BraceletStation::play(playback::Program program, bool loop, double from_s) {
+    if (m_session && !m_reserved)
+        m_session->player().play(std::move(program), loop, from_s);
+}
+
+void BraceletStation::seek(double time_s) {
+    if (m_session && !m_reserved)
+        m_session->player().seek(time_s);
+}
+
+void BraceletStation::setLoop(bool loop) {
+    if (m_session && !m_reserved)
+        m_session->player().setLoop(loop);
+}
+
+void BraceletStation::setCalibration(const motors::MotorCalibration& calibration) {
+    m_calibration = calibration;
+    if (m_session)
+        m_session->player().setRanges(playback::rangesOf(calibration.profiles()));
+    emit calibrationChanged(m_calibration);
+}
+
+void BraceletStation::stopPlaying() {
+    if (m_session && !m_reserved)
+        m_session->player().stop();
+}
+
+std::optional<double> BraceletStation::playingPosition_s() const {
+    if (!m_session)
+        return std::nullopt;
+    const playback::PlayerStatus status = m_session->player().status();
+    return status.mode == playback::PlayerMode::program ? std::optional(status.position_s) : std::nullopt;
+}
+
+void BraceletStation::hold(std::optional<std::size_t> tactor) {
+    m_held = m_reserved ? std::nullopt : tactor;
+    if (!m_session || m_reserved)
+        return;
+    if (tactor) {
+        m_session->player().startLive();
+        repeatHold();
+    } else {
+        m_session->player().stop();
+    }
+}
+
+void BraceletStation::reserve(bool reserved) {
+    if (reserved == m_reserved)
+        return;
+    if (reserved && m_session)
+        m_session->player().stop();
+    m_held.reset();
+    m_reserved = reserved;
+    m_slot->set(reserved ? nullptr : m_session);
+}
+
+void BraceletStation::repeatHold() {
+    if (!m_held || !m_session)
+        return;
+    core::Intensities intensities{};
+    intensities[*m_held] = kHeldIntensity;
+    m_session->player().post(intensities, core::steadyNow_ns());
+}
+
+void BraceletStation::tick() {
+    takeOpened();
+    repeatHold();
+    pipeline::FeedbackSent sent;
+    while (m_feedback->popSent(sent)) {
+        m_last = FeedbackEvent{std::move(sent), std::nullopt};
+        emit felt(*m_last);
+    }
+    if (!m_session || !m_last || m_last->onset_s || m_last->sent.patternId.empty() || m_last->sent.missing)
+        return;
+    const playback::PlayerCounters counters = m_session->player().counters();
+    if (counters.onset_ns < m_last->sent.felt_ns)
+        return;
+    m_last->onset_s = static_cast<double>(counters.onset_ns - m_last->sent.felt_ns) * 1e-9;
+    m_touchToSkin_s = m_last->onset_s;
+    emit felt(*m_last);
+}
+
+core::Intensities BraceletStation::given() const {
+    return m_session ? m_session->player().status().given : core::Intensities{};
+}
+
+bool BraceletStation::isReady() const {
+    return m_session && m_session->source().connection() != 0 && !m_stop.engaged();
+}
+
+bool BraceletStation::isSimulated() const {
+    return m_session && m_session->source().description().simulated;
+}
+
+QString BraceletStation::note() const {
+    if (m_stop.engaged())
+        return tr("STOP is engaged: the bracelet is off.");
+    if (m_choice == BraceletChoice::none)
+        return tr("No bracelet: what would be played is named in the table of patterns.");
+    if (!m_session)
+        return tr("Connecting to the bracelet\u2026");
+    if (m_session->source().connection() == 0)
+        return tr("The bracelet is not connected. %1")
+            .arg(QString::fromStdString(m_session->source().status().message));
+    if (!m_calibration.measured())
+        return tr("The motors are not calibrated (page Calibrate).");
+    return {};
+}
+
+std::optional<chrome::DeviceReading> BraceletStation::reading() const {
+    if (m_choice == BraceletChoice::none)
+        return std::nullopt;
+    chrome::DeviceReading reading;
+    reading.name = tr("Bracelet");
+    reading.state = core::DeviceState::connecting;
+    if (!m_session)
+        return reading;
+    const core::DeviceStatus status = m_session->source().status();
+    const std::int64_t now_ns = core::steadyNow_ns();
+    reading.provenance = isSimulated() ? base::Provenance::simulated : base::Provenance::live;
+    // An idle bracelet reports ten times a second.
+    constexpr double kIdleRate_Hz = 10.0;
+    reading.state =
+        core::observedState(status.state, status.lastData_ns, now_ns, core::staleAfter_ns(kIdleRate_Hz));
+    reading.age_s = status.lastData_ns > 0 ? static_cast<double>(now_ns - status.lastData_ns) * 1e-9 : 0.0;
+    reading.rate_Hz = status.rate_Hz;
+    reading.lost = status.framesLost;
+    reading.details = QString::fromStdString(status.message);
+    if (reading.details.isEmpty() && !m_calibration.measured())
+        reading.details = tr("not calibrated: the motors are assumed");
+    reading.touchToSkin_s = m_touchToSkin_s;
+    return reading;
+}
+
+} // namespace teleta::console

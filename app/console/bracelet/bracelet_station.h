@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/bracelet/bracelet_session.h"
+#include "backend/core/latest_copy.h"
+#include "backend/pattern/pattern_map.h"
+#include "backend/pipeline/tactile_feedback.h"
+#include "widgets/chrome/device_strip.h"
+
+#include <QObject>
+#include <QString>
+
+#include <cstddef>
+#include <cstdint>
+#include <future>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace teleta::console {
+
+/// What was recognised, what was sent for it, and how long after the touch the bracelet began.
+struct FeedbackEvent {
+    pipeline::FeedbackSent sent;
+    std::optional<double>
+        onset_s; ///< from the completed touch to the first frame written; empty: not yet, or never
+};
+
+/// The bracelet of the console: opens and closes it off the GUI's thread, lets touches be felt on it, and
+/// tells what it does. Thread: GUI; no call waits but the destructor, for a device that is being opened or
+/// closed.
+class BraceletStation : public QObject {
+    Q_OBJECT
+
+public:
+    explicit BraceletStation(core::StopSwitch& stop, QObject* parent = nullptr);
+    ~BraceletStation() override;
+
+    /// Takes another bracelet in place of the present one. deviceFile: of a Modbus bracelet.
+    void choose(BraceletChoice choice, const QString& deviceFile = {});
+    [[nodiscard]] BraceletChoice choice() const { return m_choice; }
+    [[nodiscard]] const QString& deviceFile() const { return m_deviceFile; }
+    /// Null while none is connected, or one is being opened. It ends when its last owner lets it go, which
+    /// may wait.
+    [[nodiscard]] const std::shared_ptr<BraceletSession>& session() const { return m_session; }
+
+    /// What is known of the motors of the bracelet; of none, assumed ones.
+    [[nodiscard]] const motors::MotorCalibration& calibration() const { return m_calibration; }
+    /// Takes effect with the next frame. Writes no file.
+    void setCalibration(const motors::MotorCalibration& calibration);
+
+    /// For the arm whose touches are to be felt. It goes on telling what would be played without a bracelet.
+    [[nodiscard]] const std::shared_ptr<pipeline::TactileFeedback>& feedback() const { return m_feedback; }
+    void setMap(const pattern::PatternMap& map);
+    /// Where the patterns of the map come from (the built-in ones until then); looks all of them up again.
+    void setLibrary(pipeline::TactileFeedback::Library library);
+    void setMode(pipeline::FeedbackMode mode);
+
+    /// Plays a program from a time on, once or again and again.
+    void play(playback::Program program, bool loop, double from_s = 0.0);
+    /// Goes on somewhere else in what is played.
+    void seek(double time_s);
+    void setLoop(bool loop);
+    void stopPlaying();
+    /// Where the pattern that is played stands; empty while none is.
+    [[nodiscard]] std::optional<double> playingPosition_s() const;
+    /// Lets one tactor be felt while it is held; empty: none.
+    void hold(std::optional<std::size_t> tactor);
+
+    /// For whoever drives session() alone: meanwhile nothing else is played or held.
+    void reserve(bool reserved);
+
+    /// Collects what happened since the last tick.
+    void tick();
+    /// What the tactors do now, after the safety limits.
+    [[nodiscard]] core::Intensities given() const;
+    /// Connected, and not stopped.
+    [[nodiscard]] bool isReady() const;
+    /// One line on the state; empty when there is nothing to say.
+    [[nodiscard]] QString note() const;
+    [[nodiscard]] bool isSimulated() const;
+    /// For the status bar; empty without a bracelet.
+    [[nodiscard]] std::optional<chrome::DeviceReading> reading() const;
+    /// The newest thing that was recognised while a map was set.
+    [[nodiscard]] const std::optional<FeedbackEvent>& lastEvent() const { return m_last; }
+
+signals:
+    void chosen(BraceletChoice choice);
+    /// The bracelet that was chosen could not be opened.
+    void failed(const core::Error& error);
+    /// Another bracelet is connected, or none is any more.
+    void sessionChanged();
+    void calibrationChanged(const teleta::motors::MotorCalibration& calibration);
+    /// The file with the motors' profile cannot be used.
+    void calibrationFailed(const core::Error& error);
+    /// Something new was recognised, or its onset became known.
+    void felt(const FeedbackEvent& event);
+
+private:
+    /// A bracelet that is being opened on a thread of its own; its end waits for that thread.
+    struct Opening {
+        std::uint64_t number = 0;
+        std::future<core::Expected<std::shared_ptr<BraceletSession>>> result;
+    };
+
+    void letGo();
+    void close(std::shared_ptr<BraceletSession> session);
+    void takeOpened();
+    void repeatHold();
+
+    core::StopSwitch& m_stop;
+    BraceletChoice m_choice = BraceletChoice::none;
+    QString m_deviceFile;
+    motors::MotorCalibration m_calibration;
+    std::vector<Opening> m_openings;
+    std::vector<std::future<void>> m_closings;
+    std::uint64_t m_chosen = 0;                 ///< number of the newest choice
+    std::shared_ptr<BraceletSession> m_session; ///< null while it is being opened
+    /// The same for the pipeline's thread.
+    std::shared_ptr<core::LatestCopy<std::shared_ptr<BraceletSession>>> m_slot;
+    std::shared_ptr<pipeline::TactileFeedback> m_feedback;
+    pipeline::TactileFeedback::Library m_library;
+    pattern::PatternMap m_map;
+    std::optional<FeedbackEvent> m_last;
+    std::optional<double> m_touchToSkin_s;
+    std::optional<std::size_t> m_held;
+    bool m_reserved = false;
+};
+
+} // namespace teleta::console

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/bracelet/feedback_panel.h"
+
+#include "backend/pattern/built_in_patterns.h"
+#include "widgets/base/number_format.h"
+#include "widgets/base/theme.h"
+#include "widgets/touch/touch_texts.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include <utility>
+#include <vector>
+
+namespace teleta::console {
+
+using pipeline::FeedbackMode;
+
+FeedbackPanel::FeedbackPanel(BraceletStation& station, QWidget* parent)
+    : QWidget(parent)
+    , m_station(station)
+    , m_modeLabel(new QLabel(this))
+    , m_mode(new QComboBox(this))
+    , m_last(new QLabel(this))
+    , m_table(new touch::PatternMapTable(this)) {
+    m_modeLabel->setBuddy(m_mode);
+    m_last->setWordWrap(true);
+    m_last->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    for (const FeedbackMode mode :
+         {FeedbackMode::both, FeedbackMode::stiffness, FeedbackMode::shape, FeedbackMode::off})
+        m_mode->addItem(QString(), static_cast<int>(mode));
+    auto* top = new QHBoxLayout;
+    top->addWidget(m_modeLabel);
+    top->addWidget(m_mode, 1);
+    auto* layout = new QVBoxLayout(this);
+    const int margin = base::grid(this);
+    layout->setContentsMargins(margin, margin, margin, margin);
+    layout->addLayout(top);
+    layout->addWidget(m_last);
+    layout->addWidget(m_table, 1);
+    connect(m_mode, &QComboBox::currentIndexChanged, this, [this] {
+        m_station.setMode(mode());
+        emit changed();
+    });
+    connect(m_table, &touch::PatternMapTable::mapChanged, this, [this] {
+        m_station.setMap(m_table->map());
+        emit changed();
+    });
+    connect(m_table, &touch::PatternMapTable::failed, this, &FeedbackPanel::failed);
+    m_station.setMap(m_table->map());
+    m_station.setMode(mode());
+    offerPatterns();
+    connect(&m_station, &BraceletStation::felt, this, &FeedbackPanel::showLast);
+    retranslate();
+}
+
+FeedbackMode FeedbackPanel::mode() const {
+    return static_cast<FeedbackMode>(m_mode->currentData().toInt());
+}
+
+void FeedbackPanel::setMode(FeedbackMode mode) {
+    m_mode->setCurrentIndex(m_mode->findData(static_cast<int>(mode)));
+}
+
+const pattern::PatternMap& FeedbackPanel::map() const {
+    return m_table->map();
+}
+
+void FeedbackPanel::setMap(const pattern::PatternMap& map) {
+    m_table->setMap(map);
+    m_station.setMap(map);
+}
+
+void FeedbackPanel::offerPatterns() {
+    std::vector<touch::PatternChoice> choices = m_own;
+    for (const pattern::Pattern& pattern : pattern::builtInPatterns())
+        choices.push_back({pattern.id, QString::fromStdString(pattern.name),
+                           pattern.task == pattern::Task::shape ? tr("shape") : tr("stiffness"),
+                           pattern.condition == pattern::Condition::dynamic ? tr("dynamic") : tr("static")});
+    m_table->setChoices(std::move(choices));
+}
+
+void FeedbackPanel::setOwnPatterns(std::vector<touch::PatternChoice> own) {
+    m_own = std::move(own);
+    offerPatterns();
+}
+
+void FeedbackPanel::showLast(const FeedbackEvent& event) {
+    const QString what = event.sent.shape ? touch::TouchTexts::shape(*event.sent.shape)
+                                          : touch::TouchTexts::material(*event.sent.material);
+    if (event.sent.shape)
+        m_table->setRecognisedShape(*event.sent.shape);
+    else
+        m_table->setRecognisedStiffness(stiffness::level(*event.sent.material));
+    const QString touch = QString::number(event.sent.touch);
+    const QString pattern = QString::fromStdString(event.sent.patternId);
+    m_lastText = event.sent.missing
+                     ? tr("%1: %2 is missing", "what was recognised: id of a pattern").arg(what, pattern)
+                 : pattern.isEmpty()
+                     ? tr("%1: no pattern", "what was recognised").arg(what)
+                     : tr("%1: %2", "what was recognised: id of a pattern").arg(what, pattern);
+    if (pattern.isEmpty())
+        m_last->setText(tr("Touch %1: %2. There is no pattern for it in the table.").arg(touch, what));
+    else if (event.sent.missing)
+        m_last->setText(
+            tr("Touch %1: %2. Its pattern %3 is missing: nothing was played. Choose another one, or "
+               "put it back among your patterns.")
+                .arg(touch, what, pattern));
+    else if (event.onset_s)
+        m_last->setText(
+            tr("Touch %1: %2. %3 was felt %4 later.")
+                .arg(touch, what, pattern, base::siQuantity(*event.onset_s, QStringLiteral("s")).trimmed()));
+    else
+        m_last->setText(tr("Touch %1: %2. %3 was sent.").arg(touch, what, pattern));
+}
+
+void FeedbackPanel::retranslate() {
+    m_modeLabel->setText(tr("&Felt"));
+    const QSignalBlocker quiet(m_mode);
+    m_mode->setItemText(0, tr("Stiffness and shape"));
+    m_mode->setItemText(1, tr("Stiffness"));
+    m_mode->setItemText(2, tr("Shape"));
+    m_mode->setItemText(3, tr("Nothing"));
+    m_mode->setToolTip(tr("What of a touch is played on the bracelet"));
+    if (m_lastText.isEmpty())
+        m_last->setText(tr("Nothing was recognised yet."));
+}
+
+void FeedbackPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+        offerPatterns();
+    }
+}
+
+} // namespace teleta::console

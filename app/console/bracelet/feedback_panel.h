@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/bracelet/bracelet_station.h"
+#include "widgets/touch/pattern_map_table.h"
+
+#include <QString>
+#include <QWidget>
+
+#include <vector>
+
+class QComboBox;
+class QLabel;
+
+namespace teleta::console {
+
+/// What is felt of a touch: which of the things that are recognised, by which patterns, and what was sent
+/// last. Thread: GUI.
+class FeedbackPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit FeedbackPanel(BraceletStation& station, QWidget* parent = nullptr);
+
+    /// What was recognised last and the pattern that was sent for it; empty while nothing was.
+    [[nodiscard]] QString lastText() const { return m_lastText; }
+    [[nodiscard]] pipeline::FeedbackMode mode() const;
+    void setMode(pipeline::FeedbackMode mode);
+    [[nodiscard]] const pattern::PatternMap& map() const;
+    void setMap(const pattern::PatternMap& map);
+    /// Patterns of the user's own, which can be chosen beside the built-in ones.
+    void setOwnPatterns(std::vector<touch::PatternChoice> own);
+
+signals:
+    /// The mode or the map was changed by a person.
+    void changed();
+    void failed(const QString& message);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void showLast(const FeedbackEvent& event);
+    void offerPatterns();
+    void retranslate();
+
+    BraceletStation& m_station;
+    QLabel* m_modeLabel;
+    QComboBox* m_mode;
+    QLabel* m_last;
+    touch::PatternMapTable* m_table;
+    std::vector<touch::PatternChoice> m_own;
+    QString m_lastText;
+};
+
+} // namespace teleta::console

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/calibrate/calibrate_page.h"
+
+#include "widgets/base/theme.h"
+#include "widgets/calibrate/motors_view.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QListWidget>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+namespace teleta::console {
+
+CalibratePage::CalibratePage(BraceletStation& station, QWidget* parent)
+    : QWidget(parent)
+    , m_messages(new chrome::MessageBar(this))
+    , m_parts(new QListWidget(this))
+    , m_contents(new QStackedWidget(this))
+    , m_motors(new MotorCalibrator(station, this))
+    , m_camera(new CameraCalibrator) {
+    m_parts->setFixedWidth(base::em(this, 12));
+    m_parts->setFrameShape(QFrame::NoFrame);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(0);
+    row->addWidget(m_parts);
+    row->addWidget(m_contents, 1);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_messages);
+    layout->addLayout(row, 1);
+    connect(m_parts, &QListWidget::currentRowChanged, m_contents, &QStackedWidget::setCurrentIndex);
+    connect(m_motors, &MotorCalibrator::trouble, this, [this](const QString& what, const QString& details) {
+        m_messages->post({chrome::Message::Severity::error, what, details, QString()});
+    });
+    connect(m_camera, &CameraCalibrator::message, this, [this](const QString& text, bool isError) {
+        using Severity = chrome::Message::Severity;
+        m_messages->post({isError ? Severity::error : Severity::information, text, QString(), QString()});
+    });
+    addPart(&m_motors->view());
+    addPart(m_camera);
+    m_parts->setCurrentRow(0);
+    retranslate();
+}
+
+void CalibratePage::addPart(QWidget* content) {
+    m_parts->addItem(QString());
+    m_contents->addWidget(content);
+}
+
+void CalibratePage::openPairs(const QString& path) {
+    m_parts->setCurrentRow(m_contents->indexOf(m_camera));
+    m_camera->open(path);
+}
+
+void CalibratePage::tick() {
+    m_motors->tick();
+}
+
+void CalibratePage::retranslate() {
+    m_parts->setAccessibleName(tr("What can be calibrated"));
+    m_parts->item(0)->setText(tr("Bracelet motors"));
+    m_parts->item(1)->setText(tr("Cylinder camera"));
+}
+
+void CalibratePage::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+} // namespace teleta::console

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/calibrate/camera_calibrator.h"
+#include "app/console/calibrate/motor_calibrator.h"
+#include "widgets/chrome/message_bar.h"
+
+#include <QString>
+#include <QWidget>
+
+#include <vector>
+
+class QListWidget;
+class QStackedWidget;
+
+namespace teleta::console {
+
+/// The Calibrate page: on the left what can be calibrated, on the right how. Thread: GUI.
+class CalibratePage : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit CalibratePage(BraceletStation& station, QWidget* parent = nullptr);
+
+    [[nodiscard]] chrome::MessageBar& messages() { return *m_messages; }
+    [[nodiscard]] MotorCalibrator& motors() { return *m_motors; }
+    [[nodiscard]] CameraCalibrator& camera() { return *m_camera; }
+    /// Brings the camera forward and reads its pairs.
+    void openPairs(const QString& path);
+    /// Shows what the devices do.
+    void tick();
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void addPart(QWidget* content);
+    void retranslate();
+
+    chrome::MessageBar* m_messages;
+    QListWidget* m_parts;
+    QStackedWidget* m_contents;
+    MotorCalibrator* m_motors;
+    CameraCalibrator* m_camera;
+};
+
+} // namespace teleta::console

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/calibrate/motor_calibrator.h"
+
+#include "app/console/background.h"
+#include "backend/core/pacing_clock.h"
+#include "backend/motors/excitation.h"
+#include "backend/motors/excitation_run.h"
+#include "backend/motors/motor_file.h"
+#include "widgets/calibrate/motors_view.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+
+#include <algorithm>
+#include <chrono>
+
+namespace teleta::console {
+
+namespace {
+
+constexpr double kExcitationRate_Hz = 200.0;
+
+} // namespace
+
+MotorCalibrator::MotorCalibrator(BraceletStation& station, QWidget* parent)
+    : QObject(parent)
+    , m_station(station)
+    , m_view(new calibrate::MotorsView(parent)) {
+    using calibrate::MotorsView;
+    connect(&m_station, &BraceletStation::sessionChanged, this, &MotorCalibrator::onSession);
+    connect(&m_station, &BraceletStation::calibrationFailed, this, [this](const core::Error& error) {
+        report(tr("The profile of the motors cannot be used; they are assumed."), error);
+    });
+    connect(m_view, &MotorsView::calibrationChanged, &m_station, &BraceletStation::setCalibration);
+    connect(m_view, &MotorsView::playRequested, this,
+            [this](const playback::Program& program) { m_station.play(program, false); });
+    connect(m_view, &MotorsView::stopRequested, &m_station, &BraceletStation::stopPlaying);
+    connect(m_view, &MotorsView::measureRequested, this, [this](const std::vector<std::size_t>& motors) {
+        m_waiting.assign(motors.rbegin(), motors.rend());
+        measureNext();
+    });
+    connect(m_view, &MotorsView::cancelMeasureRequested, this, &MotorCalibrator::cancel);
+    connect(m_view, &MotorsView::recordingRequested, this, [this](std::size_t motor) {
+        askForFile(tr("Open the recording of a motor"), tr("Recordings (*.csv)"), {},
+                   [this, motor](const QString& path) { openRecording(motor, path); });
+    });
+    connect(m_view, &MotorsView::excitationFileRequested, this, [this] {
+        askForFile(tr("Write the excitation"), tr("Tables (*.csv)"), QStringLiteral("csv"),
+                   [this](const QString& path) { writeExcitation(path); });
+    });
+    connect(m_view, &MotorsView::saveRequested, this, [this] { save(); });
+    connect(m_view, &MotorsView::copyRequested, this, [this] {
+        askForFile(tr("Save a copy of the profile"), tr("Profiles (*.toml)"), QStringLiteral("toml"),
+                   [this](const QString& path) { save(path); });
+    });
+    connect(m_view, &MotorsView::loadRequested, this, [this] {
+        askForFile(tr("Load a profile"), tr("Profiles (*.toml)"), {},
+                   [this](const QString& path) { load(path); });
+    });
+    connect(m_view, &MotorsView::exportFailed, this, [this](const QString& message) {
+        emit trouble(message, tr("Choose another folder or file name."));
+    });
+    onSession();
+}
+
+MotorCalibrator::~MotorCalibrator() {
+    cancel();
+    for (const std::shared_ptr<Run>& run : m_runs)
+        run->end.wait();
+}
+
+void MotorCalibrator::onSession() {
+    cancel();
+    m_view->setCalibration(m_station.calibration(), true);
+    tick();
+}
+
+void MotorCalibrator::tick() {
+    calibrate::BraceletFacts facts;
+    if (const auto& session = m_station.session()) {
+        const core::BraceletDescription& description = session->source().description();
+        facts.name = QString::fromStdString(description.name);
+        facts.serial = QString::fromStdString(description.serial);
+        facts.simulated = description.simulated;
+        facts.ready = m_station.isReady();
+        const auto speeds = session->source().motorSpeeds();
+        facts.hasSensor = speeds.has_value();
+        if (speeds && m_view->isVisible())
+            facts.speeds_Hz = speeds->speeds_Hz;
+    }
+    m_view->setFacts(facts);
+    if (m_measuring)
+        m_view->setMeasuring(m_measuring, m_run ? m_run->progress.load() : 0.0);
+}
+
+void MotorCalibrator::measureNext() {
+    auto session = m_station.session();
+    if (m_waiting.empty() || !session) {
+        m_measuring.reset();
+        m_run.reset();
+        m_view->setMeasuring(std::nullopt);
+        return;
+    }
+    m_measuring = m_waiting.back();
+    m_waiting.pop_back();
+    m_run = std::make_shared<Run>();
+    std::erase_if(m_runs, [](const std::shared_ptr<Run>& run) {
+        return run->end.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    });
+    m_runs.push_back(m_run);
+    m_view->setMeasuring(m_measuring);
+    runInBackground(
+        this,
+        [session = std::move(session), run = m_run, motor = *m_measuring]() mutable {
+            core::PacingClock clock;
+            auto recording = motors::recordExcitation(session->player(), session->source(), motor,
+                                                      motors::stairsAndPulses(), run->stop.get_token(),
+                                                      run->progress, clock);
+            session.reset();
+            run->ended.set_value();
+            if (!recording)
+                return Fitted{{}, core::Unexpected(recording.error())};
+            auto fit = motors::fitMotor(*recording);
+            return Fitted{std::move(*recording), std::move(fit)};
+        },
+        [this, run = m_run, motor = *m_measuring](Fitted fitted) {
+            // Another bracelet, or another measurement, has taken its place.
+            if (run != m_run)
+                return;
+            const bool failed = !fitted.second;
+            if (!failed || fitted.second.error().kind != core::ErrorKind::cancelled)
+                m_view->takeFit(motor, fitted.first, fitted.second);
+            if (failed)
+                m_waiting.clear();
+            measureNext();
+        });
+}
+
+void MotorCalibrator::cancel() {
+    m_waiting.clear();
+    if (!m_run)
+        return;
+    m_run->stop.request_stop();
+    m_run.reset();
+    m_measuring.reset();
+    m_view->setMeasuring(std::nullopt);
+}
+
+void MotorCalibrator::openRecording(std::size_t motor, const QString& path) {
+    runInBackground(
+        this,
+        [path] {
+            auto recording = motors::readMotorRecording(path.toStdString());
+            if (!recording)
+                return Fitted{{}, core::Unexpected(recording.error())};
+            auto fit = motors::fitMotor(*recording);
+            return Fitted{std::move(*recording), std::move(fit)};
+        },
+        [this, motor](Fitted fitted) { m_view->takeFit(motor, fitted.first, fitted.second); });
+}
+
+void MotorCalibrator::load(const QString& path) {
+    runInBackground(
+        this, [path] { return motors::readMotors(path.toStdString()); },
+        [this, path](core::Expected<motors::MotorCalibration> read) {
+            const QString file = QFileInfo(path).fileName();
+            if (!read) {
+                report(tr("%1 could not be opened.", "a file").arg(file), read.error());
+                return;
+            }
+            const std::string& serial = m_station.calibration().bracelet;
+            if (read->bracelet != serial) {
+                emit trouble(
+                    tr("%1 is of another bracelet.", "a file").arg(file),
+                    tr("It is of \u201c%1\u201d, this one is \u201c%2\u201d. Measure this one, or connect "
+                       "the "
+                       "other.")
+                        .arg(QString::fromStdString(read->bracelet), QString::fromStdString(serial)));
+                return;
+            }
+            m_view->setCalibration(*read, false);
+            m_station.setCalibration(*read);
+        });
+}
+
+void MotorCalibrator::save(const QString& copyPath) {
+    const motors::MotorCalibration calibration = m_view->calibration();
+    const QString path =
+        copyPath.isEmpty() ? QString::fromStdString(motors::profilePath(calibration.bracelet)) : copyPath;
+    runInBackground(
+        this, [calibration, path] { return motors::writeMotors(calibration, path.toStdString()); },
+        [this, calibration, path, copy = !copyPath.isEmpty()](core::Expected<void> written) {
+            if (!written)
+                report(tr("%1 could not be saved.", "a file").arg(QFileInfo(path).fileName()),
+                       written.error());
+            else if (!copy && calibration == m_view->calibration())
+                m_view->markSaved();
+        });
+}
+
+void MotorCalibrator::writeExcitation(const QString& path) {
+    runInBackground(
+        this,
+        [path] {
+            return motors::writeExcitation(motors::stairsAndPulses(), kExcitationRate_Hz, path.toStdString());
+        },
+        [this, path](core::Expected<void> written) {
+            if (!written)
+                report(tr("%1 could not be saved.", "a file").arg(QFileInfo(path).fileName()),
+                       written.error());
+        });
+}
+
+void MotorCalibrator::askForFile(const QString& title, const QString& filter, const QString& suffix,
+                                 std::function<void(const QString&)> done) {
+    auto* dialog = new QFileDialog(m_view, title, QString(), filter);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(suffix.isEmpty() ? QFileDialog::AcceptOpen : QFileDialog::AcceptSave);
+    dialog->setFileMode(suffix.isEmpty() ? QFileDialog::ExistingFile : QFileDialog::AnyFile);
+    dialog->setDefaultSuffix(suffix);
+    connect(dialog, &QFileDialog::fileSelected, this, std::move(done));
+    dialog->open();
+}
+
+void MotorCalibrator::report(const QString& what, const core::Error& error) {
+    emit trouble(what, QString::fromStdString(core::describe(error)));
+}
+
+} // namespace teleta::console

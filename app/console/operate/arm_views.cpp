@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/operate/arm_views.h"
+
+#include "backend/core/device_state.h"
+#include "backend/core/steady_time.h"
+#include "widgets/bracelet/bracelet_view.h"
+#include "widgets/charts/joint_chart_view.h"
+#include "widgets/touch/contour_view.h"
+#include "widgets/touch/jog_panel.h"
+#include "widgets/touch/stiffness_gauge.h"
+#include "widgets/touch/touch_table.h"
+#include "widgets/touch/touch_texts.h"
+#include "widgets/view3d/scene3d_view.h"
+
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace teleta::console {
+
+namespace {
+
+std::vector<Eigen::Vector3d> atHeight(const std::vector<contour::Point>& points_m, double height_m) {
+    std::vector<Eigen::Vector3d> lifted;
+    lifted.reserve(points_m.size());
+    for (const contour::Point& p : points_m)
+        lifted.emplace_back(p.x(), p.y(), height_m);
+    return lifted;
+}
+
+/// The joints are not known any more: what moves the arm by them would be blind.
+bool readingsAreOld(const pipeline::ArmChannel& arm) {
+    const core::DeviceStatus status = arm.status();
+    const core::DeviceState state =
+        core::observedState(status.state, status.lastData_ns, core::steadyNow_ns(),
+                            core::staleAfter_ns(arm.description().nominalRate_Hz));
+    return state == core::DeviceState::stale || state == core::DeviceState::lost ||
+           state == core::DeviceState::reconnecting;
+}
+
+} // namespace
+
+ArmViews::ArmViews(core::StopSwitch& stop, BraceletStation& bracelet, view3d::Scene3dView& scene,
+                   QWidget* parent)
+    : QObject(parent)
+    , m_stop(stop)
+    , m_bracelet(bracelet)
+    , m_scene(scene)
+    , m_gauge(new touch::StiffnessGauge(parent))
+    , m_touches(new touch::TouchTable(parent))
+    , m_joints(new charts::JointChartView(parent))
+    , m_contour(new touch::ContourView(parent))
+    , m_jog(new touch::JogPanel(parent))
+    , m_picture(new bracelet::BraceletView(parent))
+    , m_feedback(new FeedbackPanel(bracelet, parent)) {
+    connect(m_jog, &touch::JogPanel::jogRequested, this, [this](const core::JointArray& rate_radPerS) {
+        if (m_arm)
+            m_arm->device().post({rate_radPerS, core::steadyNow_ns()});
+    });
+    connect(m_jog, &touch::JogPanel::programRunRequested, this, &ArmViews::setProgramRunning);
+    connect(m_jog, &touch::JogPanel::programRestartRequested, this, &ArmViews::restartProgram);
+    connect(m_picture, &bracelet::BraceletView::held, &m_bracelet, &BraceletStation::hold);
+    connect(m_touches, &touch::TouchTable::touchActivated, this,
+            [this](std::uint64_t touch) { m_joints->showTouch(touch); });
+    connect(m_gauge, &touch::StiffnessGauge::exportFailed, this, &ArmViews::exportFailed);
+    connect(m_touches, &touch::TouchTable::exportFailed, this, &ArmViews::exportFailed);
+    connect(m_contour, &touch::ContourView::exportFailed, this, &ArmViews::exportFailed);
+    connect(m_contour, &touch::ContourView::forgetRequested, this, &ArmViews::forgetContour);
+    connect(m_joints, &charts::JointChartView::exportFailed, this, &ArmViews::exportFailed);
+}
+
+void ArmViews::addTo(OperateDocks& docks) {
+    docks.add(OperateDocks::stiffness, m_gauge);
+    docks.add(OperateDocks::bracelet, m_picture);
+    docks.add(OperateDocks::joints, m_joints);
+    docks.add(OperateDocks::touches, m_touches);
+    docks.add(OperateDocks::jog, m_jog);
+    docks.add(OperateDocks::contour, m_contour);
+    docks.add(OperateDocks::feedback, m_feedback);
+}
+
+void ArmViews::setArm(std::shared_ptr<pipeline::ArmChannel> arm, base::Provenance provenance) {
+    if (m_arm)
+        m_arm->setFeedback(nullptr);
+    clear();
+    m_arm = std::move(arm);
+    if (!m_arm) {
+        m_jog->setArm(std::nullopt);
+        return;
+    }
+    const core::ArmDescription& description = m_arm->description();
+    m_kinematics = arm::Arm4Kinematics({.upperArmLength_m = description.upperArmLength_m,
+                                        .forearmLength_m = description.forearmLength_m,
+                                        .halfThickness_m = description.halfThickness_m});
+    m_gauge->setProvenance(provenance);
+    m_touches->setProvenance(provenance);
+    m_joints->setProvenance(provenance);
+    m_contour->setProvenance(provenance);
+    m_jog->setArm(description);
+    const core::ArrayLayout& skin = m_arm->skin().description().layout;
+    m_scene.setSurface(view3d::Surface::cylinder);
+    m_scene.setCylinder({.radius_m = description.skin.radius_m, .length_m = skin.columns * skin.pitch_m});
+    m_arm->setFeedback(m_bracelet.feedback());
+}
+
+void ArmViews::clear() {
+    m_gauge->setTouch(std::nullopt);
+    m_touches->clear();
+    m_joints->clear();
+    m_contour->clear();
+    m_scene.setArmLinks({});
+    m_scene.setContour({}, {}, {}, {});
+    m_scene.setSensorPose(Eigen::Isometry3d::Identity());
+    if (m_arm)
+        m_scene.setSurface(view3d::Surface::plate);
+    m_contourRevision = 0;
+    m_latency_s.reset();
+}
+
+void ArmViews::setHand(const std::optional<touch::HandMotion>& hand, const QString& text) {
+    m_jog->setHandText(text);
+    m_jog->setHand(hand);
+}
+
+void ArmViews::tick() {
+    m_jog->setStopEngaged(m_stop.engaged());
+    m_jog->setReadingsOld(m_arm && readingsAreOld(*m_arm));
+    m_picture->setIntensities(m_bracelet.given());
+    m_picture->setNote(m_bracelet.note());
+    m_picture->setHoldable(m_bracelet.isReady());
+    m_picture->setProvenance(m_bracelet.isSimulated() ? base::Provenance::simulated : base::Provenance::live);
+    m_picture->setTitle(m_feedback->lastText());
+    if (!m_arm)
+        return;
+    m_samples.clear();
+    core::JointSample sample;
+    while (m_arm->popSample(sample))
+        m_samples.push_back(sample);
+    m_joints->append(m_samples);
+    showTouches();
+    if (m_arm->update()) {
+        const pipeline::ArmSnapshot& snapshot = m_arm->snapshot();
+        m_latency_s = static_cast<double>(core::steadyNow_ns() - snapshot.newest.time_ns) * 1e-9;
+        m_jog->setSample(snapshot.newest);
+        m_jog->setDrive(snapshot.drive);
+        showArm(snapshot);
+        if (snapshot.contour.revision != m_contourRevision)
+            showContour(snapshot.contour);
+    }
+    m_joints->refresh();
+}
+
+void ArmViews::showTouches() {
+    pipeline::TouchRecord record;
+    while (m_arm->popTouch(record)) {
+        m_touches->append(record);
+        m_joints->addTouch(record);
+        if (record.stiffness)
+            m_gauge->setTouch(record.stiffness);
+        else if (record.refusal)
+            m_gauge->setRefusal(*record.refusal);
+    }
+}
+
+void ArmViews::showArm(const pipeline::ArmSnapshot& snapshot) {
+    const core::ArmDescription& description = m_arm->description();
+    const arm::JointVector angle_rad(snapshot.newest.angle_rad.data());
+    const Eigen::Isometry3d X_Base_Forearm = m_kinematics.X_Base_Link(arm::Link::forearm, angle_rad);
+    const std::array<view3d::ArmLink, 2> links{
+        view3d::ArmLink{m_kinematics.X_Base_Link(arm::Link::upperArm, angle_rad),
+                        description.upperArmLength_m, description.halfThickness_m},
+        view3d::ArmLink{X_Base_Forearm, description.forearmLength_m, description.halfThickness_m}};
+    m_scene.setArmLinks(links);
+    // The sheet's z points out of the skin: at its centre that is +z of the forearm, turned by the side.
+    m_scene.setSensorPose(X_Base_Forearm * Eigen::Translation3d(description.skin.centreDistance_m, 0.0, 0.0) *
+                          Eigen::AngleAxisd(description.skin.centreSide_rad, Eigen::Vector3d::UnitX()));
+}
+
+void ArmViews::showContour(const pipeline::ExploredContour& contour) {
+    m_contourRevision = contour.revision;
+    m_contour->setContour(contour);
+    std::vector<contour::Point> vertices_m;
+    QString label;
+    if (contour.recognition) {
+        vertices_m = contour.recognition->vertices_m;
+        label = tr("%1 (%2 %)", "a recognised shape and its confidence")
+                    .arg(touch::TouchTexts::shape(contour.recognition->shape))
+                    .arg(std::lround(100.0 * contour.recognition->confidence));
+    }
+    m_scene.setContour(atHeight(contour.points_m, contour.height_m),
+                       atHeight(contour.curve_m, contour.height_m), atHeight(vertices_m, contour.height_m),
+                       label);
+}
+
+void ArmViews::setProgramRunning(bool running) {
+    if (m_arm)
+        m_arm->device().setProgramRunning(running);
+}
+
+void ArmViews::restartProgram() {
+    if (!m_arm)
+        return;
+    m_arm->device().restartProgram();
+    forgetContour();
+}
+
+void ArmViews::forgetContour() {
+    if (m_arm)
+        m_arm->resetContour();
+}
+
+} // namespace teleta::console

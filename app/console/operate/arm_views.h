@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/bracelet/bracelet_station.h"
+#include "app/console/bracelet/feedback_panel.h"
+#include "app/console/operate/operate_docks.h"
+#include "backend/arm/arm4_kinematics.h"
+#include "backend/core/stop_switch.h"
+#include "backend/pipeline/arm_channel.h"
+#include "widgets/base/badge.h"
+#include "widgets/view3d/scene_types.h"
+
+#include <QObject>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace teleta::charts {
+class JointChartView;
+}
+namespace teleta::touch {
+class ContourView;
+class JogPanel;
+struct HandMotion;
+class StiffnessGauge;
+class TouchTable;
+} // namespace teleta::touch
+namespace teleta::bracelet {
+class BraceletView;
+}
+namespace teleta::view3d {
+class Scene3dView;
+}
+
+namespace teleta::console {
+
+/// The views of a remote arm on the Operate page: stiffness, joints, touches, jogging, the bracelet and what
+/// it is told; and the arm with the explored contour in the reconstruction. Thread: GUI.
+class ArmViews : public QObject {
+    Q_OBJECT
+
+public:
+    ArmViews(core::StopSwitch& stop, BraceletStation& bracelet, view3d::Scene3dView& scene, QWidget* parent);
+
+    void addTo(OperateDocks& docks);
+    /// The arm whose data are shown from now on; null: none. The former one stops being moved and felt.
+    void setArm(std::shared_ptr<pipeline::ArmChannel> arm, base::Provenance provenance);
+    [[nodiscard]] const std::shared_ptr<pipeline::ArmChannel>& arm() const { return m_arm; }
+    /// What a 3D mouse wants now, and its state in a line.
+    void setHand(const std::optional<touch::HandMotion>& hand, const QString& text);
+    /// Shows what came since the last tick.
+    void tick();
+    /// Time from the read of the newest joint sample to its picture; empty without one.
+    [[nodiscard]] std::optional<double> latency_s() const { return m_latency_s; }
+
+    void setProgramRunning(bool running);
+    /// Begins the program anew and forgets what was explored.
+    void restartProgram();
+    /// What is touched from now on is another object.
+    void forgetContour();
+    [[nodiscard]] FeedbackPanel& feedbackPanel() { return *m_feedback; }
+
+signals:
+    void exportFailed(const QString& message);
+
+private:
+    void showTouches();
+    void showContour(const pipeline::ExploredContour& contour);
+    void showArm(const pipeline::ArmSnapshot& snapshot);
+    void clear();
+
+    core::StopSwitch& m_stop;
+    BraceletStation& m_bracelet;
+    view3d::Scene3dView& m_scene;
+    touch::StiffnessGauge* m_gauge;
+    touch::TouchTable* m_touches;
+    charts::JointChartView* m_joints;
+    touch::ContourView* m_contour;
+    touch::JogPanel* m_jog;
+    bracelet::BraceletView* m_picture;
+    FeedbackPanel* m_feedback;
+
+    std::shared_ptr<pipeline::ArmChannel> m_arm;
+    arm::Arm4Kinematics m_kinematics;
+    std::vector<core::JointSample> m_samples; ///< of a tick
+    std::uint64_t m_contourRevision = 0;
+    std::optional<double> m_latency_s;
+};
+
+} // namespace teleta::console

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/operate/operate_docks.h"
+
+#include "widgets/base/theme.h"
+
+#include <QAction>
+#include <QDataStream>
+#include <QDockWidget>
+#include <QIODevice>
+
+#include <algorithm>
+#include <utility>
+
+namespace teleta::console {
+
+namespace {
+
+/// Version of the layouts: stored ones of another version are not restored.
+constexpr qint32 kLayoutVersion = 3;
+
+constexpr std::array<const char*, OperateDocks::kDocks> kNames{
+    "heatmap", "reconstruction", "charts", "processing", "stiffness", "bracelet",
+    "joints",  "touches",        "jog",    "feedback",   "contour",   "servo"};
+
+} // namespace
+
+OperateDocks::OperateDocks(QWidget* parent)
+    : QMainWindow(parent) {
+    // Inside a page; it is no window itself.
+    setWindowFlags(Qt::Widget);
+    setDockNestingEnabled(true);
+    setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+}
+
+void OperateDocks::add(Dock dock, QWidget* view) {
+    auto* frame = new QDockWidget(this);
+    frame->setObjectName(QLatin1String(kNames[dock])); // saveState() needs it
+    frame->setWidget(view);
+    addDockWidget(Qt::LeftDockWidgetArea, frame);
+    m_docks[dock] = frame;
+}
+
+void OperateDocks::begin() {
+    retranslate();
+    resetLayout();
+    enableActions();
+}
+
+void OperateDocks::setKind(Kind kind) {
+    if (kind == m_kind)
+        return;
+    m_layouts[index()] = saveState(kLayoutVersion);
+    m_kind = kind;
+    enableActions();
+    if (m_layouts[index()].isEmpty() || !restore(m_layouts[index()]))
+        resetLayout();
+    bringForward(std::exchange(m_forward, QString()));
+}
+
+bool OperateDocks::restore(const QByteArray& layout) {
+    if (!restoreState(layout, kLayoutVersion))
+        return false;
+    // What is not in a layout stays where it was.
+    for (std::size_t i = 0; i < kDocks; ++i)
+        if (!belongs(m_kind, i))
+            m_docks[i]->hide();
+    return true;
+}
+
+bool OperateDocks::belongs(Kind kind, std::size_t dock) {
+    if (dock < stiffness)
+        return true;
+    return kind == (dock == servo ? Kind::servo : Kind::arm);
+}
+
+QStringList OperateDocks::names() {
+    QStringList names;
+    for (const char* name : kNames)
+        names << QLatin1String(name);
+    return names;
+}
+
+void OperateDocks::bringForward(const QString& name) {
+    m_forward = name;
+    const auto index = static_cast<std::size_t>(names().indexOf(name));
+    if (index >= kDocks || !belongs(m_kind, index))
+        return;
+    m_docks[index]->show();
+    m_docks[index]->raise();
+}
+
+QList<QAction*> OperateDocks::actions() const {
+    QList<QAction*> all;
+    for (QDockWidget* dock : m_docks)
+        all << dock->toggleViewAction();
+    return all;
+}
+
+void OperateDocks::enableActions() {
+    for (std::size_t i = 0; i < kDocks; ++i)
+        m_docks[i]->toggleViewAction()->setEnabled(belongs(m_kind, i));
+}
+
+QByteArray OperateDocks::saveLayouts() const {
+    std::array<QByteArray, kKinds> layouts = m_layouts;
+    layouts[index()] = saveState(kLayoutVersion);
+    QByteArray bytes;
+    QDataStream stream(&bytes, QIODevice::WriteOnly);
+    stream << kLayoutVersion;
+    for (const QByteArray& layout : layouts)
+        stream << layout;
+    return bytes;
+}
+
+bool OperateDocks::restoreLayouts(const QByteArray& layouts) {
+    QDataStream stream(layouts);
+    qint32 version = 0;
+    std::array<QByteArray, kKinds> stored;
+    stream >> version;
+    for (QByteArray& layout : stored)
+        stream >> layout;
+    const bool whole = stream.status() == QDataStream::Ok && version == kLayoutVersion;
+    if (!whole || (!stored[index()].isEmpty() && !restore(stored[index()]))) {
+        m_layouts = {};
+        m_default.fill(true);
+        resetLayout();
+        return false;
+    }
+    m_layouts = std::move(stored);
+    for (std::size_t i = 0; i < kKinds; ++i)
+        m_default[i] = m_layouts[i].isEmpty();
+    if (m_default[index()])
+        resetLayout();
+    return true;
+}
+
+void OperateDocks::resetLayout() {
+    arrange();
+    m_default[index()] = true;
+    shareSpace();
+}
+
+void OperateDocks::arrange() {
+    for (QDockWidget* dock : m_docks) {
+        dock->setFloating(false);
+        removeDockWidget(dock); // hides it
+    }
+    const auto show = [this](std::initializer_list<Dock> docks) {
+        for (const Dock dock : docks)
+            m_docks[dock]->show();
+    };
+    addDockWidget(Qt::LeftDockWidgetArea, m_docks[heatmap]);
+    if (m_kind == Kind::array) {
+        splitDockWidget(m_docks[heatmap], m_docks[charts], Qt::Vertical);
+        splitDockWidget(m_docks[heatmap], m_docks[reconstruction], Qt::Horizontal);
+        addDockWidget(Qt::RightDockWidgetArea, m_docks[processing]);
+        show({heatmap, charts, reconstruction, processing});
+        return;
+    }
+    if (m_kind == Kind::servo) {
+        splitDockWidget(m_docks[heatmap], m_docks[charts], Qt::Vertical);
+        splitDockWidget(m_docks[heatmap], m_docks[reconstruction], Qt::Horizontal);
+        addDockWidget(Qt::RightDockWidgetArea, m_docks[servo]);
+        tabifyDockWidget(m_docks[servo], m_docks[processing]);
+        show({heatmap, charts, reconstruction, servo, processing});
+        m_docks[servo]->raise();
+        return;
+    }
+    splitDockWidget(m_docks[heatmap], m_docks[joints], Qt::Vertical);
+    splitDockWidget(m_docks[heatmap], m_docks[reconstruction], Qt::Horizontal);
+    tabifyDockWidget(m_docks[joints], m_docks[contour]);
+    tabifyDockWidget(m_docks[joints], m_docks[charts]);
+    tabifyDockWidget(m_docks[joints], m_docks[touches]);
+    addDockWidget(Qt::RightDockWidgetArea, m_docks[stiffness]);
+    splitDockWidget(m_docks[stiffness], m_docks[bracelet], Qt::Vertical);
+    splitDockWidget(m_docks[bracelet], m_docks[jog], Qt::Vertical);
+    tabifyDockWidget(m_docks[jog], m_docks[feedback]);
+    tabifyDockWidget(m_docks[jog], m_docks[processing]);
+    show({heatmap, reconstruction, joints, contour, charts, touches, stiffness, bracelet, jog, feedback,
+          processing});
+    m_docks[joints]->raise();
+    m_docks[jog]->raise();
+}
+
+void OperateDocks::shareSpace() {
+    if (m_kind != Kind::arm) {
+        const bool servos = m_kind == Kind::servo;
+        const int settings = base::em(this, servos ? 25 : 18);
+        const int rest = std::max(width() - settings, settings);
+        resizeDocks({m_docks[heatmap], m_docks[charts]}, {height() * 11 / 20, height() * 9 / 20},
+                    Qt::Vertical);
+        resizeDocks({m_docks[heatmap], m_docks[reconstruction], m_docks[servos ? servo : processing]},
+                    {rest * 11 / 20, rest * 9 / 20, settings}, Qt::Horizontal);
+        return;
+    }
+    const int side = base::em(this, 25);
+    const int rest = std::max(width() - side, side);
+    resizeDocks({m_docks[heatmap], m_docks[joints]}, {height() * 11 / 20, height() * 9 / 20}, Qt::Vertical);
+    resizeDocks({m_docks[heatmap], m_docks[reconstruction], m_docks[stiffness]},
+                {rest * 9 / 20, rest * 11 / 20, side}, Qt::Horizontal);
+    const int gauge = base::em(this, 14);
+    const int picture = base::em(this, 13);
+    resizeDocks({m_docks[stiffness], m_docks[bracelet], m_docks[jog]},
+                {gauge, picture, std::max(height() - gauge - picture, picture)}, Qt::Vertical);
+}
+
+void OperateDocks::showEvent(QShowEvent* event) {
+    QMainWindow::showEvent(event);
+    // Only now do the docks have room. A layout that was restored keeps its own shares.
+    if (m_default[index()])
+        QMetaObject::invokeMethod(this, &OperateDocks::shareSpace, Qt::QueuedConnection);
+}
+
+void OperateDocks::retranslate() {
+    const std::array<QString, kDocks> titles{tr("Heatmap"),    tr("Reconstruction"), tr("Features over time"),
+                                             tr("Processing"), tr("Stiffness"),      tr("Bracelet"),
+                                             tr("Joints"),     tr("Touches"),        tr("Jog"),
+                                             tr("Feedback"),   tr("Contour"),        tr("Servo")};
+    for (std::size_t i = 0; i < kDocks; ++i)
+        m_docks[i]->setWindowTitle(titles[i]);
+}
+
+} // namespace teleta::console

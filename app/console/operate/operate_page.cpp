@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/operate/operate_page.h"
+
+#include "backend/core/device_state.h"
+#include "backend/core/steady_time.h"
+#include "widgets/base/theme.h"
+#include "widgets/charts/strip_chart_view.h"
+#include "widgets/chrome/empty_state.h"
+#include "widgets/chrome/playback_bar.h"
+#include "widgets/tactile/channel_settings_panel.h"
+#include "widgets/tactile/heatmap_view.h"
+#include "widgets/view3d/scene3d_view.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace teleta::console {
+
+namespace {
+
+base::Provenance provenanceOf(const core::SourceDescription& description) {
+    if (description.simulated)
+        return base::Provenance::simulated;
+    return description.recorded ? base::Provenance::recorded : base::Provenance::live;
+}
+
+/// Nobody looks at this arm: what it felt meanwhile is not shown later as if it were new.
+void drain(pipeline::ArmChannel& arm) {
+    core::JointSample sample;
+    while (arm.popSample(sample)) {
+    }
+    pipeline::TouchRecord touch;
+    while (arm.popTouch(touch)) {
+    }
+}
+
+} // namespace
+
+OperatePage::OperatePage(SourceManager& sources, core::StopSwitch& stop, QWidget* parent)
+    : QWidget(parent)
+    , m_sources(sources)
+    , m_messages(new chrome::MessageBar(this))
+    , m_chooser(new chrome::SourceChooser(this))
+    , m_playback(new chrome::PlaybackBar(this))
+    , m_stack(new QStackedWidget(this))
+    , m_empty(new chrome::EmptyState(base::Icon::sensor, this))
+    , m_docks(new OperateDocks(this))
+    , m_bracelet(new BraceletStation(stop, this))
+    , m_heatmap(new tactile::HeatmapView(this))
+    , m_charts(new charts::StripChartView(this))
+    , m_scene(new view3d::Scene3dView(this))
+    , m_settings(new tactile::ChannelSettingsPanel(this))
+    , m_arm(new ArmViews(stop, *m_bracelet, *m_scene, this))
+    , m_servo(new ServoViews(*m_scene, this)) {
+    auto* top = new QHBoxLayout;
+    top->setContentsMargins(base::grid(this), base::grid(this, 0.5), base::grid(this), base::grid(this, 0.5));
+    top->addWidget(m_chooser);
+    top->addWidget(m_playback, 1);
+    top->addStretch(0);
+
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(m_settings);
+    m_docks->add(OperateDocks::heatmap, m_heatmap);
+    m_docks->add(OperateDocks::reconstruction, m_scene);
+    m_docks->add(OperateDocks::charts, m_charts);
+    m_docks->add(OperateDocks::processing, scroll);
+    m_arm->addTo(*m_docks);
+    m_servo->addTo(*m_docks);
+    m_docks->begin();
+
+    m_stack->addWidget(m_empty);
+    m_stack->addWidget(m_docks);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_messages);
+    layout->addLayout(top);
+    layout->addWidget(m_stack, 1);
+
+    auto* demo = m_empty->addAction(QString(), QString());
+    auto* recording = m_empty->addAction(QString(), QString());
+    auto* list = m_empty->addAction(QString(), QString());
+    demo->setObjectName(QStringLiteral("openDemo"));
+    recording->setObjectName(QStringLiteral("openRecording"));
+    list->setObjectName(QStringLiteral("openList"));
+    connect(demo, &QPushButton::clicked, this, &OperatePage::demoRequested);
+    connect(recording, &QPushButton::clicked, this, &OperatePage::openRecordingRequested);
+    connect(list, &QPushButton::clicked, this, &OperatePage::openListRequested);
+
+    connect(&m_sources, &SourceManager::activeChanged, this, &OperatePage::onActiveChanged);
+    connect(&m_sources, &SourceManager::itemsChanged, this, &OperatePage::onSourcesChanged);
+    connect(m_chooser, &chrome::SourceChooser::sourceChosen, &m_sources, &SourceManager::activate);
+    connect(m_chooser, &chrome::SourceChooser::closeRequested, &m_sources, &SourceManager::close);
+    connect(m_settings, &tactile::ChannelSettingsPanel::settingsChanged, this,
+            [this](const pipeline::ChannelSettings& settings) {
+                if (auto* item = m_sources.active())
+                    item->channel->post(settings);
+            });
+    connect(m_settings, &tactile::ChannelSettingsPanel::tareRequested, this, [this] {
+        if (auto* item = m_sources.active())
+            item->channel->requestTare();
+    });
+    connect(m_settings, &tactile::ChannelSettingsPanel::clearTareRequested, this, [this] {
+        if (auto* item = m_sources.active())
+            item->channel->clearTare();
+    });
+    const auto report = [this](const QString& text) {
+        m_messages->post(
+            {chrome::Message::Severity::error, text, tr("Choose another folder or file name."), {}});
+    };
+    connect(m_heatmap, &tactile::HeatmapView::exportFailed, this, report);
+    connect(m_charts, &charts::StripChartView::exportFailed, this, report);
+    connect(m_scene, &view3d::Scene3dView::failed, this, report);
+    connect(m_arm, &ArmViews::exportFailed, this, report);
+    connect(&m_arm->feedbackPanel(), &FeedbackPanel::failed, this, report);
+    connect(m_bracelet, &BraceletStation::failed, this, &OperatePage::onBraceletFailed);
+    connectPlayback();
+    retranslate();
+    onSourcesChanged();
+    onActiveChanged();
+}
+
+void OperatePage::tick() {
+    const std::int64_t now_ns = core::steadyNow_ns();
+    for (SourceManager::Item& item : m_sources.items()) {
+        if (item.channel == nullptr)
+            continue;
+        watchFailures(item);
+        const bool active = &item == m_sources.active();
+        pipeline::FeatureSample sample;
+        while (item.channel->popSample(sample)) {
+            if (active)
+                m_charts->append(sample);
+        }
+        if (item.arm && !active)
+            drain(*item.arm);
+        if (!item.channel->update() || !active)
+            continue;
+        const pipeline::TouchSnapshot& snapshot = item.channel->snapshot();
+        m_heatmap->setSnapshot(snapshot);
+        m_scene->setSnapshot(snapshot);
+        ++item.displayed;
+        m_latency_s = static_cast<double>(now_ns - snapshot.time_ns) * 1e-9;
+        if (m_settingsRevision != item.channel->settingsRevision()) {
+            m_settingsRevision = item.channel->settingsRevision();
+            m_settings->setSettings(item.channel->settings());
+        }
+    }
+    m_charts->refresh();
+    m_bracelet->tick();
+    m_arm->tick();
+    m_servo->tick();
+    if (core::PlaybackControl* control = playback())
+        m_playback->setPosition(control->position());
+}
+
+std::vector<chrome::DeviceReading> OperatePage::readings() const {
+    std::vector<chrome::DeviceReading> readings;
+    const std::int64_t now_ns = core::steadyNow_ns();
+    const SourceManager::Item* active = m_sources.active();
+    for (const SourceManager::Item& item : m_sources.items()) {
+        chrome::DeviceReading reading;
+        reading.name = item.name;
+        reading.active = &item == active;
+        if (item.channel == nullptr) {
+            reading.state = core::DeviceState::connecting;
+        } else {
+            const core::SourceDescription& description = item.channel->description();
+            const core::DeviceStatus status = item.channel->status();
+            reading.provenance = provenanceOf(description);
+            // A recording may be played as slowly as one likes: its frames are old by nature, not stale.
+            reading.state = description.recorded
+                                ? status.state
+                                : core::observedState(status.state, status.lastData_ns, now_ns,
+                                                      core::staleAfter_ns(description.nominalRate_Hz));
+            reading.age_s =
+                status.lastData_ns > 0 ? static_cast<double>(now_ns - status.lastData_ns) * 1e-9 : 0.0;
+            reading.rate_Hz = status.rate_Hz;
+            reading.lost = status.framesLost;
+            reading.displayed = item.displayed;
+            reading.details = QString::fromStdString(status.message);
+            if (reading.active)
+                reading.latency_s = m_latency_s;
+        }
+        readings.push_back(std::move(reading));
+    }
+    for (const SourceManager::Item& item : m_sources.items()) {
+        if (item.arm == nullptr)
+            continue;
+        const core::DeviceStatus status = item.arm->status();
+        chrome::DeviceReading reading;
+        reading.name = tr("joints");
+        reading.provenance = provenanceOf(item.channel->description());
+        reading.state = core::observedState(status.state, status.lastData_ns, now_ns,
+                                            core::staleAfter_ns(item.arm->description().nominalRate_Hz));
+        reading.age_s =
+            status.lastData_ns > 0 ? static_cast<double>(now_ns - status.lastData_ns) * 1e-9 : 0.0;
+        reading.rate_Hz = status.rate_Hz;
+        reading.lost = status.framesLost;
+        reading.displayed = item.arm->samplesProcessed() - item.arm->samplesNotShown();
+        reading.details = QString::fromStdString(status.message);
+        readings.push_back(std::move(reading));
+    }
+    if (auto bracelet = m_bracelet->reading())
+        readings.push_back(std::move(*bracelet));
+    return readings;
+}
+
+void OperatePage::onActiveChanged() {
+    m_latency_s.reset();
+    m_charts->clear();
+    SourceManager::Item* item = m_sources.active();
+    if (item != nullptr) {
+        const base::Provenance provenance = provenanceOf(item->channel->description());
+        m_heatmap->setProvenance(provenance);
+        m_charts->setProvenance(provenance);
+        m_scene->setProvenance(provenance);
+        const pipeline::ChannelSettings settings = item->channel->settings();
+        m_charts->setLoadUnit(QString::fromStdString(settings.loadUnit));
+        m_settings->setSettings(settings);
+        m_settingsRevision = item->channel->settingsRevision();
+        if (item->channel->generation() > 0) {
+            m_heatmap->setSnapshot(item->channel->snapshot());
+            m_scene->setSnapshot(item->channel->snapshot());
+        }
+    } else {
+        m_heatmap->clear();
+        m_scene->clear();
+    }
+    // Before the arm, whose surface is to stay.
+    const std::shared_ptr<servo::ServoLink> servo = item != nullptr ? item->servo : nullptr;
+    if (servo != m_servo->servo())
+        m_servo->setServo(servo, servo ? provenanceOf(item->channel->description()) : base::Provenance::live);
+    const std::shared_ptr<pipeline::ArmChannel> arm = item != nullptr ? item->arm : nullptr;
+    if (arm != m_arm->arm()) {
+        m_arm->setArm(arm, arm ? provenanceOf(item->channel->description()) : base::Provenance::live);
+    }
+    m_docks->setKind(arm     ? OperateDocks::Kind::arm
+                     : servo ? OperateDocks::Kind::servo
+                             : OperateDocks::Kind::array);
+    m_settings->setEnabled(item != nullptr);
+    onSourcesChanged();
+}
+
+void OperatePage::onSourcesChanged() {
+    std::vector<chrome::SourceChooser::Source> sources;
+    for (const SourceManager::Item& item : m_sources.items()) {
+        sources.push_back({item.key, item.name,
+                           item.channel ? provenanceOf(item.channel->description()) : base::Provenance::live,
+                           item.channel == nullptr});
+    }
+    const SourceManager::Item* active = m_sources.active();
+    m_chooser->setSources(sources, active != nullptr ? active->key : 0);
+    m_playback->setVisible(playback() != nullptr);
+    QWidget* shown = m_sources.items().empty() ? static_cast<QWidget*>(m_empty) : m_docks;
+    m_stack->setCurrentWidget(shown);
+}
+
+void OperatePage::connectPlayback() {
+    const auto forward = [this](auto call) {
+        return [this, call](auto... arguments) {
+            if (core::PlaybackControl* control = playback())
+                (control->*call)(arguments...);
+        };
+    };
+    connect(m_playback, &chrome::PlaybackBar::playRequested, this, forward(&core::PlaybackControl::play));
+    connect(m_playback, &chrome::PlaybackBar::pauseRequested, this, forward(&core::PlaybackControl::pause));
+    connect(m_playback, &chrome::PlaybackBar::stepRequested, this, forward(&core::PlaybackControl::step));
+    connect(m_playback, &chrome::PlaybackBar::seekRequested, this, forward(&core::PlaybackControl::seek));
+    connect(m_playback, &chrome::PlaybackBar::speedRequested, this,
+            forward(&core::PlaybackControl::setSpeed));
+    connect(m_playback, &chrome::PlaybackBar::loopRequested, this, forward(&core::PlaybackControl::setLoop));
+}
+
+core::PlaybackControl* OperatePage::playback() {
+    SourceManager::Item* item = m_sources.active();
+    return item != nullptr ? item->channel->playback() : nullptr;
+}
+
+void OperatePage::watchFailures(const SourceManager::Item& item) {
+    const core::DeviceStatus status = item.channel->status();
+    const auto reported = std::find(m_reportedLost.begin(), m_reportedLost.end(), item.key);
+    if (status.state != core::DeviceState::lost) {
+        if (reported != m_reportedLost.end())
+            m_reportedLost.erase(reported);
+        return;
+    }
+    if (reported != m_reportedLost.end())
+        return;
+    m_reportedLost.push_back(item.key);
+    const bool recorded = item.channel->description().recorded;
+    m_messages->post({chrome::Message::Severity::error, tr("%1 was lost.", "a source").arg(item.name),
+                      recorded ? tr("What came before the damaged place can still be played. Repair the file "
+                                    "and open it again.")
+                               : tr("Check the cable and the power supply; it is tried again by itself."),
+                      QString::fromStdString(status.message)});
+}
+
+void OperatePage::onBraceletFailed(const core::Error& error) {
+    m_messages->post({chrome::Message::Severity::error, tr("The bracelet could not be opened."),
+                      QString::fromStdString(core::describe(error)), QString()});
+}
+
+void OperatePage::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+void OperatePage::retranslate() {
+    m_docks->retranslate();
+    m_empty->setTexts(tr("No source"),
+                      tr("Open a demo scene to look around, a recording, or a list of sources."));
+    const auto set = [this](const char* name, const QString& text, const QString& toolTip) {
+        auto* button = m_empty->findChild<QPushButton*>(QLatin1String(name));
+        button->setText(text);
+        button->setToolTip(toolTip);
+    };
+    set("openDemo", tr("Open &demo scene"), tr("A simulated arm that touches five materials"));
+    set("openRecording", tr("Open &recording\u2026"), tr("Recorded frames as CSV: time_s,t0,t1,\u2026"));
+    set("openList", tr("Open source &list\u2026"), tr("A TOML file that lists scenes and recordings"));
+}
+
+} // namespace teleta::console

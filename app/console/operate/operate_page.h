@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/bracelet/bracelet_station.h"
+#include "app/console/operate/arm_views.h"
+#include "app/console/operate/operate_docks.h"
+#include "app/console/operate/servo_views.h"
+#include "app/console/operate/source_manager.h"
+#include "widgets/chrome/device_strip.h"
+#include "widgets/chrome/message_bar.h"
+#include "widgets/chrome/source_chooser.h"
+
+#include <QWidget>
+
+#include <optional>
+#include <vector>
+
+class QStackedWidget;
+
+namespace teleta::tactile {
+class HeatmapView;
+class ChannelSettingsPanel;
+} // namespace teleta::tactile
+namespace teleta::charts {
+class StripChartView;
+}
+namespace teleta::chrome {
+class EmptyState;
+class PlaybackBar;
+} // namespace teleta::chrome
+namespace teleta::view3d {
+class Scene3dView;
+}
+
+namespace teleta::console {
+
+/// The Operate page: the views of the active source as docks, the source chooser, the playback bar, and
+/// notices above them. Every 30 Hz tick it drains what the pipeline made and repaints what changed. Thread:
+/// GUI.
+class OperatePage : public QWidget {
+    Q_OBJECT
+
+public:
+    OperatePage(SourceManager& sources, core::StopSwitch& stop, QWidget* parent = nullptr);
+
+    /// Repaints what changed since the last tick.
+    void tick();
+    /// What the status bar says of the open sources.
+    [[nodiscard]] std::vector<chrome::DeviceReading> readings() const;
+
+    [[nodiscard]] chrome::SourceChooser& chooser() { return *m_chooser; }
+    [[nodiscard]] chrome::MessageBar& messages() { return *m_messages; }
+
+    [[nodiscard]] OperateDocks& docks() { return *m_docks; }
+    [[nodiscard]] ArmViews& armViews() { return *m_arm; }
+    [[nodiscard]] BraceletStation& bracelet() { return *m_bracelet; }
+    void retranslate();
+
+signals:
+    void demoRequested();
+    void openRecordingRequested();
+    void openListRequested();
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void onActiveChanged();
+    void onSourcesChanged();
+    void onBraceletFailed(const core::Error& error);
+    void connectPlayback();
+    void watchFailures(const SourceManager::Item& item);
+    core::PlaybackControl* playback();
+
+    SourceManager& m_sources;
+    chrome::MessageBar* m_messages;
+    chrome::SourceChooser* m_chooser;
+    chrome::PlaybackBar* m_playback;
+    QStackedWidget* m_stack;
+    chrome::EmptyState* m_empty;
+    OperateDocks* m_docks;
+    BraceletStation* m_bracelet;
+    tactile::HeatmapView* m_heatmap;
+    charts::StripChartView* m_charts;
+    view3d::Scene3dView* m_scene;
+    tactile::ChannelSettingsPanel* m_settings;
+    ArmViews* m_arm;
+    ServoViews* m_servo;
+    std::uint64_t m_settingsRevision = 0;
+    std::optional<double> m_latency_s;
+    std::vector<pipeline::ChannelKey> m_reportedLost;
+};
+
+} // namespace teleta::console

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/operate/servo_views.h"
+
+#include "widgets/servo/servo_panel.h"
+#include "widgets/view3d/scene3d_view.h"
+
+#include <QScrollArea>
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <optional>
+#include <utility>
+
+namespace teleta::console {
+
+namespace {
+
+constexpr double kLinkRadius_m = 0.05;
+constexpr double kWristRadius_m = 0.03;
+
+/// A tube from one point to another.
+view3d::ArmLink between(const Eigen::Vector3d& from_m, const Eigen::Vector3d& to_m, double radius_m) {
+    view3d::ArmLink link;
+    const Eigen::Vector3d way_m = to_m - from_m;
+    link.X_World_Link.translation() = from_m;
+    link.X_World_Link.linear() =
+        Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), way_m).toRotationMatrix();
+    link.length_m = way_m.norm();
+    link.radius_m = radius_m;
+    return link;
+}
+
+} // namespace
+
+ServoViews::ServoViews(view3d::Scene3dView& scene, QWidget* parent)
+    : QObject(parent)
+    , m_scene(scene)
+    , m_panel(new servo::ServoPanel(parent)) {
+    connect(m_panel, &servo::ServoPanel::tuningChanged, this, [this](const servo::ServoTuning& tuning) {
+        if (m_servo)
+            m_servo->tuning.post(tuning);
+    });
+    connect(m_panel, &servo::ServoPanel::taskRequested, this, [this](std::size_t task) {
+        if (m_servo)
+            m_servo->task.post(task);
+    });
+}
+
+void ServoViews::addTo(OperateDocks& docks) {
+    auto* scroll = new QScrollArea(&docks);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(m_panel);
+    docks.add(OperateDocks::servo, scroll);
+}
+
+void ServoViews::setServo(std::shared_ptr<servo::ServoLink> servo, base::Provenance provenance) {
+    const bool had = m_servo != nullptr;
+    m_servo = std::move(servo);
+    m_panel->setProvenance(provenance);
+    m_panel->setReport(std::nullopt);
+    if (!had && !m_servo)
+        return;
+    m_edge_m.clear();
+    m_edgeChanged = false;
+    m_scene.setContour({}, {}, {}, {});
+    m_scene.setArmLinks({});
+    m_scene.setSensorPose(Eigen::Isometry3d::Identity());
+    m_scene.setSurface(view3d::Surface::plate);
+}
+
+void ServoViews::tick() {
+    if (!m_servo)
+        return;
+    const bool news = m_servo->reports.update();
+    if (news && m_servo->reports.front().restarts != m_restarts) {
+        m_restarts = m_servo->reports.front().restarts;
+        forgetEdge();
+    }
+    takeContacts();
+    if (!news)
+        return;
+    const servo::ServoReport& report = m_servo->reports.front();
+    m_panel->setReport(report);
+    showArm(report);
+}
+
+void ServoViews::forgetEdge() {
+    Eigen::Vector3d old;
+    while (m_servo->contacts.pop(old)) {
+    }
+    m_edge_m.clear();
+    m_edgeChanged = true;
+}
+
+void ServoViews::takeContacts() {
+    Eigen::Vector3d p_Base_Contact;
+    while (m_servo->contacts.pop(p_Base_Contact)) {
+        if (!m_edge_m.empty() && (p_Base_Contact - m_edge_m.back()).norm() < kSpacing_m)
+            continue;
+        m_edge_m.push_back(p_Base_Contact);
+        m_edgeChanged = true;
+    }
+    if (std::exchange(m_edgeChanged, false))
+        m_scene.setContour(m_edge_m, m_edge_m, {}, {});
+}
+
+void ServoViews::showArm(const servo::ServoReport& report) {
+    const auto& joint = report.p_Base_Joint;
+    const Eigen::Vector3d sensor_m = report.X_Base_Sensor.translation();
+    const std::array<view3d::ArmLink, 4> links{
+        between(joint[0], joint[1], kLinkRadius_m), between(joint[1], joint[3], kLinkRadius_m),
+        between(joint[3], joint[5], kLinkRadius_m), between(joint[5], sensor_m, kWristRadius_m)};
+    m_scene.setArmLinks(links);
+    m_scene.setSensorPose(report.X_Base_Sensor);
+}
+
+} // namespace teleta::console

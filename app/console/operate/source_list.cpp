@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/operate/source_list.h"
+
+#include "backend/scene/toml_table.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QString>
+
+#include <utility>
+
+namespace teleta::console {
+
+namespace {
+
+std::string besideList(const std::string& listPath, const std::string& path) {
+    if (path.empty() || path.starts_with(":/"))
+        return path;
+    return QFileInfo(QString::fromStdString(listPath))
+        .dir()
+        .filePath(QString::fromStdString(path))
+        .toStdString();
+}
+
+SceneRequest readSceneSource(scene::TomlTable& table, const std::string& listPath) {
+    SceneRequest request;
+    request.path = besideList(listPath, table.text("scene"));
+    request.seed =
+        static_cast<std::uint64_t>(table.integer("seed", 0, std::numeric_limits<long long>::max(), 1));
+    return request;
+}
+
+RecordingRequest readRecordingSource(scene::TomlTable& table, const std::string& listPath) {
+    const std::string path = besideList(listPath, table.text("recording"));
+    RecordingRequest request;
+    if (auto guessed = guessRecording(path))
+        request = std::move(*guessed);
+    else
+        table.fail("recording", guessed.error().message, guessed.error().expected);
+    request.layout.rows =
+        static_cast<int>(table.integer("rows", 1, core::ArrayLayout::kMaximumSide, request.layout.rows));
+    request.layout.columns = static_cast<int>(
+        table.integer("columns", 1, core::ArrayLayout::kMaximumSide, request.layout.columns));
+    request.layout.pitch_m = table.number("pitch_m", scene::NumberRange::positive(), request.layout.pitch_m);
+    if (table.has("tare"))
+        request.tarePath = besideList(listPath, table.text("tare"));
+    request.inverted = table.boolean("inverted", request.inverted);
+    request.gain = table.number("gain", scene::NumberRange::positive(), request.gain);
+    request.threshold_N = table.number("threshold", scene::NumberRange::positive(), request.threshold_N);
+    request.loadUnit = table.text("unit", request.loadUnit);
+    request.rate_Hz = table.number("rate_Hz", scene::NumberRange::notNegative(), request.rate_Hz);
+    request.speed = table.number("speed", scene::NumberRange::between(0.01, 100.0), request.speed);
+    request.loop = table.boolean("loop", request.loop);
+    return request;
+}
+
+WtsRequest readWtsSource(scene::TomlTable& table, const std::string& listPath) {
+    WtsRequest request;
+    if (auto address = wts::parseWtsAddress(table.text("wts")))
+        request.config.address = std::move(*address);
+    else
+        table.fail("wts", address.error().message, address.error().expected);
+    if (auto* serial = std::get_if<wts::SerialAddress>(&request.config.address)) {
+        serial->path = besideList(listPath, serial->path);
+        serial->baud = static_cast<int>(table.integer("baud", 9600, 4'000'000, serial->baud));
+    }
+    request.config.delay_ms =
+        static_cast<std::uint16_t>(table.integer("delay_ms", 0, 65535, request.config.delay_ms));
+    request.config.runLength = table.boolean("run_length", request.config.runLength);
+    request.config.tare = table.boolean("tare", request.config.tare);
+    request.gain = table.number("gain", scene::NumberRange::positive(), request.gain);
+    if (table.has("threshold"))
+        request.threshold = table.number("threshold", scene::NumberRange::positive());
+    request.loadUnit = table.text("unit", request.loadUnit);
+    return request;
+}
+
+} // namespace
+
+core::Expected<std::vector<SourceRequest>> readSourceList(const std::string& path) {
+    auto document = scene::TomlDocument::open(path);
+    if (!document)
+        return core::Unexpected(document.error());
+    scene::TomlTable root = document->root();
+    std::vector<SourceRequest> requests;
+    for (scene::TomlTable& table : root.tables("source", 1)) {
+        if (table.has("scene"))
+            requests.emplace_back(readSceneSource(table, path));
+        else if (table.has("wts"))
+            requests.emplace_back(readWtsSource(table, path));
+        else
+            requests.emplace_back(readRecordingSource(table, path));
+        table.finish();
+    }
+    root.finish();
+    if (document->firstError())
+        return core::Unexpected(*document->firstError());
+    return requests;
+}
+
+} // namespace teleta::console

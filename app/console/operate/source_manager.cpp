@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/operate/source_manager.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace teleta::console {
+
+using pipeline::ChannelEvent;
+using pipeline::ChannelKey;
+
+SourceManager::SourceManager(core::StopSwitch& stop, QObject* parent)
+    : QObject(parent)
+    , m_stop(stop) {
+}
+
+ChannelKey SourceManager::open(const SourceRequest& request) {
+    const ChannelKey key = m_pipeline.open(makeSourceFactory(request, m_stop));
+    m_items.push_back({key, request, displayName(request), nullptr, nullptr, 0});
+    emit itemsChanged();
+    return key;
+}
+
+ChannelKey SourceManager::openOnly(const SourceRequest& request) {
+    closeAll();
+    return open(request);
+}
+
+void SourceManager::close(ChannelKey key) {
+    if (find(key) == nullptr)
+        return;
+    m_pipeline.close(key);
+    remove(key);
+}
+
+void SourceManager::closeAll() {
+    while (!m_items.empty())
+        close(m_items.back().key);
+}
+
+void SourceManager::activate(ChannelKey key) {
+    const Item* item = find(key);
+    if (item == nullptr || item->channel == nullptr || key == m_active)
+        return;
+    m_active = key;
+    emit activeChanged(key);
+}
+
+SourceManager::Item* SourceManager::active() {
+    return find(m_active);
+}
+
+SourceManager::Item* SourceManager::find(ChannelKey key) {
+    const auto found =
+        std::find_if(m_items.begin(), m_items.end(), [key](const Item& item) { return item.key == key; });
+    return found == m_items.end() ? nullptr : &*found;
+}
+
+void SourceManager::poll() {
+    for (ChannelEvent& event : m_pipeline.takeEvents()) {
+        Item* item = find(event.key);
+        switch (event.kind) {
+        case ChannelEvent::Kind::opened:
+            // Closed again while it was being opened: its close request is on the way.
+            if (item == nullptr)
+                break;
+            item->channel = std::move(event.channel);
+            item->arm = std::move(event.arm);
+            item->servo = std::move(event.servo);
+            emit opened(event.key);
+            emit itemsChanged();
+            activate(event.key);
+            break;
+        case ChannelEvent::Kind::failed: {
+            const QString name = item != nullptr ? fileName(item->request) : QString();
+            remove(event.key);
+            emit failed(name, event.error);
+            break;
+        }
+        case ChannelEvent::Kind::closed:
+            break;
+        }
+    }
+}
+
+void SourceManager::remove(ChannelKey key) {
+    const auto removed = std::erase_if(m_items, [key](const Item& item) { return item.key == key; });
+    if (removed == 0)
+        return;
+    const bool wasActive = key == m_active;
+    if (wasActive)
+        m_active = 0;
+    emit closed(key);
+    emit itemsChanged();
+    if (!wasActive)
+        return;
+    const auto next = std::find_if(m_items.begin(), m_items.end(),
+                                   [](const Item& item) { return item.channel != nullptr; });
+    if (next != m_items.end())
+        activate(next->key);
+    else
+        emit activeChanged(0);
+}
+
+} // namespace teleta::console

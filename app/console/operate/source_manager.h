@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/operate/source_request.h"
+#include "backend/core/stop_switch.h"
+#include "backend/pipeline/touch_pipeline.h"
+
+#include <QObject>
+#include <QString>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace teleta::console {
+
+/// The open sources of the console: asks the pipeline to open and close them, and says what became of it.
+/// Which source the views show is decided here. Thread: GUI; no call waits.
+class SourceManager : public QObject {
+    Q_OBJECT
+
+public:
+    struct Item {
+        pipeline::ChannelKey key = 0;
+        SourceRequest request;
+        QString name;
+        std::shared_ptr<pipeline::TouchChannel> channel; ///< null while it is being opened
+        std::shared_ptr<pipeline::ArmChannel> arm;       ///< null unless the channel is an arm's skin
+        std::shared_ptr<servo::ServoLink> servo;         ///< null unless a servo moves the array
+        std::uint64_t displayed = 0;                     ///< snapshots that were painted
+    };
+
+    explicit SourceManager(core::StopSwitch& stop, QObject* parent = nullptr);
+
+    /// Opens a source beside those that are open and shows it once it is there.
+    pipeline::ChannelKey open(const SourceRequest& request);
+    /// Opens a source in place of all others.
+    pipeline::ChannelKey openOnly(const SourceRequest& request);
+    void close(pipeline::ChannelKey key);
+    void closeAll();
+    void activate(pipeline::ChannelKey key);
+
+    [[nodiscard]] std::vector<Item>& items() { return m_items; }
+    [[nodiscard]] Item* active();
+    [[nodiscard]] Item* find(pipeline::ChannelKey key);
+
+    /// Takes the pipeline's news; called by the GUI's timer.
+    void poll();
+
+signals:
+    void opened(pipeline::ChannelKey key);
+    void failed(const QString& name, const core::Error& error);
+    void closed(pipeline::ChannelKey key);
+    void activeChanged(pipeline::ChannelKey key);
+    void itemsChanged();
+
+private:
+    void remove(pipeline::ChannelKey key);
+
+    core::StopSwitch& m_stop;
+    pipeline::TouchPipeline m_pipeline;
+    std::vector<Item> m_items;
+    pipeline::ChannelKey m_active = 0;
+};
+
+} // namespace teleta::console

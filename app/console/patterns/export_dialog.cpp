@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/patterns/export_dialog.h"
+
+#include "widgets/base/theme.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+
+#include <array>
+#include <utility>
+
+namespace teleta::console {
+
+using pattern::PatternFormat;
+
+namespace {
+
+struct Format {
+    PatternFormat format;
+    const char* ending;
+    const char* name;
+    const char* about;
+};
+
+constexpr std::array kFormats{
+    Format{PatternFormat::hjif, ".hjif", QT_TRANSLATE_NOOP("ExportDialog", "HJIF (ISO/IEC 23090-31)"),
+           QT_TRANSLATE_NOOP("ExportDialog",
+                             "One channel a motor, with its place on the forearm. Can be read "
+                             "back.")},
+    Format{PatternFormat::hapticZip, ".haptic.zip",
+           QT_TRANSLATE_NOOP("ExportDialog", "Haptic clips (.haptic in a zip)"),
+           QT_TRANSLATE_NOOP("ExportDialog", "One clip a motor. Can be read back.")},
+    Format{PatternFormat::ahapZip, ".ahap.zip", QT_TRANSLATE_NOOP("ExportDialog", "AHAP (in a zip)"),
+           QT_TRANSLATE_NOOP("ExportDialog", "One file a motor, for Core Haptics.")},
+    Format{PatternFormat::tact, ".tact", QT_TRANSLATE_NOOP("ExportDialog", "tact"),
+           QT_TRANSLATE_NOOP("ExportDialog",
+                             "Layout of six motors on the forearm, whole milliseconds. Can be "
+                             "read back.")},
+    Format{PatternFormat::csv, ".csv", QT_TRANSLATE_NOOP("ExportDialog", "CSV table"),
+           QT_TRANSLATE_NOOP("ExportDialog", "Columns time_s, t1 to t6: a sample a row.")},
+    Format{PatternFormat::wav, ".wav", QT_TRANSLATE_NOOP("ExportDialog", "WAV, six channels"),
+           QT_TRANSLATE_NOOP("ExportDialog", "The intensities as 16-bit samples, 1 is full scale.")}};
+
+} // namespace
+
+ExportDialog::ExportDialog(pattern::MotorProfiles motors, QString suggested, QWidget* parent)
+    : QDialog(parent)
+    , m_motors(std::move(motors))
+    , m_suggested(std::move(suggested))
+    , m_format(new QComboBox(this))
+    , m_about(new QLabel(this))
+    , m_rate(new QDoubleSpinBox(this))
+    , m_content(new QComboBox(this))
+    , m_buttons(new QDialogButtonBox(QDialogButtonBox::Cancel, this)) {
+    setWindowTitle(tr("Export pattern"));
+    for (const Format& format : kFormats)
+        m_format->addItem(tr(format.name), static_cast<int>(format.format));
+    m_format->setObjectName(QStringLiteral("format"));
+    m_about->setWordWrap(true);
+    m_about->setMinimumWidth(base::em(this, 24));
+    m_rate->setRange(pattern::kLowestRate_Hz, pattern::kHighestRate_Hz);
+    m_rate->setSuffix(QStringLiteral(" Hz"));
+    m_content->addItem(tr("commanded intensities"));
+    m_content->addItem(tr("what the motors are predicted to do"));
+    auto* where = m_buttons->addButton(tr("Choose File\u2026"), QDialogButtonBox::AcceptRole);
+    where->setDefault(true);
+    auto* form = new QFormLayout(this);
+    form->addRow(tr("&Format:"), m_format);
+    form->addRow(QString(), m_about);
+    form->addRow(tr("&Rate:"), m_rate);
+    form->addRow(tr("&Values:"), m_content);
+    form->addRow(m_buttons);
+    connect(m_format, &QComboBox::currentIndexChanged, this, &ExportDialog::showFormat);
+    connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(m_buttons, &QDialogButtonBox::accepted, this, &ExportDialog::askWhere);
+    showFormat();
+}
+
+void ExportDialog::choose(PatternFormat format) {
+    m_format->setCurrentIndex(m_format->findData(static_cast<int>(format)));
+}
+
+void ExportDialog::showFormat() {
+    const Format& format = kFormats[static_cast<std::size_t>(m_format->currentIndex())];
+    const bool wav = format.format == PatternFormat::wav;
+    const bool sampled = wav || format.format == PatternFormat::csv;
+    m_about->setText(tr(format.about));
+    m_rate->setEnabled(sampled);
+    m_content->setEnabled(sampled);
+    m_rate->setDecimals(wav ? 0 : 3);
+    m_rate->setMinimum(wav ? 1.0 : pattern::kLowestRate_Hz);
+    if (sampled)
+        m_rate->setValue(wav ? pattern::kWavRate_Hz : pattern::kCsvRate_Hz);
+}
+
+pattern::SampleOptions ExportDialog::samples() const {
+    pattern::SampleOptions samples;
+    if (!m_rate->isEnabled())
+        return samples;
+    samples.rate_Hz = m_rate->value();
+    if (m_content->currentIndex() == 1)
+        samples.motors = m_motors;
+    return samples;
+}
+
+QString ExportDialog::ending() const {
+    return QLatin1String(kFormats[static_cast<std::size_t>(m_format->currentIndex())].ending);
+}
+
+void ExportDialog::askWhere() {
+    auto* dialog = new QFileDialog(this, tr("Export pattern"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setFileMode(QFileDialog::AnyFile);
+    dialog->setNameFilter(m_format->currentText() + QStringLiteral(" (*%1)").arg(ending()));
+    dialog->setDefaultSuffix(ending().mid(1));
+    dialog->selectFile(m_suggested + ending());
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+        emit chosen(path.endsWith(ending(), Qt::CaseInsensitive) ? path : path + ending(), samples());
+        accept();
+    });
+    dialog->open();
+}
+
+} // namespace teleta::console

@@ -1,0 +1,501 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/patterns/patterns_page.h"
+
+#include "app/console/background.h"
+#include "app/console/patterns/export_dialog.h"
+#include "backend/pattern/built_in_patterns.h"
+#include "backend/pattern/pattern_file.h"
+#include "backend/pattern/pattern_format.h"
+#include "widgets/base/theme.h"
+#include "widgets/bracelet/bracelet_view.h"
+#include "widgets/pattern/pattern_document.h"
+#include "widgets/pattern/pattern_editor.h"
+#include "widgets/pattern/pattern_library.h"
+#include "widgets/pattern/timeline_view.h"
+
+#include <QDateTime>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <utility>
+
+namespace teleta::console {
+
+using pattern::Pattern;
+
+namespace {
+
+QString fileName(const QString& path) {
+    return QFileInfo(path).fileName();
+}
+
+bool isOwnFormat(const QString& path) {
+    return pattern::formatOf(path.toStdString()) == pattern::PatternFormat::own;
+}
+
+bool isReadable(const QString& path) {
+    const auto format = pattern::formatOf(path.toStdString());
+    return format == pattern::PatternFormat::own || format == pattern::PatternFormat::hjif ||
+           format == pattern::PatternFormat::haptic || format == pattern::PatternFormat::hapticZip ||
+           format == pattern::PatternFormat::tact;
+}
+
+/// The first file of a drag that is a pattern.
+QString patternIn(const QMimeData& data) {
+    for (const QUrl& url : data.urls())
+        if (url.isLocalFile() && isReadable(url.toLocalFile()))
+            return url.toLocalFile();
+    return {};
+}
+
+} // namespace
+
+PatternsPage::PatternsPage(BraceletStation& station, PatternCollection& collection,
+                           const QString& recoveryFolder, QWidget* parent)
+    : QWidget(parent)
+    , m_station(station)
+    , m_collection(collection)
+    , m_keeper(new RecoveryKeeper(recoveryFolder, this))
+    , m_messages(new chrome::MessageBar(this))
+    , m_recovery(new QWidget(this))
+    , m_recoveryText(new QLabel(m_recovery))
+    , m_recover(new QPushButton(m_recovery))
+    , m_discard(new QPushButton(m_recovery))
+    , m_editor(new editor::PatternEditor(this))
+    , m_picture(new bracelet::BraceletView) {
+    setAcceptDrops(true);
+    m_editor->setBraceletPicture(m_picture);
+    m_recoveryText->setWordWrap(true);
+    m_recover->setObjectName(QStringLiteral("recover"));
+    m_discard->setObjectName(QStringLiteral("discardRecovered"));
+    m_recovery->setAutoFillBackground(true);
+    m_recovery->setBackgroundRole(QPalette::ToolTipBase);
+    auto* offer = new QHBoxLayout(m_recovery);
+    offer->setContentsMargins(base::grid(this), base::grid(this, 0.5), base::grid(this),
+                              base::grid(this, 0.5));
+    offer->addWidget(m_recoveryText, 1);
+    for (QPushButton* button : {m_recover, m_discard}) {
+        button->setAutoDefault(false);
+        offer->addWidget(button);
+    }
+    m_recovery->hide();
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_messages);
+    layout->addWidget(m_recovery);
+    layout->addWidget(m_editor, 1);
+
+    connectEditor();
+    connectCollection();
+    connect(m_recover, &QPushButton::clicked, this, &PatternsPage::recover);
+    connect(m_discard, &QPushButton::clicked, this, &PatternsPage::discardRecovered);
+    connect(m_keeper, &RecoveryKeeper::found, this, [this] {
+        showRecovery();
+        emit recoveryOffered(m_recoveryText->text());
+    });
+    connect(m_keeper, &RecoveryKeeper::failed, this, [this](const core::Error& error) {
+        report(tr("The edits that are not saved could not be kept aside: a crash would lose them."), error);
+    });
+    connect(m_picture, &bracelet::BraceletView::held, &m_station, &BraceletStation::hold);
+    showPattern(pattern::builtInPatterns().front(), {});
+    showOwn();
+    m_keeper->look();
+}
+
+void PatternsPage::connectEditor() {
+    using editor::PatternEditor;
+    connect(m_editor, &PatternEditor::playRequested, this, &PatternsPage::play);
+    connect(m_editor, &PatternEditor::stopRequested, this, [this] {
+        m_station.stopPlaying();
+        m_editor->setPlaying(false);
+    });
+    connect(m_editor, &PatternEditor::playheadMoved, this, [this](double time_s) {
+        if (m_editor->isPlaying())
+            m_station.seek(time_s - m_playedFrom_s);
+    });
+    connect(m_editor, &PatternEditor::newRequested, this, [this] { whenSettled([this] { openNew(); }); });
+    connect(m_editor, &PatternEditor::openRequested, this, [this](const QString& idOrPath) {
+        if (idOrPath.isEmpty())
+            askForFile(false);
+        else
+            open(idOrPath);
+    });
+    connect(m_editor, &PatternEditor::saveRequested, this, &PatternsPage::save);
+    connect(m_editor, &PatternEditor::saveAsRequested, this, [this] { askForFile(true); });
+    connect(m_editor, &PatternEditor::exportRequested, this, &PatternsPage::askForExport);
+    connect(m_editor, &PatternEditor::compareRequested, this, &PatternsPage::compareWith);
+    connect(m_editor, &PatternEditor::duplicateRequested, this, [this](const QString& idOrPath) {
+        load(idOrPath, [this](const std::shared_ptr<const Pattern>& pattern) {
+            m_collection.duplicate(*pattern, tr("%1 (copy)").arg(QString::fromStdString(pattern->name)));
+        });
+    });
+    editor::PatternDocument* document = m_editor->document();
+    connect(document, &editor::PatternDocument::refused, this, [this](const QString& message) {
+        m_messages->post({chrome::Message::Severity::warning, message, {}, {}});
+    });
+    connect(document, &editor::PatternDocument::autosaveDue, this, [this](const Pattern& pattern) {
+        m_keeper->keep(
+            {pattern, m_editor->document()->path().toStdString(), QDateTime::currentMSecsSinceEpoch()});
+    });
+    connect(document, &editor::PatternDocument::dirtyChanged, this, [this](bool dirty) {
+        if (!dirty)
+            m_keeper->forget();
+    });
+    connect(&m_station, &BraceletStation::calibrationChanged, this,
+            [this](const motors::MotorCalibration& calibration) {
+                m_editor->document()->setMotors(calibration.profiles());
+            });
+}
+
+void PatternsPage::connectCollection() {
+    editor::PatternLibrary* library = m_editor->library();
+    connect(library, &editor::PatternLibrary::renameRequested, &m_collection, &PatternCollection::rename);
+    connect(library, &editor::PatternLibrary::deleteRequested, &m_collection, &PatternCollection::remove);
+    connect(library, &editor::PatternLibrary::undoRequested, &m_collection, &PatternCollection::undo);
+    connect(&m_collection, &PatternCollection::changed, this, &PatternsPage::showOwn);
+    connect(&m_collection, &PatternCollection::doneChanged, this,
+            [this] { m_editor->library()->setNotice(m_collection.lastDone(), m_collection.canUndo()); });
+    connect(&m_collection, &PatternCollection::failed, this, [this](const QString& what, const auto& error) {
+        m_afterSaving = nullptr;
+        disconnect(m_adding);
+        report(what, error);
+    });
+    connect(&m_collection, &PatternCollection::removed, this, [this](const QString& path) {
+        // What is open lives on; its file is gone.
+        if (path == m_editor->document()->path())
+            showPattern(m_editor->document()->pattern(), {}, true);
+    });
+}
+
+void PatternsPage::showOwn() {
+    std::vector<editor::OwnPattern> own;
+    for (const pattern::StoredPattern& stored : m_collection.patterns()) {
+        editor::OwnPattern item;
+        item.path = QString::fromStdString(stored.path);
+        item.name = fileName(item.path);
+        item.renamable = isOwnFormat(item.path);
+        if (stored.error)
+            item.problem = QString::fromStdString(core::describe(*stored.error));
+        if (stored.pattern) {
+            if (!stored.pattern->name.empty())
+                item.name = QString::fromStdString(stored.pattern->name);
+            item.duration_s = stored.pattern->duration_s;
+            item.notes = QString::fromStdString(stored.pattern->notes);
+            for (const std::string& tag : stored.pattern->tags)
+                item.tags << QString::fromStdString(tag);
+        }
+        own.push_back(std::move(item));
+    }
+    m_editor->library()->setOwn(std::move(own));
+}
+
+void PatternsPage::showPattern(Pattern pattern, const QString& path, bool unsaved) {
+    m_station.stopPlaying();
+    m_editor->document()->setPattern(std::move(pattern), path, unsaved);
+    if (unsaved)
+        m_keeper->keep(
+            {m_editor->document()->pattern(), path.toStdString(), QDateTime::currentMSecsSinceEpoch()});
+    else
+        m_keeper->forget();
+}
+
+void PatternsPage::load(const QString& idOrPath, std::function<void(std::shared_ptr<const Pattern>)> use) {
+    if (const Pattern* builtIn = pattern::findBuiltIn(idOrPath.toStdString())) {
+        use(std::make_shared<const Pattern>(*builtIn));
+        return;
+    }
+    runInBackground(
+        this,
+        [idOrPath, own = m_collection.atPath(idOrPath)]() -> core::Expected<std::shared_ptr<const Pattern>> {
+            core::Expected<Pattern> pattern = pattern::loadPattern(idOrPath.toStdString());
+            if (!pattern)
+                return core::Unexpected(pattern.error());
+            if (own)
+                pattern->id = own->id; // which no other own pattern has
+            return std::make_shared<const Pattern>(std::move(*pattern));
+        },
+        [this, idOrPath, use = std::move(use)](core::Expected<std::shared_ptr<const Pattern>> pattern) {
+            if (pattern)
+                use(*pattern);
+            else
+                report(tr("%1 could not be opened.", "a file").arg(fileName(idOrPath)), pattern.error());
+        });
+}
+
+void PatternsPage::open(const QString& idOrPath) {
+    whenSettled([this, idOrPath] { openNow(idOrPath); });
+}
+
+void PatternsPage::openNow(const QString& idOrPath) {
+    load(idOrPath, [this, idOrPath](const std::shared_ptr<const Pattern>& pattern) {
+        if (pattern::findBuiltIn(idOrPath.toStdString()) != nullptr) {
+            showPattern(*pattern, {});
+            return;
+        }
+        // Another format holds less than a pattern has: what is edited does not go back into its file.
+        showPattern(*pattern, isOwnFormat(idOrPath) ? idOrPath : QString());
+        emit used(idOrPath);
+    });
+}
+
+void PatternsPage::openNew() {
+    Pattern pattern;
+    pattern.id = pattern::newPatternId();
+    pattern.name = tr("New pattern").toStdString();
+    pattern.duration_s = 2.0;
+    showPattern(std::move(pattern), {});
+}
+
+void PatternsPage::save() {
+    const QString path = m_editor->document()->path();
+    if (!path.isEmpty()) {
+        write(path);
+    } else if (!m_collection.isPossible()) {
+        askForFile(true);
+    } else {
+        Pattern pattern = m_editor->document()->pattern();
+        if (pattern.name.empty())
+            pattern.name = tr("New pattern").toStdString();
+        disconnect(m_adding);
+        m_adding = connect(
+            &m_collection, &PatternCollection::added, this,
+            [this, revision = m_editor->document()->revision()](const QString& added) {
+                if (revision == m_editor->document()->revision())
+                    m_editor->document()->markSaved(added);
+                settled(true);
+                emit used(added);
+            },
+            Qt::SingleShotConnection);
+        m_collection.add(pattern);
+    }
+}
+
+void PatternsPage::saveAs(const QString& path) {
+    if (isOwnFormat(path))
+        write(path);
+    else
+        exportTo(path);
+}
+
+void PatternsPage::write(const QString& path) {
+    runInBackground(
+        this,
+        [path, pattern = std::make_shared<const Pattern>(m_editor->document()->pattern())] {
+            return pattern::savePattern(*pattern, path.toStdString());
+        },
+        [this, path, revision = m_editor->document()->revision()](core::Expected<void> saved) {
+            if (!saved)
+                report(tr("%1 could not be saved.", "a file").arg(fileName(path)), saved.error());
+            else if (revision == m_editor->document()->revision())
+                m_editor->document()->markSaved(path);
+            settled(saved.has_value());
+            if (saved)
+                emit used(path);
+        });
+}
+
+void PatternsPage::exportTo(const QString& path, const pattern::SampleOptions& samples) {
+    inform(tr("Exporting %1\u2026", "a file").arg(fileName(path)));
+    runInBackground(
+        this,
+        [path, samples, pattern = std::make_shared<const Pattern>(m_editor->document()->pattern())] {
+            return pattern::savePattern(*pattern, path.toStdString(), samples);
+        },
+        [this, path](core::Expected<void> saved) {
+            if (saved)
+                inform(tr("%1 was exported.", "a file").arg(fileName(path)));
+            else
+                report(tr("%1 could not be exported.", "a file").arg(fileName(path)), saved.error());
+        });
+}
+
+void PatternsPage::compareWith(const QString& idOrPath) {
+    load(idOrPath,
+         [this](std::shared_ptr<const Pattern> pattern) { m_editor->compareWith(std::move(pattern)); });
+}
+
+bool PatternsPage::hasUnsaved() const {
+    return m_editor->document()->isDirty();
+}
+
+void PatternsPage::whenSettled(std::function<void()> goOn) {
+    if (!hasUnsaved()) {
+        goOn();
+        return;
+    }
+    const QString name = QString::fromStdString(m_editor->document()->pattern().name);
+    auto* ask = new QMessageBox(QMessageBox::Question, tr("Unsaved edits"),
+                                tr("%1 has edits that are not saved.", "a pattern").arg(name),
+                                QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+    ask->setAttribute(Qt::WA_DeleteOnClose);
+    ask->setDefaultButton(QMessageBox::Save);
+    connect(ask, &QMessageBox::finished, this, [this, goOn = std::move(goOn)](int answer) {
+        if (answer == QMessageBox::Discard) {
+            m_keeper->forget();
+            m_editor->document()->markSaved(m_editor->document()->path());
+            goOn();
+        } else if (answer == QMessageBox::Save) {
+            m_afterSaving = goOn;
+            save();
+        }
+    });
+    ask->open();
+}
+
+void PatternsPage::settled(bool saved) {
+    const std::function<void()> goOn = std::exchange(m_afterSaving, nullptr);
+    if (goOn && saved && !hasUnsaved())
+        goOn();
+}
+
+void PatternsPage::showRecovery() {
+    m_recovery->setVisible(!m_keeper->lost().empty());
+    if (m_keeper->lost().empty())
+        return;
+    const pattern::RecoveredPattern& lost = m_keeper->lost().front().recovered;
+    const QString when =
+        QLocale().toString(QDateTime::fromMSecsSinceEpoch(lost.edited_ms), QLocale::ShortFormat);
+    QString text = tr("The program ended without saving %1, edited %2. The file on disk is as it was.",
+                      "a pattern, a time")
+                       .arg(QString::fromStdString(lost.pattern.name), when);
+    if (m_keeper->lost().size() > 1)
+        text += QLatin1Char(' ') +
+                tr("There are %n more.", nullptr, static_cast<int>(m_keeper->lost().size()) - 1);
+    m_recoveryText->setText(text);
+    m_recover->setText(tr("Open the Edits"));
+    m_discard->setText(tr("Discard Them"));
+}
+
+void PatternsPage::recover() {
+    if (m_keeper->lost().empty())
+        return;
+    whenSettled([this] {
+        const LostEdits lost = m_keeper->take();
+        showPattern(lost.recovered.pattern, QString::fromStdString(lost.recovered.path), true);
+        m_keeper->discard(lost); // after showPattern(): the edits are kept anew before the old file goes
+        showRecovery();
+    });
+}
+
+void PatternsPage::discardRecovered() {
+    if (m_keeper->lost().empty())
+        return;
+    m_keeper->discard(m_keeper->take());
+    showRecovery();
+}
+
+QFileDialog* PatternsPage::fileDialog(const QString& title, bool save) {
+    auto* dialog = new QFileDialog(this, title);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(save ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
+    dialog->setFileMode(save ? QFileDialog::AnyFile : QFileDialog::ExistingFile);
+    return dialog;
+}
+
+void PatternsPage::askForFile(bool save) {
+    QFileDialog* dialog = fileDialog(save ? tr("Save pattern") : tr("Open pattern"), save);
+    if (save) {
+        dialog->setNameFilter(tr("Patterns (*.json)"));
+        dialog->setDefaultSuffix(QStringLiteral("json"));
+    } else {
+        dialog->setNameFilters({tr("All patterns (*.json *.hjif *.haptic *.haptic.zip *.tact)"),
+                                tr("Patterns (*.json)"), tr("HJIF (*.hjif)"),
+                                tr("Haptic clips (*.haptic *.haptic.zip)"), tr("tact (*.tact)")});
+    }
+    connect(dialog, &QFileDialog::fileSelected, this, [this, save](const QString& path) {
+        if (save)
+            saveAs(path);
+        else
+            open(path);
+    });
+    dialog->open();
+}
+
+void PatternsPage::askForExport() {
+    const editor::PatternDocument& document = *m_editor->document();
+    const QString name =
+        document.path().isEmpty()
+            ? QString::fromStdString(document.pattern().name).replace(QLatin1Char('/'), QLatin1Char('-'))
+            : QString::fromStdString(pattern::baseName(document.path().toStdString()));
+    auto* dialog = new ExportDialog(document.motors(), name, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &ExportDialog::chosen, this, &PatternsPage::exportTo);
+    dialog->open();
+}
+
+void PatternsPage::report(const QString& what, const core::Error& error) {
+    m_messages->post(
+        {chrome::Message::Severity::error, what, QString::fromStdString(core::describe(error)), QString()});
+}
+
+void PatternsPage::inform(const QString& what) {
+    m_messages->post({chrome::Message::Severity::information, what, {}, {}});
+}
+
+void PatternsPage::play() {
+    if (!m_station.isReady()) {
+        m_editor->setPlaying(false);
+        return;
+    }
+    const double duration_s = m_editor->document()->pattern().duration_s;
+    const auto& loop = m_editor->timeline()->loop();
+    const pattern::Span range = m_editor->looping() && loop ? *loop : pattern::Span{0.0, duration_s};
+    double from_s = m_editor->timeline()->playhead_s();
+    if (!(from_s >= range.begin_s && from_s < range.end_s))
+        from_s = range.begin_s;
+    auto compiled = std::make_shared<const pattern::CompiledPattern>(m_editor->document()->compiled());
+    m_playedFrom_s = range.begin_s;
+    m_station.play({[compiled = std::move(compiled), begin_s = range.begin_s](double t_s) {
+                        return compiled->evaluate(begin_s + t_s);
+                    },
+                    range.end_s - range.begin_s},
+                   m_editor->looping(), from_s - range.begin_s);
+    m_editor->setPlaying(true);
+}
+
+void PatternsPage::tick() {
+    const auto playing = m_station.playingPosition_s();
+    if (m_editor->isPlaying() != playing.has_value())
+        m_editor->setPlaying(playing.has_value());
+    if (playing)
+        m_editor->setPlayhead(m_playedFrom_s + *playing);
+    m_picture->setIntensities(m_station.given());
+    m_picture->setNote(m_station.note());
+    m_picture->setHoldable(m_station.isReady());
+    m_picture->setTitle(QString::fromStdString(m_editor->document()->pattern().name));
+    m_picture->setProvenance(m_station.isSimulated() ? base::Provenance::simulated : base::Provenance::live);
+}
+
+void PatternsPage::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        showRecovery();
+}
+
+void PatternsPage::dragEnterEvent(QDragEnterEvent* event) {
+    if (patternIn(*event->mimeData()).isEmpty())
+        event->ignore();
+    else
+        event->acceptProposedAction();
+}
+
+void PatternsPage::dropEvent(QDropEvent* event) {
+    const QString path = patternIn(*event->mimeData());
+    if (path.isEmpty()) {
+        event->ignore();
+        return;
+    }
+    event->acceptProposedAction();
+    open(path);
+}
+
+} // namespace teleta::console

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/patterns/recovery_keeper.h"
+
+#include "app/console/background.h"
+
+#include <QDir>
+#include <QFile>
+#include <QUuid>
+
+#include <utility>
+
+namespace teleta::console {
+
+namespace {
+
+QString lockOf(const QString& file) {
+    return file + QStringLiteral(".lock");
+}
+
+/// Locked by a console that still runs: null.
+std::shared_ptr<QLockFile> claimed(const QString& file) {
+    auto lock = std::make_shared<QLockFile>(lockOf(file));
+    lock->setStaleLockTime(0); // only a program that is gone has left it
+    return lock->tryLock(0) ? lock : nullptr;
+}
+
+std::vector<LostEdits> leftIn(const QString& folder, const QString& own) {
+    std::vector<LostEdits> all;
+    const QDir dir(folder);
+    for (const QString& name : dir.entryList({QStringLiteral("*.json")}, QDir::Files, QDir::Time)) {
+        const QString file = dir.filePath(name);
+        if (file == own)
+            continue;
+        std::shared_ptr<QLockFile> claim = claimed(file);
+        if (!claim)
+            continue;
+        // What cannot be read stays for a person to look at.
+        if (core::Expected<pattern::RecoveredPattern> recovered = pattern::readRecovery(file.toStdString()))
+            all.push_back({std::move(*recovered), file, std::move(claim)});
+    }
+    return all;
+}
+
+} // namespace
+
+RecoveryKeeper::RecoveryKeeper(QString folder, QObject* parent)
+    : QObject(parent)
+    , m_folder(std::move(folder))
+    , m_file(m_folder.isEmpty() ? QString()
+                                : QDir(m_folder).filePath(QUuid::createUuid().toString(QUuid::Id128) +
+                                                          QStringLiteral(".json"))) {
+    m_pool.setMaxThreadCount(1);
+}
+
+RecoveryKeeper::~RecoveryKeeper() {
+    m_pool.waitForDone();
+}
+
+void RecoveryKeeper::look() {
+    if (m_folder.isEmpty())
+        return;
+    runInBackground(
+        m_pool, this, [folder = m_folder, own = m_file] { return leftIn(folder, own); },
+        [this](std::vector<LostEdits> all) {
+            m_lost = std::move(all);
+            if (!m_lost.empty())
+                emit found();
+        });
+}
+
+LostEdits RecoveryKeeper::take() {
+    LostEdits first = std::move(m_lost.front());
+    m_lost.erase(m_lost.begin());
+    return first;
+}
+
+void RecoveryKeeper::keep(const pattern::RecoveredPattern& edits) {
+    if (m_folder.isEmpty())
+        return;
+    m_next = edits;
+    write();
+}
+
+void RecoveryKeeper::write() {
+    if (m_writing || !m_next)
+        return;
+    m_writing = true;
+    runInBackground(
+        m_pool, this,
+        [this, edits = *std::exchange(m_next, std::nullopt)]() -> core::Expected<void> {
+            if (!m_lock) {
+                QDir().mkpath(m_folder);
+                m_lock = std::make_unique<QLockFile>(lockOf(m_file));
+                m_lock->setStaleLockTime(0);
+                m_lock->tryLock(0);
+            }
+            return pattern::writeRecovery(m_file.toStdString(), edits);
+        },
+        [this](core::Expected<void> written) {
+            m_writing = false;
+            if (!written && !m_failing)
+                emit failed(written.error());
+            m_failing = !written;
+            write();
+        });
+}
+
+void RecoveryKeeper::forget() {
+    m_next.reset();
+    if (m_file.isEmpty())
+        return;
+    m_pool.start([file = m_file] { QFile::remove(file); });
+}
+
+void RecoveryKeeper::discard(const LostEdits& lost) {
+    m_pool.start([file = lost.file, claim = lost.claim] { QFile::remove(file); });
+}
+
+} // namespace teleta::console

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/study/new_study_dialog.h"
+
+#include "widgets/base/theme.h"
+
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include <utility>
+
+namespace teleta::console {
+
+namespace {
+
+constexpr std::size_t kPaperParticipants = 6;
+constexpr int kMostParticipants = 1000;
+
+} // namespace
+
+NewStudyDialog::NewStudyDialog(study::Protocol protocol, const QString& folder, QWidget* parent)
+    : QDialog(parent)
+    , m_protocol(std::move(protocol))
+    , m_folder(new QLineEdit(folder, this))
+    , m_mode(new QComboBox(this))
+    , m_seed(new QLineEdit(QStringLiteral("1"), this))
+    , m_participants(new QSpinBox(this))
+    , m_participantsLabel(new QLabel(tr("&Participants"), this))
+    , m_problem(new QLabel(this)) {
+    setWindowTitle(tr("New study"));
+    setObjectName(QStringLiteral("newStudy"));
+    m_folder->setObjectName(QStringLiteral("folder"));
+    m_mode->setObjectName(QStringLiteral("mode"));
+    m_seed->setObjectName(QStringLiteral("seed"));
+    m_mode->addItem(tr("Run: real participants, counts as data"), static_cast<int>(study::Mode::run));
+    m_mode->addItem(tr("Pilot: people try it, marked PILOT everywhere"),
+                    static_cast<int>(study::Mode::pilot));
+    m_mode->addItem(tr("Simulated: no people, marked SIMULATED everywhere"),
+                    static_cast<int>(study::Mode::simulated));
+    m_participants->setRange(1, kMostParticipants);
+    m_participants->setValue(static_cast<int>(kPaperParticipants));
+    m_participantsLabel->setBuddy(m_participants);
+    m_seed->setToolTip(tr("The orders of all trials follow from it: the same seed gives the same study"));
+    m_problem->setWordWrap(true);
+    m_problem->setMinimumWidth(base::em(this, 32));
+
+    auto* browse = new QPushButton(tr("&Choose\u2026"), this);
+    auto* place = new QHBoxLayout;
+    place->addWidget(m_folder, 1);
+    place->addWidget(browse);
+    auto* form = new QFormLayout;
+    form->addRow(tr("Protocol"), new QLabel(QString::fromStdString(m_protocol.name), this));
+    form->addRow(tr("&Folder, which is made"), place);
+    form->addRow(tr("&Mode"), m_mode);
+    form->addRow(tr("&Seed"), m_seed);
+    form->addRow(m_participantsLabel, m_participants);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+    m_make = buttons->addButton(tr("Make the study"), QDialogButtonBox::AcceptRole);
+    m_make->setDefault(true);
+    auto* layout = new QVBoxLayout(this);
+    layout->addLayout(form);
+    layout->addWidget(m_problem);
+    layout->addWidget(buttons);
+
+    connect(browse, &QPushButton::clicked, this, &NewStudyDialog::chooseFolder);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(m_folder, &QLineEdit::textChanged, this, &NewStudyDialog::check);
+    connect(m_seed, &QLineEdit::textChanged, this, &NewStudyDialog::check);
+    connect(m_mode, &QComboBox::currentIndexChanged, this, &NewStudyDialog::check);
+    check();
+}
+
+void NewStudyDialog::setMode(study::Mode mode) {
+    m_mode->setCurrentIndex(m_mode->findData(static_cast<int>(mode)));
+}
+
+QString NewStudyDialog::folder() const {
+    return QDir::cleanPath(m_folder->text().trimmed());
+}
+
+study::StudyHead NewStudyDialog::head() const {
+    study::StudyHead head;
+    head.protocol = m_protocol;
+    head.seed = m_seed->text().trimmed().toULongLong();
+    head.mode = static_cast<study::Mode>(m_mode->currentData().toInt());
+    if (head.mode == study::Mode::simulated)
+        head.plannedParticipants = static_cast<std::size_t>(m_participants->value());
+    head.created = QDateTime::currentDateTimeUtc();
+    head.appVersion = QCoreApplication::applicationVersion().toStdString();
+    return head;
+}
+
+void NewStudyDialog::chooseFolder() {
+    auto* dialog = new QFileDialog(this, tr("Folder of the study"), m_folder->text());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::Directory);
+    dialog->setOption(QFileDialog::ShowDirsOnly);
+    connect(dialog, &QFileDialog::fileSelected, m_folder, &QLineEdit::setText);
+    dialog->open();
+}
+
+void NewStudyDialog::check() {
+    bool isNumber = false;
+    (void)m_seed->text().trimmed().toULongLong(&isNumber);
+    QString problem;
+    if (m_folder->text().trimmed().isEmpty() || !QDir::isAbsolutePath(folder()))
+        problem = tr("Choose a folder, with its whole path.");
+    else if (!isNumber)
+        problem = tr("The seed is a whole number from 0 to 18446744073709551615.");
+    m_problem->setText(problem);
+    m_make->setEnabled(problem.isEmpty());
+    const bool simulated = m_mode->currentData().toInt() == static_cast<int>(study::Mode::simulated);
+    m_participants->setVisible(simulated);
+    m_participantsLabel->setVisible(simulated);
+}
+
+} // namespace teleta::console

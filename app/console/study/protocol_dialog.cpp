@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/study/protocol_dialog.h"
+
+#include "app/console/background.h"
+#include "backend/core/output_file.h"
+#include "backend/study/protocol_text.h"
+#include "widgets/base/theme.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <initializer_list>
+#include <utility>
+
+namespace teleta::console {
+
+namespace {
+
+constexpr double kLongest_s = 3600.0;
+constexpr double kLoudest_dBA = 85.0;
+constexpr int kMostRepetitions = 1000;
+
+QStringList parts(const QLineEdit* edit) {
+    QStringList list;
+    for (const QString& part : edit->text().split(QLatin1Char(','))) {
+        if (!part.trimmed().isEmpty())
+            list << part.trimmed();
+    }
+    return list;
+}
+
+QDoubleSpinBox* secondsBox(double value_s, QWidget* parent) {
+    auto* box = new QDoubleSpinBox(parent);
+    box->setDecimals(3);
+    box->setRange(0.001, kLongest_s);
+    box->setSuffix(QStringLiteral(" s"));
+    box->setValue(value_s);
+    return box;
+}
+
+} // namespace
+
+ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
+    : QDialog(parent)
+    , m_questionnaires(protocol.questionnaires)
+    , m_name(new QLineEdit(QString::fromStdString(protocol.name), this))
+    , m_description(new QLineEdit(QString::fromStdString(protocol.description), this))
+    , m_stimulus_s(secondsBox(protocol.stimulus_s, this))
+    , m_limit_s(secondsBox(protocol.responseLimit_s, this))
+    , m_window(new QComboBox(this))
+    , m_replays(new QSpinBox(this))
+    , m_order(new QComboBox(this))
+    , m_practice(makePhase(protocol.practice))
+    , m_test(makePhase(protocol.test))
+    , m_noise(new QComboBox(this))
+    , m_level_dBA(new QDoubleSpinBox(this))
+    , m_taskRows(new QVBoxLayout)
+    , m_verdict(new QLabel(this)) {
+    setWindowTitle(tr("Protocol"));
+    setObjectName(QStringLiteral("protocolDialog"));
+    m_name->setObjectName(QStringLiteral("protocolName"));
+    m_window->addItems({tr("of the onset of the stimulus"), tr("of its end")});
+    m_window->setCurrentIndex(protocol.window == study::ResponseWindow::fromOnset ? 0 : 1);
+    m_replays->setRange(0, kMostRepetitions);
+    m_replays->setValue(static_cast<int>(protocol.replays));
+    m_order->addItems(
+        {tr("all repetitions together, in random order"), tr("each repetition in a random order")});
+    m_order->setCurrentIndex(protocol.order == study::OrderMethod::fullRandom ? 0 : 1);
+    m_noise->addItems({tr("pink"), tr("none")});
+    m_noise->setCurrentIndex(protocol.noiseColour == "none" ? 1 : 0);
+    m_level_dBA->setRange(0.0, kLoudest_dBA);
+    m_level_dBA->setSuffix(QStringLiteral(" dBA"));
+    m_level_dBA->setValue(protocol.noise_dBA);
+    m_verdict->setObjectName(QStringLiteral("verdict"));
+    m_verdict->setWordWrap(true);
+
+    const auto row = [this](std::initializer_list<QWidget*> widgets) {
+        auto* line = new QHBoxLayout;
+        for (QWidget* widget : widgets)
+            line->addWidget(widget);
+        line->addStretch(1);
+        return line;
+    };
+    auto* form = new QFormLayout;
+    form->addRow(tr("&Name"), m_name);
+    form->addRow(tr("&Description"), m_description);
+    form->addRow(tr("&Stimulus, at most"), row({m_stimulus_s}));
+    form->addRow(tr("Answer &within"), row({m_limit_s, m_window}));
+    form->addRow(tr("May be felt a&gain"), row({m_replays, new QLabel(tr("times"), this)}));
+    form->addRow(tr("&Order"), row({m_order}));
+    form->addRow(tr("&Practice"), row({m_practice.repetitions, m_practice.feedback, m_practice.diagram}));
+    form->addRow(tr("&Test"), row({m_test.repetitions, m_test.feedback, m_test.diagram}));
+    form->addRow(tr("&Masking noise"), row({m_noise, m_level_dBA}));
+    if (!m_questionnaires.empty())
+        form->addRow(tr("Questionnaires"), new QLabel(tr("%n questionnaire(s), kept as they are", nullptr,
+                                                         static_cast<int>(m_questionnaires.size())),
+                                                      this));
+
+    auto* content = new QWidget(this);
+    auto* column = new QVBoxLayout(content);
+    column->addLayout(form);
+    column->addLayout(m_taskRows);
+    auto* addButton = new QPushButton(tr("&Add a task"), content);
+    connect(addButton, &QPushButton::clicked, this, [this] {
+        addTask({});
+        check();
+    });
+    column->addWidget(addButton, 0, Qt::AlignLeft);
+    column->addStretch(1);
+    auto* area = new QScrollArea(this);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidget(content);
+
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    const auto button = [&](const QString& text, QDialogButtonBox::ButtonRole role) {
+        return buttons->addButton(text, role);
+    };
+    connect(button(tr("&Open\u2026"), QDialogButtonBox::ResetRole), &QPushButton::clicked, this,
+            &ProtocolDialog::openRequested);
+    connect(button(tr("The pape&r's"), QDialogButtonBox::ResetRole), &QPushButton::clicked, this,
+            &ProtocolDialog::paperRequested);
+    m_save = button(tr("Sa&ve as\u2026"), QDialogButtonBox::ActionRole);
+    m_make = button(tr("Make a st&udy\u2026"), QDialogButtonBox::ActionRole);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(area, 1);
+    layout->addWidget(m_verdict);
+    layout->addWidget(buttons);
+    resize(base::em(this, 46), base::em(this, 42));
+
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(m_save, &QPushButton::clicked, this, &ProtocolDialog::save);
+    connect(m_make, &QPushButton::clicked, this, [this] {
+        if (const auto valid = this->protocol())
+            emit studyRequested(*valid);
+    });
+    for (QLineEdit* edit : {m_name, m_description})
+        connect(edit, &QLineEdit::textChanged, this, &ProtocolDialog::check);
+    for (QSpinBox* box : {m_practice.repetitions, m_test.repetitions})
+        connect(box, &QSpinBox::valueChanged, this, &ProtocolDialog::check);
+    connect(m_noise, &QComboBox::currentIndexChanged, this, &ProtocolDialog::check);
+    for (const study::StudyTask& task : protocol.tasks)
+        addTask(task);
+    check();
+}
+
+ProtocolDialog::PhaseRow ProtocolDialog::makePhase(const study::PhaseSettings& phase) {
+    PhaseRow row{new QSpinBox(this), new QCheckBox(tr("feedback"), this),
+                 new QCheckBox(tr("pictures in view"), this)};
+    row.repetitions->setRange(0, kMostRepetitions);
+    row.repetitions->setPrefix(tr("each pattern "));
+    row.repetitions->setSuffix(tr(" times"));
+    row.repetitions->setValue(static_cast<int>(phase.repetitions));
+    row.feedback->setChecked(phase.feedback);
+    row.diagram->setChecked(phase.diagram);
+    return row;
+}
+
+void ProtocolDialog::addTask(const study::StudyTask& task) {
+    auto* box = new QGroupBox(tr("Task"), this);
+    QStringList conditions;
+    for (const std::string& condition : task.conditions)
+        conditions << QString::fromStdString(condition);
+    QStringList patterns;
+    for (const study::StudyPattern& pattern : task.patterns)
+        patterns << QString::fromStdString(pattern.letter + ' ' + pattern.name);
+    const QString separator = QStringLiteral(", ");
+    const TaskRow row{box, new QLineEdit(QString::fromStdString(task.id), box),
+                      new QLineEdit(QString::fromStdString(task.name), box),
+                      new QLineEdit(conditions.join(separator), box),
+                      new QLineEdit(patterns.join(separator), box)};
+    row.id->setPlaceholderText(tr("for example shape"));
+    row.conditions->setPlaceholderText(tr("for example static, dynamic"));
+    row.patterns->setPlaceholderText(tr("letter and name, for example A circle, B rectangle"));
+    auto* form = new QFormLayout(box);
+    form->addRow(tr("Identifier"), row.id);
+    form->addRow(tr("Name"), row.name);
+    form->addRow(tr("Conditions"), row.conditions);
+    form->addRow(tr("Patterns"), row.patterns);
+    auto* remove = new QPushButton(tr("Remove this task"), box);
+    form->addRow(remove);
+    connect(remove, &QPushButton::clicked, this, [this, box] { removeTask(box); });
+    for (QLineEdit* edit : {row.id, row.name, row.conditions, row.patterns})
+        connect(edit, &QLineEdit::textChanged, this, &ProtocolDialog::check);
+    m_tasks.push_back(row);
+    m_taskRows->addWidget(box);
+}
+
+void ProtocolDialog::removeTask(QWidget* box) {
+    std::erase_if(m_tasks, [box](const TaskRow& row) { return row.box == box; });
+    box->hide();
+    box->deleteLater();
+    check();
+}
+
+core::Expected<study::Protocol> ProtocolDialog::protocol() const {
+    study::Protocol protocol;
+    protocol.name = m_name->text().trimmed().toStdString();
+    protocol.description = m_description->text().trimmed().toStdString();
+    protocol.stimulus_s = m_stimulus_s->value();
+    protocol.responseLimit_s = m_limit_s->value();
+    protocol.window =
+        m_window->currentIndex() == 0 ? study::ResponseWindow::fromOnset : study::ResponseWindow::fromEnd;
+    protocol.replays = static_cast<std::size_t>(m_replays->value());
+    protocol.order =
+        m_order->currentIndex() == 0 ? study::OrderMethod::fullRandom : study::OrderMethod::blockedRandom;
+    const auto phase = [](const PhaseRow& row) {
+        return study::PhaseSettings{static_cast<std::size_t>(row.repetitions->value()),
+                                    row.feedback->isChecked(), row.diagram->isChecked()};
+    };
+    protocol.practice = phase(m_practice);
+    protocol.test = phase(m_test);
+    protocol.noiseColour = m_noise->currentIndex() == 0 ? "pink" : "none";
+    protocol.noise_dBA = m_level_dBA->value();
+    protocol.questionnaires = m_questionnaires;
+    for (const TaskRow& row : m_tasks) {
+        study::StudyTask task;
+        task.id = row.id->text().trimmed().toStdString();
+        task.name = row.name->text().trimmed().toStdString();
+        for (const QString& condition : parts(row.conditions))
+            task.conditions.push_back(condition.toStdString());
+        for (const QString& pattern : parts(row.patterns)) {
+            const QString letter = pattern.section(QLatin1Char(' '), 0, 0);
+            const QString name = pattern.section(QLatin1Char(' '), 1).trimmed();
+            task.patterns.push_back({letter.toStdString(), (name.isEmpty() ? letter : name).toStdString()});
+        }
+        protocol.tasks.push_back(std::move(task));
+    }
+    return study::parseProtocol(study::protocolText(protocol), tr("this form").toStdString());
+}
+
+void ProtocolDialog::check() {
+    const auto valid = protocol();
+    m_level_dBA->setEnabled(m_noise->currentIndex() == 0);
+    m_save->setEnabled(valid.has_value());
+    m_make->setEnabled(valid.has_value());
+    QPalette colours = palette();
+    if (valid) {
+        m_verdict->setText(QStringLiteral("\u2713 ") + tr("%n test trial(s) a participant", nullptr,
+                                                          static_cast<int>(valid->testTrials())));
+        colours.setColor(QPalette::WindowText, base::statusColours(palette()).live);
+    } else {
+        const core::Error& error = valid.error();
+        const QString expected = QString::fromStdString(error.expected);
+        m_verdict->setText(QStringLiteral("\u2717 ") + QString::fromStdString(error.message) +
+                           (expected.isEmpty() ? QString() : tr(" (expected: %1)").arg(expected)));
+        colours.setColor(QPalette::WindowText, base::statusColours(palette()).lost);
+    }
+    m_verdict->setPalette(colours);
+}
+
+void ProtocolDialog::save() {
+    const auto valid = protocol();
+    if (!valid)
+        return;
+    auto* dialog = new QFileDialog(this, tr("Save the protocol"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setNameFilter(tr("Protocols (*.toml)"));
+    dialog->setDefaultSuffix(QStringLiteral("toml"));
+    connect(
+        dialog, &QFileDialog::fileSelected, this,
+        [this, text = study::protocolText(*valid)](const QString& path) {
+            runInBackground(
+                this,
+                [path, text] {
+                    return core::OutputFile::create(path.toStdString()).and_then([&](core::OutputFile file) {
+                        file.write(text);
+                        return file.finish();
+                    });
+                },
+                [this, path](const core::Expected<void>& saved) {
+                    m_verdict->setText(saved ? tr("\u2713 Saved: %1").arg(path)
+                                             : QStringLiteral("\u2717 ") +
+                                                   QString::fromStdString(core::describe(saved.error())));
+                });
+        });
+    dialog->open();
+}
+
+} // namespace teleta::console

@@ -1,0 +1,461 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/study/study_controller.h"
+
+#include "backend/study/study_export.h"
+
+#include <QDateTime>
+#include <QDir>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <memory>
+#include <utility>
+
+namespace teleta::console {
+
+using study::StudyStore;
+
+namespace {
+
+constexpr std::int64_t kLookAround_ns = 2'000'000'000;
+
+/// When a session began, on a clock that is now at now_ns: its onsets go on from there.
+std::int64_t beganAt_ns(const OpenedSession& session, std::int64_t now_ns, const QDateTime& utcNow) {
+    const QDateTime began = QDateTime::fromString(QString::fromStdString(session.record.id).left(15),
+                                                  QStringLiteral("yyyyMMdd'T'HHmmss"));
+    QDateTime utc = began;
+    utc.setTimeSpec(Qt::UTC);
+    double elapsed_s = static_cast<double>(utc.msecsTo(utcNow)) * 1e-3;
+    // A clock that was set back does not make a session go back.
+    for (const study::TrialResult& result : session.kept)
+        elapsed_s =
+            std::max(elapsed_s, result.onset_s + result.duration_s + result.responseTime_s.value_or(0.0));
+    return now_ns - std::llround(1e9 * std::max(elapsed_s, 0.0));
+}
+
+study::SimulatedParticipant mindFor(const study::StudyHead& head, const study::PlannedSession& plan) {
+    const study::StudyTask& task = head.protocol.tasks[plan.task];
+    study::SimulatedParticipant mind{study::paperMatrix(task.id, task.conditions[plan.condition])
+                                         .value_or(study::assumedMatrix(task.patterns.size())),
+                                     head.lapses};
+    if (mind.matrix.patterns() != task.patterns.size())
+        mind.matrix = study::assumedMatrix(task.patterns.size());
+    return mind;
+}
+
+} // namespace
+
+StudyController::StudyController(BraceletStation& station, core::StopSwitch& stop, SteadyClock clock,
+                                 QObject* parent)
+    : QObject(parent)
+    , m_station(station)
+    , m_stop(stop)
+    , m_clock(std::move(clock))
+    , m_bracelet(station, stop)
+    , m_runner(
+          stop, [this] { return now_ns(); },
+          [this](const study::TrialResult& result, StudyRunner::Kept kept) {
+              m_desk.ask([record = *m_record, result, now = QDateTime::currentDateTimeUtc()](
+                             StudyDesk::Store& store) { return store->keepTrial(record, result, now); },
+                         std::move(kept));
+          })
+    , m_person(
+          m_runner, [this] { return now_ns(); }, m_speed) {
+    connect(&m_runner, &StudyRunner::changed, this, &StudyController::followSimulated);
+    connect(&m_runner, &StudyRunner::changed, this, &StudyController::changed);
+    // What is felt in a session is the session's alone.
+    connect(&m_runner, &StudyRunner::changed, this, [this] { m_station.reserve(m_runner.isActive()); });
+    connect(&m_runner, &StudyRunner::blockKept, this, &StudyController::exportSession);
+    connect(&m_runner, &StudyRunner::finished, this, &StudyController::conclude);
+    connect(&m_runner, &StudyRunner::aborted, this, [this] {
+        stopRehearsal();
+        exportSession(study::Phase::test);
+        refresh();
+    });
+}
+
+StudyController::~StudyController() {
+    m_person.leave();
+    m_runner.clear();
+    releaseClaim();
+    m_station.reserve(false);
+}
+
+std::int64_t StudyController::now_ns() const {
+    const std::int64_t now_ns = m_clock();
+    // In real time it is the clock by which the bracelet's player stamps its frames.
+    return isFast() ? m_anchor_ns + std::llround(m_speed * static_cast<double>(now_ns - m_anchor_ns))
+                    : now_ns;
+}
+
+void StudyController::setSpeed(double speed) {
+    if (speed == m_speed || m_runner.isActive())
+        return;
+    m_anchor_ns = m_clock();
+    m_speed = speed;
+    m_person.setSpeed(speed);
+    emit changed();
+}
+
+const StimulusOutput& StudyController::output() const {
+    if (isFast())
+        return m_unplayed;
+    return m_bracelet;
+}
+
+StimulusOutput& StudyController::output() {
+    if (isFast())
+        return m_unplayed;
+    return m_bracelet;
+}
+
+const ParticipantOverview* StudyController::chosenParticipant() const {
+    if (!m_overview || !m_chosen)
+        return nullptr;
+    return &m_overview->participants[static_cast<std::size_t>(m_chosen->first)];
+}
+
+const SessionOverview* StudyController::chosenSession() const {
+    const ParticipantOverview* participant = chosenParticipant();
+    return participant == nullptr ? nullptr
+                                  : &participant->sessions[static_cast<std::size_t>(m_chosen->second)];
+}
+
+const study::StudyTask* StudyController::chosenTask() const {
+    const SessionOverview* session = chosenSession();
+    return session == nullptr ? nullptr : &m_overview->head.protocol.tasks[session->plan.task];
+}
+
+template <typename Work>
+void StudyController::askForOverview(const QString& what, Work work) {
+    ++m_busy;
+    m_desk.ask(
+        [work = std::move(work)](StudyDesk::Store& store) mutable -> core::Expected<StudyOverview> {
+            if (const core::Expected<void> done = work(store); !done)
+                return core::Unexpected(done.error());
+            return overviewOf(*store);
+        },
+        [this, what](core::Expected<StudyOverview> overview) {
+            --m_busy;
+            if (overview) {
+                take(std::move(*overview));
+            } else {
+                stopRehearsal();
+                emit failed(what, overview.error());
+            }
+            emit changed();
+        });
+    emit changed();
+}
+
+void StudyController::open(const QString& folder) {
+    if (m_runner.isActive())
+        return;
+    askForOverview(tr("%1 could not be opened.", "a folder").arg(QDir(folder).dirName()),
+                   [folder](StudyDesk::Store& store) -> core::Expected<void> {
+                       core::Expected<StudyStore> opened = StudyStore::open(folder.toStdString());
+                       if (!opened)
+                           return core::Unexpected(opened.error());
+                       store = std::move(*opened);
+                       return {};
+                   });
+}
+
+void StudyController::create(const QString& folder, const study::StudyHead& head) {
+    if (m_runner.isActive())
+        return;
+    askForOverview(tr("The study could not be made."),
+                   [folder, head](StudyDesk::Store& store) -> core::Expected<void> {
+                       core::Expected<StudyStore> made = StudyStore::create(folder.toStdString(), head);
+                       if (!made)
+                           return core::Unexpected(made.error());
+                       store = std::move(*made);
+                       return {};
+                   });
+}
+
+void StudyController::enrol(const QString& id) {
+    if (!m_overview || m_runner.isActive())
+        return;
+    // The newcomer is who is looked at next.
+    m_chosen.reset();
+    askForOverview(tr("%1 could not be enrolled.", "a participant").arg(id),
+                   [id = id.toStdString()](StudyDesk::Store& store) -> core::Expected<void> {
+                       const core::Expected<study::Participant> participant = store->enrol(id);
+                       if (!participant)
+                           return core::Unexpected(participant.error());
+                       return {};
+                   });
+}
+
+void StudyController::refresh() {
+    askForOverview(tr("The study could not be read."),
+                   [](StudyDesk::Store&) -> core::Expected<void> { return {}; });
+}
+
+void StudyController::take(StudyOverview overview) {
+    const bool another = !m_overview || m_overview->folder != overview.folder;
+    m_overview = std::move(overview);
+    if (another) {
+        m_chosen.reset();
+        m_saved.clear();
+        m_noiseConfirmed = false;
+        m_foundInterrupted = false;
+    }
+    const std::vector<ParticipantOverview>& people = m_overview->participants;
+    if (m_chosen && static_cast<std::size_t>(m_chosen->first) >= people.size())
+        m_chosen.reset();
+    if (!m_chosen && !people.empty()) {
+        // Somebody who was interrupted comes first, then whoever came last.
+        std::size_t person = people.size() - 1;
+        std::size_t session = people.back().nextSession().value_or(0);
+        for (std::size_t p = 0; p < people.size() && another; ++p) {
+            for (std::size_t s = 0; s < people[p].sessions.size() && !m_foundInterrupted; ++s) {
+                if (people[p].sessions[s].isInterrupted()) {
+                    m_foundInterrupted = true;
+                    person = p;
+                    session = s;
+                }
+            }
+        }
+        m_chosen = {static_cast<int>(person), static_cast<int>(session)};
+    }
+    lookAround();
+    if (another)
+        emit opened();
+    emit resultsOutdated();
+    goOnRehearsing();
+}
+
+void StudyController::choose(int participant, int session) {
+    if (!m_overview || m_runner.isActive() || participant < 0 || session < 0)
+        return;
+    const auto p = static_cast<std::size_t>(participant);
+    if (p >= m_overview->participants.size() ||
+        static_cast<std::size_t>(session) >= m_overview->participants[p].sessions.size())
+        return;
+    if (m_chosen && m_chosen->first != participant)
+        m_noiseConfirmed = false;
+    m_chosen = {participant, session};
+    m_foundInterrupted = false;
+    m_saved.clear();
+    lookAround();
+    emit changed();
+}
+
+/// What only a thread that may wait can find out: the folder, and whether somebody else runs the participant.
+void StudyController::lookAround(bool thenBegin) {
+    m_lookedAround_ns = m_clock();
+    const ParticipantOverview* participant = chosenParticipant();
+    if (!m_overview || participant == nullptr)
+        return;
+    struct Findings {
+        study::FolderCondition folder;
+        core::Expected<std::optional<std::string>> runner;
+    };
+    m_desk.ask(
+        [who = participant->participant](StudyDesk::Store& store) {
+            return Findings{study::lookAtFolder(store->folder()), store->runner(who)};
+        },
+        [this, thenBegin, isOwn = m_claim != nullptr](Findings findings) {
+            m_folder = std::move(findings.folder);
+            m_otherRunner = findings.runner && !isOwn ? *findings.runner : std::nullopt;
+            m_storeError = findings.runner ? std::nullopt : std::optional(findings.runner.error());
+            if (m_runner.isActive())
+                return;
+            if (thenBegin && m_rehearsing) {
+                begin();
+                // Whatever stands against it is among the checks that are shown.
+                m_rehearsing = isBusy();
+            }
+            emit changed();
+        });
+}
+
+std::vector<study::RunCheck> StudyController::checks() const {
+    study::RunConditions now;
+    if (m_overview) {
+        now.mode = m_overview->head.mode;
+        now.protocol = &m_overview->head.protocol;
+    }
+    const ParticipantOverview* participant = chosenParticipant();
+    const SessionOverview* session = chosenSession();
+    if (participant != nullptr && session != nullptr) {
+        now.participant = participant->participant.id;
+        now.finished = session->isFinished();
+    }
+    now.runner = m_otherRunner;
+    now.folder = m_folder;
+    now.store = m_storeError;
+    now.noiseConfirmed = m_noiseConfirmed;
+    if (&output() == &m_unplayed) {
+        now.bracelet = study::BraceletCondition::live;
+        now.braceletName = m_unplayed.description().toStdString();
+        now.braceletIsSimulated = true;
+    } else if (const auto& open = m_station.session()) {
+        now.braceletName = open->source().description().name;
+        now.braceletIsSimulated = m_station.isSimulated();
+        now.bracelet = m_stop.engaged()      ? study::BraceletCondition::stopped
+                       : m_station.isReady() ? study::BraceletCondition::live
+                                             : study::BraceletCondition::notLive;
+    }
+    return study::preRunChecks(now);
+}
+
+void StudyController::setNoiseConfirmed(bool confirmed) {
+    m_noiseConfirmed = confirmed;
+    emit changed();
+}
+
+void StudyController::begin() {
+    const ParticipantOverview* participant = chosenParticipant();
+    const SessionOverview* session = chosenSession();
+    if (participant == nullptr || session == nullptr || m_runner.isActive() || isBusy() ||
+        !study::allPassed(checks()))
+        return;
+    ++m_busy;
+    m_saved.clear();
+    m_foundInterrupted = false;
+    const auto planIndex = static_cast<std::size_t>(m_chosen->second);
+    m_desk.ask(
+        [who = participant->participant, planIndex, plan = session->plan,
+         now = QDateTime::currentDateTimeUtc()](StudyDesk::Store& store) {
+            return openSession(*store, who, planIndex, plan, now);
+        },
+        [this, who = participant->participant, plan = session->plan](core::Expected<OpenedSession> opened) {
+            --m_busy;
+            core::Expected<void> begun;
+            if (opened) {
+                m_record = opened->record;
+                m_participant = who;
+                m_claim = std::move(opened->claim);
+                begun = m_runner.begin(output(), m_overview->head.protocol, plan, opened->kept,
+                                       beganAt_ns(*opened, now_ns(), QDateTime::currentDateTimeUtc()));
+            } else {
+                begun = core::Unexpected(opened.error());
+            }
+            if (!begun) {
+                releaseClaim();
+                stopRehearsal();
+                emit failed(tr("The session could not begin."), begun.error());
+            } else if (isSimulated()) {
+                m_person.begin(mindFor(m_overview->head, plan), plan.seed);
+            }
+            emit changed();
+        });
+    emit changed();
+}
+
+void StudyController::exportSession(study::Phase /*phase*/) {
+    if (!m_record)
+        return;
+    m_desk.ask(
+        [who = m_participant, record = *m_record](StudyDesk::Store& store) {
+            return study::exportSession(*store, who, record, study::ExportFormat::psychds);
+        },
+        [this](const core::Expected<void>& written) {
+            if (written)
+                m_saved = tr("Saved, read back and compared: %1")
+                              .arg(QDir(QString::fromStdString(m_overview->folder))
+                                       .filePath(QStringLiteral("data")));
+            else
+                emit failed(tr("The trials are safe in the study, but could not be exported."),
+                            written.error());
+            emit changed();
+        });
+}
+
+void StudyController::conclude() {
+    m_person.leave();
+    askForOverview(tr("The session could not be closed."),
+                   [record = *m_record](StudyDesk::Store& store) { return store->finishSession(record); });
+}
+
+void StudyController::leaveSession() {
+    if (isBusy())
+        return;
+    m_person.leave();
+    m_runner.clear();
+    m_record.reset();
+    releaseClaim();
+    m_saved.clear();
+    if (const ParticipantOverview* participant = chosenParticipant())
+        m_chosen->second =
+            static_cast<int>(participant->nextSession().value_or(static_cast<std::size_t>(m_chosen->second)));
+    lookAround();
+    emit changed();
+}
+
+/// A claim may be one of the server's connection, which belongs to the store's thread.
+void StudyController::releaseClaim() {
+    m_desk.ask(
+        [claim = std::exchange(m_claim, nullptr)](StudyDesk::Store&) mutable {
+            claim.reset();
+            return true;
+        },
+        [](bool) {});
+}
+
+void StudyController::keepNote(const QString& text) {
+    if (!m_record)
+        return;
+    m_desk.ask([record = *m_record, text = text.toStdString(), now = QDateTime::currentDateTimeUtc()](
+                   StudyDesk::Store& store) { return store->keepNote(record, text, now); },
+               [this](const core::Expected<void>& kept) {
+                   if (!kept)
+                       emit failed(tr("The note could not be kept."), kept.error());
+               });
+}
+
+void StudyController::rehearse() {
+    if (!isSimulated() || m_rehearsing)
+        return;
+    m_rehearsing = true;
+    if (m_runner.isActive())
+        m_runner.goOn();
+    else
+        refresh();
+    emit changed();
+}
+
+void StudyController::stopRehearsal() {
+    m_rehearsing = false;
+}
+
+/// The next open session of anybody; when there is none, the next participant.
+void StudyController::goOnRehearsing() {
+    if (!m_rehearsing || isBusy())
+        return;
+    m_runner.clear();
+    m_record.reset();
+    releaseClaim();
+    const std::vector<ParticipantOverview>& people = m_overview->participants;
+    for (std::size_t p = 0; p < people.size(); ++p) {
+        if (const std::optional<std::size_t> session = people[p].nextSession()) {
+            m_chosen = {static_cast<int>(p), static_cast<int>(*session)};
+            lookAround(true);
+            return;
+        }
+    }
+    if (people.size() < std::max<std::size_t>(m_overview->head.plannedParticipants, 1)) {
+        enrol(QStringLiteral("P%1").arg(people.size() + 1, 2, 10, QLatin1Char('0')));
+        return;
+    }
+    m_rehearsing = false;
+    emit rehearsed();
+}
+
+void StudyController::followSimulated() {
+    // Nobody has to be asked whether the test may begin.
+    if (isSimulated() && m_runner.hold() == StudyRunner::Hold::blockEnd && !m_runner.isKeeping())
+        QMetaObject::invokeMethod(&m_runner, &StudyRunner::goOn, Qt::QueuedConnection);
+}
+
+void StudyController::tick() {
+    m_runner.poll();
+    if (!m_runner.isActive() && m_overview && m_clock() - m_lookedAround_ns > kLookAround_ns)
+        lookAround();
+}
+
+} // namespace teleta::console

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/study/bracelet_stimulus.h"
+#include "app/console/study/simulated_person.h"
+#include "app/console/study/study_desk.h"
+#include "app/console/study/study_overview.h"
+#include "app/console/study/study_runner.h"
+#include "backend/core/steady_time.h"
+#include "backend/study/run_checks.h"
+
+#include <QObject>
+#include <QString>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace teleta::console {
+
+/// The open study and the session that runs in it: what the Study page does, without the page. Thread: GUI;
+/// no call waits for a disk or a device.
+class StudyController : public QObject {
+    Q_OBJECT
+
+public:
+    using SteadyClock = std::function<std::int64_t()>;
+
+    /// station and stop must outlive it. clock: the steady clock, or that of a test.
+    StudyController(BraceletStation& station, core::StopSwitch& stop, SteadyClock clock = core::steadyNow_ns,
+                    QObject* parent = nullptr);
+    ~StudyController() override;
+
+    /// What comes of these comes as a signal.
+    void open(const QString& folder);
+    void create(const QString& folder, const study::StudyHead& head);
+    void enrol(const QString& id);
+    void choose(int participant, int session);
+
+    /// Begins the chosen session, or goes on with it, when all checks pass.
+    void begin();
+    void goOn() { m_runner.goOn(); }
+    void abort() { m_runner.abort(); }
+    /// Forgets a session that is over, and chooses the participant's next one.
+    void leaveSession();
+    void keepNote(const QString& text);
+    void setNoiseConfirmed(bool confirmed);
+
+    /// A simulated study: runs all sessions of all participants that are still open, one after another.
+    void rehearse();
+    void stopRehearsal();
+    [[nodiscard]] bool isRehearsing() const { return m_rehearsing; }
+    /// How much faster than real time simulated participants are; over 1 nothing is played on the bracelet.
+    void setSpeed(double speed);
+    [[nodiscard]] double speed() const { return m_speed; }
+
+    /// Looks at device, STOP and time limits; 30 times a second.
+    void tick();
+    /// The clock on which participants' presses are stamped.
+    [[nodiscard]] std::int64_t now_ns() const;
+
+    [[nodiscard]] const std::optional<StudyOverview>& overview() const { return m_overview; }
+    [[nodiscard]] std::optional<std::pair<int, int>> chosen() const { return m_chosen; }
+    [[nodiscard]] const ParticipantOverview* chosenParticipant() const;
+    [[nodiscard]] const SessionOverview* chosenSession() const;
+    [[nodiscard]] const study::StudyTask* chosenTask() const;
+    [[nodiscard]] std::vector<study::RunCheck> checks() const;
+    [[nodiscard]] bool noiseConfirmed() const { return m_noiseConfirmed; }
+    [[nodiscard]] bool isBusy() const { return m_busy > 0; }
+    [[nodiscard]] StudyRunner& runner() { return m_runner; }
+    [[nodiscard]] const StudyRunner& runner() const { return m_runner; }
+    [[nodiscard]] const StimulusOutput& output() const;
+    [[nodiscard]] StimulusOutput& output();
+    /// Where the last block was written, and that it was read back and compared.
+    [[nodiscard]] const QString& savedText() const { return m_saved; }
+    /// An interrupted session was found when the study was opened.
+    [[nodiscard]] bool foundInterrupted() const { return m_foundInterrupted; }
+
+signals:
+    void changed();
+    /// A study was opened or made; its results may be looked at.
+    void opened();
+    /// Trials were kept; results that are shown are out of date.
+    void resultsOutdated();
+    void rehearsed();
+    void failed(const QString& what, const teleta::core::Error& error);
+
+private:
+    template <typename Work>
+    void askForOverview(const QString& what, Work work);
+    void take(StudyOverview overview);
+    void refresh();
+    void lookAround(bool thenBegin = false);
+    void conclude();
+    void exportSession(study::Phase phase);
+    void releaseClaim();
+    void goOnRehearsing();
+    void followSimulated();
+    [[nodiscard]] bool isFast() const { return isSimulated() && m_speed > 1.0; }
+    [[nodiscard]] bool isSimulated() const {
+        return m_overview && m_overview->head.mode == study::Mode::simulated;
+    }
+
+    BraceletStation& m_station;
+    core::StopSwitch& m_stop;
+    SteadyClock m_clock;
+    double m_speed = 1.0;
+    std::int64_t m_anchor_ns = 0; ///< since when a fast rehearsal's clock runs
+
+    BraceletStimulus m_bracelet;
+    UnplayedStimulus m_unplayed;
+    StudyDesk m_desk;
+    StudyRunner m_runner;
+    SimulatedPerson m_person;
+
+    std::optional<StudyOverview> m_overview;
+    std::optional<std::pair<int, int>> m_chosen;
+    std::optional<study::SessionRecord> m_record;     ///< of the session that the runner has
+    study::Participant m_participant;                 ///< the same
+    std::shared_ptr<study::ParticipantClaim> m_claim; ///< nobody else runs the participant meanwhile
+    study::FolderCondition m_folder;
+    std::optional<std::string> m_otherRunner;
+    std::optional<core::Error> m_storeError;
+    std::int64_t m_lookedAround_ns = 0;
+    bool m_noiseConfirmed = false;
+    bool m_foundInterrupted = false;
+    bool m_rehearsing = false;
+    int m_busy = 0; ///< requests to the desk that change what there is
+    QString m_saved;
+};
+
+} // namespace teleta::console

@@ -1,0 +1,542 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/study/study_page.h"
+
+#include "app/console/background.h"
+#include "app/console/study/new_study_dialog.h"
+#include "app/console/study/protocol_dialog.h"
+#include "backend/figure/figure_file.h"
+#include "backend/study/study_export.h"
+#include "backend/study/study_figures.h"
+#include "backend/study/study_report.h"
+#include "backend/study/study_results.h"
+#include "backend/study/trial_source.h"
+#include "widgets/base/theme.h"
+#include "widgets/chrome/empty_state.h"
+#include "widgets/study/confusion_view.h"
+#include "widgets/study/participant_window.h"
+#include "widgets/study/results_view.h"
+#include "widgets/study/session_panel.h"
+#include "widgets/study/study_panel.h"
+
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScreen>
+#include <QSignalBlocker>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QStandardPaths>
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+#include <array>
+#include <utility>
+
+namespace teleta::console {
+
+namespace {
+
+constexpr char kResults[] = "results";
+constexpr char kParticipant[] = "participant";
+constexpr std::array kSpeeds{1.0, 10.0, 50.0};
+constexpr std::size_t kDefaultSpeed = 1;
+
+QString studiesFolder() {
+    return QDir(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation))
+        .filePath(QStringLiteral("TeleTA"));
+}
+
+/// On a pool thread, with a connection of its own.
+core::Expected<std::vector<study::TaskResults>> resultsOf(const study::StudyStore& store) {
+    study::ModeFilter modes;
+    study::TrialTally tally;
+    if (const core::Expected<void> counted = study::tallyStore(store, modes, tally); !counted)
+        return core::Unexpected(counted.error());
+    return study::studyResults(tally);
+}
+
+core::Expected<std::vector<study::TaskResults>> resultsOf(const std::string& folder) {
+    const core::Expected<study::StudyStore> store = study::StudyStore::open(folder);
+    if (!store)
+        return core::Unexpected(store.error());
+    return resultsOf(*store);
+}
+
+/// Tables, figures and report of a study in its folder "results", which is returned.
+core::Expected<QString> writeAnalysis(const study::StudyStore& store, const QDir& study) {
+    const core::Expected<std::vector<study::TaskResults>> tasks = resultsOf(store);
+    if (!tasks)
+        return core::Unexpected(tasks.error());
+    const QString results = study.filePath(QStringLiteral("results"));
+    const std::string folder = results.toStdString();
+    const study::Mode mode = store.head().mode;
+    const std::vector<study::FigureFormat> formats = {
+        {"svg", {}},
+        {"pdf", [](const std::string& svg) { return figure::pdfOf(svg); }},
+        {"png", [](const std::string& svg) { return figure::pngOf(svg); }}};
+    const study::ReportHeading heading{StudyPage::tr("Results of the study").toStdString(),
+                                       mode,
+                                       {study.path().toStdString()},
+                                       QCoreApplication::applicationVersion().toStdString()};
+    return study::writeResults(*tasks, folder)
+        .and_then([&] { return study::writeFigures(*tasks, folder, mode, formats); })
+        .and_then([&] { return study::writeReport(*tasks, heading, folder); })
+        .map([&] { return results; });
+}
+
+/// The folder that was written. On a pool thread too.
+core::Expected<QString> exportTo(const std::string& folder, const QString& format) {
+    const QDir study(QString::fromStdString(folder));
+    const core::Expected<study::StudyStore> store = study::StudyStore::open(folder);
+    if (!store)
+        return core::Unexpected(store.error());
+    if (format == QLatin1String("analysis"))
+        return writeAnalysis(*store, study);
+    const bool bids = format == QLatin1String("bids");
+    const bool excel = format == QLatin1String("excel");
+    return study::exportStudy(*store, bids    ? study::ExportFormat::bids
+                                      : excel ? study::ExportFormat::excel
+                                              : study::ExportFormat::psychds)
+        .map([&](std::size_t) {
+            return study.filePath(bids    ? QStringLiteral("bids")
+                                  : excel ? QStringLiteral("excel")
+                                          : QStringLiteral("data"));
+        });
+}
+
+QString newFolder(const QString& kind) {
+    return QDir(studiesFolder())
+        .filePath(kind + QDateTime::currentDateTime().toString(QStringLiteral("-yyyyMMdd'T'HHmmss")));
+}
+
+} // namespace
+
+StudyPage::StudyPage(BraceletStation& station, core::StopSwitch& stop, StudyController::SteadyClock clock,
+                     QWidget* parent)
+    : QWidget(parent)
+    , m_controller(station, stop, std::move(clock))
+    , m_messages(new chrome::MessageBar(this))
+    , m_stack(new QStackedWidget(this))
+    , m_tabs(new QTabWidget(this))
+    , m_study(new studyview::StudyPanel(this))
+    , m_session(new studyview::SessionPanel(this))
+    , m_matrix(new studyview::ConfusionView(this))
+    , m_counts(new QComboBox(this))
+    , m_speed(new QComboBox(this))
+    , m_speedRow(new QWidget(this))
+    , m_speedLabel(new QLabel(this))
+    , m_participant(new studyview::ParticipantWindow([this] { return m_controller.now_ns(); }, this))
+    , m_results(new studyview::ResultsView(this)) {
+    build();
+    connectViews();
+    retranslate();
+}
+
+StudyPage::~StudyPage() {
+    // Both say a last word, when there is nothing left to show it.
+    m_controller.disconnect(this);
+    m_noise.disconnect(this);
+}
+
+void StudyPage::build() {
+    auto* empty = new chrome::EmptyState(base::Icon::study, this);
+    empty->setTexts(tr("No study"),
+                    tr("Run the user study of the paper, or one of your own: from the first practice "
+                       "trial to confusion matrices and ANOVA."));
+    QPushButton* watch =
+        empty->addAction(tr("Watch a rehearsal"), tr("Simulated participants go through the whole study"));
+    watch->setObjectName(QStringLiteral("watchRehearsal"));
+    connect(watch, &QPushButton::clicked, this, [this] { watchRehearsal(); });
+    connect(empty->addAction(tr("New study\u2026"), tr("A study of the paper's protocol")),
+            &QPushButton::clicked, this, [this] { beginNewStudy(study::Mode::run); });
+    connect(empty->addAction(tr("Open a study\u2026"), tr("The folder of a study")), &QPushButton::clicked,
+            this, &StudyPage::askForStudy);
+    m_empty = empty;
+
+    m_counts->setObjectName(QStringLiteral("counts"));
+    m_speed->setObjectName(QStringLiteral("speed"));
+    m_counts->addItems({QString(), QString()});
+    for (const double speed : kSpeeds)
+        m_speed->addItem(QString(), speed);
+    m_speed->setCurrentIndex(static_cast<int>(kDefaultSpeed));
+    m_controller.setSpeed(kSpeeds[kDefaultSpeed]);
+    auto* speed = new QHBoxLayout(m_speedRow);
+    speed->setContentsMargins(0, 0, 0, 0);
+    speed->addWidget(m_speedLabel);
+    speed->addWidget(m_speed, 1);
+    auto* right = new QWidget(this);
+    auto* column = new QVBoxLayout(right);
+    const int margin = base::grid(this, 2);
+    column->setContentsMargins(margin, margin, margin, margin);
+    column->addWidget(m_counts);
+    column->addWidget(m_matrix, 1);
+    column->addWidget(m_speedRow);
+
+    auto* splitter = new QSplitter(this);
+    splitter->setChildrenCollapsible(false);
+    for (QWidget* part : {static_cast<QWidget*>(m_study), static_cast<QWidget*>(m_session), right})
+        splitter->addWidget(part);
+    splitter->setStretchFactor(0, 3);
+    splitter->setStretchFactor(1, 5);
+    splitter->setStretchFactor(2, 4);
+    m_tabs->setDocumentMode(true);
+    m_tabs->addTab(splitter, QString());
+    m_tabs->addTab(m_results, QString());
+    m_stack->addWidget(m_empty);
+    m_stack->addWidget(m_tabs);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_messages);
+    layout->addWidget(m_stack, 1);
+}
+
+void StudyPage::connectViews() {
+    StudyRunner& runner = m_controller.runner();
+    using studyview::ParticipantWindow;
+    connect(m_participant, &ParticipantWindow::nextRequested, &runner, &StudyRunner::next);
+    connect(m_participant, &ParticipantWindow::replayRequested, &runner, &StudyRunner::replay);
+    connect(m_participant, &ParticipantWindow::pressed, &runner, &StudyRunner::press);
+    connect(m_participant, &ParticipantWindow::released, &runner,
+            [&runner](const QString& device, const QString& key) {
+                runner.release(device.toStdString(), key.toStdString());
+            });
+    connect(m_participant, &ParticipantWindow::left, &runner, &StudyRunner::pause);
+
+    using studyview::SessionPanel;
+    connect(m_session, &SessionPanel::nextRequested, this, &StudyPage::doNextStep);
+    connect(m_session, &SessionPanel::pauseRequested, &runner, &StudyRunner::pause);
+    connect(m_session, &SessionPanel::abortRequested, &m_controller, &StudyController::abort);
+    connect(m_session, &SessionPanel::noteWritten, &m_controller, &StudyController::keepNote);
+    connect(m_session, &SessionPanel::noiseConfirmed, &m_controller, &StudyController::setNoiseConfirmed);
+    connect(m_session, &SessionPanel::noisePlayRequested, &m_noise, &NoisePlayer::setPlaying);
+    connect(&m_noise, &NoisePlayer::changed, this, &StudyPage::refresh);
+    connect(&m_noise, &NoisePlayer::failed, this, [this](const core::Error& error) {
+        m_messages->post({chrome::Message::Severity::warning, tr("The noise cannot be played."),
+                          tr("Play it from another device, and confirm its level."),
+                          QString::fromStdString(core::describe(error))});
+    });
+    connect(m_session, &SessionPanel::participantWindowRequested, this, &StudyPage::showParticipantWindow);
+
+    using studyview::StudyPanel;
+    connect(m_study, &StudyPanel::newRequested, this, [this] { beginNewStudy(study::Mode::run); });
+    connect(m_study, &StudyPanel::openRequested, this, &StudyPage::askForStudy);
+    connect(m_study, &StudyPanel::protocolRequested, this,
+            [this] { showProtocol(m_controller.overview()->head.protocol); });
+    connect(m_study, &StudyPanel::enrolRequested, &m_controller, &StudyController::enrol);
+    connect(m_study, &StudyPanel::sessionChosen, &m_controller, &StudyController::choose);
+
+    connect(m_counts, &QComboBox::currentIndexChanged, this,
+            [this](int index) { m_matrix->setPercent(index == 1); });
+    connect(m_matrix, &studyview::ConfusionView::percentChanged, this,
+            [this](bool percent) { m_counts->setCurrentIndex(percent ? 1 : 0); });
+    connect(&m_matrix->exporter(), &base::FigureExport::failed, this, [this](const QString& message) {
+        m_messages->post(
+            {chrome::Message::Severity::error, tr("The figure could not be saved."), {}, message});
+    });
+    connect(m_speed, &QComboBox::currentIndexChanged, this,
+            [this] { m_controller.setSpeed(m_speed->currentData().toDouble()); });
+
+    connect(m_results, &studyview::ResultsView::exportRequested, this, &StudyPage::exportStudy);
+    connect(m_results, &studyview::ResultsView::figureFailed, this, [this](const QString& message) {
+        m_messages->post(
+            {chrome::Message::Severity::error, tr("The figure could not be saved."), {}, message});
+    });
+    connect(m_tabs, &QTabWidget::currentChanged, this, &StudyPage::analyse);
+    connect(&m_controller, &StudyController::resultsOutdated, this, [this] {
+        m_outdated = true;
+        analyse();
+    });
+    connect(&m_controller, &StudyController::rehearsed, this,
+            [this] { bringForward(QLatin1String(kResults)); });
+    connect(&m_controller, &StudyController::changed, this, &StudyPage::refresh);
+    connect(&m_controller, &StudyController::failed, this, &StudyPage::report);
+    connect(&m_controller, &StudyController::opened, this, [this] {
+        if (m_controller.foundInterrupted())
+            m_messages->post(
+                {chrome::Message::Severity::warning, tr("A session of this study was interrupted."),
+                 tr("Nothing that was answered is lost. Go on with it, or choose another one."), QString()});
+        if (std::exchange(m_rehearseWhenOpened, false))
+            m_controller.rehearse();
+    });
+}
+
+void StudyPage::open(const QString& path) {
+    const QString name = QFileInfo(path).fileName();
+    if (QFileInfo(path).isDir()) {
+        m_controller.open(path);
+        return;
+    }
+    runInBackground(
+        this, [path] { return study::readProtocol(path.toStdString()); },
+        [this, name](const core::Expected<study::Protocol>& protocol) {
+            if (protocol)
+                showProtocol(*protocol);
+            else
+                report(tr("%1 could not be opened.", "a file").arg(name), protocol.error());
+        });
+}
+
+void StudyPage::watchRehearsal(const QString& folder) {
+    m_rehearseWhenOpened = true;
+    if (QFileInfo::exists(QDir(folder).filePath(QStringLiteral("study.sqlite"))) && !folder.isEmpty()) {
+        m_controller.open(folder);
+        return;
+    }
+    const QString place = folder.isEmpty() ? newFolder(QStringLiteral("rehearsal")) : folder;
+    runInBackground(
+        this, [] { return study::paperProtocol(); },
+        [this, place](const core::Expected<study::Protocol>& protocol) {
+            if (!protocol) {
+                report(tr("The paper's protocol could not be read."), protocol.error());
+                return;
+            }
+            NewStudyDialog form(*protocol, place);
+            form.setMode(study::Mode::simulated);
+            m_controller.create(form.folder(), form.head());
+        });
+}
+
+void StudyPage::beginNewStudy(study::Mode mode) {
+    runInBackground(
+        this, [] { return study::paperProtocol(); },
+        [this, mode](const core::Expected<study::Protocol>& protocol) {
+            if (protocol)
+                askForNewStudy(*protocol, mode);
+            else
+                report(tr("The paper's protocol could not be read."), protocol.error());
+        });
+}
+
+void StudyPage::askForNewStudy(const study::Protocol& protocol, study::Mode mode) {
+    auto* dialog = new NewStudyDialog(protocol, newFolder(QStringLiteral("study")), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setMode(mode);
+    connect(dialog, &QDialog::accepted, this,
+            [this, dialog] { m_controller.create(dialog->folder(), dialog->head()); });
+    dialog->open();
+}
+
+/// In place of the form that may be open.
+void StudyPage::showProtocol(const study::Protocol& protocol) {
+    for (auto* old : findChildren<ProtocolDialog*>())
+        old->close();
+    auto* dialog = new ProtocolDialog(protocol, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &ProtocolDialog::openRequested, this, &StudyPage::askForProtocol);
+    connect(dialog, &ProtocolDialog::paperRequested, this, [this] {
+        runInBackground(
+            this, [] { return study::paperProtocol(); },
+            [this](const core::Expected<study::Protocol>& paper) {
+                if (paper)
+                    showProtocol(*paper);
+                else
+                    report(tr("The paper's protocol could not be read."), paper.error());
+            });
+    });
+    connect(dialog, &ProtocolDialog::studyRequested, this, [this, dialog](const study::Protocol& valid) {
+        dialog->close();
+        askForNewStudy(valid, study::Mode::run);
+    });
+    dialog->show();
+}
+
+void StudyPage::askForProtocol() {
+    auto* dialog = new QFileDialog(this, tr("Open a protocol"), QString(), tr("Protocols (*.toml)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, &StudyPage::open);
+    dialog->open();
+}
+
+void StudyPage::askForStudy() {
+    auto* dialog = new QFileDialog(this, tr("Open a study"), studiesFolder());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::Directory);
+    dialog->setOption(QFileDialog::ShowDirsOnly);
+    connect(dialog, &QFileDialog::fileSelected, this, &StudyPage::open);
+    dialog->open();
+}
+
+void StudyPage::showParticipantWindow() {
+    // The second screen is the participant's; on a single one the window stays beside the console's.
+    QScreen* other = nullptr;
+    for (QScreen* screen : QGuiApplication::screens()) {
+        if (screen != this->screen() && other == nullptr)
+            other = screen;
+    }
+    if (other != nullptr) {
+        m_participant->setGeometry(other->geometry());
+        m_participant->showFullScreen();
+    } else {
+        m_participant->show();
+    }
+    m_participant->raise();
+    m_participant->activateWindow();
+}
+
+void StudyPage::doNextStep() {
+    switch (StudyScenes::nextStep(m_controller)) {
+    case NextStep::begin:
+        m_controller.begin();
+        showParticipantWindow();
+        return;
+    case NextStep::rehearse:
+        m_controller.rehearse();
+        return;
+    case NextStep::stopRehearsal:
+        m_controller.stopRehearsal();
+        m_controller.runner().pause();
+        refresh();
+        return;
+    case NextStep::goOn:
+        m_controller.goOn();
+        if (m_controller.overview()->head.mode == study::Mode::simulated)
+            m_controller.rehearse();
+        else
+            m_participant->activateWindow();
+        return;
+    case NextStep::retry:
+        m_controller.runner().retry();
+        return;
+    case NextStep::leaveSession:
+        m_controller.leaveSession();
+        return;
+    case NextStep::showResults:
+        bringForward(QLatin1String(kResults));
+        return;
+    case NextStep::none:
+        return;
+    }
+}
+
+void StudyPage::refresh() {
+    m_stack->setCurrentWidget(m_controller.overview() ? static_cast<QWidget*>(m_tabs) : m_empty);
+    if (!m_controller.overview())
+        return;
+    m_study->setScene(StudyScenes::study(m_controller));
+    showSession();
+    m_matrix->setContent(StudyScenes::matrix(m_controller));
+    m_speedRow->setVisible(m_controller.overview()->head.mode == study::Mode::simulated);
+    m_speed->setEnabled(!m_controller.runner().isActive());
+    // Choices change with the session only; their pictures are not cheap.
+    QString session;
+    if (m_controller.chosenSession() != nullptr)
+        session = QStringLiteral("%1 %2 %3")
+                      .arg(QString::fromStdString(m_controller.overview()->folder))
+                      .arg(m_controller.chosenSession()->plan.task)
+                      .arg(m_controller.chosenSession()->plan.condition);
+    if (session != m_choicesOf) {
+        m_choicesOf = session;
+        m_participant->setChoices(StudyScenes::choices(m_controller));
+    }
+    m_participant->setScene(StudyScenes::participant(m_controller));
+}
+
+void StudyPage::showSession() {
+    studyview::SessionScene scene = StudyScenes::session(m_controller);
+    // The level at the ear depends on headphones and volume: what is played has none of its own.
+    scene.noisePlaying = m_noise.isPlaying();
+    m_session->setScene(scene);
+}
+
+void StudyPage::tick() {
+    m_controller.tick();
+    if (isVisible() && m_controller.overview())
+        showSession();
+}
+
+QStringList StudyPage::viewNames() {
+    return {QStringLiteral("session"), QLatin1String(kResults), QLatin1String(kParticipant)};
+}
+
+void StudyPage::bringForward(const QString& view) {
+    m_tabs->setCurrentWidget(view == QLatin1String(kResults) ? static_cast<QWidget*>(m_results)
+                                                             : m_tabs->widget(0));
+    if (view == QLatin1String(kParticipant))
+        showParticipantWindow();
+}
+
+QWidget* StudyPage::forwardWindow() const {
+    return m_participant->isVisible() ? m_participant : nullptr;
+}
+
+/// Computes the results anew when they are looked at and there is something new.
+void StudyPage::analyse() {
+    if (!m_controller.overview() || !m_outdated || m_analysing || m_tabs->currentWidget() != m_results)
+        return;
+    m_outdated = false;
+    m_analysing = true;
+    m_results->setState(tr("Computing \u2026"));
+    const StudyOverview& overview = *m_controller.overview();
+    studyview::ResultsScene scene;
+    scene.mode = overview.head.mode;
+    for (const study::StudyTask& task : overview.head.protocol.tasks)
+        scene.taskNames.insert(QString::fromStdString(task.id), QString::fromStdString(task.name));
+    runInBackground(
+        this, [folder = overview.folder] { return resultsOf(folder); },
+        [this, scene](core::Expected<std::vector<study::TaskResults>> results) mutable {
+            m_analysing = false;
+            if (results) {
+                scene.tasks = std::move(*results);
+                m_results->setState(scene.tasks.empty()
+                                        ? tr("There are no completed trials yet.")
+                                        : tr("Test trials that are complete; others are left out."));
+                m_results->setScene(std::move(scene));
+            } else {
+                m_results->setState({});
+                report(tr("The results could not be computed."), results.error());
+            }
+            analyse();
+        });
+}
+
+void StudyPage::exportStudy(const QString& format) {
+    runInBackground(
+        this, [folder = m_controller.overview()->folder, format] { return exportTo(folder, format); },
+        [this](const core::Expected<QString>& written) {
+            if (written)
+                m_messages->post(
+                    {chrome::Message::Severity::information, tr("Written: %1").arg(*written), {}, {}});
+            else
+                report(tr("The export failed."), written.error());
+        });
+}
+
+void StudyPage::report(const QString& what, const core::Error& error) {
+    m_messages->post(
+        {chrome::Message::Severity::error, what, QString::fromStdString(core::describe(error)), QString()});
+    emit openFailed(error);
+}
+
+void StudyPage::retranslate() {
+    m_tabs->setTabText(0, tr("Session"));
+    m_tabs->setTabText(1, tr("Results"));
+    m_counts->setItemText(0, tr("Counts"));
+    m_counts->setItemText(1, tr("Percent of the row"));
+    m_counts->setAccessibleName(tr("What the matrix shows"));
+    m_speedLabel->setText(tr("Spee&d"));
+    m_speedLabel->setBuddy(m_speed);
+    const QSignalBlocker quiet(m_speed);
+    m_speed->setItemText(0, tr("Real time, felt on the bracelet"));
+    for (int i = 1; i < m_speed->count(); ++i)
+        m_speed->setItemText(i, tr("%1 times real time, not played").arg(m_speed->itemData(i).toInt()));
+    m_speed->setToolTip(tr("How fast simulated participants are; it can be changed between sessions"));
+    refresh();
+}
+
+void StudyPage::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+} // namespace teleta::console

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/study/noise_player.h"
+#include "app/console/study/study_controller.h"
+#include "app/console/study/study_scenes.h"
+#include "widgets/chrome/message_bar.h"
+
+#include <QString>
+#include <QStringList>
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QStackedWidget;
+class QTabWidget;
+
+namespace teleta::studyview {
+class ConfusionView;
+class ParticipantWindow;
+class ResultsView;
+class SessionPanel;
+class StudyPanel;
+} // namespace teleta::studyview
+
+namespace teleta::console {
+
+/// The Study page: protocol and participants at the left, the session in the middle, the live confusion
+/// matrix at the right, and the participant's window. Files are read on pool threads. Thread: GUI.
+class StudyPage : public QWidget {
+    Q_OBJECT
+
+public:
+    StudyPage(BraceletStation& station, core::StopSwitch& stop,
+              StudyController::SteadyClock clock = core::steadyNow_ns, QWidget* parent = nullptr);
+
+    ~StudyPage() override;
+
+    /// Opens the folder of a study, or a protocol to make one of.
+    void open(const QString& path);
+    /// Goes on with a simulated study, or makes one of the paper's protocol, and lets simulated participants
+    /// go through it. folder: empty for a new one among the user's documents.
+    void watchRehearsal(const QString& folder = {});
+    /// Names of views for bringForward().
+    [[nodiscard]] static QStringList viewNames();
+    void bringForward(const QString& view);
+    /// What a picture of the page is taken of, when it is not the console's window.
+    [[nodiscard]] QWidget* forwardWindow() const;
+    /// Shows what happened.
+    void tick();
+
+    [[nodiscard]] StudyController& controller() { return m_controller; }
+    [[nodiscard]] chrome::MessageBar& messages() { return *m_messages; }
+    [[nodiscard]] studyview::ParticipantWindow& participantWindow() { return *m_participant; }
+    [[nodiscard]] studyview::SessionPanel& sessionPanel() { return *m_session; }
+    [[nodiscard]] studyview::StudyPanel& studyPanel() { return *m_study; }
+    [[nodiscard]] studyview::ConfusionView& matrixView() { return *m_matrix; }
+    [[nodiscard]] studyview::ResultsView& resultsView() { return *m_results; }
+
+signals:
+    /// Something could not be opened.
+    void openFailed(const teleta::core::Error& error);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void build();
+    void connectViews();
+    void retranslate();
+    void refresh();
+    void showSession();
+    void doNextStep();
+    void askForNewStudy(const study::Protocol& protocol, study::Mode mode);
+    void beginNewStudy(study::Mode mode);
+    void askForStudy();
+    void showProtocol(const study::Protocol& protocol);
+    void askForProtocol();
+    void showParticipantWindow();
+    void analyse();
+    void exportStudy(const QString& format);
+    void report(const QString& what, const core::Error& error);
+
+    StudyController m_controller;
+    NoisePlayer m_noise;
+    chrome::MessageBar* m_messages;
+    QStackedWidget* m_stack;
+    QWidget* m_empty;
+    QTabWidget* m_tabs;
+    studyview::StudyPanel* m_study;
+    studyview::SessionPanel* m_session;
+    studyview::ConfusionView* m_matrix;
+    QComboBox* m_counts;
+    QComboBox* m_speed;
+    QWidget* m_speedRow;
+    QLabel* m_speedLabel;
+    studyview::ParticipantWindow* m_participant;
+    studyview::ResultsView* m_results;
+    bool m_outdated = true;   ///< there are trials that the results do not have
+    bool m_analysing = false; ///< on a pool thread
+    QString m_choicesOf;      ///< session whose answers the participant's window has
+    bool m_rehearseWhenOpened = false;
+};
+
+} // namespace teleta::console

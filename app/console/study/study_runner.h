@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/study/stimulus_output.h"
+#include "backend/core/stop_switch.h"
+#include "backend/study/confusion_matrix.h"
+#include "backend/study/session.h"
+
+#include <QObject>
+#include <QTimer>
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace teleta::console {
+
+/// Runs one session: joins the session's rules with the participant's input, the stimuli and whatever keeps
+/// the results. Nothing that a participant did is shown as done before it is safe: the next trial begins only
+/// when the last one has been kept. Thread: GUI.
+class StudyRunner : public QObject {
+    Q_OBJECT
+
+public:
+    using Clock = std::function<std::int64_t()>;
+    using Kept = std::function<void(const core::Expected<void>&)>;
+    /// Keeps a result and calls back, on this thread, when it is safe or could not be kept.
+    using Keep = std::function<void(const study::TrialResult&, Kept)>;
+
+    /// Why the session does not go on by itself.
+    enum class Hold {
+        none,
+        paused,     ///< by the experimenter
+        blockEnd,   ///< practice is over, the test begins when the experimenter says so
+        stopped,    ///< STOP
+        deviceLost, ///< the stimulus could not be shown as it should
+        notKept,    ///< the last result could not be kept; retry() tries again
+    };
+
+    StudyRunner(const core::StopSwitch& stop, Clock clock, Keep keep, QObject* parent = nullptr);
+
+    /// Begins or, with what was kept, goes on. began_ns: when the session began, at most now. Error: refused
+    /// when what was kept does not fit, notFound when a stimulus is no built-in pattern. output: must outlive
+    /// the session.
+    [[nodiscard]] core::Expected<void> begin(StimulusOutput& output, const study::Protocol& protocol,
+                                             const study::PlannedSession& plan,
+                                             std::span<const study::TrialResult> kept, std::int64_t began_ns);
+    /// Forgets the session; a trial that runs is not kept and will be shown again.
+    void clear();
+
+    /// What the participant does, each with the time of its arrival.
+    void next(std::int64_t time_ns);
+    void replay(std::int64_t time_ns);
+    void press(const study::KeyPress& press);
+    void release(const std::string& device, const std::string& key);
+
+    /// What the experimenter does. A pause takes effect between trials.
+    void pause();
+    void goOn();
+    void abort();
+    void retry();
+
+    /// Lets time pass: STOP, device and time limits. By itself while a trial runs; otherwise whoever shows
+    /// it.
+    void poll();
+
+    [[nodiscard]] bool isActive() const { return m_session.has_value(); }
+    [[nodiscard]] const study::Session* session() const { return m_session ? &*m_session : nullptr; }
+    [[nodiscard]] Hold hold() const { return m_hold; }
+    [[nodiscard]] bool pauseWanted() const { return m_pauseWanted; }
+    [[nodiscard]] bool isKeeping() const { return m_keeping; }
+    /// Why it holds, in words, for deviceLost and notKept.
+    [[nodiscard]] const QString& reason() const { return m_reason; }
+    /// Results of this session in their order, those that were kept before too.
+    [[nodiscard]] const std::vector<study::TrialResult>& results() const { return m_results; }
+    /// Completed trials of a phase.
+    [[nodiscard]] study::ConfusionMatrix matrix(study::Phase phase) const;
+    /// The next step is the experimenter's, not the participant's.
+    [[nodiscard]] bool waitsForExperimenter() const { return m_hold != Hold::none; }
+
+signals:
+    void changed();
+    /// A trial was completed, or interrupted.
+    void trialEnded(const teleta::study::TrialResult& result);
+    /// All trials of a phase are kept.
+    void blockKept(teleta::study::Phase phase);
+    /// All trials are kept, or the session was aborted. The session can still be looked at.
+    void finished();
+    void aborted();
+
+private:
+    void beginStimulus(std::int64_t time_ns);
+    void showStimulus(std::int64_t time_ns);
+    void follow(std::int64_t until_ns);
+    void fail(const QString& reason, Hold hold, std::int64_t time_ns);
+    void settle();
+    void keep(const study::TrialResult& result);
+    void hold(Hold hold, const QString& reason = {});
+
+    const core::StopSwitch& m_stop;
+    Clock m_clock;
+    Keep m_keep;
+    StimulusOutput* m_output = nullptr;
+    QTimer m_timer; ///< runs while a trial does
+
+    std::optional<study::Session> m_session;
+    std::vector<const pattern::Pattern*> m_stimuli;
+    double m_stimulus_s = 0.0;
+    std::vector<study::TrialResult> m_results;
+    Hold m_hold = Hold::none;
+    QString m_reason;
+    bool m_pauseWanted = false;
+    bool m_nextWanted = false; ///< asked for while the last result was being kept
+    bool m_keeping = false;
+    bool m_concluded = false;
+    std::uint64_t m_run = 0; ///< tells the answers of this session's keeper from those of an earlier one
+};
+
+} // namespace teleta::console

@@ -1,0 +1,463 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/study/study_scenes.h"
+
+#include "backend/pattern/built_in_patterns.h"
+#include "backend/study/stimulus_set.h"
+
+#include <QLocale>
+
+#include <algorithm>
+#include <utility>
+
+namespace teleta::console {
+
+using study::Phase;
+using study::Stage;
+using studyview::Tone;
+using Hold = StudyRunner::Hold;
+
+namespace {
+
+constexpr std::size_t kShownOutcomes = 30;
+
+QString text(const std::string& value) {
+    return QString::fromStdString(value);
+}
+
+/// For a runner that has a session.
+Phase phaseNow(const StudyRunner& runner) {
+    const study::Session* session = runner.session();
+    const study::PlannedTrial* current = session == nullptr ? nullptr : session->current();
+    if (current != nullptr)
+        return current->phase;
+    return runner.results().empty() ? Phase::test : runner.results().back().planned.phase;
+}
+
+std::size_t completed(const StudyRunner& runner, Phase phase) {
+    const auto& results = runner.results();
+    return static_cast<std::size_t>(std::count_if(results.begin(), results.end(), [&](const auto& result) {
+        return result.planned.phase == phase && result.isComplete();
+    }));
+}
+
+std::size_t planned(const study::PlannedSession& plan, Phase phase) {
+    return phase == Phase::practice ? plan.practice.size() : plan.test.size();
+}
+
+bool isOver(const StudyRunner& runner) {
+    if (runner.session() == nullptr)
+        return false;
+    const Stage stage = runner.session()->stage();
+    return (stage == Stage::finished || stage == Stage::aborted) && !runner.isKeeping() &&
+           runner.hold() != Hold::notKept;
+}
+
+} // namespace
+
+QString StudyScenes::sessionName(const study::Protocol& protocol, const study::PlannedSession& plan) {
+    const study::StudyTask& task = protocol.tasks[plan.task];
+    return tr("%1, %2", "task, condition").arg(text(task.name), text(task.conditions[plan.condition]));
+}
+
+QString StudyScenes::protocolText(const study::StudyHead& head) {
+    const study::Protocol& protocol = head.protocol;
+    QStringList lines;
+    for (const study::StudyTask& task : protocol.tasks) {
+        QStringList conditions;
+        for (const std::string& condition : task.conditions)
+            conditions << text(condition);
+        lines << tr("%1: %n pattern(s); %2", "task; conditions", static_cast<int>(task.patterns.size()))
+                     .arg(text(task.name), conditions.join(QStringLiteral(", ")));
+    }
+    const QLocale locale;
+    lines << tr("Each pattern %1 times in practice, %2 times in the test: %3 test trials a participant")
+                 .arg(protocol.practice.repetitions)
+                 .arg(protocol.test.repetitions)
+                 .arg(protocol.testTrials());
+    lines << tr("Stimulus %1 s, answer within %2 s %3", "numbers; of what")
+                 .arg(locale.toString(protocol.stimulus_s), locale.toString(protocol.responseLimit_s),
+                      protocol.window == study::ResponseWindow::fromOnset ? tr("of its onset")
+                                                                          : tr("of its end"));
+    if (protocol.noiseColour != "none")
+        lines << tr("Pink noise, %1 dBA").arg(locale.toString(protocol.noise_dBA));
+    lines << tr("Seed %1").arg(QString::number(head.seed));
+    return lines.join(QLatin1Char('\n'));
+}
+
+studyview::StudyScene StudyScenes::study(const StudyController& controller) {
+    studyview::StudyScene scene;
+    if (!controller.overview())
+        return scene;
+    const StudyOverview& overview = *controller.overview();
+    const study::Protocol& protocol = overview.head.protocol;
+    scene.name = text(protocol.name);
+    scene.folder = text(overview.folder);
+    scene.mode = overview.head.mode;
+    scene.protocol = protocolText(overview.head);
+    scene.chosen = controller.chosen();
+    scene.locked = controller.runner().isActive() || controller.isRehearsing();
+    for (const ParticipantOverview& person : overview.participants) {
+        studyview::ParticipantLine line{text(person.participant.id), {}, {}};
+        QStringList order;
+        for (const SessionOverview& session : person.sessions) {
+            const study::StudyTask& task = protocol.tasks[session.plan.task];
+            if (session.plan.task == 0)
+                order << text(task.conditions[session.plan.condition]);
+            studyview::SessionLine one;
+            one.name = sessionName(protocol, session.plan);
+            one.kept = session.kept;
+            one.planned = session.planned();
+            one.finished = session.isFinished();
+            one.interrupted = session.isInterrupted();
+            one.state = one.finished      ? tr("\u2713 finished")
+                        : one.interrupted ? tr("%1 of %2", "trials kept").arg(one.kept).arg(one.planned)
+                                          : tr("to do");
+            line.sessions.push_back(std::move(one));
+        }
+        line.order = order.size() > 1 ? order.join(QStringLiteral(" \u2192 ")) : QString();
+        scene.participants.push_back(std::move(line));
+    }
+    return scene;
+}
+
+NextStep StudyScenes::nextStep(const StudyController& controller) {
+    if (!controller.overview())
+        return NextStep::none;
+    const StudyRunner& runner = controller.runner();
+    const bool simulated = controller.overview()->head.mode == study::Mode::simulated;
+    if (runner.isActive()) {
+        if (runner.hold() == Hold::notKept)
+            return NextStep::retry;
+        if (isOver(runner))
+            return simulated && controller.isRehearsing() ? NextStep::stopRehearsal : NextStep::leaveSession;
+        if (runner.hold() != Hold::none)
+            return NextStep::goOn;
+        return controller.isRehearsing() ? NextStep::stopRehearsal : NextStep::none;
+    }
+    if (controller.isRehearsing())
+        return NextStep::stopRehearsal;
+    const auto& people = controller.overview()->participants;
+    const bool allDone =
+        std::all_of(people.begin(), people.end(), [](const auto& person) { return !person.nextSession(); });
+    if (simulated) {
+        const std::size_t wanted = std::max<std::size_t>(controller.overview()->head.plannedParticipants, 1);
+        return allDone && people.size() >= wanted ? NextStep::showResults : NextStep::rehearse;
+    }
+    const SessionOverview* session = controller.chosenSession();
+    if (session == nullptr)
+        return NextStep::none;
+    if (session->isFinished())
+        return allDone                                         ? NextStep::showResults
+               : controller.chosenParticipant()->nextSession() ? NextStep::leaveSession
+                                                               : NextStep::none;
+    return NextStep::begin;
+}
+
+studyview::SessionScene StudyScenes::session(const StudyController& controller) {
+    studyview::SessionScene scene;
+    if (!controller.overview())
+        return scene;
+    const StudyOverview& overview = *controller.overview();
+    scene.mode = overview.head.mode;
+    scene.saved = controller.savedText();
+    scene.device = controller.output().description();
+    const QString obstacle = controller.output().obstacle();
+    scene.deviceTone = !obstacle.isEmpty() ? Tone::alarm : Tone::calm;
+    if (const SessionOverview* session = controller.chosenSession()) {
+        const ParticipantOverview& person = *controller.chosenParticipant();
+        scene.title =
+            tr("%1 \u2014 %2", "participant, session")
+                .arg(text(person.participant.id), sessionName(overview.head.protocol, session->plan));
+        scene.subtitle = tr("Session %1 of %2, row %3 of the Williams square")
+                             .arg(controller.chosen()->second + 1)
+                             .arg(person.sessions.size())
+                             .arg(session->plan.sequenceRow + 1);
+    }
+    if (controller.runner().isActive())
+        describeRunning(controller, scene);
+    else
+        describeIdle(controller, scene);
+    return scene;
+}
+
+void StudyScenes::describeIdle(const StudyController& controller, studyview::SessionScene& scene) {
+    const StudyOverview& overview = *controller.overview();
+    const SessionOverview* session = controller.chosenSession();
+    bool passed = true;
+    const bool open = session != nullptr && !session->isFinished();
+    if (open) {
+        for (const study::RunCheck& check : controller.checks()) {
+            scene.checks.push_back({text(check.name), check.passed, text(check.finding), text(check.remedy)});
+            passed = passed && check.passed;
+        }
+        scene.needsNoise =
+            overview.head.mode != study::Mode::simulated && overview.head.protocol.noiseColour != "none";
+    }
+    scene.noiseConfirmed = controller.noiseConfirmed();
+    scene.nextEnabled = !controller.isBusy();
+    switch (nextStep(controller)) {
+    case NextStep::begin:
+        scene.next = session->isInterrupted() ? tr("Go on with this session") : tr("Begin this session");
+        scene.nextEnabled = scene.nextEnabled && passed;
+        if (session->isInterrupted()) {
+            scene.state = tr("This session was interrupted after %1 of %2 trials. What was answered is kept; "
+                             "it goes on "
+                             "with the same order.")
+                              .arg(session->kept)
+                              .arg(session->planned());
+            scene.tone = Tone::attention;
+        } else if (!passed) {
+            scene.state = tr("The session can begin when all checks have passed.");
+        }
+        return;
+    case NextStep::rehearse:
+        scene.next =
+            overview.participants.empty() ? tr("Begin the rehearsal") : tr("Go on with the rehearsal");
+        scene.nextEnabled = scene.nextEnabled && (passed || !open);
+        scene.state = tr("Simulated participants go through all sessions, with the same code as people.");
+        return;
+    case NextStep::stopRehearsal:
+        scene.next = tr("Halt the rehearsal");
+        return;
+    case NextStep::leaveSession:
+        scene.next = tr("To the next session");
+        scene.state = tr("This session is finished.");
+        scene.tone = Tone::good;
+        return;
+    case NextStep::showResults:
+        scene.next = tr("Show the results");
+        scene.state = tr("All sessions of all participants are finished.");
+        scene.tone = Tone::good;
+        return;
+    case NextStep::none:
+    case NextStep::goOn:
+    case NextStep::retry:
+        break;
+    }
+    scene.nextEnabled = false;
+    if (session == nullptr) {
+        scene.next = tr("Add a participant");
+        scene.state =
+            tr("Enrol the first participant at the left: the order of the conditions follows from the "
+               "order of enrolment.");
+    } else {
+        scene.next = tr("Choose another participant");
+        scene.state = tr("This participant has finished all sessions.");
+        scene.tone = Tone::good;
+    }
+}
+
+void StudyScenes::describeRunning(const StudyController& controller, studyview::SessionScene& scene) {
+    const StudyRunner& runner = controller.runner();
+    if (runner.session() == nullptr)
+        return;
+    const study::Session& session = *runner.session();
+    const study::StudyTask& task = *controller.chosenTask();
+    const bool simulated = controller.overview()->head.mode == study::Mode::simulated;
+    const Phase phase = phaseNow(runner);
+    scene.phase = phase == Phase::practice ? tr("Practice") : tr("Test");
+    scene.done = completed(runner, phase);
+    scene.total = planned(controller.chosenSession()->plan, phase);
+    const bool over = isOver(runner);
+    scene.canAbort = !over;
+    scene.canPause = !over && runner.hold() == Hold::none && !runner.pauseWanted();
+    scene.canNote = true;
+
+    const auto letter = [&](std::size_t pattern) { return text(task.patterns[pattern].letter); };
+    for (auto result = runner.results().rbegin();
+         result != runner.results().rend() && scene.outcomes.size() < kShownOutcomes; ++result) {
+        studyview::OutcomeLine line;
+        const QString name = result->planned.phase == Phase::practice ? tr("practice %1") : tr("test %1");
+        line.trial = name.arg(result->planned.trial);
+        line.presented = letter(result->planned.stimulus);
+        line.answered = result->response ? letter(*result->response) : QStringLiteral("\u2013");
+        line.responseTime_s = result->responseTime_s;
+        switch (result->outcome) {
+        case study::Outcome::correct:
+            line.outcome = tr("\u2713 right");
+            line.tone = Tone::good;
+            break;
+        case study::Outcome::incorrect:
+            line.outcome = tr("\u2717 wrong");
+            line.tone = Tone::attention;
+            break;
+        case study::Outcome::timeout:
+            line.outcome = tr("no answer");
+            line.tone = Tone::attention;
+            break;
+        case study::Outcome::aborted:
+            line.outcome = tr("aborted");
+            break;
+        case study::Outcome::deviceError:
+            line.outcome = tr("device fault, comes again");
+            line.tone = Tone::alarm;
+            break;
+        }
+        scene.outcomes.push_back(std::move(line));
+    }
+
+    const NextStep step = nextStep(controller);
+    scene.nextEnabled = step != NextStep::none && !controller.isBusy();
+    const bool stopped = runner.hold() == Hold::stopped;
+    switch (runner.hold()) {
+    case Hold::paused:
+        scene.next = tr("Go on");
+        scene.state = tr("Paused.");
+        scene.tone = Tone::attention;
+        break;
+    case Hold::blockEnd:
+        scene.next = tr("Begin the test");
+        scene.state = tr("Practice is over. In the test there is no feedback unless the protocol says so.");
+        scene.tone = Tone::good;
+        break;
+    case Hold::stopped:
+    case Hold::deviceLost: {
+        const QString obstacle = controller.output().obstacle();
+        scene.next = stopped ? tr("Go on after STOP") : tr("Go on");
+        scene.nextEnabled = scene.nextEnabled && obstacle.isEmpty();
+        scene.state =
+            stopped
+                ? tr("STOPPED. The bracelet is off. A trial that ran will be shown again.")
+                : tr("The stimulus was interrupted: %1. The trial will be shown again.").arg(runner.reason());
+        if (!obstacle.isEmpty())
+            scene.state += QLatin1Char('\n') + obstacle;
+        if (stopped && !obstacle.isEmpty())
+            scene.state += QLatin1Char(' ') + tr("Hold the STOP button for a second to release it.");
+        scene.tone = Tone::alarm;
+        break;
+    }
+    case Hold::notKept:
+        scene.next = tr("Try again to keep the last trial");
+        scene.state = tr("The last trial could not be kept; it is still in memory. %1").arg(runner.reason());
+        scene.tone = Tone::alarm;
+        break;
+    case Hold::none:
+        if (over) {
+            const bool aborted = session.stage() == Stage::aborted;
+            scene.next = aborted ? tr("Leave this session") : tr("To the next session");
+            scene.state = aborted ? tr("The session was aborted. What was answered is kept.")
+                                  : tr("This session is finished. Thank the participant.");
+            scene.tone = aborted ? Tone::attention : Tone::good;
+            break;
+        }
+        scene.state = runner.isKeeping()                   ? tr("Keeping the trial \u2026")
+                      : session.stage() == Stage::ready    ? tr("Ready for the next trial.")
+                      : session.stage() == Stage::starting ? tr("The stimulus begins \u2026")
+                      : session.stage() == Stage::stimulus ? tr("The stimulus is felt.")
+                      : session.stage() == Stage::feedback ? tr("The right answer is shown.")
+                                                           : tr("Waiting for the answer.");
+        scene.next =
+            simulated ? tr("The simulated participant is at work") : tr("The participant goes on with Space");
+        break;
+    }
+    if (step == NextStep::stopRehearsal)
+        scene.next = tr("Halt the rehearsal");
+    if (runner.pauseWanted())
+        scene.state += QLatin1Char(' ') + tr("A pause follows.");
+}
+
+studyview::ParticipantScene StudyScenes::participant(const StudyController& controller) {
+    using State = studyview::ParticipantScene::State;
+    studyview::ParticipantScene scene;
+    const StudyRunner& runner = controller.runner();
+    if (!controller.overview() || runner.session() == nullptr)
+        return scene;
+    const study::Session& session = *runner.session();
+    scene.title = text(controller.chosenTask()->name);
+    scene.mode = controller.overview()->head.mode;
+    scene.phase =
+        session.stage() == Stage::feedback ? runner.results().back().planned.phase : phaseNow(runner);
+    scene.trials = planned(controller.chosenSession()->plan, scene.phase);
+    scene.diagrams = session.settings(scene.phase).diagram;
+    scene.answersOpen = session.deadline_ns().has_value();
+    scene.canReplay = session.stage() == Stage::answering && session.replaysLeft() > 0;
+    const bool isFeedback = session.stage() == Stage::feedback;
+    scene.trial = std::min(completed(runner, scene.phase) + (isFeedback ? 0 : 1), scene.trials);
+    if (!runner.results().empty() && runner.results().back().planned.phase == scene.phase)
+        scene.answered = runner.results().back().response;
+    if (isFeedback)
+        scene.presented = runner.results().back().planned.stimulus;
+    switch (runner.hold()) {
+    case Hold::stopped:
+    case Hold::deviceLost:
+        scene.state = State::stopped;
+        return scene;
+    case Hold::paused:
+    case Hold::blockEnd:
+    case Hold::notKept:
+        scene.state = State::paused;
+        return scene;
+    case Hold::none:
+        break;
+    }
+    switch (session.stage()) {
+    case Stage::ready:
+    case Stage::paused:
+        scene.state = State::ready;
+        break;
+    case Stage::starting:
+        scene.state = State::starting;
+        break;
+    case Stage::stimulus:
+        scene.state = State::stimulus;
+        break;
+    case Stage::answering:
+        scene.state = State::answering;
+        break;
+    case Stage::feedback:
+        scene.state = State::feedback;
+        break;
+    case Stage::finished:
+    case Stage::aborted:
+        scene.state = State::finished;
+        break;
+    }
+    return scene;
+}
+
+studyview::ConfusionContent StudyScenes::matrix(const StudyController& controller) {
+    studyview::ConfusionContent content;
+    const study::StudyTask* task = controller.chosenTask();
+    if (task == nullptr) {
+        content.title = tr("No session is chosen");
+        return content;
+    }
+    for (const study::StudyPattern& pattern : task->patterns)
+        content.letters << text(pattern.letter);
+    content.mode = controller.overview()->head.mode;
+    content.matrix = study::ConfusionMatrix(task->patterns.size());
+    const StudyRunner& runner = controller.runner();
+    if (!runner.isActive()) {
+        content.title = sessionName(controller.overview()->head.protocol, controller.chosenSession()->plan);
+        return content;
+    }
+    const Phase phase = phaseNow(runner);
+    content.matrix = runner.matrix(phase);
+    content.title =
+        (phase == Phase::practice ? tr("%1, practice") : tr("%1, test"))
+            .arg(sessionName(controller.overview()->head.protocol, controller.chosenSession()->plan));
+    if (!runner.results().empty() && runner.results().back().planned.phase == phase &&
+        runner.results().back().isComplete()) {
+        const study::TrialResult& last = runner.results().back();
+        content.last = {last.planned.stimulus, last.response.value_or(content.matrix.noneColumn())};
+    }
+    return content;
+}
+
+std::vector<studyview::AnswerChoice> StudyScenes::choices(const StudyController& controller) {
+    std::vector<studyview::AnswerChoice> choices;
+    const study::StudyTask* task = controller.chosenTask();
+    if (task == nullptr)
+        return choices;
+    const SessionOverview& session = *controller.chosenSession();
+    for (const study::StudyPattern& pattern : task->patterns) {
+        studyview::AnswerChoice choice{text(pattern.letter), text(pattern.name), {}};
+        const std::string id = study::stimulusId(*task, pattern, task->conditions[session.plan.condition]);
+        if (const pattern::Pattern* builtIn = pattern::findBuiltIn(id))
+            choice.diagram = studyview::diagramOf(*builtIn, controller.overview()->head.protocol.stimulus_s);
+        choices.push_back(std::move(choice));
+    }
+    return choices;
+}
+
+} // namespace teleta::console

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/study/study_controller.h"
+#include "widgets/study/confusion_picture.h"
+#include "widgets/study/participant_scene.h"
+#include "widgets/study/session_scene.h"
+#include "widgets/study/study_panel.h"
+
+#include <vector>
+
+namespace teleta::console {
+
+/// What the large button does.
+enum class NextStep {
+    none,
+    begin,    ///< the chosen session
+    rehearse, ///< all simulated sessions
+    stopRehearsal,
+    goOn,         ///< after a hold
+    retry,        ///< to keep the last trial
+    leaveSession, ///< to the participant's next one
+    showResults,
+};
+
+/// What the views of a study show, in words. Thread: GUI.
+class StudyScenes {
+    Q_DECLARE_TR_FUNCTIONS(StudyScenes)
+
+public:
+    [[nodiscard]] static studyview::StudyScene study(const StudyController& controller);
+    [[nodiscard]] static studyview::SessionScene session(const StudyController& controller);
+    [[nodiscard]] static studyview::ParticipantScene participant(const StudyController& controller);
+    [[nodiscard]] static studyview::ConfusionContent matrix(const StudyController& controller);
+    /// The answers of the chosen session; the pictures are those of the patterns themselves.
+    [[nodiscard]] static std::vector<studyview::AnswerChoice> choices(const StudyController& controller);
+    [[nodiscard]] static NextStep nextStep(const StudyController& controller);
+    /// "Object shape, static".
+    [[nodiscard]] static QString sessionName(const study::Protocol& protocol,
+                                             const study::PlannedSession& plan);
+
+private:
+    static void describeRunning(const StudyController& controller, studyview::SessionScene& scene);
+    static void describeIdle(const StudyController& controller, studyview::SessionScene& scene);
+    [[nodiscard]] static QString protocolText(const study::StudyHead& head);
+};
+
+} // namespace teleta::console

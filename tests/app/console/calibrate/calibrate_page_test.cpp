@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/bracelet/bracelet_station.h"
+#include "app/console/calibrate/calibrate_page.h"
+#include "backend/core/stop_switch.h"
+#include "backend/motors/motor_file.h"
+#include "tests/backend/motors/measured_motor.h"
+#include "widgets/base/theme.h"
+#include "widgets/calibrate/motor_table.h"
+#include "widgets/calibrate/motors_view.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+
+#include <memory>
+
+using namespace teleta;
+using console::BraceletChoice;
+using console::BraceletStation;
+using console::CalibratePage;
+
+/// The page on the console's own bracelet, simulated: its motors are unequal, and nobody has told the page
+/// how.
+class CalibratePageTest : public QObject {
+    Q_OBJECT
+
+    core::StopSwitch m_stop;
+    std::unique_ptr<BraceletStation> m_station;
+    std::unique_ptr<CalibratePage> m_page;
+    QTimer m_clock;
+    QTemporaryDir m_folder;
+
+    calibrate::MotorsView& view() { return m_page->motors().view(); }
+
+private slots:
+    void initTestCase() {
+        QStandardPaths::setTestModeEnabled(true);
+        base::applyTheme(base::ThemeChoice::light);
+    }
+    void init() {
+        QFile::remove(QString::fromStdString(motors::profilePath("simulated")));
+        m_stop.release();
+        m_station = std::make_unique<BraceletStation>(m_stop);
+        m_page = std::make_unique<CalibratePage>(*m_station);
+        m_page->resize(1200, 800);
+        m_page->show();
+        QVERIFY(QTest::qWaitForWindowActive(m_page.get()));
+        connect(&m_clock, &QTimer::timeout, m_page.get(), [this] {
+            m_station->tick();
+            m_page->tick();
+        });
+        m_clock.start(10);
+        m_station->choose(BraceletChoice::simulated);
+        QTRY_VERIFY(m_station->isReady());
+        QTRY_VERIFY(view().button("measure")->isEnabled()); // the page is told with the next tick
+    }
+    void cleanup() {
+        m_clock.stop();
+        m_page.reset();
+        m_station.reset();
+        QFile::remove(QString::fromStdString(motors::profilePath("simulated")));
+    }
+
+    void measuresASimulatedMotorThroughThePlayerAndFindsWhatItHides() {
+        QTest::mouseClick(view().button("measure"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(view().calibration().measured() || !view().verdict().isEmpty(), 60'000);
+        QVERIFY2(view().calibration().measured(), qPrintable(view().verdict()));
+        const auto truth = simulated::unequalMotors()[0];
+        const motors::CalibratedMotor& motor = view().calibration().motors[0];
+        QVERIFY(std::abs(motor.profile.startDrive - truth.start) < 0.03);
+        // The drive that is read belongs to a frame up to a millisecond old.
+        QVERIFY(std::abs(motor.profile.riseTime_s - test::rise90_s(truth)) < 0.01);
+        QVERIFY(std::abs(motor.profile.curve.back().speed_Hz - truth.fullSpeed_Hz) < 3.0);
+        QCOMPARE(m_station->calibration(), view().calibration());
+    }
+
+    void stopEndsAMeasurementAndSaysSo() {
+        QTest::mouseClick(view().button("measureAll"), Qt::LeftButton);
+        QTRY_VERIFY(m_station->playingPosition_s().value_or(0.0) > 0.1);
+        m_stop.engage();
+        QTRY_VERIFY_WITH_TIMEOUT(view().verdict().contains(QLatin1String("STOP")), 10'000);
+        QVERIFY(!view().calibration().measured());
+        QVERIFY(!view().button("measure")->isEnabled());
+        m_stop.release();
+        QTRY_VERIFY(view().button("measure")->isEnabled());
+    }
+
+    void anotherBraceletEndsAMeasurement() {
+        QTest::mouseClick(view().button("measure"), Qt::LeftButton);
+        QTRY_VERIFY(m_station->playingPosition_s().has_value());
+        m_station->choose(BraceletChoice::none);
+        QTRY_VERIFY(!view().button("feel")->isEnabled());
+        QVERIFY(!view().calibration().measured());
+    }
+
+    void keepsAProfileForTheBraceletAndUsesItTheNextTime() {
+        const motors::MotorRecording recording =
+            test::measured({.rise_s = 0.02, .fall_s = 0.03, .start = 0.25, .fullSpeed_Hz = 240.0}, 0.5);
+        QVERIFY(motors::writeMotorRecording(recording, m_folder.filePath("m.csv").toStdString()));
+        m_page->motors().openRecording(5, m_folder.filePath("m.csv"));
+        QTRY_VERIFY(view().calibration().measured());
+        const motors::MotorCalibration measured = view().calibration();
+        QTest::mouseClick(view().button("save"), Qt::LeftButton);
+        QTRY_VERIFY(view().isSaved());
+        QVERIFY(QFileInfo::exists(QString::fromStdString(motors::profilePath("simulated"))));
+        m_station->choose(BraceletChoice::none);
+        QTRY_VERIFY(!view().calibration().measured());
+        m_station->choose(BraceletChoice::simulated);
+        QTRY_VERIFY(view().calibration().measured());
+        QCOMPARE(view().calibration(), measured);
+        QVERIFY(view().isSaved());
+    }
+
+    void saysWhenARecordingOrAProfileIsOfNoUse() {
+        QSignalSpy troubles(&m_page->motors(), &console::MotorCalibrator::trouble);
+        m_page->motors().openRecording(0, m_folder.filePath("none.csv"));
+        QTRY_VERIFY(view().verdict().contains(QLatin1String("none.csv")));
+        motors::MotorCalibration other;
+        other.bracelet = "TB-0042";
+        QVERIFY(motors::writeMotors(other, m_folder.filePath("other.toml").toStdString()));
+        m_page->motors().load(m_folder.filePath("other.toml"));
+        QTRY_COMPARE(troubles.size(), 1);
+        QVERIFY(troubles[0][1].toString().contains(QLatin1String("TB-0042")));
+        QCOMPARE(m_page->messages().count(), 1);
+    }
+
+    void aDamagedProfileIsReportedAndTheMotorsAreAssumed() {
+        m_station->choose(BraceletChoice::none);
+        const QString path = QString::fromStdString(motors::profilePath("simulated"));
+        QDir().mkpath(QFileInfo(path).absolutePath());
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("format = \"teleta-motors\"\nversion = 1\nbracelet = \"simulated\"\n[[motor]\n");
+        file.close();
+        m_station->choose(BraceletChoice::simulated);
+        QTRY_COMPARE(m_page->messages().count(), 1);
+        QVERIFY(m_station->isReady());
+        QVERIFY(!m_station->calibration().measured());
+    }
+};
+
+QTEST_MAIN(CalibratePageTest)
+#include "calibrate_page_test.moc"

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/bracelet/bracelet_station.h"
+#include "app/console/main_window.h"
+#include "app/console/operate/arm_views.h"
+#include "app/console/operate/operate_docks.h"
+#include "app/console/operate/operate_page.h"
+#include "app/console/patterns/patterns_page.h"
+#include "backend/pattern/built_in_patterns.h"
+#include "backend/playback/pattern_program.h"
+#include "widgets/base/theme.h"
+#include "widgets/bracelet/bracelet_view.h"
+#include "widgets/charts/joint_chart_view.h"
+#include "widgets/chrome/page_rail.h"
+#include "widgets/pattern/pattern_document.h"
+#include "widgets/pattern/pattern_editor.h"
+#include "widgets/touch/contour_view.h"
+#include "widgets/touch/jog_panel.h"
+#include "widgets/touch/pattern_map_table.h"
+#include "widgets/touch/stiffness_gauge.h"
+#include "widgets/touch/touch_table.h"
+#include "widgets/view3d/gl_setup.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+#include <memory>
+
+using namespace teleta;
+using console::BraceletChoice;
+using console::ConsoleOptions;
+using console::ConsoleSettings;
+using console::MainWindow;
+using console::OperateDocks;
+using core::ArmDrive;
+
+/// The views of an arm in the window, on a real display: from the first contact to gauge, table and bracelet.
+class ArmViewsTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+    std::unique_ptr<core::StopSwitch> m_stop;
+    std::unique_ptr<ConsoleSettings> m_settings;
+    std::unique_ptr<MainWindow> m_window;
+
+    /// The touch scene with its metal object alone, which is met after a moment.
+    QString metalScene() {
+        QFile shipped(QStringLiteral(TELETA_SOURCE_DIR "/resources/scenes/teleta-touch.toml"));
+        if (!shipped.open(QIODevice::ReadOnly))
+            qFatal("the touch scene is missing");
+        QByteArray text = shipped.readAll();
+        const qsizetype first = text.indexOf("[[object]]");
+        const qsizetype metal = text.lastIndexOf("[[object]]");
+        text.remove(first, metal - first);
+        text.replace("travel_rad_per_s = 0.12", "travel_rad_per_s = 0.5");
+        text.replace("clearance_rad = 0.004", "clearance_rad = 0.002");
+        QFile file(m_folder.filePath(QStringLiteral("metal.toml")));
+        if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size())
+            qFatal("cannot write the scene");
+        return file.fileName();
+    }
+
+    void openArm() {
+        m_stop = std::make_unique<core::StopSwitch>();
+        m_settings = std::make_unique<ConsoleSettings>(true);
+        ConsoleOptions options;
+        options.scenes = {metalScene()};
+        options.dock = QStringLiteral("contour");
+        m_window = std::make_unique<MainWindow>(options, *m_settings, *m_stop);
+        m_window->show();
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        m_window->openRequested(options);
+        QTRY_VERIFY_WITH_TIMEOUT(arm() != nullptr && arm()->generation() > 0, 20'000);
+    }
+
+    template <typename Widget>
+    Widget* child() const {
+        return m_window->findChild<Widget*>();
+    }
+    pipeline::ArmChannel* arm() const { return m_window->operatePage().armViews().arm().get(); }
+
+private slots:
+    void initTestCase() { base::applyTheme(base::ThemeChoice::light); }
+    void cleanup() { m_window.reset(); }
+
+    void showsATouchFromTheFirstContactToGaugeTableAndBracelet() {
+        openArm();
+        QVERIFY(!child<touch::StiffnessGauge>()->content().touch);
+        QTRY_VERIFY_WITH_TIMEOUT(child<touch::TouchTable>()->touches() == 1, 30'000);
+        const auto& touch = child<touch::StiffnessGauge>()->content().touch;
+        QVERIFY(touch.has_value());
+        QVERIFY(touch->object.onlyBound()); // rigid
+        QCOMPARE(touch->material, stiffness::Material::metal);
+        // The gauge has it in the same tick as the table, within the second of the first contact.
+        const auto& record = arm()->snapshot().lastTouch;
+        QVERIFY(record && record->located);
+        QVERIFY(record->ready_s - record->start_s < 1.0);
+        // Level 5 on the simulated bracelet, and how long that took.
+        auto& bracelet = m_window->operatePage().bracelet();
+        QTRY_VERIFY(bracelet.lastEvent().has_value() && bracelet.lastEvent()->onset_s.has_value());
+        QCOMPARE(QString::fromStdString(bracelet.lastEvent()->sent.patternId),
+                 QStringLiteral("stiffness.E.dynamic"));
+        QCOMPARE(child<touch::PatternMapTable>()->recognisedRow(), std::optional(4));
+        QVERIFY(child<charts::JointChartView>()->showTouch(1));
+    }
+
+    void tellsWhatWouldBeFeltWithoutABracelet() {
+        openArm();
+        auto& bracelet = m_window->operatePage().bracelet();
+        bracelet.choose(BraceletChoice::none);
+        QTRY_VERIFY_WITH_TIMEOUT(bracelet.lastEvent().has_value(), 30'000);
+        QVERIFY(!bracelet.lastEvent()->onset_s);
+        QVERIFY(!bracelet.reading());
+        QVERIFY(
+            m_window->operatePage().findChild<bracelet::BraceletView*>()->accessibleDescription().contains(
+                "stiffness.E.dynamic"));
+    }
+
+    void jogsWhileTheDeadManIsHeldAndStandsStillAfterwards() {
+        openArm();
+        auto* jog = child<touch::JogPanel>();
+        jog->setSpeed(100);
+        jog->setFocus();
+        const double before_rad = arm()->snapshot().newest.reference_rad[0];
+        QTest::keyPress(jog, Qt::Key_Shift);
+        QTest::keyPress(jog, Qt::Key_A, Qt::ShiftModifier);
+        QTRY_COMPARE(arm()->snapshot().drive, ArmDrive::jog);
+        QTRY_VERIFY(arm()->snapshot().newest.reference_rad[0] < before_rad - 0.02);
+        QTest::keyRelease(jog, Qt::Key_A, Qt::ShiftModifier);
+        QTest::keyRelease(jog, Qt::Key_Shift);
+        QTRY_COMPARE(arm()->snapshot().drive, ArmDrive::held);
+        const double after_rad = arm()->snapshot().newest.reference_rad[0];
+        const auto samples = arm()->snapshot().samplesProcessed;
+        QTRY_VERIFY(arm()->snapshot().samplesProcessed > samples + 200);
+        QCOMPARE(arm()->snapshot().newest.reference_rad[0], after_rad);
+        m_window->operatePage().armViews().setProgramRunning(true);
+        QTRY_COMPARE(arm()->snapshot().drive, ArmDrive::program);
+    }
+
+    void stopHaltsArmAndBracelet() {
+        openArm();
+        auto& bracelet = m_window->operatePage().bracelet();
+        QTRY_VERIFY(bracelet.isReady());
+        bracelet.play(playback::programOf(*pattern::findBuiltIn("stiffness.E.static")), false);
+        QTRY_VERIFY(bracelet.given()[0] > 0.5);
+        QTest::keyClick(m_window.get(), Qt::Key_Period, Qt::ControlModifier);
+        QVERIFY(m_stop->engaged());
+        QTRY_COMPARE(bracelet.given(), core::Intensities{});
+        QTRY_COMPARE(arm()->snapshot().drive, ArmDrive::stopped);
+        QVERIFY(!bracelet.isReady());
+        QVERIFY(!child<touch::JogPanel>()->refusal().isEmpty());
+    }
+
+    void aStationEndsWhileItsBraceletsAreBeingOpenedAndClosed() {
+        for (int i = 0; i < 20; ++i) {
+            core::StopSwitch stop; // which devices must not look at any more
+            console::BraceletStation station(stop);
+            for (const BraceletChoice choice :
+                 {BraceletChoice::simulated, BraceletChoice::none, BraceletChoice::simulated}) {
+                station.choose(choice);
+                if (i % 2 == 1)
+                    station.tick();
+            }
+        }
+        core::StopSwitch stop;
+        console::BraceletStation station(stop);
+        station.choose(BraceletChoice::simulated);
+        station.choose(BraceletChoice::none);
+        station.choose(BraceletChoice::simulated);
+        station.tick();
+        QTRY_VERIFY((station.tick(), station.isReady()));
+    }
+
+    void aTactorIsFeltWhileItIsHeld() {
+        openArm();
+        auto& bracelet = m_window->operatePage().bracelet();
+        auto* view = m_window->operatePage().findChild<bracelet::BraceletView*>();
+        QTRY_VERIFY(bracelet.isReady());
+        view->setFocus();
+        QTRY_VERIFY(view->hasFocus());
+        m_window->operatePage().tick();
+        QTest::keyPress(view, Qt::Key_3);
+        QTRY_VERIFY(bracelet.given()[2] > 0.5);
+        QCOMPARE(bracelet.given()[0], 0.0);
+        QTest::keyRelease(view, Qt::Key_3);
+        QTRY_COMPARE(bracelet.given(), core::Intensities{});
+    }
+
+    void thePatternsPageEditsPlaysSavesAndOpensAgain() {
+        openArm();
+        auto& page = m_window->patternsPage();
+        auto* rail = child<chrome::PageRail>();
+        emit rail->pageRequested(QStringLiteral("patterns"));
+        QVERIFY(page.isVisible());
+        auto& bracelet = m_window->operatePage().bracelet();
+        m_window->operatePage().armViews().setProgramRunning(false); // no touch may play in between
+        QTRY_VERIFY(bracelet.isReady());
+        page.open(QStringLiteral("stiffness.E.static"));
+        emit page.editor().playRequested(page.editor().document()->pattern());
+        QTRY_VERIFY(bracelet.given()[5] > 0.5);
+        QTRY_VERIFY(page.editor().isPlaying());
+        emit page.editor().stopRequested();
+        QTRY_COMPARE(bracelet.given(), core::Intensities{});
+        QTRY_VERIFY(!page.editor().isPlaying());
+
+        page.editor().document()->setName(QStringLiteral("Mine"));
+        QVERIFY(page.editor().document()->isDirty());
+        const QString path = m_folder.filePath(QStringLiteral("mine.json"));
+        page.saveAs(path);
+        QTRY_VERIFY(!page.editor().document()->isDirty());
+        QCOMPARE(page.editor().document()->path(), path);
+        page.open(QStringLiteral("shape.A.static"));
+        page.open(path);
+        QTRY_COMPARE(page.editor().document()->pattern().name, std::string("Mine"));
+        page.open(m_folder.filePath(QStringLiteral("none.json")));
+        QTRY_COMPARE(page.messages().count(), 1);
+        QCOMPARE(page.editor().document()->pattern().name, std::string("Mine"));
+    }
+
+    void anArrayAndAnArmHaveLayoutsOfTheirOwn() {
+        openArm();
+        auto& docks = m_window->operatePage().docks();
+        QCOMPARE(docks.kind(), OperateDocks::Kind::arm);
+        // As the option says: before the others behind the same tabs.
+        QVERIFY(!child<touch::ContourView>()->visibleRegion().isEmpty());
+        QVERIFY(child<charts::JointChartView>()->visibleRegion().isEmpty());
+        auto* gauge = m_window->findChild<QDockWidget*>("stiffness");
+        auto* touches = m_window->findChild<QDockWidget*>("touches");
+        QVERIFY(!gauge->isHidden());
+        touches->close();
+        m_window->openRequested([] {
+            ConsoleOptions options;
+            options.scenes = {QStringLiteral(":/scenes/tactile-indenter.toml")};
+            return options;
+        }());
+        QTRY_COMPARE_WITH_TIMEOUT(docks.kind(), OperateDocks::Kind::array, 20'000);
+        QVERIFY(gauge->isHidden());
+        QVERIFY(!gauge->toggleViewAction()->isEnabled());
+        m_window->sources().activate(m_window->sources().items().front().key);
+        QTRY_COMPARE(docks.kind(), OperateDocks::Kind::arm);
+        QVERIFY(!gauge->isHidden());
+        QVERIFY(touches->isHidden()); // as it was left
+    }
+};
+
+int main(int argc, char* argv[]) {
+    view3d::configureOpenGlBeforeApplication();
+    QApplication application(argc, argv);
+    ArmViewsTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "arm_views_test.moc"

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/operate/source_list.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+using teleta::console::guessRecording;
+using teleta::console::readSourceList;
+using teleta::console::RecordingRequest;
+using teleta::console::SceneRequest;
+using teleta::console::WtsRequest;
+
+/// Source lists, and what a recording's file tells of itself.
+class SourceListTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+
+    QString write(const QString& name, const QByteArray& content) {
+        QFile file(m_folder.filePath(name));
+        if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size())
+            qFatal("cannot write %s", qPrintable(name));
+        return file.fileName();
+    }
+
+    QString writeRecording(const QString& name, int taxels) {
+        QByteArray text = "time_s";
+        for (int taxel = 0; taxel < taxels; ++taxel)
+            text += ",t" + QByteArray::number(taxel);
+        text += "\n0" + QByteArray(",1").repeated(taxels) + "\n";
+        return write(name, text);
+    }
+
+private slots:
+    void guessesKnownArraysAndTheUnloadedRecordingBesideThem() {
+        const QString empty = writeRecording("bed_empty1.csv", 72);
+        const auto guess = guessRecording(writeRecording("bed_left1.csv", 72).toStdString());
+        QVERIFY(guess.has_value());
+        QCOMPARE(guess->layout.rows, 12);
+        QCOMPARE(guess->layout.columns, 6);
+        QCOMPARE(QString::fromStdString(guess->tarePath), empty);
+        const auto unloaded = guessRecording(empty.toStdString());
+        QVERIFY(unloaded.has_value());
+        QVERIFY(unloaded->tarePath.empty());
+    }
+
+    void takesTheMostSquareShapeForAnUnknownArray() {
+        const auto guess = guessRecording(writeRecording("unknown.csv", 35).toStdString());
+        QVERIFY(guess.has_value());
+        QCOMPARE(guess->layout.rows, 5);
+        QCOMPARE(guess->layout.columns, 7);
+        const auto prime = guessRecording(writeRecording("prime.csv", 13).toStdString());
+        QVERIFY(prime.has_value());
+        QCOMPARE(prime->layout.rows, 1);
+        QCOMPARE(prime->layout.columns, 13);
+    }
+
+    void readsRecordingsAndScenesInTheirOrderWithPathsBesideTheList() {
+        writeRecording("a.csv", 84);
+        const QString list =
+            write("list.toml", "[[source]]\nrecording = \"a.csv\"\nrate_Hz = 200\nthreshold = 0.5\n"
+                               "inverted = true\n[[source]]\nscene = \"demo.toml\"\nseed = 7\n");
+        const auto requests = readSourceList(list.toStdString());
+        QVERIFY2(requests.has_value(), requests ? "" : describe(requests.error()).c_str());
+        QCOMPARE(requests->size(), std::size_t(2));
+        const auto& recording = std::get<RecordingRequest>((*requests)[0]);
+        QCOMPARE(QString::fromStdString(recording.path), m_folder.filePath("a.csv"));
+        QCOMPARE(recording.layout.rows, 6);
+        QCOMPARE(recording.rate_Hz, 200.0);
+        QCOMPARE(recording.threshold_N, 0.5);
+        QVERIFY(recording.inverted);
+        const auto& scene = std::get<SceneRequest>((*requests)[1]);
+        QCOMPARE(QString::fromStdString(scene.path), m_folder.filePath("demo.toml"));
+        QCOMPARE(scene.seed, std::uint64_t(7));
+    }
+
+    void readsConnectedArrays() {
+        const QString list =
+            write("wts.toml", "[[source]]\nwts = \"/dev/ttyUSB0\"\nbaud = 921600\ndelay_ms = 5\n"
+                              "run_length = true\ntare = true\nthreshold = 30\n"
+                              "[[source]]\nwts = \"tcp://hand:1000\"\ngain = 0.01\nunit = \"N\"\n");
+        const auto requests = readSourceList(list.toStdString());
+        QVERIFY2(requests.has_value(), requests ? "" : describe(requests.error()).c_str());
+        QCOMPARE(requests->size(), std::size_t(2));
+        const auto& serial = std::get<WtsRequest>((*requests)[0]);
+        QVERIFY(serial.config.address ==
+                teleta::wts::WtsAddress(teleta::wts::SerialAddress{"/dev/ttyUSB0", 921600}));
+        QCOMPARE(serial.config.delay_ms, std::uint16_t(5));
+        QVERIFY(serial.config.runLength);
+        QVERIFY(serial.config.tare);
+        QCOMPARE(serial.threshold.value_or(0.0), 30.0);
+        QCOMPARE(QString::fromStdString(serial.loadUnit), QStringLiteral("counts"));
+        QCOMPARE(displayName((*requests)[0]), QStringLiteral("ttyUSB0"));
+        const auto& tcp = std::get<WtsRequest>((*requests)[1]);
+        QVERIFY(tcp.config.address == teleta::wts::WtsAddress(teleta::wts::TcpAddress{"hand", 1000}));
+        QVERIFY(!tcp.config.tare);
+        QVERIFY(!tcp.threshold.has_value());
+        QCOMPARE(tcp.gain, 0.01);
+        QCOMPARE(displayName((*requests)[1]), QStringLiteral("hand:1000"));
+    }
+
+    void namesThePlaceOfAWrongAddressOrSetting_data() {
+        QTest::addColumn<QByteArray>("lines");
+        QTest::addColumn<int>("line");
+        QTest::addColumn<int>("column");
+        QTest::newRow("no port") << QByteArray("wts = \"tcp://hand\"") << 2 << 7;
+        QTest::newRow("no baud rate over TCP")
+            << QByteArray("wts = \"tcp://hand:1\"\nbaud = 115200") << 3 << 1;
+        QTest::newRow("delay too long") << QByteArray("wts = \"/dev/ttyUSB0\"\ndelay_ms = 65536") << 3 << 12;
+        QTest::newRow("no threshold") << QByteArray("wts = \"/dev/ttyUSB0\"\nthreshold = 0") << 3 << 13;
+        QTest::newRow("two sources in one")
+            << QByteArray("wts = \"/dev/ttyUSB0\"\nrecording = \"a\"") << 3 << 1;
+    }
+    void namesThePlaceOfAWrongAddressOrSetting() {
+        QFETCH(QByteArray, lines);
+        QFETCH(int, line);
+        QFETCH(int, column);
+        const auto requests = readSourceList(write("bad.toml", "[[source]]\n" + lines + "\n").toStdString());
+        QVERIFY(!requests.has_value());
+        QCOMPARE(int(requests.error().where.line), line);
+        QCOMPARE(int(requests.error().where.column), column);
+    }
+
+    void namesThePlaceOfWhatIsWrong() {
+        writeRecording("b.csv", 84);
+        const QString list = write("wrong.toml", "[[source]]\nrecording = \"b.csv\"\nspeeed = 2\n");
+        const auto requests = readSourceList(list.toStdString());
+        QVERIFY(!requests.has_value());
+        QCOMPARE(requests.error().where.line, 3LL);
+        QCOMPARE(requests.error().where.column, 1LL);
+        QVERIFY(requests.error().message.find("speeed") != std::string::npos);
+
+        const auto missing = readSourceList(m_folder.filePath("nowhere.toml").toStdString());
+        QVERIFY(!missing.has_value());
+        QCOMPARE(missing.error().kind, teleta::core::ErrorKind::notFound);
+    }
+};
+
+QTEST_GUILESS_MAIN(SourceListTest)
+#include "source_list_test.moc"

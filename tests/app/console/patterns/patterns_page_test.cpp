@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/patterns/export_dialog.h"
+#include "app/console/patterns/patterns_page.h"
+#include "backend/pattern/built_in_patterns.h"
+#include "backend/pattern/pattern_file.h"
+#include "widgets/pattern/law_list.h"
+#include "widgets/pattern/pattern_editor.h"
+#include "widgets/pattern/pattern_library.h"
+#include "widgets/pattern/stroke_pad.h"
+#include "widgets/pattern/timeline_view.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QDropEvent>
+#include <QFile>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QMouseEvent>
+#include <QProcess>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <QTreeWidget>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+
+using namespace teleta;
+using namespace teleta::console;
+using pattern::Pattern;
+
+namespace {
+
+constexpr char kKeepArgument[] = "--keep-edits-in";
+
+Pattern edited() {
+    Pattern pattern;
+    pattern.id = "mine.edited";
+    pattern.name = "Edited";
+    pattern.duration_s = 1.0;
+    pattern.tracks[1] = {{0.0, 0.5}, {1.0, 0.5}};
+    return pattern;
+}
+
+/// A console that keeps edits aside and is then killed.
+int keepEdits(const QString& folder) {
+    RecoveryKeeper keeper(folder);
+    keeper.keep({edited(), "/home/somebody/wave.json", 1'790'000'000'000});
+    return QCoreApplication::exec();
+}
+
+void draw(editor::StrokePad& pad, const QPointF& from, const QPointF& to) {
+    constexpr int kSteps = 20;
+    const auto send = [&pad](QEvent::Type type, const QPointF& at, quint64 time_ms) {
+        QMouseEvent event(type, at, pad.mapToGlobal(at), Qt::LeftButton,
+                          type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton, {});
+        event.setTimestamp(time_ms);
+        QApplication::sendEvent(&pad, &event);
+    };
+    send(QEvent::MouseButtonPress, from, 1000);
+    for (int k = 1; k <= kSteps; ++k)
+        send(QEvent::MouseMove, from + (to - from) * k / kSteps, 1000 + static_cast<quint64>(50 * k));
+    send(QEvent::MouseButtonRelease, to, 1000 + 50 * kSteps);
+}
+
+/// Types a path into the file dialog that is open.
+bool typeInto(QWidget& parent, const QString& path) {
+    auto* dialog = parent.findChild<QFileDialog*>();
+    auto* line = dialog ? dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit")) : nullptr;
+    if (!line)
+        return false;
+    line->setText(path);
+    QTest::keyClick(line, Qt::Key_Return);
+    return true;
+}
+
+} // namespace
+
+/// The page with its files and a simulated bracelet.
+class PatternsPageTest : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    core::StopSwitch m_stop;
+    std::unique_ptr<BraceletStation> m_station;
+    std::unique_ptr<PatternCollection> m_collection;
+    std::unique_ptr<PatternsPage> m_page;
+    QTimer m_clock;
+
+    [[nodiscard]] editor::PatternDocument& document() const { return *m_page->editor().document(); }
+    [[nodiscard]] QString recovery() const { return m_folder->filePath("recovery"); }
+    [[nodiscard]] QTreeWidgetItem* mine() const {
+        return m_page->editor().library()->tree()->topLevelItem(2);
+    }
+
+    void openPage() {
+        m_page.reset();
+        m_collection = std::make_unique<PatternCollection>(m_folder->filePath("patterns"));
+        m_page = std::make_unique<PatternsPage>(*m_station, *m_collection, recovery());
+        m_page->resize(1500, 900);
+        m_page->show();
+        QTRY_VERIFY(m_collection->isRead());
+    }
+
+private slots:
+    void init() {
+        QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_station = std::make_unique<BraceletStation>(m_stop);
+        m_clock.disconnect();
+        connect(&m_clock, &QTimer::timeout, this, [this] {
+            m_station->tick();
+            if (m_page)
+                m_page->tick();
+        });
+        m_clock.start(10);
+        openPage();
+    }
+    void cleanup() {
+        m_clock.stop();
+        m_page.reset();
+        m_collection.reset();
+        m_station.reset();
+    }
+
+    void aStrokeIsDrawnMendedFeltExportedToHjifAndReadBack() {
+        m_station->choose(BraceletChoice::simulated);
+        QTRY_VERIFY(m_station->isReady());
+        editor::PatternEditor& editor = m_page->editor();
+        editor::StrokePad& pad = *editor.strokePad();
+        m_page->openNew();
+        // Two strokes at one time: both are points that are felt on the same motors.
+        draw(pad, pad.placeOf(0.0, 0.0), pad.placeOf(2.0, 1.0));
+        draw(pad, pad.placeOf(3.0, 1.0), pad.placeOf(0.5, 0.0));
+        QCOMPARE(document().pattern().objects.size(), std::size_t(2));
+        editor::LawList& laws = *editor.laws();
+        QTRY_VERIFY(laws.isChecked() && !laws.findings().empty());
+        QVERIFY(laws.findings()[0].law == pattern::Law::sharedPhantoms);
+        QVERIFY(laws.fixButton()->isEnabled());
+        QTest::mouseClick(laws.fixButton(), Qt::LeftButton);
+        QTRY_VERIFY(laws.isChecked());
+        QVERIFY(std::ranges::none_of(laws.findings(), [](const pattern::Finding& finding) {
+            return finding.law == pattern::Law::sharedPhantoms;
+        }));
+
+        const Pattern drawn = document().pattern();
+        QVERIFY(drawn.duration_s >= 2.0 - 1e-9);
+        double strongest = 0.0;
+        connect(&m_clock, &QTimer::timeout, m_page.get(), [&] {
+            for (const double intensity : m_station->given())
+                strongest = std::max(strongest, intensity);
+        });
+        QTest::keyClick(editor.timeline(), Qt::Key_Space);
+        QTRY_VERIFY(editor.isPlaying());
+        QTRY_VERIFY(strongest > 0.3);
+        QTRY_VERIFY_WITH_TIMEOUT(!editor.isPlaying(), 20'000);
+        for (const double intensity : m_station->given())
+            QCOMPARE(intensity, 0.0);
+
+        const QString path = m_folder->filePath("stroke.hjif");
+        QTest::keyClick(editor.timeline(), Qt::Key_E, Qt::ControlModifier);
+        auto* dialog = m_page->findChild<ExportDialog*>();
+        QVERIFY(dialog);
+        dialog->choose(pattern::PatternFormat::hjif);
+        auto* buttons = dialog->findChild<QDialogButtonBox*>();
+        for (QAbstractButton* button : buttons->buttons())
+            if (buttons->buttonRole(button) == QDialogButtonBox::AcceptRole)
+                QTest::mouseClick(button, Qt::LeftButton);
+        QTRY_VERIFY(m_page->findChild<QFileDialog*>());
+        QVERIFY(typeInto(*m_page, path));
+        QTRY_VERIFY(QFile::exists(path));
+
+        QTRY_VERIFY(!m_page->findChild<QDialog*>());
+        m_page->activateWindow();
+        QTRY_VERIFY(m_page->isActiveWindow());
+        QTest::keyClick(editor.timeline(), Qt::Key_S, Qt::ControlModifier);
+        QTRY_VERIFY(!m_page->hasUnsaved());
+        QVERIFY(document().path().startsWith(m_folder->filePath("patterns")));
+        QSignalSpy opened(&document(), &editor::PatternDocument::patternOpened);
+        m_page->open(path);
+        QTRY_COMPARE(opened.size(), 1);
+        QVERIFY(document().path().isEmpty()); // edits do not go back into a format that holds less
+        for (double t_s = 0.0125; t_s < drawn.duration_s; t_s += 0.025) {
+            const core::Intensities before = pattern::evaluate(drawn, t_s);
+            const core::Intensities after = pattern::evaluate(document().pattern(), t_s);
+            // Whole milliseconds: where the intensity changes fastest, that is a few hundredths.
+            for (std::size_t i = 0; i < before.size(); ++i)
+                QVERIFY2(std::abs(before[i] - after[i]) < 0.05,
+                         qPrintable(QStringLiteral("%1 s: %2, %3").arg(t_s).arg(before[i]).arg(after[i])));
+        }
+    }
+
+    void savedPatternsAreAmongOnesOwnAndDeletedOnesComeBack() {
+        m_page->openNew();
+        document().setName("Slow wave");
+        m_page->save();
+        QTRY_COMPARE(document().path(), m_folder->filePath("patterns/slow-wave.json"));
+        QTRY_VERIFY(mine()->childCount() == 1 && mine()->child(0)->text(0) == "Slow wave");
+        const QString path = document().path();
+        emit m_page->editor().library()->deleteRequested(path);
+        QTRY_VERIFY(!QFile::exists(path));
+        QTRY_VERIFY(document().path().isEmpty());
+        QVERIFY(m_page->hasUnsaved()); // what is open lives on
+        QTRY_VERIFY(m_collection->patterns().empty());
+        QTRY_VERIFY(m_page->editor().library()->undoButton()->isVisible());
+        QTest::mouseClick(m_page->editor().library()->undoButton(), Qt::LeftButton);
+        QTRY_VERIFY(QFile::exists(path));
+        QTRY_COMPARE(m_collection->patterns().size(), std::size_t(1));
+        emit m_page->editor().library()->renameRequested(path, "Fast wave");
+        QTRY_VERIFY(m_collection->atPath(path) && m_collection->atPath(path)->name == "Fast wave");
+        m_collection->undo();
+        QTRY_VERIFY(m_collection->atPath(path)->name == "Slow wave");
+    }
+
+    void filesThatAppearAreSeenAndDamagedOnesSayWhy() {
+        QVERIFY(pattern::savePattern(edited(), m_folder->filePath("patterns/other.json").toStdString()));
+        QTRY_COMPARE(m_collection->patterns().size(), std::size_t(1));
+        QVERIFY(m_collection->program("mine.edited").evaluate);
+        QVERIFY(!m_collection->program("nobody").evaluate);
+        QVERIFY(m_collection->program("shape.A.static").evaluate);
+        QFile damaged(m_folder->filePath("patterns/other.json"));
+        QVERIFY(damaged.open(QIODevice::WriteOnly));
+        damaged.write("{");
+        damaged.close();
+        QTRY_VERIFY(m_collection->patterns().size() == 1 && m_collection->patterns()[0].error);
+        QTRY_VERIFY(mine()->child(0)->toolTip(0).contains("other.json"));
+        QVERIFY(!m_collection->program("mine.edited").evaluate);
+        QVERIFY(QFile::exists(damaged.fileName()));
+    }
+
+    void editsOfAKilledConsoleAreOfferedAndNoFileOfTheUserIsTouched() {
+        m_page.reset();
+        QProcess console;
+        console.start(QCoreApplication::applicationFilePath(), {kKeepArgument, recovery()});
+        QTRY_VERIFY_WITH_TIMEOUT(!QDir(recovery()).entryList({"*.json"}).isEmpty(), 20'000);
+        openPage();
+        // While it runs, its edits are its own.
+        QSignalSpy found(&m_page->recovery(), &RecoveryKeeper::found);
+        m_page->recovery().look();
+        QTest::qWait(0);
+        console.kill();
+        QVERIFY(console.waitForFinished());
+        QCOMPARE(console.exitStatus(), QProcess::CrashExit);
+        openPage();
+        auto* recover = m_page->findChild<QPushButton*>("recover");
+        QTRY_VERIFY(recover->isVisible());
+        QTest::mouseClick(recover, Qt::LeftButton);
+        QVERIFY(document().pattern() == edited());
+        QCOMPARE(document().path(), QString("/home/somebody/wave.json"));
+        QVERIFY(m_page->hasUnsaved());
+        QVERIFY(!recover->isVisible());
+        // The old file has gone when the edits are kept anew.
+        QTRY_COMPARE(QDir(recovery()).entryList({"*.json"}).size(), 1);
+        document().markSaved("x.json");
+        QTRY_VERIFY(QDir(recovery()).entryList({"*.json"}).isEmpty());
+    }
+
+    void editsOfAConsoleThatRunsAreNotOffered() {
+        RecoveryKeeper running(recovery());
+        running.keep({edited(), "", 1});
+        QTRY_VERIFY(!QDir(recovery()).entryList({"*.json"}).isEmpty());
+        RecoveryKeeper other(recovery());
+        QSignalSpy found(&other, &RecoveryKeeper::found);
+        other.look();
+        QVERIFY(!found.wait(200));
+        QVERIFY(other.lost().empty());
+    }
+
+    void unsavedEditsAreAskedAbout() {
+        document().setName("Edited");
+        QVERIFY(m_page->hasUnsaved());
+        bool went = false;
+        const auto answer = [this](QMessageBox::StandardButton button) {
+            auto* box = m_page->findChild<QMessageBox*>();
+            QVERIFY(box);
+            QTest::mouseClick(box->button(button), Qt::LeftButton);
+            QTRY_VERIFY(!m_page->findChild<QMessageBox*>());
+        };
+        m_page->whenSettled([&went] { went = true; });
+        answer(QMessageBox::Cancel);
+        QVERIFY(!went && m_page->hasUnsaved());
+        m_page->whenSettled([&went] { went = true; });
+        answer(QMessageBox::Save);
+        QTRY_VERIFY(went);
+        QVERIFY(!m_page->hasUnsaved());
+        QTRY_COMPARE(m_collection->patterns().size(), std::size_t(1));
+        went = false;
+        document().setName("Edited again");
+        m_page->whenSettled([&went] { went = true; });
+        answer(QMessageBox::Discard);
+        QVERIFY(went);
+        QTRY_VERIFY(QDir(recovery()).entryList({"*.json"}).isEmpty());
+    }
+
+    void aFileThatIsDroppedIsOpened() {
+        const QString path = m_folder->filePath("dropped.tact");
+        QVERIFY(pattern::savePattern(edited(), path.toStdString()));
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(path)});
+        QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, {});
+        QApplication::sendEvent(m_page.get(), &enter);
+        QVERIFY(enter.isAccepted());
+        QDropEvent drop(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, {});
+        QApplication::sendEvent(m_page.get(), &drop);
+        QTRY_COMPARE(pattern::evaluate(document().pattern(), 0.5)[1], 0.5);
+        QMimeData other;
+        other.setUrls({QUrl::fromLocalFile("/tmp/frames.csv")});
+        QDragEnterEvent recording(QPoint(10, 10), Qt::CopyAction, &other, Qt::LeftButton, {});
+        QApplication::sendEvent(m_page.get(), &recording);
+        QVERIFY(!recording.isAccepted());
+    }
+
+    void samplesAreExportedWithTheRateThatWasChosen() {
+        ExportDialog dialog(pattern::assumedMotors(), "x");
+        dialog.choose(pattern::PatternFormat::hjif);
+        QVERIFY(!dialog.rateBox()->isEnabled());
+        QVERIFY(!dialog.samples().rate_Hz);
+        dialog.choose(pattern::PatternFormat::csv);
+        QCOMPARE(dialog.ending(), QString(".csv"));
+        QCOMPARE(*dialog.samples().rate_Hz, pattern::kCsvRate_Hz);
+        dialog.rateBox()->setValue(50.0);
+        dialog.contentBox()->setCurrentIndex(1);
+        QVERIFY(dialog.samples().motors);
+        const QString path = m_folder->filePath("a.csv");
+        m_page->exportTo(path, dialog.samples());
+        QTRY_VERIFY(QFile::exists(path));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(file.readAll().count('\n'), 101); // 2 s at 50 Hz and the header
+    }
+};
+
+int main(int argc, char* argv[]) {
+    QApplication application(argc, argv);
+    if (argc == 3 && std::strcmp(argv[1], kKeepArgument) == 0)
+        return keepEdits(QString::fromLocal8Bit(argv[2]));
+    PatternsPageTest test;
+    QTEST_SET_MAIN_SOURCE_PATH
+    return QTest::qExec(&test, argc, argv);
+}
+#include "patterns_page_test.moc"

@@ -1,0 +1,433 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/study/study_page.h"
+#include "backend/study/protocol_text.h"
+#include "backend/study/study_store.h"
+#include "devices/simulated/simulated_bracelet.h"
+#include "widgets/study/answer_button.h"
+#include "widgets/study/confusion_view.h"
+#include "widgets/study/participant_window.h"
+#include "widgets/study/result_table.h"
+#include "widgets/study/results_view.h"
+#include "widgets/study/session_panel.h"
+#include "widgets/study/study_panel.h"
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QDir>
+#include <QFile>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <QTreeWidget>
+
+#include <algorithm>
+#include <memory>
+
+using namespace teleta;
+using console::BraceletChoice;
+using console::BraceletStation;
+using console::StudyPage;
+using study::Mode;
+using study::Outcome;
+using study::Stage;
+using Hold = console::StudyRunner::Hold;
+
+namespace {
+
+constexpr int kPatience_ms = 20'000;
+
+/// Two patterns, short stimuli, so that a session takes a second on a bracelet in real time.
+constexpr char kShort[] = R"(name = "short"
+stimulus_s = 0.1
+response_limit_s = 10.0
+response_window = "from_onset"
+order = "full_random"
+[practice]
+repetitions = 1
+feedback = true
+diagram = true
+[test]
+repetitions = 2
+[masking_noise]
+colour = "pink"
+level_dBA = 65.0
+[[task]]
+id = "shape"
+name = "Object shape"
+condition = [{ id = "static" }, { id = "dynamic" }]
+pattern = [{ letter = "A", name = "circle" }, { letter = "B", name = "rectangle" }]
+)";
+
+} // namespace
+
+/// The page with a real store, a simulated bracelet in real time, and an experimenter's and a participant's
+/// hands.
+class StudyPageTest : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<core::StopSwitch> m_stop;
+    std::unique_ptr<BraceletStation> m_station;
+    std::unique_ptr<StudyPage> m_page;
+    std::unique_ptr<QTimer> m_tick;
+
+    [[nodiscard]] QString studyFolder() const { return m_folder->filePath(QStringLiteral("study")); }
+
+    static study::StudyHead head(Mode mode, double stimulus_s) {
+        study::StudyHead head;
+        head.protocol = *study::parseProtocol(kShort, "short.toml");
+        head.protocol.stimulus_s = stimulus_s;
+        head.protocol.source = study::protocolText(head.protocol);
+        head.mode = mode;
+        head.plannedParticipants = mode == Mode::simulated ? 2 : 0;
+        head.created = QDateTime::currentDateTimeUtc();
+        head.appVersion = "test";
+        return head;
+    }
+
+    void openPage() {
+        m_page = std::make_unique<StudyPage>(*m_station, *m_stop);
+        m_page->resize(1200, 800);
+        m_page->show();
+        m_tick = std::make_unique<QTimer>();
+        connect(m_tick.get(), &QTimer::timeout, m_page.get(), [this] {
+            m_station->tick();
+            m_page->tick();
+        });
+        m_tick->start(10);
+    }
+    /// A pilot study with one participant whose session can begin.
+    void openStudy(Mode mode = Mode::pilot, double stimulus_s = 0.1) {
+        openPage();
+        controller().create(studyFolder(), head(mode, stimulus_s));
+        QTRY_VERIFY_WITH_TIMEOUT(controller().overview().has_value(), kPatience_ms);
+        if (mode == Mode::simulated)
+            return;
+        enrol("P01");
+        QTRY_VERIFY_WITH_TIMEOUT(m_station->isReady(), kPatience_ms);
+    }
+    void enrol(const QString& id) {
+        const std::size_t before = controller().overview()->participants.size();
+        auto* edit = m_page->findChild<QLineEdit*>("participantId");
+        QTest::keyClicks(edit, id);
+        QTest::keyClick(edit, Qt::Key_Return);
+        QTRY_COMPARE_WITH_TIMEOUT(controller().overview()->participants.size(), before + 1, kPatience_ms);
+    }
+    void beginSession() {
+        auto* noise = m_page->findChild<QCheckBox*>("noiseConfirmed");
+        QTRY_VERIFY_WITH_TIMEOUT(noise->isVisible(), kPatience_ms);
+        if (!noise->isChecked())
+            QTest::mouseClick(noise, Qt::LeftButton, {}, QPoint(8, noise->height() / 2));
+        QTRY_VERIFY_WITH_TIMEOUT(nextButton()->isEnabled(), kPatience_ms);
+        QTest::mouseClick(nextButton(), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(runner().isActive(), kPatience_ms);
+        QVERIFY(window()->isVisible());
+    }
+
+    [[nodiscard]] console::StudyController& controller() { return m_page->controller(); }
+    [[nodiscard]] console::StudyRunner& runner() { return controller().runner(); }
+    const study::Session& session() {
+        const study::Session* active = runner().session();
+        if (active == nullptr)
+            qFatal("there is no session");
+        return *active;
+    }
+    const study::PlannedTrial& current() {
+        const study::PlannedTrial* trial = session().current();
+        if (trial == nullptr)
+            qFatal("there is no trial");
+        return *trial;
+    }
+    [[nodiscard]] Stage stage() { return session().stage(); }
+    [[nodiscard]] QPushButton* nextButton() { return m_page->sessionPanel().nextButton(); }
+    [[nodiscard]] studyview::ParticipantWindow* window() { return &m_page->participantWindow(); }
+    [[nodiscard]] simulated::SimulatedBracelet& bracelet() {
+        return dynamic_cast<simulated::SimulatedBracelet&>(
+            const_cast<core::BraceletSource&>(m_station->session()->source()));
+    }
+    [[nodiscard]] std::vector<study::StoredTrial> kept(std::size_t participant = 0, std::size_t session = 0) {
+        const auto store = study::StudyStore::open(studyFolder().toStdString());
+        if (!store)
+            qFatal("%s", core::describe(store.error()).c_str());
+        const auto sessions = store->sessions(store->participants()->at(participant));
+        return sessions->size() > session ? *store->trials(sessions->at(session))
+                                          : std::vector<study::StoredTrial>{};
+    }
+
+    void startTrial() {
+        QTRY_VERIFY_WITH_TIMEOUT(!runner().isKeeping(), kPatience_ms);
+        QTest::keyClick(window(), Qt::Key_Space);
+        QTRY_VERIFY_WITH_TIMEOUT(stage() == Stage::stimulus || stage() == Stage::answering, kPatience_ms);
+    }
+    void answer(std::size_t pattern) {
+        QTest::keyClick(window(), static_cast<Qt::Key>(Qt::Key_1 + static_cast<int>(pattern)));
+    }
+    void doTrial() {
+        startTrial();
+        answer(current().stimulus);
+    }
+    void finishPractice() {
+        doTrial();
+        doTrial();
+        QTest::keyClick(window(), Qt::Key_Space);
+        QTRY_COMPARE_WITH_TIMEOUT(runner().hold(), Hold::blockEnd, kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(nextButton()->isEnabled() && !runner().isKeeping(), kPatience_ms);
+        QTest::mouseClick(nextButton(), Qt::LeftButton);
+        QCOMPARE(runner().hold(), Hold::none);
+    }
+
+private slots:
+    void init() {
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_stop = std::make_unique<core::StopSwitch>();
+        m_station = std::make_unique<BraceletStation>(*m_stop);
+        m_station->choose(BraceletChoice::simulated);
+    }
+    void cleanup() {
+        m_tick.reset();
+        m_page.reset();
+        m_station.reset();
+        m_stop.reset();
+    }
+
+    void aSessionFromTheFirstPracticeTrialToTheResults() {
+        openStudy();
+        beginSession();
+        finishPractice();
+        for (int trial = 0; trial < 4; ++trial)
+            doTrial();
+        QTRY_VERIFY_WITH_TIMEOUT(controller().chosenSession()->isFinished(), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(!controller().savedText().isEmpty(), kPatience_ms);
+        QCOMPARE(m_page->matrixView().content().matrix.correct(), 4);
+        QCOMPARE(window()->scene().state, studyview::ParticipantScene::State::finished);
+
+        const auto trials = kept();
+        QCOMPARE(trials.size(), std::size_t(6));
+        for (const study::StoredTrial& trial : trials) {
+            QCOMPARE(trial.result.outcome, Outcome::correct);
+            QCOMPARE(trial.result.responseDevice, std::string("keyboard"));
+            QVERIFY(trial.result.responseTime_s.value() >= 0.0);
+            QVERIFY2(trial.result.deviceLatency_ms.value() >= 0.0, "from the request to the first frame");
+            QVERIFY2(trial.result.frameWrite_ms.has_value(), "of the frames of the bracelet");
+            QVERIFY(trial.result.framesMissed.has_value());
+        }
+        QVERIFY(!QDir(studyFolder() + "/data").entryList(QDir::Dirs | QDir::NoDotAndDotDot).isEmpty());
+
+        QTest::mouseClick(nextButton(), Qt::LeftButton);
+        QVERIFY(!runner().isActive());
+        QCOMPARE(controller().chosen(), std::optional(std::pair(0, 1)));
+        m_page->bringForward(QStringLiteral("results"));
+        QTRY_COMPARE_WITH_TIMEOUT(m_page->resultsView().matrices().size(), std::size_t(1), kPatience_ms);
+        QCOMPARE(m_page->resultsView().matrices()[0]->content().matrix.correct(), 4);
+        QCOMPARE(m_page->resultsView().peopleTable()->item(0, 3)->text(), QStringLiteral("4"));
+    }
+
+    void doesNotBeginWithoutTheNoiseAndSaysWhatToDo() {
+        openStudy();
+        QTRY_VERIFY_WITH_TIMEOUT(!m_page->sessionPanel().scene().checks.empty(), kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(std::count_if(m_page->sessionPanel().scene().checks.begin(),
+                                                m_page->sessionPanel().scene().checks.end(),
+                                                [](const auto& check) { return !check.passed; }),
+                                  std::ptrdiff_t(1), kPatience_ms);
+        QVERIFY(!nextButton()->isEnabled());
+        const auto& checks = m_page->sessionPanel().scene().checks;
+        QVERIFY(std::any_of(checks.begin(), checks.end(), [](const auto& check) {
+            return check.remedy.contains(QStringLiteral("65 dBA"));
+        }));
+        controller().begin();
+        QVERIFY(!runner().isActive());
+    }
+
+    void aRealRunNeedsARealBracelet() {
+        openStudy(Mode::run);
+        controller().setNoiseConfirmed(true);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_page->sessionPanel().scene().checks.empty(), kPatience_ms);
+        controller().begin();
+        QTest::qWait(0);
+        QVERIFY(!runner().isActive());
+        QVERIFY(!nextButton()->isEnabled());
+    }
+
+    void aBraceletUnpluggedInMidStimulusCostsNoTrial() {
+        openStudy(Mode::pilot, 2.0);
+        beginSession();
+        finishPractice();
+        QTest::keyClick(window(), Qt::Key_Space);
+        QTRY_COMPARE_WITH_TIMEOUT(stage(), Stage::stimulus, kPatience_ms);
+        const std::size_t lost = current().trial;
+        bracelet().setFaults({.unplugged = true});
+        QTRY_COMPARE_WITH_TIMEOUT(runner().hold(), Hold::deviceLost, kPatience_ms);
+        QCOMPARE(window()->scene().state, studyview::ParticipantScene::State::stopped);
+        QTRY_COMPARE_WITH_TIMEOUT(kept().size(), std::size_t(3), kPatience_ms);
+        QCOMPARE(kept().back().result.outcome, Outcome::deviceError);
+        QTRY_VERIFY_WITH_TIMEOUT(!nextButton()->isEnabled(), kPatience_ms);
+        bracelet().setFaults({});
+        QTRY_VERIFY_WITH_TIMEOUT(nextButton()->isEnabled(), kPatience_ms);
+        QTest::mouseClick(nextButton(), Qt::LeftButton);
+        for (int trial = 0; trial < 4; ++trial)
+            doTrial();
+        QTRY_VERIFY_WITH_TIMEOUT(controller().chosenSession()->isFinished(), kPatience_ms);
+        const auto trials = kept();
+        QCOMPARE(trials.size(), std::size_t(7));
+        QCOMPARE(trials.back().result.planned.trial, lost);
+        QCOMPARE(trials.back().result.planned.attempt, std::size_t(2));
+    }
+
+    void stopHoldsTheSessionUntilItIsReleasedAndSomebodyGoesOn() {
+        openStudy();
+        beginSession();
+        startTrial();
+        m_stop->engage();
+        QTRY_COMPARE_WITH_TIMEOUT(runner().hold(), Hold::stopped, kPatience_ms);
+        QVERIFY(window()->instruction().contains(QStringLiteral("Stopped")));
+        QVERIFY(m_page->sessionPanel().scene().state.contains(QStringLiteral("STOPPED")));
+        QCOMPARE(m_page->sessionPanel().scene().tone, studyview::Tone::alarm);
+        QVERIFY(!nextButton()->isEnabled());
+        QTest::keyClick(window(), Qt::Key_Space);
+        QCOMPARE(runner().hold(), Hold::stopped);
+        m_stop->release();
+        QTRY_VERIFY_WITH_TIMEOUT(nextButton()->isEnabled(), kPatience_ms);
+        QTest::mouseClick(nextButton(), Qt::LeftButton);
+        QCOMPARE(runner().hold(), Hold::none);
+        QVERIFY(core::isOff(bracelet().drive()));
+        doTrial();
+    }
+
+    void anAbortIsAskedForAndTheSessionGoesOnAfterTheProgramWasStartedAgain() {
+        openStudy();
+        beginSession();
+        finishPractice();
+        doTrial();
+        QTRY_VERIFY_WITH_TIMEOUT(!runner().isKeeping(), kPatience_ms);
+        auto* abort = m_page->findChild<QPushButton*>("abort");
+        QTest::mouseClick(abort, Qt::LeftButton);
+        auto* box = m_page->findChild<QMessageBox*>("confirmAbort");
+        QVERIFY(box != nullptr);
+        QVERIFY2(stage() != Stage::aborted, "not yet");
+        for (QAbstractButton* button : box->buttons()) {
+            if (box->buttonRole(button) == QMessageBox::DestructiveRole)
+                QTest::mouseClick(button, Qt::LeftButton);
+        }
+        QCOMPARE(stage(), Stage::aborted);
+        QTRY_VERIFY_WITH_TIMEOUT(!controller().isBusy(), kPatience_ms);
+        const auto before = kept();
+        QCOMPARE(before.size(), std::size_t(3));
+
+        m_tick.reset();
+        m_page.reset();
+        openPage();
+        m_page->open(studyFolder());
+        QTRY_VERIFY_WITH_TIMEOUT(controller().overview().has_value(), kPatience_ms);
+        QVERIFY(controller().foundInterrupted());
+        QCOMPARE(m_page->messages().count(), 1);
+        QTRY_VERIFY_WITH_TIMEOUT(nextButton()->text().contains(QStringLiteral("Go on")), kPatience_ms);
+        beginSession();
+        QCOMPARE(session().remainingTrials(), std::size_t(3));
+        for (int trial = 0; trial < 3; ++trial)
+            doTrial();
+        QTRY_VERIFY_WITH_TIMEOUT(controller().chosenSession()->isFinished(), kPatience_ms);
+        const auto after = kept();
+        QCOMPARE(after.size(), std::size_t(6));
+        for (std::size_t i = 0; i < before.size(); ++i)
+            QCOMPARE(after[i].time, before[i].time);
+        QVERIFY2(after[3].result.onset_s > after[2].result.onset_s, "the times of a session go on");
+    }
+
+    void aPageThatIsClosedInMidTrialLosesNothingThatWasAnswered() {
+        openStudy();
+        beginSession();
+        doTrial();
+        startTrial();
+        m_tick.reset();
+        m_page.reset();
+        QCOMPARE(kept().size(), std::size_t(1));
+        QTRY_VERIFY_WITH_TIMEOUT(core::isOff(bracelet().drive()), kPatience_ms);
+    }
+
+    void theParticipantsWindowThatIsClosedPausesTheSession() {
+        openStudy();
+        beginSession();
+        window()->close();
+        QCOMPARE(runner().hold(), Hold::paused);
+        QTest::mouseClick(nextButton(), Qt::LeftButton);
+        QCOMPARE(runner().hold(), Hold::none);
+    }
+
+    void aNoteIsKeptWithItsSession() {
+        openStudy();
+        beginSession();
+        auto* note = m_page->findChild<QLineEdit*>("note");
+        QTest::keyClicks(note, QStringLiteral("the noise was off"));
+        QTest::keyClick(note, Qt::Key_Return);
+        const auto notes = [&] {
+            const auto store = study::StudyStore::open(studyFolder().toStdString());
+            return *store->notes(store->sessions(store->participants()->front())->front());
+        };
+        QTRY_COMPARE_WITH_TIMEOUT(notes().size(), std::size_t(1), kPatience_ms);
+        QCOMPARE(notes()[0].text, std::string("the noise was off"));
+    }
+
+    void aDamagedProtocolIsSaidWithItsLine() {
+        openPage();
+        QFile file(m_folder->filePath(QStringLiteral("damaged.toml")));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("name = \"x\"\nstimulus_s = \"two\"\n");
+        file.close();
+        QString place;
+        connect(m_page.get(), &StudyPage::openFailed, this,
+                [&](const core::Error& error) { place = QString::fromStdString(core::describe(error)); });
+        m_page->open(file.fileName());
+        QTRY_COMPARE_WITH_TIMEOUT(m_page->messages().count(), 1, kPatience_ms);
+        QVERIFY2(place.contains(QStringLiteral("damaged.toml:2:")), qPrintable(place));
+        QVERIFY(QApplication::activeModalWidget() == nullptr);
+    }
+
+    void aFolderWithoutAStudyIsSaid() {
+        openPage();
+        m_page->open(m_folder->path());
+        QTRY_COMPARE_WITH_TIMEOUT(m_page->messages().count(), 1, kPatience_ms);
+        QVERIFY(!controller().overview());
+    }
+
+    void aParticipantIsNotEnrolledTwice() {
+        openStudy();
+        auto* edit = m_page->findChild<QLineEdit*>("participantId");
+        QTest::keyClicks(edit, "P01");
+        QTest::keyClick(edit, Qt::Key_Return);
+        QTRY_COMPARE_WITH_TIMEOUT(m_page->messages().count(), 1, kPatience_ms);
+        QCOMPARE(controller().overview()->participants.size(), std::size_t(1));
+    }
+
+    void noiseWithoutAnEndHasNoSeam() {
+        console::LoopedSound sound({1.0F, 2.0F, 3.0F});
+        sound.open(QIODevice::ReadOnly);
+        std::vector<float> heard(8);
+        for (std::size_t i = 0; i < heard.size(); i += 2)
+            QCOMPARE(sound.read(reinterpret_cast<char*>(&heard[i]), 2 * sizeof(float)),
+                     qint64(2 * sizeof(float)));
+        QCOMPARE(heard, (std::vector<float>{1, 2, 3, 1, 2, 3, 1, 2}));
+    }
+
+    void simulatedParticipantsGoThroughTheWholeStudyAndTheResultsFollow() {
+        openStudy(Mode::simulated);
+        controller().setSpeed(200.0);
+        controller().rehearse();
+        QTRY_VERIFY_WITH_TIMEOUT(!m_page->resultsView().matrices().empty() && !controller().isRehearsing(),
+                                 60'000);
+        QCOMPARE(controller().overview()->participants.size(), std::size_t(2));
+        for (const console::ParticipantOverview& person : controller().overview()->participants)
+            QVERIFY(!person.nextSession());
+        QTRY_VERIFY_WITH_TIMEOUT(m_page->resultsView().anovaTable()->rowCount() >= 3, kPatience_ms);
+        QCOMPARE(m_page->resultsView().matrices().size(), std::size_t(2));
+        for (const studyview::ConfusionView* view : m_page->resultsView().matrices()) {
+            QCOMPARE(view->content().matrix.total(), 8);
+            QCOMPARE(view->content().mode, Mode::simulated);
+        }
+    }
+};
+
+QTEST_MAIN(StudyPageTest)
+#include "study_page_test.moc"
