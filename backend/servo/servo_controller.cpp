@@ -91,6 +91,7 @@ tl::expected<void, TaskRefusal> ServoController::enter(std::size_t index) {
         return tl::unexpected(TaskRefusal::badReference);
     m_phases.enter(index);
     m_phaseBegan = true;
+    m_search.end();
     return {};
 }
 
@@ -263,9 +264,10 @@ ServoOutput ServoController::step(const ServoInput& input) {
     const bool good = usable(input);
     if (!good)
         output.limits.set(Limit::badInput);
-    if (good && !m_started) {
+    // Bad features say nothing against the pose; without one a hold would lead to the base's origin.
+    if (!m_started && input.X_Base_Sensor.matrix().array().isFinite().all()) {
         m_X_Base_Sensor = input.X_Base_Sensor;
-        m_started = true;
+        m_started = good;
     }
     if (!good || input.hold) {
         m_regulator.reset();

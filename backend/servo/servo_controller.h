@@ -101,7 +101,7 @@ public:
 
     /// A changed task of the plan, used from the next step on; what is not good changes nothing.
     tl::expected<void, TaskRefusal> setTask(std::size_t index, const ServoTask& task);
-    /// Begins a task of the plan now. Error: badReference.
+    /// Begins a task of the plan now; a search ends. Error: badReference.
     tl::expected<void, TaskRefusal> enter(std::size_t index);
     [[nodiscard]] const ServoPlan& plan() const { return m_plan; }
     [[nodiscard]] std::size_t phase() const { return m_phases.index(); }

@@ -160,6 +160,16 @@ TEST(ServoHardCases, numbersThatAreNoneMoveNothing) {
     EXPECT_FALSE(controller.step(inputOf(good)).limits.any());
 }
 
+TEST(ServoHardCases, badNumbersInTheFirstFrameHoldTheMeasuredPose) {
+    const Isometry3d measured(Eigen::Translation3d(0.3, 0.1, 0.2));
+    ServoController controller = controllerOf(exploreTask(5.0, 0.005));
+    ServoInput input = inputOf(feel(ContactType::edge, 4.0, 0.0, 0.0, 0.0, 0.0), 0.01, measured);
+    input.features.force_N = std::numeric_limits<double>::quiet_NaN();
+    const ServoOutput out = controller.step(input);
+    EXPECT_TRUE(out.limits.has(Limit::badInput));
+    EXPECT_EQ(out.X_Base_Sensor.matrix(), measured.matrix());
+}
+
 TEST(ServoHardCases, theForceSettlesOnSoftAndOnStiffObjectsAtSlowAndFastRates) {
     for (const double object_NPerM : {300.0, 1e4, 1e7, 1e9})
         for (const double rate_Hz : {20.0, 100.0, 1000.0}) {
@@ -279,6 +289,29 @@ TEST(ServoHardCases, aContactThatIsFoundAgainGoesOnWithAlignment) {
     EXPECT_EQ(out.kind, TaskKind::align);
     EXPECT_TRUE(out.phaseBegan);
     EXPECT_EQ(out.contact, ContactState::touching);
+}
+
+TEST(ServoHardCases, aTaskThatIsBegunAfterTheContactWasLostRuns) {
+    ServoPlan plan = explorePlan();
+    plan.start = 3;
+    ServoController controller = *ServoController::create(plan);
+    Isometry3d X = Isometry3d::Identity();
+    const auto run = [&](const teleta::contact::TactileFeatures& features, int steps) {
+        ServoOutput out;
+        for (int i = 0; i < steps; ++i) {
+            out = controller.step(inputOf(features, 0.01, X));
+            X = out.X_Base_Sensor;
+        }
+        return out;
+    };
+    run(feel(ContactType::edge, 5.0, 0.0, 0.0, 0.0, 0.0), 20);
+    ASSERT_EQ(run(nothing(), 3000).contact, ContactState::lost);
+    ASSERT_TRUE(controller.enter(0).has_value());
+    const ServoOutput approach = run(nothing(), 1);
+    EXPECT_EQ(approach.twist_Sensor, Twist(plan.tasks[0].feedForward.constant_Sensor));
+    // A task that needs contact feels for it anew.
+    ASSERT_TRUE(controller.enter(3).has_value());
+    EXPECT_EQ(run(nothing(), 1).contact, ContactState::searching);
 }
 
 TEST(ServoHardCases, anArmThroughItsSingularityGetsBoundedCommands) {
