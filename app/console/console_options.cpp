@@ -82,14 +82,17 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
     m_parser.setApplicationDescription(
         tr("Shows what a remote robot arm touches: where, how hard, how stiff, what shape.\n\n"
            "Examples:\n"
-           "  teleta-console --scene resources/scenes/tactile-indenter.toml\n"
+           "  teleta-console --scene tactile-indenter\n"
            "  teleta-console --replay run.csv --rows 64 --columns 27 --tare empty.csv --threshold 10\n"
            "  teleta-console --sources both-arrays.toml --theme dark"));
     m_parser.setSingleDashWordOptionMode(QCommandLineParser::ParseAsLongOptions);
     const QCommandLineOption help = m_parser.addHelpOption();
     const QCommandLineOption version = m_parser.addVersionOption();
 
-    const auto scene = option("scene", tr("Open a simulated scene (repeatable)."), tr("FILE"));
+    const auto scene = option(
+        "scene",
+        tr("Open a simulated scene: a file, or the name of one that comes with the program (repeatable)."),
+        tr("SCENE"));
     const auto seed = option("seed", tr("Seed of the simulated scenes (default 1)."), tr("N"));
     const auto replay = option("replay",
                                tr("Play back recorded frames, CSV time_s,t0,t1,... (repeatable; the options "

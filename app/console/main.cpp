@@ -13,25 +13,53 @@
 #include <QLocale>
 #include <QStandardPaths>
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
+#include <optional>
+#include <string_view>
+
+namespace {
+
+using namespace teleta;
+
+int print(const console::ParsedOptions& parsed) {
+    std::fprintf(parsed.exitCode == 0 ? stdout : stderr, "%s\n", qPrintable(parsed.text));
+    return parsed.exitCode;
+}
+
+/// What --help and --version print needs no screen, and there may be none.
+std::optional<int> answerWithoutScreen(int argc, char* argv[]) {
+    constexpr std::array<std::string_view, 5> kQuestions{"-h", "--help", "--help-all", "-v", "--version"};
+    const bool asked = std::any_of(argv + 1, argv + argc, [&](const char* argument) {
+        return std::find(kQuestions.begin(), kQuestions.end(), argument) != kQuestions.end();
+    });
+    if (!asked)
+        return std::nullopt;
+    QCoreApplication application(argc, argv);
+    app::installTranslator(application, QLocale::system());
+    const console::ParsedOptions parsed = console::parseOptions(QCoreApplication::arguments());
+    return parsed.options ? std::nullopt : std::optional(print(parsed));
+}
+
+} // namespace
 
 int main(int argc, char* argv[]) {
-    using namespace teleta;
-
-    view3d::configureOpenGlBeforeApplication();
-    QApplication application(argc, argv);
     QCoreApplication::setOrganizationName(QStringLiteral("TeleTA"));
     QCoreApplication::setApplicationName(QStringLiteral("teleta-console"));
     QCoreApplication::setApplicationVersion(QStringLiteral(TELETA_VERSION));
+    if (const std::optional<int> exitCode = answerWithoutScreen(argc, argv))
+        return *exitCode;
+
+    view3d::configureOpenGlBeforeApplication();
+    QApplication application(argc, argv);
     QGuiApplication::setDesktopFileName(QStringLiteral("org.teleta.Console"));
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/teleta-console.svg")));
     app::installTranslator(application, QLocale::system());
 
     const console::ParsedOptions parsed = console::parseOptions(QCoreApplication::arguments());
-    if (!parsed.options) {
-        std::fprintf(parsed.exitCode == 0 ? stdout : stderr, "%s\n", qPrintable(parsed.text));
-        return parsed.exitCode;
-    }
+    if (!parsed.options)
+        return print(parsed);
     console::ConsoleOptions options = *parsed.options;
     const bool fresh = options.freshLayout || !options.screenshot.isEmpty() || options.measure_s;
     if (options.dataFolder.isEmpty() && !fresh)

@@ -90,7 +90,7 @@ const std::vector<Rule> kRules = {
      {"backend", "widgets/base"},
      {"QtCore", "QtGui", "QtWidgets", "QtOpenGL", "QtOpenGLWidgets", "VTK", "Eigen"}},
 
-    {"app/common", {"backend"}, {"QtCore"}},
+    {"app/common", {"backend"}, {"QtCore", "expected"}},
     {"app/cli",
      {"backend", "devices", "app/common"},
      {"QtCore", "posix", "expected", "CLI11", "nlohmann_json"}},

@@ -67,6 +67,17 @@ TEST(ProgramsTest, listingsAreReadAsTheToolsWriteThem) {
     EXPECT_EQ(matching(readelf, kDisplays), Names{"libGLX.so"});
 }
 
+TEST(ProgramsTest, theConsoleAnswersWhereThereIsNoScreen) {
+#ifdef TELETA_CONSOLE_PROGRAM
+    const std::string console =
+        "env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM LC_ALL=C '" TELETA_CONSOLE_PROGRAM "' ";
+    EXPECT_NE(outputOf(console + "--help").find("--scene"), std::string::npos);
+    EXPECT_EQ(outputOf(console + "--version").find("teleta-console "), 0U);
+#else
+    GTEST_SKIP() << "built without the console";
+#endif
+}
+
 TEST(ProgramsTest, commandLineLoadsNoToolkitAndNamesNoDisplay) {
     const std::string loaded = loadedLibraries(TELETA_PROGRAM);
     ASSERT_NE(loaded.find("libQt6Core"), std::string::npos) << loaded;

@@ -5,7 +5,7 @@
 #include "app/cli/interruption.h"
 #include "app/cli/progress_bar.h"
 #include "app/cli/validators.h"
-#include "backend/scene/scene_reader.h"
+#include "app/common/scene_file.h"
 #include "backend/scene_run/scene_run.h"
 
 #include <QCoreApplication>
@@ -60,6 +60,22 @@ core::Expected<void> printTable(const scene_run::SceneSummary& summary) {
     return printFields(fields);
 }
 
+core::Expected<void> printScenes(bool json) {
+    nlohmann::ordered_json document = nlohmann::ordered_json::array();
+    std::vector<std::pair<QString, QString>> fields;
+    for (const std::string& name : app::sceneNames()) {
+        const core::Expected<scene::Scene> scene = app::readScene(name);
+        if (!scene)
+            return core::Unexpected(scene.error());
+        document.push_back({{"id", name},
+                            {"name", scene->name},
+                            {"description", scene->description},
+                            {"duration_s", scene->duration_s}});
+        fields.emplace_back(QString::fromStdString(name), QString::fromStdString(scene->name));
+    }
+    return json ? printDocument(document) : printFields(fields);
+}
+
 } // namespace
 
 QString SimulateCommand::summary() const {
@@ -67,14 +83,17 @@ QString SimulateCommand::summary() const {
 }
 
 const char* SimulateCommand::example() const {
-    return "teleta simulate resources/scenes/teleta-touch.toml --out run";
+    return "teleta simulate teleta-touch --out run";
 }
 
 void SimulateCommand::declare(CLI::App& app) {
     const auto help = [](const char* text) { return SimulateText::tr(text).toStdString(); };
-    app.add_option("scene", m_scenePath, help(QT_TRANSLATE_NOOP("SimulateCommand", "Scene file")))
-        ->type_name("SCENE.toml")
-        ->required();
+    app.add_option("scene", m_scenePath,
+                   help(QT_TRANSLATE_NOOP("SimulateCommand",
+                                          "Scene file, or the name of a scene that comes with the program")))
+        ->type_name("SCENE");
+    app.add_flag("--list", m_list,
+                 help(QT_TRANSLATE_NOOP("SimulateCommand", "List the scenes that come with the program")));
     app.add_option("--seed", m_seed,
                    help(QT_TRANSLATE_NOOP("SimulateCommand", "Seed of all random numbers of the scene")))
         ->type_name("N")
@@ -93,7 +112,11 @@ void SimulateCommand::declare(CLI::App& app) {
 }
 
 core::Expected<void> SimulateCommand::run() {
-    const core::Expected<scene::Scene> scene = scene::readScene(m_scenePath);
+    if (m_list)
+        return printScenes(m_json);
+    if (m_scenePath.empty())
+        throw CLI::ValidationError("scene", SimulateText::tr("is required").toStdString());
+    const core::Expected<scene::Scene> scene = app::readScene(m_scenePath);
     if (!scene)
         return core::Unexpected(scene.error());
 

@@ -20,6 +20,7 @@ public:
 
 private:
     std::string m_scenePath;
+    bool m_list = false;
     std::uint64_t m_seed = 1;
     std::optional<double> m_duration_s;
     std::string m_outFolder;

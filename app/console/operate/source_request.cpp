@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/operate/source_request.h"
 
+#include "app/common/scene_file.h"
 #include "backend/core/frame_file.h"
-#include "backend/scene/scene_reader.h"
 #include "backend/scene_run/scene_settings.h"
 #include "backend/simulation/arm/simulated_arm.h"
 #include "backend/simulation/servo/servo_array.h"
@@ -15,7 +15,6 @@
 #include "devices/wts/wts_device.h"
 
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 #include <QString>
 
@@ -107,17 +106,6 @@ core::Expected<pipeline::OpenedSource> openRecording(const RecordingRequest& req
     return pipeline::OpenedSource{std::move(*source), std::move(settings)};
 }
 
-/// A scene file, or one of the scenes in the program's resources, which only Qt can read.
-core::Expected<scene::Scene> readSceneOrResource(const std::string& path) {
-    if (!path.starts_with(":/"))
-        return scene::readScene(path);
-    QFile file(QString::fromStdString(path));
-    if (!file.open(QIODevice::ReadOnly))
-        return core::Unexpected(
-            core::Error{core::ErrorKind::notFound, file.errorString().toStdString(), {}, {path, 0, 0}});
-    return scene::parseScene(file.readAll().toStdString(), path);
-}
-
 core::Expected<pipeline::OpenedSource> openArm(const scene::Scene& scene, std::uint64_t seed,
                                                const core::StopSwitch& stop) {
     auto generator = simulation::makeArm(scene, seed);
@@ -145,7 +133,7 @@ core::Expected<pipeline::OpenedSource> openServo(const scene::Scene& scene, std:
 }
 
 core::Expected<pipeline::OpenedSource> openScene(const SceneRequest& request, const core::StopSwitch& stop) {
-    auto scene = readSceneOrResource(request.path);
+    auto scene = app::readScene(request.path);
     if (!scene)
         return core::Unexpected(scene.error());
     if (scene->isArm())

@@ -39,6 +39,20 @@ protected:
 
 } // namespace
 
+TEST_F(SimulateCommand, knowsTheScenesOfTheProgramByName) {
+    const ProgramResult list = run({"simulate", "--list", "--json"});
+    ASSERT_EQ(list.exitCode, 0) << list.err;
+    EXPECT_TRUE(std::ranges::any_of(ordered_json::parse(list.out), [](const ordered_json& scene) {
+        return scene["id"] == "tactile-indenter";
+    }));
+    EXPECT_EQ(run({"simulate"}).exitCode, 2);
+    const ProgramResult byName = run({"simulate", "tactile-indenter", "--duration", "0.1", "--json"});
+    ASSERT_EQ(byName.exitCode, 0) << byName.err;
+    EXPECT_EQ(ordered_json::parse(byName.out)["measures"],
+              simulate("tactile-indenter.toml", {"--duration", "0.1"})["measures"]);
+    EXPECT_EQ(ordered_json::parse(byName.out)["scene"], "tactile-indenter");
+}
+
 TEST_F(SimulateCommand, writesTheSummaryThatItPrintsAndTheFrames) {
     const std::string folder = m_folder.path("runs/first");
     const ordered_json printed = simulate("tactile-indenter.toml", {"--duration", "2", "--out", folder});
@@ -119,6 +133,7 @@ TEST_F(SimulateCommand, completesItsFilesWhenItIsInterrupted) {
 }
 
 TEST_F(SimulateCommand, refusesAMissingSceneAWrongOneAndAFolderThatCannotBeMade) {
+    EXPECT_EQ(run({"simulate", "no-such-scene"}).exitCode, 3);
     EXPECT_EQ(run({"simulate", m_folder.path("none.toml")}).exitCode, 3);
 
     const std::string wrong = m_folder.write("wrong.toml", "name = \"x\"\nduration_s = -1\n");

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/error.h"
+#include "backend/scene/scene.h"
+
+#include <string>
+#include <vector>
+
+namespace teleta::app {
+
+/// Reads a scene from a file, or one of those that come with the programs by its name ("teleta-touch") or its
+/// resource (":/scenes/teleta-touch.toml"). A file of that name goes first. Failure: as scene::readScene().
+[[nodiscard]] core::Expected<scene::Scene> readScene(const std::string& pathOrName);
+
+/// Names of the scenes that come with the programs, in alphabetical order.
+[[nodiscard]] std::vector<std::string> sceneNames();
+
+} // namespace teleta::app
