@@ -69,9 +69,9 @@ core::Expected<MotorRecording> recordExcitation(playback::Player& player,
     std::mutex mutex;
     std::condition_variable never;
     std::unique_lock lock(mutex);
-    player.play(programOf(excitation, tactor));
     const std::int64_t begin_ns = clock.now_ns();
-    bool begun = false;
+    player.play(programOf(excitation, tactor));
+    std::int64_t begun_ns = 0;
     MotorRecording recording;
     const auto samples = static_cast<std::size_t>(excitation.duration_s * 1e3) + 100;
     recording.time_s.reserve(samples);
@@ -85,14 +85,21 @@ core::Expected<MotorRecording> recordExcitation(playback::Player& player,
             return failed(core::ErrorKind::cancelled, RunText::tr("The measurement was ended."));
         }
         const playback::PlayerStatus status = player.status();
-        const bool playing = status.mode == playback::PlayerMode::program;
-        if (!begun) {
-            begun = playing && status.duration_s == excitation.duration_s;
-            if (!begun && clock.now_ns() - begin_ns > kLongestBegin_ns)
+        const bool isProgram = status.mode == playback::PlayerMode::program;
+        if (begun_ns == 0) {
+            if (isProgram && status.begun_ns >= begin_ns && status.duration_s == excitation.duration_s) {
+                begun_ns = status.begun_ns;
+            } else if (clock.now_ns() - begin_ns > kLongestBegin_ns) {
+                // A player that is late must not begin when nobody looks any more.
+                player.stop();
                 return endedEarly(status);
-            if (!begun)
+            } else {
                 continue;
+            }
         }
+        // Another program has taken its place.
+        if (status.begun_ns != begun_ns)
+            return endedEarly({});
         const auto reading = bracelet.motorSpeeds();
         if (reading && (recording.time_s.empty() || reading->time_ns > begin_ns)) {
             const double time_s = static_cast<double>(reading->time_ns - begin_ns) * 1e-9;
@@ -103,7 +110,7 @@ core::Expected<MotorRecording> recordExcitation(playback::Player& player,
             }
         }
         progress = std::clamp(status.position_s / excitation.duration_s, 0.0, 1.0);
-        if (playing)
+        if (isProgram)
             continue;
         if (status.ending == playback::PlayerEnding::finished)
             return recording;

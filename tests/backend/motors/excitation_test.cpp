@@ -117,6 +117,19 @@ TEST_F(ExcitationRunTest, endsWhenItIsAskedToAndStopsTheMotor) {
     EXPECT_TRUE(core::isOff(m_bracelet->drive()));
 }
 
+TEST_F(ExcitationRunTest, isRefusedWhenSomethingElseIsPlayedInItsPlace) {
+    make(simulated::unequalMotors());
+    std::jthread other([this] {
+        while (m_player->status().mode != playback::PlayerMode::program)
+            std::this_thread::yield();
+        m_player->play(motors::programOf(shortOne(), 0));
+    });
+    const auto recording = record(motors::stairsAndPulses());
+    ASSERT_FALSE(recording);
+    EXPECT_EQ(recording.error().kind, core::ErrorKind::refused);
+    EXPECT_LT(m_progress, 0.5);
+}
+
 TEST_F(ExcitationRunTest, endsWhenTheBraceletIsUnplugged) {
     make(simulated::unequalMotors());
     m_bracelet->setFaults({.unplugged = true});
