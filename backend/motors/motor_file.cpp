@@ -132,6 +132,11 @@ pattern::MotorProfile withStart(pattern::MotorProfile motor, double start) {
     if (motor.curve.front().drive <= start)
         return motor;
     const pattern::SpeedPoint a = motor.curve[0];
+    // A curve that ends at rest cannot fall any further.
+    if (a.speed_Hz <= 0.0) {
+        motor.curve[0].drive = start;
+        return motor;
+    }
     const double slope = (motor.curve[1].speed_Hz - a.speed_Hz) / (motor.curve[1].drive - a.drive);
     const double speed_Hz = std::clamp(a.speed_Hz - slope * (a.drive - start), 0.0, 0.999 * a.speed_Hz);
     std::vector<pattern::SpeedPoint> curve{{start, speed_Hz}};

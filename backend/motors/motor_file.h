@@ -37,7 +37,8 @@ struct MotorCalibration {
     [[nodiscard]] bool measured() const;
 };
 
-/// A motor with another start; its curve goes on down to it along its first line. start: 0 < start < full.
+/// A motor with another start; its curve goes on down to it along its first line, and one that begins at rest
+/// begins there. start: 0 < start < full.
 [[nodiscard]] pattern::MotorProfile withStart(pattern::MotorProfile motor, double start);
 
 /// Reads and writes a profile:

@@ -101,3 +101,14 @@ TEST(MotorFile, aStartBelowTheCurveCarriesTheCurveOnDownToIt) {
     EXPECT_TRUE(higher.valid());
     EXPECT_EQ(higher.curve, motor.curve);
 }
+
+TEST(MotorFile, aStartBelowACurveThatBeginsAtRestMovesItsBegin) {
+    pattern::MotorProfile motor = sample().motors[1].profile;
+    motor.curve.front().speed_Hz = 0.0;
+    ASSERT_TRUE(motor.valid());
+    const pattern::MotorProfile lower = motors::withStart(motor, 0.2);
+    EXPECT_TRUE(lower.valid());
+    EXPECT_EQ(steadySpeed_Hz(lower, 0.2), 0.0);
+    ASSERT_EQ(lower.curve.size(), motor.curve.size());
+    EXPECT_EQ(lower.curve[1], motor.curve[1]);
+}
