@@ -26,6 +26,7 @@ struct ConnectionText {
 
 constexpr int kWaitForOthers_ms = 10'000;
 constexpr int kWaitForServer_s = 5;
+constexpr QLatin1String kTryLock("SELECT pg_try_advisory_lock(hashtext(?), ?)");
 
 std::string fileIn(const std::string& folder) {
     return QDir(QString::fromStdString(folder)).filePath(QStringLiteral("study.sqlite")).toStdString();
@@ -182,11 +183,20 @@ core::Expected<void> StudyConnection::reconnect() {
     if (const core::Expected<void> opened = connect().and_then([&] { return chooseSchema(Purpose::open); });
         !opened)
         return opened;
-    for (const long long key : std::exchange(m_locks, {})) {
-        const core::Expected<bool> taken = lock(key);
-        if (!taken)
-            return core::Unexpected(taken.error());
-        if (!*taken)
+    core::Expected<void> locked = lockAgain();
+    // Closed, so that the next statement has to ask for the locks once more.
+    if (!locked)
+        m_database.close();
+    return locked;
+}
+
+core::Expected<void> StudyConnection::lockAgain() {
+    for (const long long key : m_locks) {
+        auto query = execute(kTryLock, {m_schema, key});
+        if (!query)
+            return core::Unexpected(query.error());
+        query->next();
+        if (!query->value(0).toBool())
             return refused(
                 ConnectionText::tr("another station went on with this participant while the server "
                                    "was away"),
@@ -238,7 +248,7 @@ core::Expected<void> StudyConnection::inTransaction(const std::function<core::Ex
 core::Expected<bool> StudyConnection::lock(long long key) {
     if (m_locks.contains(key))
         return false;
-    auto query = run(QStringLiteral("SELECT pg_try_advisory_lock(hashtext(?), ?)"), {m_schema, key});
+    auto query = run(kTryLock, {m_schema, key});
     if (!query)
         return core::Unexpected(query.error());
     query->next();
@@ -260,7 +270,8 @@ core::Expected<std::string> StudyConnection::lockedBy(long long key) {
     auto query = run(
         QStringLiteral("SELECT application_name FROM pg_locks JOIN pg_stat_activity USING (pid) "
                        "WHERE locktype = 'advisory' AND classid::bigint = hashtext(?)::bigint & 4294967295 "
-                       "AND objid::bigint = ? AND objsubid = 2 AND granted AND pid <> pg_backend_pid()"),
+                       "AND objid::bigint = ? AND objsubid = 2 AND granted AND pid <> pg_backend_pid() "
+                       "AND datname = current_database()"),
         {m_schema, key});
     if (!query)
         return core::Unexpected(query.error());

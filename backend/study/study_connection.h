@@ -66,7 +66,8 @@ public:
     [[nodiscard]] const std::string& shownName() const { return m_shownName; }
 
     /// Server only: takes or gives back a lock of the session, which the server frees when the connection
-    /// ends. Taken locks are taken again after a reconnection. False: it is taken.
+    /// ends. Taken locks are taken again after a reconnection; while somebody else has one of them, every
+    /// statement is refused. False: it is taken.
     [[nodiscard]] core::Expected<bool> lock(long long key);
     void unlock(long long key);
     /// Server only: the name of the machine that has the lock; empty when nobody has it.
@@ -80,6 +81,7 @@ private:
     [[nodiscard]] core::Expected<void> connect();
     [[nodiscard]] core::Expected<void> chooseSchema(Purpose purpose);
     [[nodiscard]] core::Expected<void> reconnect();
+    [[nodiscard]] core::Expected<void> lockAgain();
     [[nodiscard]] core::Expected<QSqlQuery> execute(const QString& sql, const QVariantList& values);
     [[nodiscard]] core::Unexpected failed(const QString& what, const QSqlError& error) const;
     [[nodiscard]] core::ErrorKind kindOf(const QSqlError& error) const;

@@ -331,6 +331,43 @@ TEST_F(StudyServerTest, connectsAgainByItselfAndKeepsItsParticipant) {
     EXPECT_EQ(other.claim(participant).error().kind, core::ErrorKind::refused);
 }
 
+TEST_F(StudyServerTest, keepsNothingOfAParticipantThatAnotherStationTookWhileTheServerWasAway) {
+    StudyStore store = create();
+    const Participant participant = store.enrol("P07").value();
+    auto claim = std::make_unique<core::Expected<ParticipantClaim>>(store.claim(participant));
+    ASSERT_TRUE(*claim);
+    const SessionRecord session = begin(store, participant);
+    s_server->kill();
+    s_server->start();
+    {
+        StudyStore other = StudyStore::open(at("there")).value();
+        const auto theirs = other.claim(participant);
+        ASSERT_TRUE(theirs) << core::describe(theirs.error());
+        for (int attempt = 0; attempt < 2; ++attempt)
+            EXPECT_EQ(store.keepTrial(session, trialNumber(1), kNow).error().kind, core::ErrorKind::refused);
+        EXPECT_TRUE(other.trials(session)->empty());
+    }
+    ASSERT_TRUE(store.keepTrial(session, trialNumber(1), kNow)) << "the other station has left";
+    claim.reset();
+    EXPECT_FALSE(store.runner(participant).value());
+}
+
+TEST_F(StudyServerTest, aParticipantOfAnotherDatabaseDoesNotCount) {
+    StudyStore store = create();
+    const Participant participant = store.enrol("P07").value();
+    const std::string database = "other_" + m_study;
+    s_server->sql("CREATE DATABASE " + database);
+    std::string url = at().server;
+    url.replace(url.find("/postgres?"), 10, '/' + database + '?');
+    StudyStore other = StudyStore::create({m_folder.path("there"), url}, head()).value();
+    const Participant namesake = other.enrol("P07").value();
+    ASSERT_EQ(namesake.key, participant.key);
+    const auto claim = store.claim(participant);
+    ASSERT_TRUE(claim);
+    EXPECT_FALSE(other.runner(namesake).value());
+    EXPECT_TRUE(other.claim(namesake));
+}
+
 TEST_F(StudyServerTest, aRehearsalThatTheServerLeftGoesOnAndIsTheSameAsInAFile) {
     StudyStore local = StudyStore::create(m_folder.path("local"), head(Mode::simulated)).value();
     ASSERT_TRUE(rehearse(local, [](std::size_t) { return true; }));
