@@ -111,8 +111,9 @@ core::Expected<void> TrialJournal::append(const PendingTrial& trial) const {
     QFile file(QString::fromStdString(m_path));
     const QByteArray line = QByteArray::fromStdString(toJson(trial).dump() + '\n');
     const qint64 before_B = file.size();
-    const bool done = file.open(QIODevice::WriteOnly | QIODevice::Append) &&
-                      file.write(line) == line.size() && file.flush() && fsync(file.handle()) == 0;
+    // Without a buffer: what it held after a failed write would come behind the cut.
+    const bool done = file.open(QIODevice::WriteOnly | QIODevice::Append | QIODevice::Unbuffered) &&
+                      file.write(line) == line.size() && fsync(file.handle()) == 0;
     if (done && syncFolder(QFileInfo(file).path()))
         return {};
     const QString reason = file.errorString();
