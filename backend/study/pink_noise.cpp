@@ -57,7 +57,8 @@ std::string wavHeader(std::uint32_t dataBytes, std::uint32_t rate_Hz) {
 core::Expected<std::vector<float>> pinkNoise(const PinkNoiseSettings& settings) {
     const std::size_t n = settings.samples;
     if (n < 2 || n % 2 != 0 || n > kMostSamples || !(settings.rate_Hz > 0.0) || !(settings.low_Hz > 0.0) ||
-        !(settings.low_Hz <= settings.high_Hz && settings.high_Hz <= settings.rate_Hz / 2.0))
+        !(settings.low_Hz <= settings.high_Hz && settings.high_Hz <= settings.rate_Hz / 2.0) ||
+        !std::isfinite(settings.rate_Hz) || !std::isfinite(settings.level_dBFS))
         return outOfRange(
             NoiseText::tr("these settings of the noise are out of range"),
             NoiseText::tr("an even number of samples up to %1, and frequencies above 0 up to half "

@@ -118,6 +118,9 @@ TEST(PinkNoise, refusesWhatHasNoFrequencies) {
     EXPECT_FALSE(pinkNoise({.low_Hz = 0.0}));
     EXPECT_FALSE(pinkNoise({.rate_Hz = 8000.0, .high_Hz = 20'000.0}));
     EXPECT_FALSE(pinkNoise({.rate_Hz = std::nan("")}));
+    EXPECT_FALSE(pinkNoise({.rate_Hz = HUGE_VAL}));
+    EXPECT_FALSE(pinkNoise({.level_dBFS = std::nan("")}));
+    EXPECT_FALSE(pinkNoise({.level_dBFS = -HUGE_VAL}));
 }
 
 TEST(PinkNoise, aWavHasItsHeaderAndSamplesOf16Bits) {
