@@ -85,9 +85,13 @@ public:
         , m_mode(mode) {}
 
     [[nodiscard]] QString html() const {
-        return QStringLiteral("<section>\n<h2>%1</h2>\n").arg(escaped(m_task.task)) + accuracy() +
-               confusions() + patterns() + times() + transfer() + participants() + anova() +
-               QStringLiteral("</section>\n");
+        const QString head = QStringLiteral("<section>\n<h2>%1</h2>\n").arg(escaped(m_task.task));
+        const QString end = QStringLiteral("</section>\n");
+        if (m_task.groups.empty())
+            return head + QStringLiteral("<p>%1</p>\n").arg(ReportText::tr("There are no test trials.")) +
+                   end;
+        return head + accuracy() + confusions() + patterns() + times() + transfer() + participants() +
+               anova() + end;
     }
 
 private:

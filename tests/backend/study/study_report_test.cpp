@@ -68,6 +68,16 @@ TEST(StudyReport, hasEveryFigureWithATableBesideIt) {
     EXPECT_EQ(elements[QStringLiteral("h1")], 1);
 }
 
+TEST(StudyReport, saysWhenATaskWasOnlyPractised) {
+    TaskResults practised;
+    practised.task = "shape";
+    practised.patterns = {"A", "B"};
+    practised.conditions = {"static"};
+    const std::string html = reportHtml({practised}, heading());
+    EXPECT_TRUE(has(html, "There are no test trials."));
+    EXPECT_EQ(elementsOf(html)[QStringLiteral("svg")], 0);
+}
+
 TEST(StudyReport, needsNothingElse) {
     const std::string html = reportHtml(results(), heading());
     EXPECT_FALSE(has(html, "<script"));
