@@ -63,8 +63,7 @@ std::string field(const TrialCell& cell, const TableFormat& format) {
             [&](char c) { return c == format.separator || c == '\n' || c == '\r'; }, ' ');
         return value;
     }
-    // A text that looks like a missing value, or begins or ends with a blank, is read back as it is only in
-    // quotes.
+    // A text that begins or ends with a blank is read back as it is only in quotes.
     const bool mustQuote = std::any_of(value.begin(), value.end(), isSpecial) || value.front() == ' ' ||
                            value.back() == ' ' || value.front() == '\t' || value.back() == '\t';
     if (!mustQuote)

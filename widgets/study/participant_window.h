@@ -44,7 +44,7 @@ signals:
     void replayRequested(std::int64_t time_ns);
     void pressed(const teleta::study::KeyPress& press);
     void released(const QString& device, const QString& key);
-    /// The window was closed, or lost the keyboard, while it was shown.
+    /// The window was closed.
     void left();
 
 protected:
