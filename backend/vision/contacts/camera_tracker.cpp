@@ -35,18 +35,15 @@ core::Expected<std::vector<FollowedContact>> CameraTracker::next(const cv::Mat1b
         m_finder->forget();
         m_identities.forget();
     }
-    if (frame.empty()) {
-        ++m_unusable;
-        m_whyUnusable = VisionText::tr("The frame could not be decoded.").toStdString();
-        return std::vector<FollowedContact>();
-    }
-    core::Expected<std::vector<CameraContact>> found = m_finder->find(frame);
-    if (!found) {
+    core::Expected<std::vector<CameraContact>> found =
+        frame.empty() ? refused(VisionText::tr("The frame could not be decoded.")) : m_finder->find(frame);
+    if (found) {
+        m_last_s = time_s;
+    } else {
         ++m_unusable;
         m_whyUnusable = found.error().message;
-        return std::vector<FollowedContact>();
+        found = std::vector<CameraContact>();
     }
-    m_last_s = time_s;
     const std::vector<FollowedContact>& followed = m_identities.update(std::move(*found), time_s, period_s);
     m_bump = m_bumps.update(followed);
     return followed;

@@ -89,13 +89,29 @@ TEST_F(HardFrames, thatCannotBeDecodedAreCountedAndEndNoContact) {
         id = contacts->front().contact.id;
     }
     const auto nothing = m_tracker->next(cv::Mat1b(), 5 * kPeriod_s);
-    ASSERT_TRUE(nothing);
-    EXPECT_TRUE(nothing->empty());
+    ASSERT_TRUE(nothing && nothing->size() == 1);
+    EXPECT_EQ(nothing->front().contact.id, id);
+    EXPECT_FALSE(nothing->front().seen);
+    EXPECT_EQ(nothing->front().event, ContactEvent::none);
     EXPECT_EQ(m_tracker->unusableFrames(), 1U);
     EXPECT_FALSE(m_tracker->whyUnusable().empty());
     const auto again = m_tracker->next(press(0.0012), 6 * kPeriod_s);
     ASSERT_TRUE(again && again->size() == 1);
     EXPECT_EQ(again->front().contact.id, id);
+}
+
+TEST_F(HardFrames, thatStayUndecodableEndEachContactOnce) {
+    ASSERT_TRUE(m_tracker->next(m_rest, 0.0));
+    for (int i = 1; i <= 4; ++i)
+        ASSERT_TRUE(m_tracker->next(press(0.0003 * i), i * kPeriod_s));
+    int ends = 0;
+    for (int i = 5; i < 40; ++i) {
+        const auto contacts = m_tracker->next(cv::Mat1b(), i * kPeriod_s);
+        ASSERT_TRUE(contacts);
+        for (const FollowedContact& followed : *contacts)
+            ends += followed.event == ContactEvent::ends ? 1 : 0;
+    }
+    EXPECT_EQ(ends, 1);
 }
 
 TEST_F(HardFrames, thatShowNoSkinAreUnusableAndTheTrackerRecovers) {
