@@ -56,7 +56,6 @@ void CameraWorker::run(const std::stop_token& stop) {
             m_stream = std::move(*opened);
         }
         const bool camera = m_stream->isCamera();
-        const bool empty = m_stream->framesRead() == 0;
         std::string reason = stream(stop);
         const bool played = m_stream->framesRead() > 0;
         m_skipped += m_stream->framesSkipped();
@@ -66,7 +65,7 @@ void CameraWorker::run(const std::stop_token& stop) {
             break;
         if (camera) {
             reconnect(std::move(reason), stop);
-        } else if (!m_config.loop || (empty && !played)) {
+        } else if (!m_config.loop || !played) {
             enter(DeviceState::finished);
             break;
         }

@@ -101,6 +101,9 @@ VideoStream::Outcome VideoStream::next(cv::Mat1b& frame, double& time_s) {
             cv::cvtColor(m_image, frame, m_image.channels() == 4 ? cv::COLOR_BGRA2GRAY : cv::COLOR_BGR2GRAY);
         return Outcome::frame;
     } catch (const cv::Exception&) {
+        time_s = m_last_s;
+        if (++m_failures > kMostFailures)
+            return m_isCamera ? Outcome::gone : Outcome::ended;
         return Outcome::undecodable;
     }
 }
@@ -113,13 +116,14 @@ double VideoStream::captureTime_s() {
         m_last_s = 0.0;
         return 0.0;
     }
-    // A container without time stamps says 0, one with damaged ones goes back.
+    // A container without time stamps says 0, one with damaged ones goes back or far ahead.
     const double stamped_s = (time_ms - m_first_ms) * 1e-3;
-    if (!std::isfinite(stamped_s) || stamped_s <= m_last_s) {
+    if (!std::isfinite(stamped_s) || stamped_s <= m_last_s ||
+        (stamped_s - m_last_s) * rate_Hz >= kLongestGap) {
         m_last_s += 1.0 / rate_Hz;
         return m_last_s;
     }
-    if (const double periods = (stamped_s - m_last_s) * m_rate_Hz; periods > 1.5 && periods < kLongestGap)
+    if (const double periods = (stamped_s - m_last_s) * m_rate_Hz; periods > 1.5)
         m_skipped += static_cast<std::uint64_t>(std::lround(periods)) - 1;
     m_last_s = stamped_s;
     return m_last_s;
