@@ -148,6 +148,15 @@ struct Scene {
     [[nodiscard]] CameraWorld& camera() { return std::get<CameraWorld>(world); }
     [[nodiscard]] const ServoWorld& servo() const { return std::get<ServoWorld>(world); }
     [[nodiscard]] ServoWorld& servo() { return std::get<ServoWorld>(world); }
+    /// The parameters of an effect; null when the scene does not list it.
+    template <typename Spec>
+    [[nodiscard]] const Spec* listed() const {
+        for (const Effect& effect : effects) {
+            if (const auto* spec = std::get_if<Spec>(&effect.parameters))
+                return spec;
+        }
+        return nullptr;
+    }
     /// Taxels of the array, or of the arm's skin; a camera has none.
     [[nodiscard]] core::ArrayLayout taxels() const {
         if (isCamera())

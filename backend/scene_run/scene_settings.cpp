@@ -4,7 +4,6 @@
 #include "backend/simulation/servo/servo_loop.h"
 
 #include <algorithm>
-#include <variant>
 
 namespace teleta::scene_run {
 
@@ -15,10 +14,8 @@ constexpr double kNoiseBorder_sd = 3.0;
 constexpr int kLeastSkinTaxels = 4;
 
 double noiseOf_N(const scene::Scene& scene) {
-    for (const scene::Effect& effect : scene.effects)
-        if (const auto* noise = std::get_if<scene::NoiseSpec>(&effect.parameters))
-            return noise->sd_N;
-    return 0.0;
+    const auto* noise = scene.listed<scene::NoiseSpec>();
+    return noise == nullptr ? 0.0 : noise->sd_N;
 }
 
 } // namespace

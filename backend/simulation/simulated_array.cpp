@@ -4,7 +4,6 @@
 #include "backend/simulation/effects/effect_factory.h"
 
 #include <algorithm>
-#include <chrono>
 
 namespace teleta::simulation {
 
@@ -23,6 +22,7 @@ SimulatedArray::SimulatedArray(const scene::Scene& scene, std::uint64_t seed)
                     .simulated = true}
     , m_firingThreshold_N(scene.array().sensor.firingThreshold_N)
     , m_contact(scene.array().sensor.layout, scene.array().sensor.stiffness_NPerM)
+    , m_effects(makeEffects(scene, scene.rate_Hz, seed))
     , m_load_N(scene.array().sensor.layout.taxels())
     , m_loads(scene.array().indenters.size()) {
     for (const scene::Indenter& indenter : scene.array().indenters) {
@@ -30,8 +30,6 @@ SimulatedArray::SimulatedArray(const scene::Scene& scene, std::uint64_t seed)
         m_indenters.emplace_back(indenter.shape);
         m_truth.indenters.push_back({.name = indenter.name, .pose = m_motions.back().at(0.0), .load = {}});
     }
-    for (std::unique_ptr<Effect>& effect : makeEffects(scene, scene.rate_Hz, seed))
-        m_effects.push_back({.effect = std::move(effect)});
 }
 
 core::SourceDescription SimulatedArray::description() const {
@@ -51,23 +49,9 @@ void SimulatedArray::next(std::span<float> values, bool motionHeld) {
         m_truth.indenters[i].pose = m_indenters[i].pose();
         m_truth.indenters[i].load = m_loads[i];
     }
-    applyEffects(EffectStage::skin);
-    for (double& load_N : m_load_N)
-        load_N = load_N < m_firingThreshold_N ? 0.0 : load_N;
-    applyEffects(EffectStage::readout);
+    m_effects.read(m_load_N, m_firingThreshold_N);
     std::ranges::transform(m_load_N, values.begin(),
                            [](double load_N) { return static_cast<float>(load_N); });
-}
-
-void SimulatedArray::applyEffects(EffectStage stage) {
-    using Clock = std::chrono::steady_clock;
-    for (TimedEffect& timed : m_effects) {
-        if (timed.effect->stage() != stage)
-            continue;
-        const Clock::time_point start = Clock::now();
-        timed.effect->apply(m_load_N);
-        timed.time_s += std::chrono::duration<double>(Clock::now() - start).count();
-    }
 }
 
 double SimulatedArray::time_s() const {
@@ -76,16 +60,12 @@ double SimulatedArray::time_s() const {
 
 void SimulatedArray::restart() {
     m_frame = m_motionFrame = 0;
-    for (TimedEffect& timed : m_effects) {
-        timed.effect->restart();
-        timed.time_s = 0.0;
-    }
+    m_effects.restart();
 }
 
 std::vector<EffectTime> SimulatedArray::effectTimes() const {
     std::vector<EffectTime> times;
-    for (const TimedEffect& timed : m_effects)
-        times.push_back({.name = timed.effect->name(), .time_s = timed.time_s});
+    m_effects.appendTimes(times);
     return times;
 }
 

@@ -5,7 +5,7 @@
 #include "backend/core/error.h"
 #include "backend/scene/scene.h"
 #include "backend/simulation/effect_time.h"
-#include "backend/simulation/effects/effect.h"
+#include "backend/simulation/effects/effect_chain.h"
 #include "backend/simulation/foundation_contact.h"
 #include "backend/simulation/keyframe_motion.h"
 #include "backend/simulation/rigid_indenter.h"
@@ -53,20 +53,14 @@ public:
     [[nodiscard]] std::vector<EffectTime> effectTimes() const;
 
 private:
-    struct TimedEffect {
-        std::unique_ptr<Effect> effect;
-        double time_s = 0.0;
-    };
-
     SimulatedArray(const scene::Scene& scene, std::uint64_t seed);
-    void applyEffects(EffectStage stage);
 
     core::SourceDescription m_description;
     double m_firingThreshold_N;
     FoundationContact m_contact;
     std::vector<KeyframeMotion> m_motions;
     std::vector<RigidIndenter> m_indenters;
-    std::vector<TimedEffect> m_effects;
+    EffectChain m_effects;
     std::vector<double> m_load_N;
     std::vector<IndenterLoad> m_loads;
     ContactTruth m_truth;

@@ -25,17 +25,8 @@ void toArray(const JointVector& vector, core::JointArray& values) {
     Eigen::Map<JointVector>(values.data()) = vector;
 }
 
-template <typename Spec>
-const Spec* listed(const scene::Scene& scene) {
-    for (const scene::Effect& effect : scene.effects) {
-        if (const auto* spec = std::get_if<Spec>(&effect.parameters))
-            return spec;
-    }
-    return nullptr;
-}
-
 std::vector<TouchedBody> bodiesOf(const scene::Scene& scene) {
-    const auto* nonlinear = listed<scene::NonlinearObjectSpec>(scene);
+    const auto* nonlinear = scene.listed<scene::NonlinearObjectSpec>();
     std::vector<TouchedBody> bodies;
     for (const scene::ArmObject& object : scene.arm().objects) {
         TouchedBody body{.outline = OutlineGeometry(object),
@@ -101,7 +92,8 @@ SimulatedArm::SimulatedArm(const scene::Scene& scene, std::uint64_t seed)
     , m_arm(scene.arm().body, scene.arm().control, bodiesOf(scene))
     , m_program(makeProgram(scene.arm(), m_arm))
     , m_sheet(scene.arm().skin.layout, m_description.skin)
-    , m_nonlinearObjects(listed<scene::NonlinearObjectSpec>(scene) != nullptr)
+    , m_skinEffects(makeEffects(scene, m_skinDescription.nominalRate_Hz, seed))
+    , m_nonlinearObjects(scene.listed<scene::NonlinearObjectSpec>() != nullptr)
     , m_load_N(scene.arm().skin.layout.taxels()) {
     for (const scene::ArmObject& object : scene.arm().objects)
         m_objects.push_back({.name = object.name,
@@ -110,8 +102,6 @@ SimulatedArm::SimulatedArm(const scene::Scene& scene, std::uint64_t seed)
                              .outline = OutlineGeometry(object)});
     for (std::unique_ptr<JointEffect>& effect : makeJointEffects(scene, seed))
         m_jointEffects.push_back({.effect = std::move(effect)});
-    for (std::unique_ptr<Effect>& effect : makeEffects(scene, m_skinDescription.nominalRate_Hz, seed))
-        m_skinEffects.push_back({.effect = std::move(effect)});
     restart();
 }
 
@@ -132,10 +122,7 @@ void SimulatedArm::restart() {
         timed.effect->restart();
         timed.time_s = 0.0;
     }
-    for (TimedEffect& timed : m_skinEffects) {
-        timed.effect->restart();
-        timed.time_s = 0.0;
-    }
+    m_skinEffects.restart();
 }
 
 double SimulatedArm::time_s() const {
@@ -245,20 +232,7 @@ void SimulatedArm::readSkin() {
     std::ranges::fill(m_load_N, 0.0);
     for (const ArmContactTruth& contact : m_truth.contacts)
         m_sheet.press(contact.contactDistance_m, contact.side_rad, contact.force_N, m_load_N);
-    applyToSkin(EffectStage::skin);
-    for (double& load_N : m_load_N)
-        load_N = load_N < m_firingThreshold_N ? 0.0 : load_N;
-    applyToSkin(EffectStage::readout);
-}
-
-void SimulatedArm::applyToSkin(EffectStage stage) {
-    for (TimedEffect& timed : m_skinEffects) {
-        if (timed.effect->stage() != stage)
-            continue;
-        const Clock::time_point start = Clock::now();
-        timed.effect->apply(m_load_N);
-        timed.time_s += std::chrono::duration<double>(Clock::now() - start).count();
-    }
+    m_skinEffects.read(m_load_N, m_firingThreshold_N);
 }
 
 bool SimulatedArm::skinFrame(std::span<float> values) {
@@ -280,8 +254,7 @@ std::vector<EffectTime> SimulatedArm::effectTimes() const {
         times.push_back({.name = "nonlinear_object", .time_s = 0.0});
     for (const TimedJointEffect& timed : m_jointEffects)
         times.push_back({.name = timed.effect->name(), .time_s = timed.time_s});
-    for (const TimedEffect& timed : m_skinEffects)
-        times.push_back({.name = timed.effect->name(), .time_s = timed.time_s});
+    m_skinEffects.appendTimes(times);
     return times;
 }
 

@@ -8,7 +8,7 @@
 #include "backend/simulation/arm/flexible_arm.h"
 #include "backend/simulation/arm/skin_sheet.h"
 #include "backend/simulation/effect_time.h"
-#include "backend/simulation/effects/effect.h"
+#include "backend/simulation/effects/effect_chain.h"
 #include "backend/simulation/effects/joint_effect.h"
 
 #include <cstdint>
@@ -88,10 +88,6 @@ private:
         std::unique_ptr<JointEffect> effect;
         double time_s = 0.0;
     };
-    struct TimedEffect {
-        std::unique_ptr<Effect> effect;
-        double time_s = 0.0;
-    };
 
     SimulatedArm(const scene::Scene& scene, std::uint64_t seed);
     void moveReference(const core::ArmDemand& demand);
@@ -99,7 +95,6 @@ private:
     void updatePresence();
     void updateTruth();
     void readSkin();
-    void applyToSkin(EffectStage stage);
 
     scene::ArmBody m_body;
     core::ArmDescription m_description;
@@ -112,7 +107,7 @@ private:
     std::unique_ptr<ArmProgram> m_program;
     SkinSheet m_sheet;
     std::vector<TimedJointEffect> m_jointEffects;
-    std::vector<TimedEffect> m_skinEffects;
+    EffectChain m_skinEffects;
     bool m_nonlinearObjects = false;
 
     arm::JointVector m_reference_rad = arm::JointVector::Zero();

@@ -6,7 +6,6 @@
 #include "backend/simulation/effects/housing_rim.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -16,20 +15,10 @@ namespace teleta::simulation {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
 constexpr double kGravity_mPerS2 = 9.81;
-
-template <typename Spec>
-const Spec* listed(const scene::Scene& scene) {
-    for (const scene::Effect& effect : scene.effects) {
-        if (const auto* spec = std::get_if<Spec>(&effect.parameters))
-            return spec;
-    }
-    return nullptr;
-}
 
 Isometry3d mount(const scene::ServoArm& arm) {
     Isometry3d X_Flange_Sensor = Isometry3d::Identity();
@@ -44,17 +33,17 @@ servo::LwrVector startOf(const scene::ServoArm& arm) {
 ElasticArray arrayOf(const scene::Scene& scene) {
     const scene::ArraySensor& sensor = scene.servo().sensor.array;
     std::vector<double> factors;
-    if (const auto* stiffening = listed<scene::BorderStiffeningSpec>(scene))
+    if (const auto* stiffening = scene.listed<scene::BorderStiffeningSpec>())
         factors = borderStiffness(*stiffening, sensor.layout);
     std::vector<RimSide> rim;
-    if (const auto* spec = listed<scene::HousingRimSpec>(scene))
+    if (const auto* spec = scene.listed<scene::HousingRimSpec>())
         rim = housingRim(*spec, sensor.layout);
     return ElasticArray(sensor.layout, sensor.stiffness_NPerM, scene.servo().object.stiffness_NPerM, factors,
                         rim);
 }
 
 double contactDamping_s(const scene::Scene& scene) {
-    const auto* damping = listed<scene::ContactDampingSpec>(scene);
+    const auto* damping = scene.listed<scene::ContactDampingSpec>();
     return damping == nullptr ? 0.0 : damping->time_s;
 }
 
@@ -123,9 +112,8 @@ SimulatedServoWorld::SimulatedServoWorld(const scene::Scene& scene, std::uint64_
              .dampingRatio = m_world.arm.dampingRatio,
              .contactDampingTime_s = contactDamping_s(scene)},
             arrayOf(scene), objectOf(m_world, seed))
+    , m_effects(makeEffects(scene, m_world.sensor.acquisition_Hz, seed))
     , m_load_N(m_world.sensor.array.layout.taxels()) {
-    for (std::unique_ptr<Effect>& effect : makeEffects(scene, m_world.sensor.acquisition_Hz, seed))
-        m_effects.push_back({.effect = std::move(effect)});
     for (const scene::Effect& effect : scene.effects) {
         if (effect.parameters.index() >= scene::kTaxelEffectKinds)
             m_contactEffects.push_back(scene::nameOf(effect));
@@ -141,10 +129,7 @@ void SimulatedServoWorld::restart() {
     m_arm.setState(state);
     moveMass();
     updateTruth();
-    for (TimedEffect& timed : m_effects) {
-        timed.effect->restart();
-        timed.time_s = 0.0;
-    }
+    m_effects.restart();
 }
 
 void SimulatedServoWorld::moveMass() {
@@ -192,20 +177,7 @@ void SimulatedServoWorld::readArray() {
     if (along)
         m_frameTruth.alphaZ_rad = halfTurn(std::atan2(along->y(), along->x()));
 
-    applyEffects(EffectStage::skin);
-    for (double& load_N : m_load_N)
-        load_N = load_N < m_world.sensor.array.firingThreshold_N ? 0.0 : load_N;
-    applyEffects(EffectStage::readout);
-}
-
-void SimulatedServoWorld::applyEffects(EffectStage stage) {
-    for (TimedEffect& timed : m_effects) {
-        if (timed.effect->stage() != stage)
-            continue;
-        const Clock::time_point start = Clock::now();
-        timed.effect->apply(m_load_N);
-        timed.time_s += std::chrono::duration<double>(Clock::now() - start).count();
-    }
+    m_effects.read(m_load_N, m_world.sensor.array.firingThreshold_N);
 }
 
 bool SimulatedServoWorld::frame(std::span<float> load_N) const {
@@ -229,8 +201,7 @@ std::vector<EffectTime> SimulatedServoWorld::effectTimes() const {
     std::vector<EffectTime> times;
     for (const std::string_view name : m_contactEffects)
         times.push_back({.name = name, .time_s = 0.0});
-    for (const TimedEffect& timed : m_effects)
-        times.push_back({.name = timed.effect->name(), .time_s = timed.time_s});
+    m_effects.appendTimes(times);
     return times;
 }
 

@@ -4,7 +4,7 @@
 #include "backend/core/error.h"
 #include "backend/scene/scene.h"
 #include "backend/simulation/effect_time.h"
-#include "backend/simulation/effects/effect.h"
+#include "backend/simulation/effects/effect_chain.h"
 #include "backend/simulation/random_stream.h"
 #include "backend/simulation/servo/impedance_arm.h"
 
@@ -86,22 +86,16 @@ public:
     [[nodiscard]] std::vector<EffectTime> effectTimes() const;
 
 private:
-    struct TimedEffect {
-        std::unique_ptr<Effect> effect;
-        double time_s = 0.0;
-    };
-
     SimulatedServoWorld(const scene::Scene& scene, std::uint64_t seed);
     void moveMass();
     void readArray();
-    void applyEffects(EffectStage stage);
     void updateTruth();
 
     scene::ServoWorld m_world;
     double m_step_s;
     Schedule m_acquisition;
     ImpedanceArm m_arm;
-    std::vector<TimedEffect> m_effects;
+    EffectChain m_effects;
     std::vector<std::string_view> m_contactEffects; ///< part of the contact, which is not timed apart
     std::uint64_t m_cycle = 0;
     bool m_frameDue = false;

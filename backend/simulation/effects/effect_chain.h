@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/simulation/effect_time.h"
+#include "backend/simulation/effects/effect.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace teleta::simulation {
+
+/// What happens to the loads on an array's taxels until they are read:
+///   skin effects -> firing threshold -> read-out effects
+/// and the time that each effect takes. Thread: one; read() allocates nothing.
+class EffectChain {
+public:
+    /// effects: in the order in which they act within their stage.
+    explicit EffectChain(std::vector<std::unique_ptr<Effect>> effects);
+
+    /// load_N: the array's taxels, changed in place; what is under the threshold does not fire and reads 0.
+    void read(std::span<double> load_N, double firingThreshold_N);
+    /// Forgets all frames and times.
+    void restart();
+
+    /// Adds those of the effects, in their order.
+    void appendTimes(std::vector<EffectTime>& times) const;
+
+private:
+    struct TimedEffect {
+        std::unique_ptr<Effect> effect;
+        double time_s = 0.0;
+    };
+    void apply(EffectStage stage, std::span<double> load_N);
+
+    std::vector<TimedEffect> m_effects;
+};
+
+} // namespace teleta::simulation
