@@ -350,14 +350,8 @@ tl::expected<Calibration, CalibrationRefusal> conclude(Pairs pairs, const Calibr
     double squares = 0.0;
     std::size_t located = 0;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-        PairResidual residual;
+        PairResidual residual = residualOf(result.camera, pairs[i]);
         residual.kept = kept[i];
-        if (const auto pixel = model->project(pairs[i].p_Sensor_m))
-            residual.error_px = *pixel - pairs[i].pixel;
-        if (const auto point_m = result.camera.locate_m(pairs[i].pixel)) {
-            residual.located_m = *point_m;
-            residual.error_m = (*point_m - pairs[i].p_Sensor_m).norm();
-        }
         if (residual.kept && !residual.error_px)
             return Refused(linear ? CalibrationRefusal::noAgreement : CalibrationRefusal::folds);
         if (residual.kept) {
@@ -464,6 +458,17 @@ const char* toString(CalibrationRefusal refusal) {
         return "folds";
     }
     return "";
+}
+
+PairResidual residualOf(const CylinderCamera& camera, const CalibrationPair& pair) {
+    PairResidual residual;
+    if (const auto pixel = camera.camera().project(pair.p_Sensor_m))
+        residual.error_px = *pixel - pair.pixel;
+    if (const auto point_m = camera.locate_m(pair.pixel)) {
+        residual.located_m = *point_m;
+        residual.error_m = (*point_m - pair.p_Sensor_m).norm();
+    }
+    return residual;
 }
 
 tl::expected<Calibration, CalibrationRefusal> calibrate(Pairs pairs, const CalibrationSettings& settings,

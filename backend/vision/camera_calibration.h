@@ -63,6 +63,9 @@ struct PairResidual {
     std::optional<double> error_m;            ///< distance of that from the point
 };
 
+/// Not kept. Thread: any (pure).
+[[nodiscard]] PairResidual residualOf(const CylinderCamera& camera, const CalibrationPair& pair);
+
 struct Calibration {
     CylinderCamera camera;
     CalibrationMethod method = CalibrationMethod::robust;

@@ -49,18 +49,8 @@ void spreadResiduals(vision::Calibration& calibration, const std::vector<Calibra
     std::vector<vision::PairResidual> all;
     std::size_t next = 0;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-        if (used[i]) {
-            all.push_back(calibration.residuals[next++]);
-            continue;
-        }
-        vision::PairResidual residual;
-        if (const auto pixel = calibration.camera.camera().project(pairs[i].p_Sensor_m))
-            residual.error_px = *pixel - pairs[i].pixel;
-        if (const auto point_m = calibration.camera.locate_m(pairs[i].pixel)) {
-            residual.located_m = *point_m;
-            residual.error_m = (*point_m - pairs[i].p_Sensor_m).norm();
-        }
-        all.push_back(residual);
+        all.push_back(used[i] ? calibration.residuals[next++]
+                              : vision::residualOf(calibration.camera, pairs[i]));
     }
     calibration.residuals = std::move(all);
 }
