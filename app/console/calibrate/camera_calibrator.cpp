@@ -415,7 +415,8 @@ void CameraCalibrator::refresh() {
         }
     }
     m_save->setEnabled(found);
-    m_exclude->setEnabled(found && chosen->calibration->kept < m_shown.pairs.size());
+    const auto used = static_cast<std::size_t>(std::count(m_shown.used.begin(), m_shown.used.end(), true));
+    m_exclude->setEnabled(found && chosen->calibration->kept < used);
     m_verdict->setText(verdict());
     showComparison();
 }
