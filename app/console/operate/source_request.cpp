@@ -6,7 +6,6 @@
 #include "backend/scene_run/scene_settings.h"
 #include "backend/simulation/arm/simulated_arm.h"
 #include "backend/simulation/servo/servo_array.h"
-#include "backend/simulation/servo/servo_loop.h"
 #include "backend/simulation/simulated_array.h"
 #include "devices/replay/replay_config.h"
 #include "devices/replay/replay_device.h"
@@ -122,11 +121,8 @@ core::Expected<pipeline::OpenedSource> openServo(const scene::Scene& scene, std:
     auto array = simulation::makeServoArray(scene, seed, link);
     if (!array)
         return core::Unexpected(array.error());
-    pipeline::ChannelSettings settings =
-        settingsFor(simulation::servoFeatures(scene).threshold_N, (*array)->description().unit);
-    settings.features = simulation::servoFeatures(scene);
     return pipeline::OpenedSource{std::make_unique<simulated::SimulatedArrayDevice>(std::move(*array), stop),
-                                  std::move(settings),
+                                  scene_run::channelSettings(scene),
                                   nullptr,
                                   {},
                                   std::move(link)};
