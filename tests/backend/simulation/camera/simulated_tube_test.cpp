@@ -150,9 +150,15 @@ TEST(SimulatedTube, movesTheFingerAwayFromTheSkinWhenTheArmDrawsBackFromIt) {
     EXPECT_FALSE((*tube)->truth().front().touches);
 }
 
-TEST(SimulatedTube, refusesALensThatFolds) {
+TEST(SimulatedTube, refusesALensThatFoldsAndOneOfNoNumbers) {
     scene::Scene scene = smallScene(false);
+    scene.effects = {{"", scene::LensDistortionSpec{{-1e40, 0.0, 0.0, 0.0, 0.0, 0.0}, {}}}};
+    ASSERT_TRUE(checkCameraScene(scene));
+    const auto folded = SimulatedTube::make(scene, 1);
+    ASSERT_FALSE(folded);
+    EXPECT_NE(folded.error().message.find("folds"), std::string::npos) << folded.error().message;
     scene.effects = {{"", scene::LensDistortionSpec{{NAN, 0.0, 0.0, 0.0, 0.0, 0.0}, {}}}};
+    EXPECT_FALSE(checkCameraScene(scene));
     EXPECT_FALSE(SimulatedTube::make(scene, 1));
 }
 
