@@ -16,11 +16,11 @@ namespace teleta::scene {
 }
 
 [[nodiscard]] inline bool arePositive(std::initializer_list<double> values) {
-    return std::ranges::all_of(values, [](double value) { return std::isfinite(value) && value > 0.0; });
+    return std::ranges::all_of(values, isPositive);
 }
 
 [[nodiscard]] inline bool areNotNegative(std::initializer_list<double> values) {
-    return std::ranges::all_of(values, [](double value) { return std::isfinite(value) && value >= 0.0; });
+    return std::ranges::all_of(values, isNotNegative);
 }
 
 [[nodiscard]] inline bool areFinite(std::initializer_list<double> values) {

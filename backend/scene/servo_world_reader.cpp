@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <numbers>
 #include <string_view>
 
 namespace teleta::scene {
@@ -33,7 +34,7 @@ constexpr std::array<std::string_view, kServoJoints> kJointNames{"a1", "a2", "a3
 constexpr std::array<double, kServoJoints> kFarthest_deg{170.0, 120.0, 170.0, 120.0, 170.0, 120.0, 170.0};
 
 double farthest_rad(std::size_t joint) {
-    return kFarthest_deg[joint] * 3.14159265358979323846 / 180.0;
+    return kFarthest_deg[joint] * std::numbers::pi / 180.0;
 }
 
 NumberRange steepness() {

@@ -27,6 +27,7 @@ struct RunOptions {
 ///   frames.csv     time_s,t0,t1,...: the frames of the tactile array, as `teleta features` reads them
 ///   of an arm: joints.csv, touches.csv, contour.csv (arm_run.h)
 ///   of a servo: servo.csv, points.csv (servo_run.h)
+///   of a camera, which has no frames.csv: contacts.csv, arm.csv, reference.png (camera_run.h)
 /// Same scene and seed: same bytes, but for the computing times. Thread: any; keeps one core busy.
 /// Error: badInput (the scene is not valid), ioFailed (a file cannot be written).
 [[nodiscard]] core::Expected<SceneSummary> runScene(const scene::Scene& scene, const RunOptions& options);

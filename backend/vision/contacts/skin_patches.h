@@ -30,8 +30,7 @@ struct SkinPatch {
 
 /// Contacts among scattered points of a tube's skin: watershed over the graph of neighbours in order of
 /// falling displacement, and the centre of each as the mean of its points weighted by their displacement:
-/// over evenly spread points that is the centre of a smooth summit itself, also between them. Thread: one;
-/// after the first frames nothing is allocated but the result.
+/// over evenly spread points that is the centre of a smooth summit itself, also between them. Thread: one.
 class SkinPatches {
 public:
     struct Settings {
