@@ -64,7 +64,7 @@ FeltPanel::FeltPanel(QWidget* parent)
     connect(m_no, &QPushButton::clicked, this, [this] { answer(false); });
     connect(m_undo, &QPushButton::clicked, this, &FeltPanel::undoAnswer);
     connect(m_cancel, &QPushButton::clicked, this, [this] {
-        m_task.reset();
+        end();
         emit cancelled();
     });
     retranslate();
@@ -131,7 +131,7 @@ void FeltPanel::conclude() {
                       .arg(100.0 * threshold->drive, 0, 'f', 1)
                       .arg(100.0 * threshold->lower, 0, 'f', 1)
                       .arg(100.0 * threshold->upper, 0, 'f', 1);
-    m_task.reset();
+    end();
     emit finished(*result, verdict);
 }
 

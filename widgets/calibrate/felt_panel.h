@@ -22,6 +22,8 @@ public:
     explicit FeltPanel(QWidget* parent = nullptr);
 
     void begin(FeltTask task);
+    /// Leaves the questions, answered or not.
+    void end() { m_task.reset(); }
     [[nodiscard]] const FeltTask* task() const { return m_task ? &*m_task : nullptr; }
     /// Whether the bracelet can play; without it nothing can be presented or answered.
     void setReady(bool ready);

@@ -220,6 +220,7 @@ void MotorsView::setFacts(const BraceletFacts& facts) {
 void MotorsView::setCalibration(const motors::MotorCalibration& calibration, bool saved) {
     m_evidence = {};
     m_verdict->clear();
+    m_felt->end(); // its answers are of the motors before
     m_undo->clear();
     if (!saved)
         m_undo->resetClean();

@@ -49,7 +49,7 @@ public:
     ~MotorsView() override;
 
     void setFacts(const BraceletFacts& facts);
-    /// Of another bracelet, or from a file: nothing is left to undo. saved: as its file has it.
+    /// Of another bracelet, or from a file: nothing is left to undo or to answer. saved: as its file has it.
     void setCalibration(const motors::MotorCalibration& calibration, bool saved);
     [[nodiscard]] const motors::MotorCalibration& calibration() const { return m_calibration; }
     [[nodiscard]] bool isSaved() const;

@@ -149,6 +149,21 @@ private slots:
         QVERIFY(!desk.view.calibration().measured());
     }
 
+    void anotherBraceletEndsTheQuestionsAboutTheOneBefore() {
+        Desk desk;
+        QTest::mouseClick(desk.view.button("feel"), Qt::LeftButton);
+        FeltPanel* panel = desk.view.feltPanel();
+        QTest::keyClick(panel, Qt::Key_Space);
+        QTest::keyClick(panel, Qt::Key_Y);
+        MotorCalibration other;
+        other.bracelet = "TB-0042";
+        desk.view.setCalibration(other, true);
+        QVERIFY(panel->task() == nullptr);
+        QVERIFY(!panel->isVisible());
+        QVERIFY(desk.view.table()->isEnabled());
+        QCOMPARE(desk.view.calibration(), other);
+    }
+
     void balancesByTheCurvesAndResets() {
         Desk desk;
         desk.fit(0);
