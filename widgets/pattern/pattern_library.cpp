@@ -214,10 +214,16 @@ void PatternLibrary::applyFilter() {
     }
 }
 
-void PatternLibrary::rename(QTreeWidgetItem* item) {
-    const OwnPattern* own = item ? ownOf(item->data(0, kKey).toString()) : nullptr;
-    if (own && own->problem.isEmpty() && own->renamable)
-        m_tree->editItem(item, 0);
+void PatternLibrary::rename(const QString& key) {
+    const OwnPattern* own = ownOf(key);
+    if (!own || !own->problem.isEmpty() || !own->renamable)
+        return;
+    for (QTreeWidgetItemIterator at(m_tree); *at; ++at) {
+        if ((*at)->data(0, kKey).toString() == key) {
+            m_tree->editItem(*at, 0);
+            return;
+        }
+    }
 }
 
 void PatternLibrary::showMenu(const QPoint& at) {
@@ -239,7 +245,7 @@ void PatternLibrary::showMenu(const QPoint& at) {
     add(tr("&Compare with It"), {}, sound, [this, key] { emit compareRequested(key); });
     add(tr("&Duplicate"), Qt::CTRL | Qt::Key_D, sound, [this, key] { emit duplicateRequested(key); });
     if (own) {
-        add(tr("&Rename"), Qt::Key_F2, sound && own->renamable, [this, item] { rename(item); });
+        add(tr("&Rename"), Qt::Key_F2, sound && own->renamable, [this, key] { rename(key); });
         add(tr("De&lete"), Qt::Key_Delete, true, [this, key] { emit deleteRequested(key); });
     }
     menu->popup(m_tree->viewport()->mapToGlobal(at));
@@ -267,7 +273,7 @@ bool PatternLibrary::eventFilter(QObject* watched, QEvent* event) {
     if (key->key() == Qt::Key_Delete && own)
         return take([&] { emit deleteRequested(chosen); });
     if (key->key() == Qt::Key_F2 && own)
-        return take([this] { rename(m_tree->currentItem()); });
+        return take([&] { rename(chosen); });
     return QWidget::eventFilter(watched, event);
 }
 

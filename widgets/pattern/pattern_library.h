@@ -63,7 +63,7 @@ private:
     void addOwn(QTreeWidgetItem* group, const OwnPattern& own);
     void applyFilter();
     void showMenu(const QPoint& at);
-    void rename(QTreeWidgetItem* item);
+    void rename(const QString& key);
     [[nodiscard]] const OwnPattern* ownOf(const QString& key) const;
     [[nodiscard]] QString currentKey() const;
 

@@ -13,12 +13,14 @@
 #include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
 #include <QTreeWidget>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -162,6 +164,29 @@ private slots:
         library.tree()->setCurrentItem(library.tree()->topLevelItem(0)->child(0));
         QTest::keyClick(library.tree(), Qt::Key_Delete); // a built-in one stays
         QCOMPARE(deletions.size(), 1);
+    }
+
+    void theMenuOfAPatternRenamesItAlthoughTheFolderWasReadMeanwhile() {
+        PatternLibrary library;
+        const std::vector<OwnPattern> own{{"/p/wave.json", "Slow wave", 2.0, {}, {}, {}, true}};
+        library.setOwn(own);
+        library.resize(300, 700);
+        library.show();
+        QTreeWidget* tree = library.tree();
+        const QTreeWidgetItem* item = tree->topLevelItem(2)->child(0);
+        tree->scrollToItem(item);
+        emit tree->customContextMenuRequested(tree->visualItemRect(item).center());
+        auto* menu = library.findChild<QMenu*>();
+        QVERIFY(menu);
+        library.setOwn(own);
+        const auto actions = menu->actions();
+        const auto rename = std::find_if(actions.begin(), actions.end(), [](const QAction* action) {
+            return action->shortcut() == QKeySequence(Qt::Key_F2);
+        });
+        QVERIFY(rename != actions.end());
+        (*rename)->trigger();
+        QVERIFY(tree->findChild<QLineEdit*>());
+        menu->close();
     }
 
     void twoPatternsAreComparedInNumbers() {
