@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <initializer_list>
 #include <utility>
 
@@ -23,9 +24,13 @@ constexpr double kInterval95 = 1.96;
 QString row(std::initializer_list<double> values) {
     QString text;
     for (const double value : values) {
-        const core::NumberText number(value);
         if (!text.isEmpty())
             text += QLatin1Char(',');
+        if (std::isnan(value)) {
+            text += QLatin1String("NA");
+            continue;
+        }
+        const core::NumberText number(value);
         text += QString::fromUtf8(number.view().data(), static_cast<qsizetype>(number.view().size()));
     }
     return text + QLatin1Char('\n');
@@ -47,8 +52,8 @@ QString recordingCsv(const MotorChart::Evidence& evidence) {
     QString text = QStringLiteral("time_s,commanded,speed_hz,model_hz\n");
     const motors::MotorRecording& recording = evidence.recording;
     for (std::size_t i = 0; i < recording.size(); ++i)
-        text += row(
-            {recording.time_s[i], recording.drive[i], recording.speed_Hz[i], evidence.fit.predicted_Hz[i]});
+        text += row({recording.time_s[i], recording.drive[i],
+                     recording.isKnown(i) ? recording.speed_Hz[i] : qQNaN(), evidence.fit.predicted_Hz[i]});
     return text;
 }
 
@@ -217,9 +222,11 @@ void MotorChart::drawRecording() {
     QVector<double> residuals_Hz;
     for (std::size_t i = 0; i < recording.size(); ++i) {
         times_s.push_back(recording.time_s[i]);
-        speeds_Hz.push_back(recording.speed_Hz[i]);
+        // What the sensor does not tell is a gap.
+        const double speed_Hz = recording.isKnown(i) ? recording.speed_Hz[i] : qQNaN();
+        speeds_Hz.push_back(speed_Hz);
         models_Hz.push_back(predicted_Hz[i]);
-        residuals_Hz.push_back(recording.speed_Hz[i] - predicted_Hz[i]);
+        residuals_Hz.push_back(speed_Hz - predicted_Hz[i]);
     }
     measured->setData(times_s, speeds_Hz, true);
     model->setData(times_s, models_Hz, true);
