@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/pattern/stroke_pad.h"
 
+#include "backend/core/tactor_ring.h"
 #include "widgets/base/theme.h"
 
 #include <QKeyEvent>
@@ -18,7 +19,7 @@ using namespace pattern;
 namespace {
 
 constexpr double kTurn_rad = 2.0 * std::numbers::pi;
-constexpr double kTactor_rad = kTurn_rad / static_cast<double>(core::kTactors);
+constexpr double kTactor_rad = core::kTactorAngle_rad;
 constexpr double kShortestStroke_s = 0.05;
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/pattern/timeline_curves.h"
 
+#include "backend/core/tactor_ring.h"
 #include "widgets/pattern/edit_operations.h"
 
 #include <algorithm>
@@ -114,10 +115,7 @@ TimelineBands bandsOf(const TrackEnvelopes& commanded, const MotorPrediction* pr
 
 std::vector<std::size_t> tactorsOf(const ObjectForm& form) {
     std::set<std::size_t> tactors;
-    const auto add = [&tactors](int tactor) {
-        constexpr int kRing = static_cast<int>(core::kTactors);
-        tactors.insert(static_cast<std::size_t>(((tactor % kRing) + kRing) % kRing));
-    };
+    const auto add = [&tactors](int tactor) { tactors.insert(core::wrappedTactor(tactor)); };
     if (const auto* phantom = std::get_if<Phantom>(&form)) {
         add(phantom->first);
         add(phantom->second);
