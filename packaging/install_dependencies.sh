@@ -3,6 +3,7 @@
 # Installs the Debian 12 packages that the project needs and that are not there yet.
 #   install_dependencies.sh          what building and running needs
 #   install_dependencies.sh --test   also what packaging/test.sh checks with
+#   install_dependencies.sh --package   also what packaging/make_deb.sh and test_deb.sh need
 set -euo pipefail
 
 # Build and run. GoogleTest and Google Benchmark are here because every preset configures the tests.
@@ -39,6 +40,8 @@ test_packages=(clang-format clang-tidy desktop-file-utils appstream r-base-core)
 test_packages+=(postgresql python3-html5lib poppler-utils locales)
 # Servers and lines that somebody else wrote, as peers of the devices.
 test_packages+=(python3-pymodbus python3-serial-asyncio socat qemu-system-x86 busybox-static cpio)
+# What only making and trying the Debian package uses.
+package_packages=(help2man dpkg-dev file lintian debootstrap)
 
 fail() {
     printf 'install_dependencies: %s\n' "$*" >&2
@@ -48,7 +51,8 @@ fail() {
 case "${1:-}" in
     "") ;;
     --test) packages+=("${test_packages[@]}") ;;
-    *) fail "unknown argument '$1' (expected nothing, or --test)" ;;
+    --package) packages+=("${package_packages[@]}") ;;
+    *) fail "unknown argument '$1' (expected nothing, --test or --package)" ;;
 esac
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then

@@ -1,0 +1,67 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Installs the package into a clean tree of Debian 12 and uses it there as a person would. Needs root rights.
+#   test_deb.sh [TREE]      a tree of debootstrap that is there already is used again
+set -euo pipefail
+source "$(dirname -- "${BASH_SOURCE[0]}")/build_environment.sh"
+tree=${1:-$root/build/debian-tree}
+
+fail() {
+    printf 'test_deb: %s\n' "$*" >&2
+    exit 1
+}
+((EUID == 0)) || fail "debootstrap needs root rights"
+[[ -n $(compgen -G "$root/build/package/*.deb") ]] || "$root/packaging/make_deb.sh"
+package=$(compgen -G "$root/build/package/*.deb")
+"$root/packaging/install_dependencies.sh" --package
+
+lintian --fail-on error --suppress-tags bogus-mail-host,no-changelog,embedded-library "$package" || fail "lintian refuses the package"
+
+if [[ ! -x $tree/usr/bin/apt-get ]]; then
+    rm -rf -- "$tree"
+    # The mirror of this machine, which may have no other.
+    mirror=$(sed -nE 's/^URIs: *([^ ]+).*/\1/p; s/^deb (\[[^]]*\] )?([^ ]+) .*/\2/p' /etc/apt/sources.list \
+        /etc/apt/sources.list.d/* 2>/dev/null | grep -vE 'security|^file:' | head -n 1)
+    debootstrap --variant=minbase bookworm "$tree" "${mirror:-http://deb.debian.org/debian}" >"$tree.log" 2>&1 ||
+        fail "debootstrap failed, see $tree.log"
+fi
+for file in /etc/resolv.conf /etc/hosts; do cp "$file" "$tree$file"; done
+cp -r /etc/apt/apt.conf.d/. "$tree/etc/apt/apt.conf.d/"
+mounted=()
+unmount() { for place in "${mounted[@]}"; do umount "$place"; done; }
+trap unmount EXIT
+for place in proc dev; do
+    mount --bind "/$place" "$tree/$place"
+    mounted=("$tree/$place" "${mounted[@]}")
+done
+inside() { chroot "$tree" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C DEBIAN_FRONTEND=noninteractive "$@"; }
+
+cp "$package" "$tree/tmp/teleta-console.deb"
+inside apt-get -q update
+inside apt-get -q install -y --no-install-recommends /tmp/teleta-console.deb
+inside apt-get -q install -y --no-install-recommends xvfb xauth fonts-dejavu-core
+
+printf '\n== in the clean tree\n'
+inside teleta --version
+inside teleta-console --version
+inside teleta simulate --list
+inside teleta simulate tactile-indenter --duration 1 --out /tmp/run >/dev/null
+[[ -s $tree/tmp/run/summary.json ]] || fail "simulate left no summary"
+inside teleta study rehearse --participants 2 --seed 1 --out /tmp/study >/dev/null
+inside teleta study analyze /tmp/study --out /tmp/results >/dev/null
+[[ -s $tree/tmp/results/anova.csv ]] || fail "analyze left no ANOVA"
+for file in man/man1/teleta.1.gz man/man1/teleta-console.1.gz man/man1/teleta-stiffness.1.gz \
+    applications/org.teleta.Console.desktop metainfo/org.teleta.Console.metainfo.xml \
+    icons/hicolor/scalable/apps/teleta-console.svg bash-completion/completions/teleta doc/teleta-console/copyright; do
+    [[ -s $tree/usr/share/$file || $file == doc/* || $file == man/* ]] || fail "/usr/share/$file is missing"
+    inside dpkg -L teleta-console | grep -qxF "/usr/share/$file" || fail "the package does not hold /usr/share/$file"
+done
+inside dpkg -L teleta-console | grep -q '/lib/udev/rules.d/70-teleta-bracelet.rules' || fail "the udev rules are missing"
+inside mkdir -p /tmp/runtime
+inside env XDG_RUNTIME_DIR=/tmp/runtime QT_QPA_PLATFORM=xcb LIBGL_ALWAYS_SOFTWARE=1 \
+    xvfb-run -a -s "-screen 0 1600x1000x24" teleta-console --scene teleta-touch --screenshot /tmp/console.png --after 9
+[[ -s $tree/tmp/console.png ]] || fail "the console left no picture"
+cp "$tree/tmp/console.png" "$root/build/package/console.png"
+inside apt-get -q remove -y teleta-console >/dev/null
+[[ ! -e $tree/usr/bin/teleta ]] || fail "the package leaves its programs behind"
+printf 'test_deb: passed; picture %s\n' "$root/build/package/console.png"
