@@ -11,17 +11,15 @@ fail() {
     exit 1
 }
 ((EUID == 0)) || fail "debootstrap needs root rights"
-[[ -n $(compgen -G "$root/build/package/*.deb") ]] || "$root/packaging/make_deb.sh"
+"$root/packaging/make_deb.sh"
 package=$(compgen -G "$root/build/package/*.deb")
-"$root/packaging/install_dependencies.sh" --package
 
-lintian --fail-on error --suppress-tags bogus-mail-host,no-changelog,embedded-library "$package" || fail "lintian refuses the package"
+lintian --allow-root --fail-on error --suppress-tags bogus-mail-host,no-changelog,embedded-library "$package" || fail "lintian refuses the package"
 
 if [[ ! -x $tree/usr/bin/apt-get ]]; then
     rm -rf -- "$tree"
-    # The mirror of this machine, which may have no other.
-    mirror=$(sed -nE 's/^URIs: *([^ ]+).*/\1/p; s/^deb (\[[^]]*\] )?([^ ]+) .*/\2/p' /etc/apt/sources.list \
-        /etc/apt/sources.list.d/* 2>/dev/null | grep -vE 'security|^file:' | head -n 1)
+    # The mirror of this machine, which may reach no other.
+    mirror=$(apt-cache policy | sed -nE '0,/bookworm\/main/s/^ *[0-9]+ ([^ ]+) bookworm\/main .*/\1/p')
     debootstrap --variant=minbase bookworm "$tree" "${mirror:-http://deb.debian.org/debian}" >"$tree.log" 2>&1 ||
         fail "debootstrap failed, see $tree.log"
 fi
@@ -30,7 +28,7 @@ cp -r /etc/apt/apt.conf.d/. "$tree/etc/apt/apt.conf.d/"
 mounted=()
 unmount() { for place in "${mounted[@]}"; do umount "$place"; done; }
 trap unmount EXIT
-for place in proc dev; do
+for place in proc dev dev/pts; do
     mount --bind "/$place" "$tree/$place"
     mounted=("$tree/$place" "${mounted[@]}")
 done
@@ -57,7 +55,7 @@ for file in man/man1/teleta.1.gz man/man1/teleta-console.1.gz man/man1/teleta-st
     inside dpkg -L teleta-console | grep -qxF "/usr/share/$file" || fail "the package does not hold /usr/share/$file"
 done
 inside dpkg -L teleta-console | grep -q '/lib/udev/rules.d/70-teleta-bracelet.rules' || fail "the udev rules are missing"
-inside mkdir -p /tmp/runtime
+inside mkdir -p -m 700 /tmp/runtime
 inside env XDG_RUNTIME_DIR=/tmp/runtime QT_QPA_PLATFORM=xcb LIBGL_ALWAYS_SOFTWARE=1 \
     xvfb-run -a -s "-screen 0 1600x1000x24" teleta-console --scene teleta-touch --screenshot /tmp/console.png --after 9
 [[ -s $tree/tmp/console.png ]] || fail "the console left no picture"
