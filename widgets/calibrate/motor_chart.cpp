@@ -79,7 +79,7 @@ MotorChart::MotorChart(QWidget* parent)
     m_recording->axisRect()->setRangeZoom(Qt::Horizontal);
     m_recording->axisRect()->setRangeDrag(Qt::Horizontal);
     connect(m_recording, &QCustomPlot::mouseDoubleClick, this, &MotorChart::showAll);
-    const auto addMenu = [this](QCustomPlot* plot, base::Figure (MotorChart::*make)() const) {
+    const auto addMenu = [this](QCustomPlot* plot, base::Figure (MotorChart::*make)()) {
         auto* exporter = new base::FigureExport(plot, [this, make] { return (this->*make)(); });
         connect(exporter, &base::FigureExport::failed, this, &MotorChart::exportFailed);
         plot->setContextMenuPolicy(Qt::CustomContextMenu);
@@ -92,7 +92,7 @@ MotorChart::MotorChart(QWidget* parent)
     };
     addMenu(m_curve, &MotorChart::curveFigure);
     addMenu(m_recording, &MotorChart::recordingFigure);
-    restyle();
+    restyle(palette());
 }
 
 QSize MotorChart::sizeHint() const {
@@ -101,11 +101,14 @@ QSize MotorChart::sizeHint() const {
 
 void MotorChart::setMotor(std::size_t number, const motors::CalibratedMotor& motor,
                           std::shared_ptr<const Evidence> evidence, base::Provenance provenance) {
+    const bool isOther = evidence != m_evidence;
     m_number = number;
     m_motor = motor;
     m_evidence = std::move(evidence);
     m_provenance = provenance;
     draw();
+    if (isOther)
+        showAll();
 }
 
 void MotorChart::draw() {
@@ -116,7 +119,7 @@ void MotorChart::draw() {
 }
 
 void MotorChart::drawCurve() {
-    const QPalette colours = palette();
+    const QPalette& colours = m_colours;
     m_curve->clearPlottables();
     m_curve->clearItems();
     const pattern::MotorProfile& profile = m_motor.profile;
@@ -191,7 +194,7 @@ void MotorChart::drawCurve() {
 }
 
 void MotorChart::drawRecording() {
-    const QPalette colours = palette();
+    const QPalette& colours = m_colours;
     m_recording->clearPlottables();
     m_recording->clearItems();
     m_recording->xAxis->setLabel(tr("time (s)"));
@@ -231,7 +234,7 @@ void MotorChart::drawRecording() {
     measured->setData(times_s, speeds_Hz, true);
     model->setData(times_s, models_Hz, true);
     residual->setData(times_s, residuals_Hz, true);
-    showAll();
+    m_recording->replot(QCustomPlot::rpQueuedReplot);
 }
 
 void MotorChart::showAll() {
@@ -244,8 +247,8 @@ void MotorChart::showAll() {
     m_recording->replot(QCustomPlot::rpQueuedReplot);
 }
 
-void MotorChart::restyle() {
-    const QPalette colours = palette();
+void MotorChart::restyle(const QPalette& colours) {
+    m_colours = colours;
     const QColor text = colours.color(QPalette::Text);
     const QColor grid = base::mixed(colours.color(QPalette::Base), text, 0.15);
     for (QCustomPlot* plot : {m_curve, m_recording}) {
@@ -269,26 +272,30 @@ void MotorChart::restyle() {
     draw();
 }
 
-base::Figure MotorChart::figure(QCustomPlot* plot, const QString& name, std::function<QString()> csv) const {
+base::Figure MotorChart::figure(QCustomPlot* plot, const QString& name, std::function<QString()> csv) {
     base::Figure figure;
     figure.name = name;
     figure.size_px = plot->size();
     QPicture picture;
+    restyle(base::designedPalette(false)); // for paper
     {
-        QCPPainter painter(&picture);
+        QCPPainter painter;
+        painter.begin(&picture);
+        painter.setMode(QCPPainter::pmVectorized);
         plot->toPainter(&painter, plot->width(), plot->height());
     }
+    restyle(palette());
     figure.paint = [picture](QPainter& painter) { painter.drawPicture(0, 0, picture); };
     figure.csv = std::move(csv);
     return figure;
 }
 
-base::Figure MotorChart::curveFigure() const {
+base::Figure MotorChart::curveFigure() {
     return figure(m_curve, QStringLiteral("motor-%1-curve").arg(m_number + 1),
                   [motor = m_motor, evidence = m_evidence] { return curveCsv(motor, evidence.get()); });
 }
 
-base::Figure MotorChart::recordingFigure() const {
+base::Figure MotorChart::recordingFigure() {
     return figure(m_recording, QStringLiteral("motor-%1-recording").arg(m_number + 1),
                   [evidence = m_evidence] { return evidence ? recordingCsv(*evidence) : QString(); });
 }
@@ -298,7 +305,7 @@ void MotorChart::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LanguageChange)
         draw();
     else if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
-        restyle();
+        restyle(palette());
 }
 
 } // namespace teleta::calibrate

@@ -7,6 +7,7 @@
 #include "widgets/base/badge.h"
 #include "widgets/base/figure_export.h"
 
+#include <QPalette>
 #include <QWidget>
 
 #include <optional>
@@ -34,8 +35,8 @@ public:
                   std::shared_ptr<const Evidence> evidence, base::Provenance provenance);
 
     [[nodiscard]] QSize sizeHint() const override;
-    [[nodiscard]] base::Figure curveFigure() const;
-    [[nodiscard]] base::Figure recordingFigure() const;
+    [[nodiscard]] base::Figure curveFigure();
+    [[nodiscard]] base::Figure recordingFigure();
 
 signals:
     void exportFailed(const QString& message);
@@ -44,18 +45,18 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void restyle();
+    void restyle(const QPalette& colours);
     void draw();
     void drawCurve();
     void drawRecording();
     void showAll();
-    [[nodiscard]] base::Figure figure(QCustomPlot* plot, const QString& name,
-                                      std::function<QString()> csv) const;
+    [[nodiscard]] base::Figure figure(QCustomPlot* plot, const QString& name, std::function<QString()> csv);
 
     std::size_t m_number = 0;
     motors::CalibratedMotor m_motor;
     std::shared_ptr<const Evidence> m_evidence;
     base::Provenance m_provenance = base::Provenance::live;
+    QPalette m_colours;
     QCustomPlot* m_curve;
     QCustomPlot* m_recording;
 };
