@@ -77,11 +77,12 @@ TEST_P(WrongType, ofAnyValueIsRefusedWithItsPlaceOrReadAsAPatternThatIsSound) {
     const ordered_json good = ordered_json::parse(readAll(kData + GetParam()));
     std::vector<ordered_json::json_pointer> places;
     collect(good, ordered_json::json_pointer(), places);
+    const std::vector<ordered_json> others = otherValues();
     const TemporaryFolder folder;
     int refused = 0;
     for (const ordered_json::json_pointer& place : places) {
-        for (const ordered_json& other : otherValues()) {
-            ordered_json wrong = good;
+        ordered_json wrong = good;
+        for (const ordered_json& other : others) {
             wrong[place] = other;
             const std::string path = folder.write(GetParam(), wrong.dump());
             const Expected<Pattern> pattern = loadPattern(path);
