@@ -308,9 +308,11 @@ double JsonReader::number(Value object, const char* key, double lower, double up
 }
 
 long long JsonReader::integer(Value value, long long lower, long long upper) {
+    // The largest number of 64 bits is none of a double: what is rounded up to 2^63 is out of range.
+    constexpr double kBeyond = 9223372036854775808.0;
     const double found = number(value, static_cast<double>(lower), static_cast<double>(upper));
-    const auto whole = static_cast<long long>(found);
-    if (static_cast<double>(whole) != found)
+    const auto whole = found < kBeyond ? static_cast<long long>(found) : upper;
+    if (found >= kBeyond || static_cast<double>(whole) != found)
         fail(value, JsonText::tr("this is not a whole number").toStdString(),
              JsonText::tr("a whole number from %1 to %2").arg(lower).arg(upper).toStdString());
     return whole;

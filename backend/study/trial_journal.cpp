@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <fcntl.h>
+#include <stdexcept>
 #include <unistd.h>
 
 namespace teleta::study {
@@ -25,6 +26,13 @@ struct JournalText {
 template <typename Value>
 ordered_json jsonOrNull(const std::optional<Value>& value) {
     return value ? ordered_json(*value) : ordered_json(nullptr);
+}
+
+/// A number that is counted: nothing below 0, no fraction.
+std::size_t countOf(const ordered_json& value) {
+    if (!value.is_number_unsigned())
+        throw std::out_of_range("not a count");
+    return value.get<std::size_t>();
 }
 
 template <typename Value>
@@ -62,25 +70,30 @@ ordered_json toJson(const PendingTrial& trial) {
 PendingTrial fromJson(const ordered_json& json) {
     PendingTrial trial;
     TrialResult& result = trial.result;
+    if (!json.at("session_key").is_number_integer())
+        throw std::out_of_range("not a key");
     trial.sessionKey = json.at("session_key");
     trial.sessionId = json.at("session_id");
-    result.planned = {phaseOf(json.at("phase")).value(), json.at("trial"), json.at("repetition"),
-                      json.at("attempt"), json.at("stimulus")};
-    result.trialInBlock = json.at("trial_in_block");
-    result.response = optionalOf<std::size_t>(json.at("response"));
+    result.planned = {phaseOf(json.at("phase")).value(), countOf(json.at("trial")),
+                      countOf(json.at("repetition")), countOf(json.at("attempt")),
+                      countOf(json.at("stimulus"))};
+    result.trialInBlock = countOf(json.at("trial_in_block"));
+    if (!json.at("response").is_null())
+        result.response = countOf(json.at("response"));
     result.outcome = outcomeOf(json.at("outcome")).value();
     result.responseTime_s = optionalOf<double>(json.at("response_time_s"));
     result.responseTimeOffset_s = optionalOf<double>(json.at("response_time_offset_s"));
     result.responseDevice = json.at("response_device");
     result.responseKey = json.at("response_key");
-    result.replays = json.at("n_replays");
-    result.earlyPresses = json.at("early_presses");
+    result.replays = countOf(json.at("n_replays"));
+    result.earlyPresses = countOf(json.at("early_presses"));
     result.onset_s = json.at("onset_s");
     result.duration_s = json.at("duration_s");
     result.deviceLatency_ms = optionalOf<double>(json.at("device_latency_ms"));
-    result.deviceFaults = json.at("device_faults");
+    result.deviceFaults = countOf(json.at("device_faults"));
     result.frameWrite_ms = optionalOf<double>(json.at("frame_write_ms"));
-    result.framesMissed = optionalOf<std::size_t>(json.at("frames_missed"));
+    if (!json.at("frames_missed").is_null())
+        result.framesMissed = countOf(json.at("frames_missed"));
     trial.time =
         QDateTime::fromString(QString::fromStdString(json.at("time_utc")), Qt::ISODateWithMs).toUTC();
     return trial;

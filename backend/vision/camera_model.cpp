@@ -192,7 +192,10 @@ tl::expected<Eigen::Vector2d, ProjectionFailure> CameraModel::undistort(const Ei
     constexpr int kMostHalvings = 40;
     for (int i = 0; i < kMostSteps && error > 0.0; ++i) {
         const Eigen::Vector2d step = lens.slope(point).inverse() * (target - lens.apply(point));
-        double share = std::min(1.0, 0.5 * (1.0 + point.norm()) / step.norm());
+        const double length = step.norm();
+        if (length == 0.0)
+            break; // what is left is the rounding of pixels
+        double share = std::min(1.0, 0.5 * (1.0 + point.norm()) / length);
         bool better = false;
         for (int halving = 0; halving < kMostHalvings && !better; ++halving, share *= 0.5) {
             const Eigen::Vector2d next = inCircle(point + share * step);

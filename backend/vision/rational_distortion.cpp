@@ -43,9 +43,10 @@ Polynomial bernstein(const Polynomial& a, double upTo) {
     Polynomial result(n + 1, 0.0);
     for (std::size_t i = 0; i <= n; ++i) {
         double share = 1.0; // C(i, j) / C(n, j)
-        for (std::size_t j = 0; j <= i; ++j) {
+        result[i] = scaled[0];
+        for (std::size_t j = 1; j <= i; ++j) {
+            share *= static_cast<double>(i - j + 1) / static_cast<double>(n - j + 1);
             result[i] += share * scaled[j];
-            share *= static_cast<double>(i - j) / static_cast<double>(n - j);
         }
     }
     return result;
