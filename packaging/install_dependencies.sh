@@ -4,6 +4,7 @@
 #   install_dependencies.sh          what building and running needs
 #   install_dependencies.sh --test   also what packaging/test.sh checks with
 #   install_dependencies.sh --package   also what packaging/make_deb.sh and test_deb.sh need
+#   install_dependencies.sh --fuzz   also what packaging/fuzz.sh compiles with
 set -euo pipefail
 
 # Build and run. GoogleTest and Google Benchmark are here because every preset configures the tests.
@@ -42,6 +43,8 @@ test_packages+=(postgresql python3-html5lib poppler-utils locales)
 test_packages+=(python3-pymodbus python3-serial-asyncio socat qemu-system-x86 busybox-static cpio)
 # What only making and trying the Debian package uses.
 package_packages=(help2man dpkg-dev file lintian debootstrap)
+# What fuzzing of the parsers uses.
+fuzz_packages=(clang libclang-rt-dev)
 
 fail() {
     printf 'install_dependencies: %s\n' "$*" >&2
@@ -52,7 +55,8 @@ case "${1:-}" in
     "") ;;
     --test) packages+=("${test_packages[@]}") ;;
     --package) packages+=("${package_packages[@]}") ;;
-    *) fail "unknown argument '$1' (expected nothing, --test or --package)" ;;
+    --fuzz) packages+=("${fuzz_packages[@]}") ;;
+    *) fail "unknown argument '$1' (expected nothing, --test, --fuzz or --package)" ;;
 esac
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then

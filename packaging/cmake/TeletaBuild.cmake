@@ -33,6 +33,10 @@ if(TELETA_SANITIZE)
     if(TELETA_SANITIZE MATCHES "undefined")
         target_compile_options(teleta_options INTERFACE -fno-sanitize-recover=undefined)
     endif()
+    if(TELETA_SANITIZE MATCHES "fuzzer")
+        # Divisions stay where the source has them: their exceptions are trapped.
+        target_compile_options(teleta_options INTERFACE -ffp-exception-behavior=maytrap)
+    endif()
 endif()
 
 # teleta_library(NAME SOURCES a.cpp a.h ... DEPENDS targets ...)

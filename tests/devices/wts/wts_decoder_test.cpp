@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/wts/wts_decoder.h"
-#include "tests/devices/wts/wts_fuzz_target.h"
 #include "tests/devices/wts/wts_messages.h"
+#include "tests/fuzz/fuzz_targets.h"
 
 #include <gtest/gtest.h>
 
@@ -283,7 +283,7 @@ TEST_P(WtsDecoderUnderDamage, keepsItsAccountAndItsCellsForAnyBytes) {
     Mutator mutator(GetParam() + 2000);
     for (int round = 0; round < 20; ++round) {
         const Bytes bytes = mutator.stream(20).bytes;
-        ASSERT_EQ(LLVMFuzzerTestOneInput(bytes.data(), bytes.size()), 0);
+        (void)fuzz::wtsFrames(bytes);
     }
     constexpr std::array<std::uint8_t, 6> kFrequent{0xAA, 0xAA, 0xAA, 0x00, 0x01, 0x05};
     for (int round = 0; round < 2000; ++round) {
@@ -291,11 +291,11 @@ TEST_P(WtsDecoderUnderDamage, keepsItsAccountAndItsCellsForAnyBytes) {
         for (std::uint8_t& byte : bytes)
             byte = mutator.below(3) != 0 ? kFrequent[mutator.below(kFrequent.size())]
                                          : static_cast<std::uint8_t>(mutator.below(256));
-        ASSERT_EQ(LLVMFuzzerTestOneInput(bytes.data(), bytes.size()), 0);
+        (void)fuzz::wtsFrames(bytes);
         // Behind a right header and checksum any bytes are a payload.
         bytes.resize(std::min<std::size_t>(bytes.size(), 250));
         const Bytes message = test::message(mutator.below(2) == 0 ? 0x00 : 0x30, bytes);
-        ASSERT_EQ(LLVMFuzzerTestOneInput(message.data(), message.size()), 0);
+        EXPECT_TRUE(fuzz::wtsFrames(message));
     }
 }
 

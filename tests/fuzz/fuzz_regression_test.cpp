@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What fuzzing once found, and the inputs that it starts from, through the same entries in every test run. A
+// contract that is broken ends the program (fuzz_targets.h).
+#include "tests/backend/core/temporary_folder.h"
+#include "tests/fuzz/fuzz_targets.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+#include <vector>
+
+using teleta::fuzz::Bytes;
+
+namespace {
+
+using Target = bool (*)(Bytes);
+
+const std::map<std::string, Target> kTargets{
+    {"camera_json", teleta::fuzz::cameraJson},
+    {"camera_pairs", teleta::fuzz::cameraPairs},
+    {"contour_csv", teleta::fuzz::contourCsv},
+    {"csv", teleta::fuzz::csv},
+    {"frame_csv", teleta::fuzz::frameCsv},
+    {"hid_reports", teleta::fuzz::hidReports},
+    {"motor_profile", teleta::fuzz::motorProfile},
+    {"motor_recording", teleta::fuzz::motorRecording},
+    {"pattern_export", teleta::fuzz::patternExport},
+    {"pattern_haptic", teleta::fuzz::patternHaptic},
+    {"pattern_haptic_zip", teleta::fuzz::patternHapticZip},
+    {"pattern_hjif", teleta::fuzz::patternHjif},
+    {"pattern_json", teleta::fuzz::patternJson},
+    {"pattern_map", teleta::fuzz::patternMap},
+    {"pattern_recovery", teleta::fuzz::patternRecovery},
+    {"pattern_tact", teleta::fuzz::patternTact},
+    {"register_map", teleta::fuzz::registerMap},
+    {"scene", teleta::fuzz::scene},
+    {"study_protocol", teleta::fuzz::studyProtocol},
+    {"touch_csv", teleta::fuzz::touchCsv},
+    {"trial_csv", teleta::fuzz::trialCsv},
+    {"trial_journal", teleta::fuzz::trialJournal},
+    {"wts_frames", teleta::fuzz::wtsFrames},
+};
+
+struct Input {
+    std::string target;
+    std::string path;
+};
+
+std::vector<Input> inputs(const std::string& kind) {
+    std::vector<Input> found;
+    std::istringstream lines(teleta::test::readAll(TELETA_FUZZ_INPUTS));
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream fields(line);
+        std::string first;
+        Input input;
+        std::getline(fields, first, '\t');
+        std::getline(fields, input.target, '\t');
+        std::getline(fields, input.path);
+        if (first == kind)
+            found.push_back(input);
+    }
+    return found;
+}
+
+bool isAccepted(const Input& input) {
+    const std::string bytes = teleta::test::readAll(input.path);
+    return kTargets.at(input.target)({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+}
+
+std::string nameOf(const testing::TestParamInfo<Input>& info) {
+    std::string name = info.param.target + '_' + info.param.path.substr(info.param.path.rfind('/') + 1);
+    std::replace_if(
+        name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+    return name;
+}
+
+class Seed : public testing::TestWithParam<Input> {};
+class Regression : public testing::TestWithParam<Input> {};
+
+} // namespace
+
+TEST_P(Seed, isAcceptedSoThatFuzzingBeginsBehindTheFirstCheck) {
+    EXPECT_TRUE(isAccepted(GetParam()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Fuzzing, Seed, testing::ValuesIn(inputs("seed")), nameOf);
+
+TEST_P(Regression, keepsTheContractOfItsParser) {
+    (void)isAccepted(GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(Fuzzing, Regression, testing::ValuesIn(inputs("regression")), nameOf);
+
+TEST(EveryParser, hasASeed) {
+    const std::vector<Input> seeds = inputs("seed");
+    for (const auto& [name, target] : kTargets)
+        EXPECT_TRUE(std::any_of(seeds.begin(), seeds.end(), [&](const Input& seed) {
+            return seed.target == name;
+        })) << name;
+}
+
+TEST(EveryParser, refusesNothingAtAllAndNoise) {
+    std::string noise;
+    for (unsigned k = 0; k < 300; ++k)
+        noise += static_cast<char>((k * 2654435761U) >> 24U);
+    for (const auto& [name, target] : kTargets) {
+        for (const std::string& bytes : {std::string(), std::string(1, '\0'), noise}) {
+            const bool accepted = target({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+            // One character is the header of a table without rows.
+            EXPECT_EQ(accepted, name == "csv" && bytes.size() == 1)
+                << name << ", " << bytes.size() << " bytes";
+        }
+    }
+}

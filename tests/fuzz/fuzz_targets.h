@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+/// The parsers with everything behind them that a file reaches, as functions of bytes: coverage-guided
+/// fuzzing (packaging/fuzz.sh) and the replay of kept inputs (fuzz_regression_test.cpp) enter here. Each
+/// returns whether the bytes were accepted, and ends the program when an answer breaks its contract: an error
+/// without a text or with a wrong place, a value out of range, something that is not read back as it was
+/// written, an invalid operation or a division by zero in the numerics behind the parser. Thread: one.
+namespace teleta::fuzz {
+
+using Bytes = std::span<const std::uint8_t>;
+
+// Readers of tables.
+bool csv(Bytes bytes);
+bool frameCsv(Bytes bytes);
+bool contourCsv(Bytes bytes);
+bool touchCsv(Bytes bytes);
+bool cameraPairs(Bytes bytes);
+bool motorRecording(Bytes bytes);
+bool trialCsv(Bytes bytes);
+
+// Patterns.
+bool patternJson(Bytes bytes);
+bool patternExport(Bytes bytes); ///< own format in, every other format out
+bool patternHjif(Bytes bytes);
+bool patternHaptic(Bytes bytes);
+bool patternHapticZip(Bytes bytes);
+bool patternTact(Bytes bytes);
+bool patternMap(Bytes bytes);
+bool patternRecovery(Bytes bytes);
+
+// Other documents.
+bool scene(Bytes bytes);
+bool studyProtocol(Bytes bytes);
+bool trialJournal(Bytes bytes);
+bool cameraJson(Bytes bytes);
+bool motorProfile(Bytes bytes);
+bool registerMap(Bytes bytes);
+
+// What devices send.
+bool wtsFrames(Bytes bytes);
+bool hidReports(Bytes bytes);
+
+[[nodiscard]] inline std::string textOf(Bytes bytes) {
+    return {bytes.begin(), bytes.end()};
+}
+
+} // namespace teleta::fuzz
