@@ -179,6 +179,13 @@ void SimulatedTube::next(const TubeVelocity& asked, cv::Mat1b& frame) {
     expose(moments, frame);
 }
 
+void SimulatedTube::restart() {
+    m_frame = 0;
+    m_arm = CarrierArm(m_world.limits);
+    for (std::size_t i = 0; i < m_motions.size(); ++i)
+        m_truth[i] = fingerAt(i, 0.0);
+}
+
 void SimulatedTube::untouched(cv::Mat1b& frame) {
     expose({{}}, frame);
 }

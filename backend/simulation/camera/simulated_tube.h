@@ -37,6 +37,8 @@ public:
 
     /// Moves on by one frame, the arm with this velocity asked for, and takes the image.
     void next(const TubeVelocity& asked, cv::Mat1b& frame);
+    /// Begins the scene anew: fingers and arm are where they were at the start. Noise goes on.
+    void restart();
     /// An image of the tube with nothing touching it; moves nothing.
     void untouched(cv::Mat1b& frame);
     /// An image under these presses; moves nothing.

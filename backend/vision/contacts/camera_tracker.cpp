@@ -27,6 +27,7 @@ core::Expected<std::vector<FollowedContact>> CameraTracker::next(const cv::Mat1b
             return core::Unexpected(taken.error());
         }
         m_hasReference = true;
+        m_reference = frame.clone();
         m_last_s = time_s;
         return std::vector<FollowedContact>();
     }
@@ -47,6 +48,20 @@ core::Expected<std::vector<FollowedContact>> CameraTracker::next(const cv::Mat1b
     const std::vector<FollowedContact>& followed = m_identities.update(std::move(*found), time_s, period_s);
     m_bump = m_bumps.update(followed);
     return followed;
+}
+
+void CameraTracker::forget() {
+    m_finder->forget();
+    m_identities.forget();
+}
+
+core::Expected<void> CameraTracker::changeFinder(std::unique_ptr<ContactFinder> finder) {
+    if (m_hasReference) {
+        if (const auto taken = finder->setReference(m_reference); !taken)
+            return taken;
+    }
+    m_finder = std::move(finder);
+    return {};
 }
 
 void CameraTracker::renewReference() {

@@ -32,6 +32,11 @@ public:
     [[nodiscard]] core::Expected<std::vector<FollowedContact>> next(const cv::Mat1b& frame, double time_s);
     /// The next frame is a new reference.
     void renewReference();
+    /// The stream has jumped: all contacts of the next frame are new, the reference stays.
+    void forget();
+    /// Goes on with another finder, which takes over the reference; contacts keep their identities. Error:
+    /// that of the finder; the former one then stays. finder: not null, for images of the same size.
+    [[nodiscard]] core::Expected<void> changeFinder(std::unique_ptr<ContactFinder> finder);
 
     [[nodiscard]] bool hasReference() const { return m_hasReference; }
     /// The bump of the newest frame.
@@ -49,6 +54,7 @@ private:
     BumpDetector m_bumps;
     std::optional<BumpDetector::Bump> m_bump;
     bool m_hasReference = false;
+    cv::Mat1b m_reference;
     std::optional<double> m_last_s;
     std::uint64_t m_frames = 0;
     std::uint64_t m_unusable = 0;

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/simulation/camera/tube_camera.h"
+
+#include "backend/simulation/camera/simulated_tube.h"
+
+#include <cmath>
+#include <utility>
+
+namespace teleta::simulation {
+
+namespace {
+
+/// Standard deviation of a pixel that an exact camera is told to have, so that its points have one.
+constexpr double kPixelNoise_px = 0.5;
+
+class TubeCameraGenerator : public core::CameraGenerator {
+public:
+    TubeCameraGenerator(const scene::Scene& scene, std::unique_ptr<SimulatedTube> tube,
+                        std::shared_ptr<CarrierLink> link)
+        : m_tube(std::move(tube))
+        , m_link(std::move(link))
+        , m_end_s(scene.duration_s + kCarrierPause_s)
+        , m_commandFrames(std::max(1, static_cast<int>(std::ceil(kCarrierCommand_s * scene.rate_Hz))))
+        , m_description{.name = scene.name, .nominalRate_Hz = scene.rate_Hz, .simulated = true} {}
+
+    [[nodiscard]] const core::CameraDescription& description() const override { return m_description; }
+
+    bool next(core::GreyImage& image, bool held) override {
+        auto frame = std::make_shared<cv::Mat1b>();
+        const bool anew = !held && m_tube->time_s() >= m_end_s;
+        if (anew) {
+            m_tube->restart();
+            m_asked = {};
+            m_commandAge = m_commandFrames;
+            ++m_restarts;
+        }
+        if (!m_started)
+            m_tube->untouched(*frame);
+        else
+            move(*frame, held);
+        m_started = true;
+        m_link->state.set({.pose = m_tube->arm().pose(),
+                           .held = held || m_commandAge >= m_commandFrames,
+                           .restarts = m_restarts});
+        image.width_px = frame->cols;
+        image.height_px = frame->rows;
+        image.pixels = {frame, frame->data};
+        ++m_frames;
+        return anew;
+    }
+
+    [[nodiscard]] double time_s() const override {
+        return static_cast<double>(m_frames) / m_description.nominalRate_Hz;
+    }
+
+private:
+    void move(cv::Mat1b& frame, bool held) {
+        auto asked = m_link->asked.take();
+        if (held) {
+            // What was asked for before is not to move the arm once it is free again.
+            m_commandAge = m_commandFrames;
+        } else if (asked) {
+            m_asked = *asked;
+            m_commandAge = 0;
+        } else if (m_commandAge < m_commandFrames) {
+            ++m_commandAge;
+        }
+        m_tube->next(m_commandAge < m_commandFrames ? m_asked : TubeVelocity(), frame);
+    }
+
+    std::unique_ptr<SimulatedTube> m_tube;
+    std::shared_ptr<CarrierLink> m_link;
+    double m_end_s;
+    int m_commandFrames;
+    core::CameraDescription m_description;
+    TubeVelocity m_asked;
+    int m_commandAge = 0; ///< frames since the newest command
+    bool m_started = false;
+    std::uint64_t m_restarts = 0;
+    std::uint64_t m_frames = 0;
+};
+
+} // namespace
+
+core::Expected<TubeCameraSource> makeTubeCamera(const scene::Scene& scene, std::uint64_t seed,
+                                                std::shared_ptr<CarrierLink> link) {
+    auto tube = SimulatedTube::make(scene, seed);
+    if (!tube)
+        return core::Unexpected(tube.error());
+    const vision::CylinderCamera& exact = (*tube)->camera();
+    const vision::CylinderCamera camera(exact.camera(), exact.surface(), exact.covariance(), kPixelNoise_px);
+    return TubeCameraSource{std::make_unique<TubeCameraGenerator>(scene, std::move(*tube), std::move(link)),
+                            camera};
+}
+
+} // namespace teleta::simulation

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/camera_source.h"
+#include "backend/core/error.h"
+#include "backend/scene/scene.h"
+#include "backend/simulation/camera/carrier_link.h"
+#include "backend/vision/cylinder_projection.h"
+
+#include <cstdint>
+#include <memory>
+
+namespace teleta::simulation {
+
+/// A command moves the carrier for so long; then the arm brakes until it is commanded again.
+inline constexpr double kCarrierCommand_s = 0.1;
+/// How long a scene that has come to its end stands before it begins anew.
+inline constexpr double kCarrierPause_s = 1.0;
+
+/// The camera of a scene with a soft tube, and the arm that carries it as somebody else commands it by the
+/// link. The first frame shows the tube untouched. When the scene has come to its end it begins anew, but not
+/// while it is held. Deterministic while nobody commands the arm.
+struct TubeCameraSource {
+    std::unique_ptr<core::CameraGenerator> generator;
+    vision::CylinderCamera camera;
+};
+/// link: not null. Error: badInput when the scene is not valid or not of a camera.
+[[nodiscard]] core::Expected<TubeCameraSource> makeTubeCamera(const scene::Scene& scene, std::uint64_t seed,
+                                                              std::shared_ptr<CarrierLink> link);
+
+} // namespace teleta::simulation
