@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/camera_source.h"
+#include "devices/simulated/simulated_camera_worker.h"
+
+#include <memory>
+#include <thread>
+
+namespace teleta::simulated {
+
+/// A simulated camera that behaves like a connected one: frames in real time, and faults on demand.
+///   connecting -> live; unplugged: lost -> reconnecting -> connecting; stop(): closed
+/// Whether its newest frame is stale is for the reader to see (core::observedState). While STOP is engaged
+/// what carries the camera stands still and frames go on.
+/// Thread: start, stop from one controlling thread, setFaults from any; otherwise as core::CameraSource.
+class SimulatedCameraDevice : public core::CameraSource {
+public:
+    /// generator: not null, with a rate above 0. stopSwitch must outlive the device.
+    SimulatedCameraDevice(std::unique_ptr<core::CameraGenerator> generator,
+                          const core::StopSwitch& stopSwitch, SimulatedCameraConfig config = {});
+    ~SimulatedCameraDevice() override;
+
+    [[nodiscard]] const core::CameraDescription& description() const override {
+        return m_worker.description();
+    }
+    void start(core::Wakeup& consumer) override;
+    void stop() override;
+    bool pop(core::CameraFrame& frame) override { return m_worker.frames().pop(frame); }
+    [[nodiscard]] core::DeviceStatus status() const override { return m_worker.status(); }
+
+    void setFaults(const SimulatedFaults& faults) { m_worker.setFaults(faults); }
+    [[nodiscard]] SimulatedFaults faults() const { return m_worker.faults(); }
+
+private:
+    SimulatedCameraWorker m_worker;
+    std::jthread m_thread;
+};
+
+} // namespace teleta::simulated
