@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pipeline/touch_pipeline.h"
 
+#include "backend/pipeline/camera_channel.h"
+
 #include <algorithm>
 #include <chrono>
 #include <utility>
@@ -25,12 +27,20 @@ TouchPipeline::~TouchPipeline() {
 }
 
 void TouchPipeline::Entry::start(core::Wakeup& data) const {
+    if (camera) {
+        camera->start();
+        return;
+    }
     channel->source().start(data);
     if (arm)
         arm->device().start(data);
 }
 
 void TouchPipeline::Entry::stop() const {
+    if (camera) {
+        camera->stop();
+        return;
+    }
     if (arm)
         arm->device().stop();
     channel->source().stop();
@@ -39,7 +49,7 @@ void TouchPipeline::Entry::stop() const {
 void TouchPipeline::Entry::process() const {
     if (arm)
         arm->process(); // and its skin with it
-    else
+    else if (channel)
         channel->process();
 }
 
@@ -94,13 +104,15 @@ void TouchPipeline::carryOut(Request& request) {
     if (request.factory) {
         auto opened = request.factory();
         if (opened) {
-            event.channel =
-                std::make_shared<TouchChannel>(std::move(opened->source), std::move(opened->settings));
+            event.camera = std::move(opened->camera);
+            if (!event.camera)
+                event.channel =
+                    std::make_shared<TouchChannel>(std::move(opened->source), std::move(opened->settings));
             if (opened->arm)
                 event.arm =
                     std::make_shared<ArmChannel>(std::move(opened->arm), event.channel, opened->armSettings);
             event.servo = std::move(opened->servo);
-            const Entry entry{request.key, event.channel, event.arm};
+            const Entry entry{request.key, event.channel, event.arm, event.camera};
             {
                 const std::scoped_lock lock(m_channelMutex);
                 m_channels.push_back(entry);

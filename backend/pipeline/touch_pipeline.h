@@ -17,16 +17,19 @@
 
 namespace teleta::pipeline {
 
+class CameraChannel;
+
 using ChannelKey = std::uint64_t;
 
 /// A source that was opened, with the settings that its frames start with. With an arm, the source is the
-/// arm's skin.
+/// arm's skin. A camera is none of these: it has its channel, and no source.
 struct OpenedSource {
     std::unique_ptr<core::TactileSource> source;
     ChannelSettings settings;
     std::unique_ptr<core::ArmSource> arm = nullptr; ///< null for an array on its own
     ArmSettings armSettings = {};
     std::shared_ptr<servo::ServoLink> servo = nullptr; ///< of the servo that moves the array; null: none
+    std::shared_ptr<CameraChannel> camera = nullptr;   ///< null unless the source is a camera
 };
 
 /// Opens a source: reads files, connects to a device. Runs on the pipeline's control thread and may take its
@@ -38,15 +41,16 @@ struct ChannelEvent {
     enum class Kind { opened, failed, closed };
     Kind kind = Kind::opened;
     ChannelKey key = 0;
-    std::shared_ptr<TouchChannel> channel;   ///< with opened
+    std::shared_ptr<TouchChannel> channel;   ///< with opened, unless it is a camera
     std::shared_ptr<ArmChannel> arm;         ///< with opened, when the source is the skin of an arm
     std::shared_ptr<servo::ServoLink> servo; ///< with opened, when a servo moves the array
+    std::shared_ptr<CameraChannel> camera;   ///< with opened, when the source is a camera
     core::Error error;                       ///< with failed
 };
 
 /// The running system: opens and closes sources on a control thread, processes what they deliver on one
-/// pipeline thread. No call waits for a device; what became of a request comes back as an event. Thread:
-/// open, close and takeEvents from one controlling thread (the GUI's).
+/// pipeline thread; a camera has a thread of its own. No call waits for a device; what became of a request
+/// comes back as an event. Thread: open, close and takeEvents from one controlling thread (the GUI's).
 class TouchPipeline {
 public:
     TouchPipeline();
@@ -73,7 +77,8 @@ private:
     struct Entry {
         ChannelKey key = 0;
         std::shared_ptr<TouchChannel> channel;
-        std::shared_ptr<ArmChannel> arm; ///< null for an array on its own
+        std::shared_ptr<ArmChannel> arm;       ///< null for an array on its own
+        std::shared_ptr<CameraChannel> camera; ///< alone
 
         void start(core::Wakeup& data) const;
         void stop() const;

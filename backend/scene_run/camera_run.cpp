@@ -3,6 +3,7 @@
 
 #include "backend/core/csv_writer.h"
 #include "backend/scene_run/reacting_arm.h"
+#include "backend/scene_run/scene_reaction.h"
 #include "backend/simulation/camera/simulated_tube.h"
 #include "backend/vision/contacts/camera_tracker.h"
 #include "backend/vision/contacts/contact_ladder.h"
@@ -158,13 +159,6 @@ private:
     double m_angleError_rad = 0.0;
     double m_axialError_m = 0.0;
 };
-
-vision::CameraTracker::Settings trackerSettings(const scene::CameraWorld& world) {
-    vision::CameraTracker::Settings settings;
-    if (const auto* bump = std::get_if<scene::BumpReaction>(&world.reaction))
-        settings.bump = {.speed_mPerS = bump->speed_mPerS, .depth_m = bump->depth_m};
-    return settings;
-}
 
 core::Expected<void> writeImage(const std::string& path, const cv::Mat1b& image) {
     bool written = false;

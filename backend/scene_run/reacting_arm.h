@@ -23,6 +23,8 @@ public:
 
     /// The arm was stopped by a bump.
     [[nodiscard]] bool stopped() const { return m_retreat.has_value(); }
+    /// Identity of the contact that is followed; 0: none.
+    [[nodiscard]] int followed() const { return m_followed; }
 
 private:
     struct Retreat {

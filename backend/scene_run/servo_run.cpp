@@ -21,8 +21,8 @@ namespace {
 constexpr std::uint64_t kCyclesBetweenReports = 1024;
 
 core::Expected<void> writePoints(const std::string& path, const std::vector<Eigen::Vector3d>& points_m) {
-    constexpr std::array<std::string_view, 3> kColumns{"x_m", "y_m", "z_m"};
-    core::Expected<core::CsvWriter> csv = core::CsvWriter::create(path, kColumns);
+    constexpr std::array<std::string_view, 3> kPointColumns{"x_m", "y_m", "z_m"};
+    core::Expected<core::CsvWriter> csv = core::CsvWriter::create(path, kPointColumns);
     if (!csv)
         return core::Unexpected(csv.error());
     for (const Eigen::Vector3d& point_m : points_m) {

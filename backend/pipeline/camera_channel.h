@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/bounded_queue.h"
+#include "backend/core/camera_source.h"
+#include "backend/core/latest_exchange.h"
+#include "backend/core/mailbox.h"
+#include "backend/core/rate_meter.h"
+#include "backend/core/stop_switch.h"
+#include "backend/core/wakeup.h"
+#include "backend/pipeline/camera_snapshot.h"
+#include "backend/vision/contacts/contact_ladder.h"
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <thread>
+
+namespace teleta::pipeline {
+
+/// One camera in the soft tube in the running system. Its frames are worked on by a thread of its own, since
+/// one of them takes as long as hundreds of an array's. The newest frame wins; those that were passed over
+/// are counted.
+///
+/// Three sides:
+/// - controlling thread: start(), stop();
+/// - viewer (one thread, the GUI's): update(), snapshot(), popEvent(), chooseRung(), renewReference(),
+///   setMayReact();
+/// - any thread: description(), status(), counters.
+class CameraChannel {
+public:
+    static constexpr int kPreview_px = 820;
+    static constexpr std::size_t kArrows = 600;
+    static constexpr std::size_t kHistoryEvents = 1024;
+    /// Without a frame for so long, the arm is told to stand.
+    static constexpr double kLongestGap_s = 0.25;
+
+    struct Settings {
+        vision::CameraTracker::Settings tracker;
+        vision::ContactSettings contacts;
+    };
+
+    /// source: not null. reaction: null when no arm reacts. stop: outlives the channel.
+    /// Error: refused when the default rung cannot work with this camera.
+    [[nodiscard]] static core::Expected<std::shared_ptr<CameraChannel>>
+    make(std::unique_ptr<core::CameraSource> source, const vision::CylinderCamera& camera,
+         const core::StopSwitch& stop, std::unique_ptr<CameraReaction> reaction, const Settings& settings);
+    [[nodiscard]] static core::Expected<std::shared_ptr<CameraChannel>>
+    make(std::unique_ptr<core::CameraSource> source, const vision::CylinderCamera& camera,
+         const core::StopSwitch& stop) {
+        return make(std::move(source), camera, stop, nullptr, {});
+    }
+    ~CameraChannel();
+    CameraChannel(const CameraChannel&) = delete;
+    CameraChannel& operator=(const CameraChannel&) = delete;
+
+    void start();
+    /// Ends source and vision, and lets the arm stand. Idempotent.
+    void stop();
+
+    [[nodiscard]] const core::CameraDescription& description() const { return m_source->description(); }
+    [[nodiscard]] core::DeviceStatus status() const { return m_source->status(); }
+    [[nodiscard]] core::CameraSource& source() { return *m_source; }
+    [[nodiscard]] bool hasReaction() const { return m_reaction != nullptr; }
+    [[nodiscard]] std::uint64_t framesProcessed() const {
+        return m_processed.load(std::memory_order_relaxed);
+    }
+
+    /// Fetches the newest snapshot; true when it changed. Viewer thread.
+    bool update() { return m_snapshots.update(); }
+    [[nodiscard]] const CameraSnapshot& snapshot() const { return m_snapshots.front(); }
+    /// 0 until the first frame has been processed.
+    [[nodiscard]] std::uint64_t generation() const { return m_snapshots.generation(); }
+    bool popEvent(CameraEvent& event) { return m_events.pop(event); }
+
+    /// Another rung of the ladder from the next frame on; an unknown name changes nothing.
+    void chooseRung(const std::string& name);
+    /// The next frame shows the skin untouched.
+    void renewReference();
+    /// STOP takes the permission away until it is given again.
+    void setMayReact(bool mayReact);
+
+private:
+    CameraChannel(std::unique_ptr<core::CameraSource> source, const vision::CylinderCamera& camera,
+                  const core::StopSwitch& stop, std::unique_ptr<CameraReaction> reaction,
+                  const Settings& settings, std::unique_ptr<vision::ContactFinder> finder);
+    void run(const std::stop_token& stop);
+    void takeWishes();
+    void process(const core::CameraFrame& frame);
+    void locate(CameraSnapshot& snapshot) const;
+    void report(const std::vector<vision::FollowedContact>& contacts);
+    void addEvent(CameraEvent event);
+    [[nodiscard]] bool mayReact();
+
+    std::unique_ptr<core::CameraSource> m_source;
+    vision::CylinderCamera m_camera;
+    const core::StopSwitch& m_stop;
+    std::unique_ptr<CameraReaction> m_reaction;
+    Settings m_settings;
+    core::Wakeup m_data;
+    core::LatestExchange<CameraSnapshot> m_snapshots;
+    core::BoundedQueue<CameraEvent> m_events{kHistoryEvents};
+    core::Mailbox<std::string> m_rungs;
+    std::atomic<bool> m_referenceWanted{false};
+    std::atomic<bool> m_mayReact{true};
+    std::atomic<std::uint64_t> m_processed{0};
+
+    // The vision thread's own.
+    vision::CameraTracker m_tracker;
+    const vision::ContactRung* m_rung;
+    core::RateMeter m_rate;
+    std::string m_rungProblem;
+    core::GreyImage m_lastImage, m_lastPreview;
+    std::int64_t m_first_ns = 0;
+    std::int64_t m_newest_ns = 0; ///< time of the newest frame
+    double m_offset_s = 0.0;      ///< from the source's time to that of the snapshots
+    double m_time_s = 0.0;
+    std::uint64_t m_passedOver = 0;
+    CarrierReport::Doing m_doing = CarrierReport::Doing::stands;
+
+    std::jthread m_thread;
+};
+
+} // namespace teleta::pipeline

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/core/steady_time.h"
+#include "backend/pipeline/camera_channel.h"
+#include "backend/scene_run/scene_reaction.h"
+#include "backend/simulation/camera/tube_camera.h"
+#include "tests/backend/simulation/camera/camera_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <thread>
+#include <vector>
+
+using namespace teleta;
+using namespace std::chrono_literals;
+using pipeline::CameraChannel;
+using pipeline::CameraEvent;
+using pipeline::CarrierReport;
+
+namespace {
+
+/// A camera whose frames come when the test says so.
+class SteppedCamera : public core::CameraSource {
+public:
+    explicit SteppedCamera(std::unique_ptr<core::CameraGenerator> generator)
+        : m_generator(std::move(generator)) {}
+    [[nodiscard]] const core::CameraDescription& description() const override {
+        return m_generator->description();
+    }
+    void start(core::Wakeup& consumer) override { m_consumer = &consumer; }
+    void stop() override {}
+    bool pop(core::CameraFrame& frame) override { return m_frames.pop(frame); }
+    [[nodiscard]] core::DeviceStatus status() const override { return {}; }
+
+    /// Makes so many frames and hands them over together.
+    void step(int frames, bool held = false, bool damaged = false) {
+        for (int i = 0; i < frames; ++i) {
+            core::CameraFrame frame;
+            frame.discontinuity = m_generator->next(frame.image, held) || m_cut;
+            m_cut = false;
+            if (damaged)
+                frame.image = {};
+            frame.capture_s = m_generator->time_s();
+            frame.time_ns = m_start_ns + static_cast<std::int64_t>(frame.capture_s * 1e9);
+            frame.number = m_number++;
+            m_frames.push(std::move(frame));
+        }
+        m_consumer->notify();
+    }
+    void cut() { m_cut = true; }
+
+private:
+    std::unique_ptr<core::CameraGenerator> m_generator;
+    core::BoundedQueue<core::CameraFrame> m_frames{64};
+    core::Wakeup* m_consumer = nullptr;
+    std::uint64_t m_number = 0;
+    /// However slowly the test goes, no frame is late.
+    std::int64_t m_start_ns = core::steadyNow_ns() + 3'600'000'000'000;
+    bool m_cut = false;
+};
+
+scene::Scene smallScene(const scene::Reaction& reaction, std::vector<scene::FingerKeyframe> keyframes) {
+    scene::Scene scene = test::cameraScene(false);
+    scene::CameraWorld& world = std::get<scene::CameraWorld>(scene.world);
+    world.camera.width_px = 820;
+    world.camera.height_px = 616;
+    world.camera.focalLength_px = 293.5;
+    world.skin.dragPerDepth = 0.3;
+    scene::Finger finger;
+    finger.name = "finger";
+    finger.keyframes = std::move(keyframes);
+    world.fingers.push_back(finger);
+    world.reaction = reaction;
+    scene.duration_s = finger.keyframes.back().time_s;
+    return scene;
+}
+
+class LiveCamera : public testing::Test {
+protected:
+    void open(const scene::Scene& scene) {
+        auto made = simulation::makeTubeCamera(scene, 1, m_link);
+        ASSERT_TRUE(made);
+        const scene::CameraWorld& world = scene.camera();
+        auto source = std::make_unique<SteppedCamera>(std::move(made->generator));
+        m_source = source.get();
+        std::unique_ptr<pipeline::CameraReaction> reaction;
+        if (!std::holds_alternative<scene::NoReaction>(world.reaction))
+            reaction = std::make_unique<scene_run::SceneReaction>(world, m_link);
+        auto channel = CameraChannel::make(std::move(source), made->camera, m_stop, std::move(reaction),
+                                           {.tracker = scene_run::trackerSettings(world), .contacts = {}});
+        ASSERT_TRUE(channel);
+        m_channel = *channel;
+        m_channel->start();
+    }
+    /// Lets frames come one by one, each after the one before was worked on.
+    void run(int frames, bool held = false, bool damaged = false) {
+        for (int i = 0; i < frames; ++i) {
+            const std::uint64_t before = m_channel->framesProcessed();
+            m_source->step(1, held, damaged);
+            ASSERT_TRUE(processed(before + 1));
+            m_channel->update();
+            CameraEvent event;
+            while (m_channel->popEvent(event))
+                m_events.push_back(event);
+        }
+    }
+    bool processed(std::uint64_t frames) {
+        for (int i = 0; i < 20'000 && m_channel->framesProcessed() < frames; ++i)
+            std::this_thread::sleep_for(1ms);
+        // The count goes up before the snapshot is there.
+        for (int i = 0; i < 20'000 && !m_channel->update() && m_channel->snapshot().processed < frames; ++i)
+            std::this_thread::sleep_for(1ms);
+        return m_channel->snapshot().processed >= frames;
+    }
+    [[nodiscard]] const pipeline::CameraSnapshot& snapshot() const { return m_channel->snapshot(); }
+    [[nodiscard]] long eventsOf(CameraEvent::Kind kind) const {
+        return std::ranges::count(m_events, kind, &CameraEvent::kind);
+    }
+
+    core::StopSwitch m_stop;
+    std::shared_ptr<simulation::CarrierLink> m_link = std::make_shared<simulation::CarrierLink>();
+    SteppedCamera* m_source = nullptr;
+    std::shared_ptr<CameraChannel> m_channel;
+    std::vector<CameraEvent> m_events;
+};
+
+/// A tool that pokes at 50 mm/s, 3 mm deep if nothing gives way.
+scene::Scene poke() {
+    return smallScene(scene::BumpReaction{},
+                      {{0.0, 0.8, 0.03, -0.015}, {0.36, 0.8, 0.03, 0.003}, {2.0, 0.8, 0.03, 0.003}});
+}
+
+/// A finger that goes round the tube by a radian.
+scene::Scene leadRound() {
+    return smallScene(scene::FollowReaction{.gain_perS = 10.0}, {{0.0, 0.4, 0.03, -0.003},
+                                                                 {0.4, 0.4, 0.03, 0.0012},
+                                                                 {0.6, 0.4, 0.03, 0.0012},
+                                                                 {1.8, 1.4, 0.03, 0.0012},
+                                                                 {2.6, 1.4, 0.03, 0.0012}});
+}
+
+} // namespace
+
+TEST_F(LiveCamera, drawsBackFromABumpByTheSceneSWayAlongTheInwardNormal) {
+    open(poke());
+    run(60);
+    EXPECT_EQ(eventsOf(CameraEvent::Kind::reference), 1);
+    EXPECT_EQ(eventsOf(CameraEvent::Kind::bumps), 1);
+    ASSERT_TRUE(snapshot().carrier);
+    const Eigen::Vector3d way_m = snapshot().carrier->X_Base_Sensor.translation();
+    EXPECT_NEAR(way_m.norm(), 0.030, 0.001);
+    // Away from the tool, which comes from 0.8 rad.
+    EXPECT_LT(std::abs(std::remainder(std::atan2(way_m.y(), way_m.x()) - (0.8 + std::numbers::pi),
+                                      2.0 * std::numbers::pi)),
+              0.05);
+    EXPECT_EQ(snapshot().carrier->doing, CarrierReport::Doing::stands);
+}
+
+TEST_F(LiveCamera, followsAFingerRoundTheTube) {
+    open(leadRound());
+    run(100);
+    EXPECT_EQ(eventsOf(CameraEvent::Kind::follows), 1);
+    ASSERT_TRUE(snapshot().carrier);
+    EXPECT_EQ(snapshot().carrier->doing, CarrierReport::Doing::follows);
+    const Eigen::Matrix3d& turn = snapshot().carrier->X_Base_Sensor.linear();
+    EXPECT_NEAR(std::atan2(turn(1, 0), turn(0, 0)), 1.0, 0.05);
+}
+
+TEST_F(LiveCamera, stopHoldsTheArmUntilItIsAllowedAgain) {
+    open(leadRound());
+    run(40);
+    m_stop.engage();
+    run(8, true);
+    EXPECT_EQ(snapshot().carrier->doing, CarrierReport::Doing::held);
+    EXPECT_FALSE(snapshot().mayReact);
+    const Eigen::Matrix3d stopped = m_channel->snapshot().carrier->X_Base_Sensor.linear();
+    m_stop.release();
+    run(8);
+    EXPECT_FALSE(snapshot().mayReact) << "releasing STOP lets nothing move";
+    EXPECT_EQ(snapshot().carrier->X_Base_Sensor.linear(), stopped);
+    m_channel->setMayReact(true);
+    run(8);
+    EXPECT_EQ(snapshot().carrier->doing, CarrierReport::Doing::follows);
+    EXPECT_NE(snapshot().carrier->X_Base_Sensor.linear(), stopped);
+}
+
+TEST_F(LiveCamera, theNewestFrameWinsAndTheOthersAreCounted) {
+    open(poke());
+    run(1);
+    m_source->step(5);
+    for (int i = 0; i < 20'000 && snapshot().frame < 5; ++i) {
+        std::this_thread::sleep_for(1ms);
+        m_channel->update();
+    }
+    EXPECT_EQ(snapshot().frame, 5U);
+    EXPECT_EQ(snapshot().processed - 1 + snapshot().passedOver, 5U);
+}
+
+TEST_F(LiveCamera, aFrameThatDoesNotDecodeIsToldAndThePictureStays) {
+    open(poke());
+    run(2);
+    const auto* shown = snapshot().image.pixels.get();
+    ASSERT_NE(shown, nullptr);
+    run(1, false, true);
+    EXPECT_FALSE(snapshot().usable);
+    EXPECT_EQ(snapshot().problem, "The frame could not be decoded.");
+    EXPECT_EQ(snapshot().unusable, 1U);
+    EXPECT_EQ(snapshot().image.pixels.get(), shown);
+    run(1);
+    EXPECT_TRUE(snapshot().usable);
+    EXPECT_TRUE(snapshot().problem.empty());
+}
+
+TEST_F(LiveCamera, aDamagedFirstFrameIsNoReferenceAndTheNextOneIs) {
+    open(poke());
+    run(1, false, true);
+    EXPECT_FALSE(snapshot().hasReference);
+    run(1);
+    EXPECT_TRUE(snapshot().hasReference);
+}
+
+TEST_F(LiveCamera, anotherRungGoesOnWithTheSameContacts) {
+    scene::Scene scene = poke();
+    std::get<scene::CameraWorld>(scene.world).reaction = scene::NoReaction{};
+    open(scene);
+    run(30);
+    ASSERT_EQ(snapshot().contacts.size(), 1U);
+    const int id = snapshot().contacts.front().contact.id;
+    EXPECT_EQ(snapshot().rung, "dots");
+    m_channel->chooseRung("fast-1");
+    m_channel->chooseRung("no such rung");
+    run(1);
+    EXPECT_EQ(snapshot().rung, "dots") << "the newest wish counts, and it is none";
+    m_channel->chooseRung("fast-1");
+    run(2);
+    EXPECT_EQ(snapshot().rung, "fast-1");
+    // Dense flow sees more than the dots do in so small an image; the contact is still the same one.
+    EXPECT_TRUE(std::ranges::any_of(snapshot().contacts, [id](const vision::FollowedContact& followed) {
+        return followed.contact.id == id && followed.seen;
+    }));
+    EXPECT_GT(snapshot().stage_ns[1], 0);
+}
+
+TEST_F(LiveCamera, vectorsAndContactsLieOnTheSkinAndCarryAStandardDeviation) {
+    open(poke());
+    run(18);
+    ASSERT_GT(snapshot().vectors.size(), 100U);
+    double near_m = 0.0;
+    double far_m = 0.0;
+    for (const pipeline::SkinVector& vector : snapshot().vectors) {
+        EXPECT_NEAR(vector.p_Sensor_m.head<2>().norm(), 0.025, 1e-9);
+        EXPECT_NEAR(vector.p_Sensor_m.head<2>().dot(vector.displacement_m.head<2>()), 0.0, 1e-9);
+        ASSERT_GT(vector.sd_m, 0.0);
+        if (vector.p_Sensor_m.z() < 0.02)
+            near_m = std::max(near_m, vector.sd_m);
+        if (vector.p_Sensor_m.z() > 0.08)
+            far_m = std::max(far_m, vector.sd_m);
+    }
+    EXPECT_GT(far_m, 2.0 * near_m) << "it grows toward the far end";
+    ASSERT_EQ(snapshot().covariances_m2.size(), snapshot().contacts.size());
+}
+
+TEST_F(LiveCamera, aCutInTheStreamBeginsContactsAnewAndTimeGoesOn) {
+    scene::Scene scene = poke();
+    std::get<scene::CameraWorld>(scene.world).reaction = scene::NoReaction{};
+    open(scene);
+    run(30);
+    ASSERT_EQ(snapshot().contacts.size(), 1U);
+    const int id = snapshot().contacts.front().contact.id;
+    const double before_s = snapshot().time_s;
+    m_source->cut();
+    run(1);
+    EXPECT_GT(snapshot().time_s, before_s);
+    ASSERT_EQ(snapshot().contacts.size(), 1U);
+    EXPECT_GT(snapshot().contacts.front().contact.id, id);
+    EXPECT_EQ(eventsOf(CameraEvent::Kind::restart), 1);
+}
+
+TEST_F(LiveCamera, aNewReferenceForgetsWhatPressesNow) {
+    scene::Scene scene = poke();
+    std::get<scene::CameraWorld>(scene.world).reaction = scene::NoReaction{};
+    open(scene);
+    run(30);
+    ASSERT_EQ(snapshot().contacts.size(), 1U);
+    m_channel->renewReference();
+    run(3);
+    EXPECT_TRUE(snapshot().contacts.empty());
+    EXPECT_EQ(eventsOf(CameraEvent::Kind::reference), 2);
+}
+
+TEST(CameraChannel, refusesACameraTooSmallForItsDots) {
+    scene::Scene scene = poke();
+    std::get<scene::CameraWorld>(scene.world).camera.width_px = 40;
+    std::get<scene::CameraWorld>(scene.world).camera.height_px = 40;
+    auto made = simulation::makeTubeCamera(scene, 1, std::make_shared<simulation::CarrierLink>());
+    ASSERT_TRUE(made);
+    core::StopSwitch stop;
+    const auto channel =
+        CameraChannel::make(std::make_unique<SteppedCamera>(std::move(made->generator)), made->camera, stop);
+    ASSERT_FALSE(channel);
+    EXPECT_NE(channel.error().message.find("too small"), std::string::npos);
+}
