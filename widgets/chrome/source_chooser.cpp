@@ -104,6 +104,9 @@ void SourceChooser::rebuildMenu() {
     recording->setToolTip(tr("Recorded frames as CSV: time_s,t0,t1,\u2026"));
     m_menu->addAction(base::themeIcon(base::Icon::scene), tr("Open &scene file\u2026"), this,
                       &SourceChooser::openSceneRequested);
+    QAction* camera = m_menu->addAction(base::themeIcon(base::Icon::sensor), tr("Open &camera\u2026"), this,
+                                        &SourceChooser::openCameraRequested);
+    camera->setToolTip(tr("A camera in the soft tube, or a video of one, with its calibration"));
     m_menu->addAction(base::themeIcon(base::Icon::sensor), tr("Open source &list\u2026"), this,
                       &SourceChooser::openListRequested);
     if (m_recent.isEmpty())
@@ -118,7 +121,7 @@ void SourceChooser::rebuildMenu() {
 
 void SourceChooser::retranslate() {
     m_box->setAccessibleName(tr("Source"));
-    m_box->setToolTip(tr("The tactile array that the views show"));
+    m_box->setToolTip(tr("The source that the views show"));
     m_open->setText(tr("&Open"));
     m_open->setToolTip(tr("Open a simulated scene or a recording"));
     m_close->setIcon(base::themeIcon(base::Icon::close));

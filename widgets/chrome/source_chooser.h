@@ -48,6 +48,7 @@ signals:
     void demoRequested(const QString& path);
     void openRecordingRequested();
     void openSceneRequested();
+    void openCameraRequested();
     void openListRequested();
     void recentRequested(const QString& path);
 

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/widgets/camera/sample_camera.h"
+#include "tests/widgets/test_registry.h"
+#include "widgets/base/theme.h"
+#include "widgets/camera/camera_panel.h"
+#include "widgets/camera/camera_view.h"
+#include "widgets/camera/event_model.h"
+#include "widgets/camera/event_table.h"
+#include "widgets/camera/stage_bar.h"
+
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QGuiApplication>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QTest>
+#include <QToolButton>
+#include <QWheelEvent>
+
+using namespace teleta;
+using camera::CameraPanel;
+using camera::CameraView;
+using camera::EventModel;
+using camera::EventTable;
+using pipeline::CameraEvent;
+using pipeline::CarrierReport;
+
+/// The dock of the camera in the soft tube, and the list of its events.
+class CameraPanelTest : public QObject {
+    Q_OBJECT
+
+    static QPointF inView(const CameraView& view, double u_px, double v_px) {
+        return view.picture().toPicture({u_px, v_px}, QSizeF(view.size()));
+    }
+
+private slots:
+    void withoutACameraThePanelIsDisabledAndDrawn() {
+        CameraPanel panel;
+        panel.resize(600, 500);
+        QVERIFY(!panel.isEnabled());
+        QVERIFY(!panel.grab().isNull());
+        panel.resize(30, 30);
+        QVERIFY(!panel.grab().isNull());
+    }
+
+    void contactsAreDrawnWhereTheyAreInTheColourOfTheirNumber() {
+        CameraView view;
+        view.resize(820, 616);
+        pipeline::CameraSnapshot snapshot = test::sampleCamera();
+        view.setSnapshot(&snapshot);
+        const QImage with = view.grab().toImage();
+        snapshot.contacts.clear();
+        view.setSnapshot(&snapshot);
+        const QImage without = view.grab().toImage();
+        const QPoint rim = inView(view, 410.0 + 60.0, 308.0).toPoint();
+        QVERIFY(with.pixelColor(rim) != without.pixelColor(rim));
+        QCOMPARE(without.pixelColor(rim), QColor(90, 90, 90));
+        QCOMPARE(with.pixelColor(inView(view, 200.0, 500.0).toPoint()), QColor(90, 90, 90));
+    }
+
+    void displacementsAreDrawnEnlargedAndCanBeHidden() {
+        CameraPanel panel;
+        panel.resize(900, 800);
+        const pipeline::CameraSnapshot snapshot = test::sampleCamera();
+        panel.setSnapshot(&snapshot);
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        CameraView& view = panel.view();
+        const double tip_px = 100.0 + 0.9 * view.picture().enlargement * 8.0;
+        const QPoint tip = inView(view, tip_px, 100.0).toPoint();
+        QVERIFY(view.grab().toImage().pixelColor(tip) != QColor(90, 90, 90));
+        QTest::mouseClick(panel.findChild<QCheckBox*>("cameraArrows"), Qt::LeftButton, {}, QPoint(8, 8));
+        QVERIFY(!view.picture().arrows);
+        QCOMPARE(view.grab().toImage().pixelColor(tip), QColor(90, 90, 90));
+    }
+
+    void theWheelZoomsAroundTheMouseAndADoubleClickShowsAll() {
+        CameraView view;
+        view.resize(820, 616);
+        const pipeline::CameraSnapshot snapshot = test::sampleCamera();
+        view.setSnapshot(&snapshot);
+        view.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&view));
+        const QPointF at(500.0, 200.0);
+        const QPointF pixel = view.picture().toPixel(at, QSizeF(view.size()));
+        QWheelEvent wheel(at, view.mapToGlobal(at), {}, {0, 240}, Qt::NoButton, Qt::ControlModifier,
+                          Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(&view, &wheel);
+        QVERIFY(view.picture().zoom > 1.5);
+        const QPointF after = view.picture().toPixel(at, QSizeF(view.size()));
+        QVERIFY(std::abs(after.x() - pixel.x()) < 1e-6 && std::abs(after.y() - pixel.y()) < 1e-6);
+        QTest::mouseDClick(&view, Qt::LeftButton);
+        QCOMPARE(view.picture().zoom, 1.0);
+        QTest::keyClick(&view, Qt::Key_Plus);
+        QVERIFY(view.picture().zoom > 1.0);
+        QTest::keyClick(&view, Qt::Key_Home);
+        QCOMPARE(view.picture().zoom, 1.0);
+    }
+
+    void pausedThePictureStaysAndSpaceLetsItGoOn() {
+        CameraPanel panel;
+        pipeline::CameraSnapshot snapshot = test::sampleCamera();
+        panel.setSnapshot(&snapshot);
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        QTest::mouseClick(panel.findChild<QToolButton*>("cameraPause"), Qt::LeftButton);
+        QVERIFY(panel.isPaused());
+        snapshot.frame = 41;
+        panel.setSnapshot(&snapshot);
+        QCOMPARE(panel.view().picture().shown.frame, std::uint64_t(40));
+        QTest::keyClick(&panel.view(), Qt::Key_Space);
+        QVERIFY(!panel.isPaused());
+        panel.setSnapshot(&snapshot);
+        QCOMPARE(panel.view().picture().shown.frame, std::uint64_t(41));
+    }
+
+    void aRungIsAskedForAndShowsOnceItIsInUse() {
+        CameraPanel panel;
+        pipeline::CameraSnapshot snapshot = test::sampleCamera();
+        panel.setSnapshot(&snapshot);
+        auto* rungs = panel.findChild<QComboBox*>("cameraRung");
+        QCOMPARE(rungs->count(), 13);
+        QCOMPARE(rungs->currentText(), QStringLiteral("dots"));
+        QSignalSpy chosen(&panel, &CameraPanel::rungChosen);
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        rungs->setFocus();
+        QTest::keyClick(rungs, Qt::Key_Down);
+        QCOMPARE(chosen.size(), 1);
+        QCOMPARE(chosen[0][0].toString(), QStringLiteral("paper"));
+        panel.setSnapshot(&snapshot);
+        QCOMPARE(rungs->currentText(), QStringLiteral("paper")); // asked for, not yet in use
+        snapshot.problem = "It cannot.";
+        panel.setSnapshot(&snapshot);
+        QCOMPARE(rungs->currentText(), QStringLiteral("dots"));
+        QCOMPARE(panel.problemText(), QStringLiteral("Not used: It cannot."));
+    }
+
+    void theArmIsToldInWordsAndMayBeLetReactAgain() {
+        CameraPanel panel;
+        pipeline::CameraSnapshot snapshot = test::sampleCamera();
+        panel.setSnapshot(&snapshot);
+        auto* mayReact = panel.findChild<QCheckBox*>("cameraMayReact");
+        QVERIFY(!mayReact->isVisibleTo(&panel)); // no arm
+        snapshot.carrier = CarrierReport{.doing = CarrierReport::Doing::follows, .contact = 3};
+        panel.setSnapshot(&snapshot);
+        QVERIFY(mayReact->isVisibleTo(&panel));
+        QCOMPARE(panel.armText(), QStringLiteral("The arm follows contact 3."));
+        snapshot.carrier->doing = CarrierReport::Doing::held;
+        snapshot.mayReact = false;
+        panel.setSnapshot(&snapshot);
+        QVERIFY(!mayReact->isChecked());
+        QVERIFY(panel.armText().contains("let it react again"));
+        QSignalSpy changed(&panel, &CameraPanel::mayReactChanged);
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        QTest::mouseClick(mayReact, Qt::LeftButton, {}, QPoint(8, mayReact->height() / 2));
+        QCOMPARE(changed.size(), 1);
+        QCOMPARE(changed[0][0].toBool(), true);
+    }
+
+    void aBumpIsPointedAtForASecondOfTheCamerasTime() {
+        CameraView view;
+        pipeline::CameraSnapshot snapshot = test::sampleCamera();
+        snapshot.bump = vision::BumpDetector::Bump{.contact = 3};
+        view.setSnapshot(&snapshot);
+        QCOMPARE(view.picture().bumpFade, 1.0);
+        snapshot.bump.reset();
+        snapshot.time_s = 1.5;
+        view.setSnapshot(&snapshot);
+        QCOMPARE(view.picture().bumpFade, 0.5);
+        snapshot.time_s = 2.1;
+        view.setSnapshot(&snapshot);
+        QCOMPARE(view.picture().bumpFade, 0.0);
+    }
+
+    void withoutAReferenceThePanelSaysWhatItWaitsFor() {
+        CameraPanel panel;
+        pipeline::CameraSnapshot snapshot = test::sampleCamera();
+        snapshot.hasReference = false;
+        panel.setSnapshot(&snapshot);
+        QVERIFY(panel.problemText().contains("nothing touching it"));
+        snapshot.usable = false;
+        snapshot.problem = "The frame could not be decoded.";
+        panel.setSnapshot(&snapshot);
+        QVERIFY(panel.problemText().contains("could not be decoded"));
+    }
+
+    void stageTimesAreAveragedAndCountsAreInWords() {
+        CameraPanel panel;
+        pipeline::CameraSnapshot snapshot = test::sampleCamera();
+        snapshot.passedOver = 1;
+        panel.setSnapshot(&snapshot, 40.0);
+        QCOMPARE(panel.stages().whole_ms(), 4.9);
+        snapshot.whole_ns = 24'900'000;
+        panel.setSnapshot(&snapshot, 40.0);
+        QVERIFY(panel.stages().whole_ms() > 4.9 && panel.stages().whole_ms() < 7.0);
+        QVERIFY(panel.stages().text().contains(QStringLiteral("1 passed over")));
+        snapshot.rung = "paper";
+        panel.setSnapshot(&snapshot, 40.0);
+        QCOMPARE(panel.stages().whole_ms(), 24.9); // another rung begins anew
+    }
+
+    void thePictureIsExportedWithItsContactsAsData() {
+        CameraView view;
+        view.resize(400, 300);
+        const pipeline::CameraSnapshot snapshot = test::sampleCamera();
+        view.setSnapshot(&snapshot);
+        const QStringList lines = view.figure().csv().trimmed().split('\n');
+        QCOMPARE(lines.size(), 2);
+        QCOMPARE(lines[1], QStringLiteral("40,1,3,410,308,0,0.025,0.04,0,0,0.01,0,0.0002"));
+        QTest::keyClick(&view, Qt::Key_C, Qt::ControlModifier);
+        QVERIFY(!QGuiApplication::clipboard()->image().isNull());
+    }
+
+    void eventsAreListedTheNewestFirstAndCopiedAsCsv() {
+        EventTable table;
+        table.append({.kind = CameraEvent::Kind::reference, .time_s = 0.0});
+        table.append({.kind = CameraEvent::Kind::bumps,
+                      .time_s = 0.475,
+                      .contact = 2,
+                      .located = true,
+                      .p_Sensor_m = {0.025, 0.0, 0.04},
+                      .depth_m = 0.002});
+        EventModel& model = table.model();
+        QCOMPARE(model.rowCount(), 2);
+        QCOMPARE(model.index(0, EventModel::event).data().toString(), QStringLiteral("BUMP"));
+        QCOMPARE(model.index(0, EventModel::contact).data().toInt(), 2);
+        QCOMPARE(model.index(1, EventModel::contact).data().isValid(), false);
+        table.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&table));
+        QTest::keyClick(&table.table(), Qt::Key_C, Qt::ControlModifier);
+        QCOMPARE(QGuiApplication::clipboard()->text().trimmed(),
+                 QStringLiteral("time_s,event,contact_id,x_m,y_m,z_m,depth_m\n"
+                                "0,reference,NA,NA,NA,NA,NA\n"
+                                "0.475,bump,2,0.025,0,0.04,0.002"));
+        for (std::size_t i = 0; i < EventModel::kCapacity + 10; ++i)
+            table.append({.time_s = static_cast<double>(i), .contact = 1});
+        QCOMPARE(model.rowCount(), static_cast<int>(EventModel::kCapacity));
+        table.clear();
+        QCOMPARE(model.rowCount(), 0);
+    }
+};
+
+static const test::Registration<CameraPanelTest> kRegistration;
+#include "camera_panel_test.moc"

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/camera/camera_panel.h"
+
+#include "backend/vision/contacts/contact_ladder.h"
+#include "widgets/base/theme.h"
+#include "widgets/camera/camera_view.h"
+#include "widgets/camera/stage_bar.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace teleta::camera {
+
+namespace {
+
+using Doing = pipeline::CarrierReport::Doing;
+
+void colour(QLabel* label, const QColor& colour) {
+    QPalette changed = label->palette();
+    changed.setColor(QPalette::WindowText, colour);
+    label->setPalette(changed);
+}
+
+} // namespace
+
+CameraPanel::CameraPanel(QWidget* parent)
+    : QWidget(parent)
+    , m_rungs(new QComboBox(this))
+    , m_pause(new QToolButton(this))
+    , m_arrows(new QCheckBox(this))
+    , m_reference(new QPushButton(this))
+    , m_mayReact(new QCheckBox(this))
+    , m_rungName(new QLabel(this))
+    , m_problem(new QLabel(this))
+    , m_armLine(new QLabel(this))
+    , m_view(new CameraView(this))
+    , m_stages(new StageBar(this)) {
+    m_rungs->setObjectName(QStringLiteral("cameraRung"));
+    m_pause->setObjectName(QStringLiteral("cameraPause"));
+    m_arrows->setObjectName(QStringLiteral("cameraArrows"));
+    m_reference->setObjectName(QStringLiteral("cameraReference"));
+    m_mayReact->setObjectName(QStringLiteral("cameraMayReact"));
+    m_pause->setCheckable(true);
+    m_arrows->setChecked(true);
+    m_problem->setWordWrap(true);
+    for (const vision::ContactRung& rung : vision::contactLadder())
+        m_rungs->addItem(QString::fromLatin1(rung.name.data(), static_cast<qsizetype>(rung.name.size())));
+    m_rungName->setBuddy(m_rungs);
+
+    const int margin = base::grid(this);
+    auto* tools = new QHBoxLayout;
+    tools->setSpacing(margin);
+    tools->addWidget(m_rungName);
+    tools->addWidget(m_rungs);
+    tools->addWidget(m_arrows);
+    tools->addStretch(1);
+    tools->addWidget(m_reference);
+    tools->addWidget(m_pause);
+    auto* arm = new QHBoxLayout;
+    arm->setSpacing(margin);
+    arm->addWidget(m_mayReact);
+    arm->addWidget(m_armLine, 1);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(margin, margin / 2, margin, margin / 2);
+    layout->setSpacing(margin / 2);
+    layout->addLayout(tools);
+    layout->addWidget(m_problem);
+    layout->addWidget(m_view, 1);
+    layout->addLayout(arm);
+    layout->addWidget(m_stages);
+    setFocusProxy(m_view);
+
+    connect(m_rungs, &QComboBox::activated, this, [this] {
+        m_wish = m_rungs->currentText();
+        emit rungChosen(m_wish);
+    });
+    connect(m_pause, &QToolButton::toggled, this, &CameraPanel::setPaused);
+    connect(m_view, &CameraView::pauseRequested, this, &CameraPanel::setPaused);
+    connect(m_view, &CameraView::exportFailed, this, &CameraPanel::exportFailed);
+    connect(m_arrows, &QCheckBox::toggled, m_view, &CameraView::setArrowsShown);
+    connect(m_reference, &QPushButton::clicked, this, &CameraPanel::referenceRequested);
+    connect(m_mayReact, &QCheckBox::clicked, this, &CameraPanel::mayReactChanged);
+    retranslate();
+    setSnapshot(nullptr);
+}
+
+void CameraPanel::setSnapshot(const pipeline::CameraSnapshot* snapshot, double nominalRate_Hz) {
+    m_view->setSnapshot(snapshot);
+    m_stages->setSnapshot(snapshot, nominalRate_Hz);
+    m_hasCamera = snapshot != nullptr;
+    setEnabled(m_hasCamera);
+    m_carrier = snapshot != nullptr ? snapshot->carrier : std::nullopt;
+    m_mayReact->setVisible(m_carrier.has_value());
+    m_armLine->setVisible(m_carrier.has_value());
+    if (snapshot == nullptr) {
+        m_why.clear();
+        m_wish.clear();
+        setPaused(false);
+    } else {
+        m_why = QString::fromStdString(snapshot->problem);
+        m_hasReference = snapshot->hasReference;
+        const QSignalBlocker blocked(m_mayReact);
+        m_mayReact->setChecked(snapshot->mayReact);
+        const QString rung =
+            QString::fromLatin1(snapshot->rung.data(), static_cast<qsizetype>(snapshot->rung.size()));
+        // A wish that was refused shows as what is in use again.
+        if (m_wish == rung || !m_why.isEmpty())
+            m_wish.clear();
+        if (m_wish.isEmpty() && m_rungs->currentText() != rung)
+            m_rungs->setCurrentText(rung);
+    }
+    showTexts();
+}
+
+void CameraPanel::setProvenance(base::Provenance provenance) {
+    m_view->setProvenance(provenance);
+}
+
+QString CameraPanel::problemText() const {
+    return m_problem->isVisibleTo(this) ? m_problem->text() : QString();
+}
+
+QString CameraPanel::armText() const {
+    return m_armLine->text();
+}
+
+bool CameraPanel::isPaused() const {
+    return m_pause->isChecked();
+}
+
+void CameraPanel::setPaused(bool paused) {
+    const QSignalBlocker blocked(m_pause);
+    m_pause->setChecked(paused);
+    m_pause->setText(paused ? tr("Go on") : tr("Pause"));
+    m_view->setPaused(paused);
+}
+
+void CameraPanel::showTexts() {
+    const base::StatusColours& colours = base::statusColours(palette());
+    QString problem;
+    if (m_hasCamera && !m_hasReference)
+        problem = m_why.isEmpty() ? tr("Waiting for a picture of the tube with nothing touching it.")
+                                  : tr("No reference yet: %1").arg(m_why);
+    else if (m_hasCamera && !m_why.isEmpty())
+        problem = tr("Not used: %1").arg(m_why);
+    m_problem->setText(problem);
+    m_problem->setVisible(!problem.isEmpty());
+    colour(m_problem, colours.lost);
+    if (!m_carrier) {
+        m_armLine->clear();
+        return;
+    }
+    switch (m_carrier->doing) {
+    case Doing::stands:
+        m_armLine->setText(m_carrier->contact != 0
+                               ? tr("The arm has drawn back from contact %1.").arg(m_carrier->contact)
+                               : tr("The arm stands."));
+        break;
+    case Doing::retreats:
+        m_armLine->setText(tr("The arm draws back from contact %1.").arg(m_carrier->contact));
+        break;
+    case Doing::follows:
+        m_armLine->setText(tr("The arm follows contact %1.").arg(m_carrier->contact));
+        break;
+    case Doing::held:
+        m_armLine->setText(m_mayReact->isChecked()
+                               ? tr("The arm is held.")
+                               : tr("The arm is held. Tick the box to let it react again."));
+        break;
+    }
+    colour(m_armLine, m_carrier->doing == Doing::held       ? colours.stale
+                      : m_carrier->doing == Doing::retreats ? colours.lost
+                      : m_carrier->doing == Doing::follows  ? colours.live
+                                                            : palette().color(QPalette::WindowText));
+}
+
+void CameraPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    else if (event->type() == QEvent::PaletteChange)
+        showTexts();
+}
+
+void CameraPanel::retranslate() {
+    m_rungName->setText(tr("&Finder"));
+    m_rungs->setAccessibleName(tr("Finder"));
+    m_rungs->setToolTip(tr("How contacts are found: the printed dots alone, or dense flow by one of OpenCV's "
+                           "presets; the number divides the image's size"));
+    m_arrows->setText(tr("&Displacement"));
+    m_arrows->setToolTip(tr("Show how far the pattern on the skin has moved"));
+    m_reference->setText(tr("New &reference"));
+    m_reference->setToolTip(tr("Take the next picture as that of the untouched tube"));
+    m_pause->setText(m_pause->isChecked() ? tr("Go on") : tr("Pause"));
+    m_pause->setToolTip(tr("Keep this picture; contacts are followed on (Space)"));
+    m_mayReact->setText(tr("The arm may r&eact"));
+    m_mayReact->setToolTip(
+        tr("Off: the arm stands, whatever touches it. STOP takes this away until you give it again."));
+    showTexts();
+}
+
+} // namespace teleta::camera

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/pipeline/camera_snapshot.h"
+#include "widgets/base/badge.h"
+
+#include <QWidget>
+
+#include <optional>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QToolButton;
+
+namespace teleta::camera {
+
+class CameraView;
+class StageBar;
+
+/// The camera in the soft tube: its picture, what the arm does about contacts, which rung of the ladder finds
+/// them and what that costs. Knows no source: wishes go out as signals, what is in use comes back with the
+/// snapshot. Thread: GUI.
+class CameraPanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit CameraPanel(QWidget* parent = nullptr);
+
+    /// Null: no camera; the panel is disabled. nominalRate_Hz: of the camera; 0: unknown.
+    void setSnapshot(const pipeline::CameraSnapshot* snapshot, double nominalRate_Hz = 0.0);
+    void setProvenance(base::Provenance provenance);
+
+    [[nodiscard]] CameraView& view() const { return *m_view; }
+    [[nodiscard]] StageBar& stages() const { return *m_stages; }
+    /// The lines of text, for tests.
+    [[nodiscard]] QString problemText() const;
+    [[nodiscard]] QString armText() const;
+    [[nodiscard]] bool isPaused() const;
+
+public slots:
+    void setPaused(bool paused);
+
+signals:
+    void rungChosen(const QString& name);
+    void referenceRequested();
+    void mayReactChanged(bool mayReact);
+    void exportFailed(const QString& message);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void retranslate();
+    void showTexts();
+
+    QComboBox* m_rungs;
+    QToolButton* m_pause;
+    QCheckBox* m_arrows;
+    QPushButton* m_reference;
+    QCheckBox* m_mayReact;
+    QLabel* m_rungName;
+    QLabel* m_problem;
+    QLabel* m_armLine;
+    CameraView* m_view;
+    StageBar* m_stages;
+
+    // Of the newest snapshot.
+    bool m_hasCamera = false;
+    QString m_why;
+    bool m_hasReference = false;
+    std::optional<pipeline::CarrierReport> m_carrier;
+    QString m_wish; ///< rung that was asked for, and not yet in use
+};
+
+} // namespace teleta::camera

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/camera/camera_view.h"
+
+#include "widgets/base/theme.h"
+
+#include <QContextMenuEvent>
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QMenu>
+#include <QPainter>
+#include <QToolTip>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace teleta::camera {
+
+namespace {
+
+constexpr double kCameraZoomStep = 1.25;
+
+} // namespace
+
+CameraView::CameraView(QWidget* parent)
+    : QWidget(parent)
+    , m_export(new base::FigureExport(this, [this] { return figure(); })) {
+    setFocusPolicy(Qt::StrongFocus);
+    setAutoFillBackground(true);
+    setBackgroundRole(QPalette::Base);
+    connect(m_export, &base::FigureExport::saved, this, &CameraView::exported);
+    connect(m_export, &base::FigureExport::failed, this, &CameraView::exportFailed);
+    retranslate();
+}
+
+void CameraView::setSnapshot(const pipeline::CameraSnapshot* snapshot) {
+    if (snapshot == nullptr) {
+        m_picture.shown = {};
+        m_bump_s.reset();
+        m_picture.bumpFade = 0.0;
+        showAll();
+        return;
+    }
+    if (m_picture.paused)
+        return;
+    m_picture.shown = *snapshot;
+    if (snapshot->bump) {
+        m_bump_s = snapshot->time_s;
+        m_picture.bumped = snapshot->bump->contact;
+    }
+    const double age_s = m_bump_s ? snapshot->time_s - *m_bump_s : kBumpShown_s;
+    m_picture.bumpFade = std::clamp(1.0 - age_s / kBumpShown_s, 0.0, 1.0);
+    update();
+}
+
+void CameraView::setProvenance(base::Provenance provenance) {
+    m_picture.provenance = provenance;
+    update();
+}
+
+void CameraView::setArrowsShown(bool shown) {
+    m_picture.arrows = shown;
+    update();
+}
+
+void CameraView::setPaused(bool paused) {
+    m_picture.paused = paused;
+    update();
+}
+
+base::Figure CameraView::figure() const {
+    base::Figure figure;
+    figure.name = tr("camera");
+    CameraPicture picture = m_picture;
+    picture.font = font();
+    picture.paused = false;
+    figure.size_px = QSizeF(size());
+    figure.paint = [picture, size = figure.size_px](QPainter& painter) {
+        picture.paint(painter, size, base::designedPalette(false));
+    };
+    figure.csv = [text = m_picture.csv()] { return text; };
+    return figure;
+}
+
+QSize CameraView::sizeHint() const {
+    return {base::em(this, 40), base::em(this, 30)};
+}
+
+QSize CameraView::minimumSizeHint() const {
+    return {base::em(this, 14), base::em(this, 10)};
+}
+
+void CameraView::showAll() {
+    m_picture.zoom = 1.0;
+    m_picture.centre = {0.5, 0.5};
+    update();
+}
+
+bool CameraView::event(QEvent* event) {
+    if (event->type() == QEvent::ToolTip) {
+        const auto* help = static_cast<QHelpEvent*>(event);
+        const int contact = m_picture.contactAt(QPointF(help->pos()), QSizeF(size()));
+        if (contact >= 0)
+            QToolTip::showText(
+                help->globalPos(),
+                m_picture.wordsFor(m_picture.shown.contacts[static_cast<std::size_t>(contact)]), this);
+        else
+            QToolTip::hideText();
+        return true;
+    }
+    return QWidget::event(event);
+}
+
+void CameraView::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    m_picture.font = font();
+    m_picture.paint(painter, QSizeF(size()), palette());
+    if (hasFocus()) {
+        painter.setPen(QPen(palette().color(QPalette::Highlight), 1.0));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(rect().adjusted(0, 0, -1, -1));
+    }
+}
+
+void CameraView::wheelEvent(QWheelEvent* event) {
+    if (!event->modifiers().testFlag(Qt::ControlModifier) || m_picture.isEmpty()) {
+        QWidget::wheelEvent(event);
+        return;
+    }
+    m_picture.zoomAt(event->position(), QSizeF(size()),
+                     std::pow(kCameraZoomStep, event->angleDelta().y() / 120.0));
+    update();
+    event->accept();
+}
+
+void CameraView::mousePressEvent(QMouseEvent* event) {
+    m_dragged = event->position();
+    QWidget::mousePressEvent(event);
+    event->accept();
+}
+
+void CameraView::mouseMoveEvent(QMouseEvent* event) {
+    if (!event->buttons().testFlag(Qt::LeftButton))
+        return;
+    m_picture.moveBy(event->position() - m_dragged, QSizeF(size()));
+    m_dragged = event->position();
+    update();
+}
+
+void CameraView::mouseDoubleClickEvent(QMouseEvent*) {
+    showAll();
+}
+
+void CameraView::keyPressEvent(QKeyEvent* event) {
+    const QPointF middle(0.5 * width(), 0.5 * height());
+    if (event->matches(QKeySequence::Copy)) {
+        base::copyPicture(figure());
+    } else if (event->key() == Qt::Key_Space) {
+        emit pauseRequested(!m_picture.paused);
+    } else if (event->key() == Qt::Key_Home) {
+        showAll();
+    } else if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal) {
+        m_picture.zoomAt(middle, QSizeF(size()), kCameraZoomStep);
+        update();
+    } else if (event->key() == Qt::Key_Minus) {
+        m_picture.zoomAt(middle, QSizeF(size()), 1.0 / kCameraZoomStep);
+        update();
+    } else {
+        QWidget::keyPressEvent(event);
+    }
+}
+
+void CameraView::contextMenuEvent(QContextMenuEvent* event) {
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addAction(m_picture.paused ? tr("&Go on") : tr("&Pause the picture"), this,
+                    [this] { emit pauseRequested(!m_picture.paused); });
+    menu->addAction(tr("Show &all"), this, &CameraView::showAll);
+    menu->addSeparator();
+    m_export->addActions(*menu);
+    menu->popup(event->globalPos());
+}
+
+void CameraView::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    m_picture.moveBy({}, QSizeF(size()));
+}
+
+void CameraView::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+void CameraView::retranslate() {
+    setAccessibleName(tr("Camera picture"));
+    setWhatsThis(
+        tr("<p>What the camera sees inside the tube. Lines show, enlarged, how far the printed pattern has "
+           "moved since nothing touched the tube; outlines are contacts, each in the colour of its "
+           "number.</p><p>Ctrl+wheel zooms, dragging moves, a double click shows all.</p>"));
+    update();
+}
+
+} // namespace teleta::camera

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/camera/event_model.h"
+
+#include "backend/core/number_text.h"
+#include "widgets/base/number_format.h"
+#include "widgets/base/theme.h"
+
+#include <QFont>
+#include <QGuiApplication>
+#include <QPalette>
+
+#include <cmath>
+
+namespace teleta::camera {
+
+namespace {
+
+using pipeline::CameraEvent;
+using Kind = CameraEvent::Kind;
+
+const char* nameOf(Kind kind) {
+    switch (kind) {
+    case Kind::begins:
+        return "begin";
+    case Kind::bumps:
+        return "bump";
+    case Kind::ends:
+        return "end";
+    case Kind::follows:
+        return "follow";
+    case Kind::reference:
+        return "reference";
+    case Kind::restart:
+        return "restart";
+    }
+    return "";
+}
+
+} // namespace
+
+void EventModel::append(const CameraEvent& happened) {
+    if (m_events.size() == kCapacity) {
+        const int last = static_cast<int>(kCapacity) - 1;
+        beginRemoveRows({}, last, last);
+        m_events.pop_back();
+        endRemoveRows();
+    }
+    beginInsertRows({}, 0, 0);
+    m_events.push_front(happened);
+    endInsertRows();
+}
+
+void EventModel::clear() {
+    beginResetModel();
+    m_events.clear();
+    endResetModel();
+}
+
+void EventModel::retranslate() {
+    emit headerDataChanged(Qt::Horizontal, 0, kColumns - 1);
+    if (!m_events.empty())
+        emit dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
+}
+
+QString EventModel::csv() const {
+    QString text = QStringLiteral("time_s,event,contact_id,x_m,y_m,z_m,depth_m\n");
+    const auto put = [&](double value, bool known, QChar separator) {
+        const core::NumberText number(value);
+        text += known && std::isfinite(value)
+                    ? QString::fromLatin1(number.view().data(), static_cast<qsizetype>(number.view().size()))
+                    : QStringLiteral("NA");
+        text += separator;
+    };
+    for (auto happened = m_events.rbegin(); happened != m_events.rend(); ++happened) {
+        put(happened->time_s, true, u',');
+        text += QLatin1String(nameOf(happened->kind)) + QLatin1Char(',');
+        text += (happened->contact > 0 ? QString::number(happened->contact) : QStringLiteral("NA")) +
+                QLatin1Char(',');
+        for (const double value : happened->p_Sensor_m)
+            put(value, happened->located, u',');
+        put(happened->depth_m, happened->contact > 0, u'\n');
+    }
+    return text;
+}
+
+int EventModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(m_events.size());
+}
+
+int EventModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : kColumns;
+}
+
+QVariant EventModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid())
+        return {};
+    const CameraEvent& happened = m_events[static_cast<std::size_t>(index.row())];
+    const bool bumps = happened.kind == Kind::bumps;
+    if (role == Qt::TextAlignmentRole)
+        return QVariant(index.column() == event ? Qt::AlignLeft | Qt::AlignVCenter
+                                                : Qt::AlignRight | Qt::AlignVCenter);
+    if (role == Qt::ForegroundRole && bumps)
+        return base::statusColours(QGuiApplication::palette()).lost;
+    if (role == Qt::FontRole && bumps) {
+        QFont bold;
+        bold.setBold(true);
+        return bold;
+    }
+    if (role != Qt::DisplayRole)
+        return {};
+    const Eigen::Vector3d& p = happened.p_Sensor_m;
+    switch (index.column()) {
+    case time:
+        return base::withUnit(base::threeDigits(happened.time_s), QStringLiteral("s"));
+    case event:
+        switch (happened.kind) {
+        case Kind::begins:
+            return tr("touched");
+        case Kind::bumps:
+            return tr("BUMP");
+        case Kind::ends:
+            return tr("let go");
+        case Kind::follows:
+            return tr("arm follows");
+        case Kind::reference:
+            return tr("reference taken");
+        case Kind::restart:
+            return tr("begins anew");
+        }
+        return {};
+    case contact:
+        return happened.contact > 0 ? QVariant(happened.contact) : QVariant();
+    case along:
+        return happened.located
+                   ? QVariant(base::withUnit(base::threeDigits(1e3 * p.z()), QStringLiteral("mm")))
+                   : QVariant();
+    case around:
+        return happened.located
+                   ? QVariant(base::withUnit(base::wholeNumber(std::atan2(p.y(), p.x()) * 180.0 / M_PI),
+                                             QStringLiteral("\u00b0")))
+                   : QVariant();
+    case depth:
+        return happened.contact > 0 && std::isfinite(happened.depth_m)
+                   ? QVariant(base::withUnit(base::threeDigits(1e3 * happened.depth_m), QStringLiteral("mm")))
+                   : QVariant();
+    default:
+        return {};
+    }
+}
+
+QVariant EventModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
+        return {};
+    switch (section) {
+    case time:
+        return tr("Time");
+    case event:
+        return tr("Event");
+    case contact:
+        return tr("Contact");
+    case along:
+        return tr("Along the tube");
+    case around:
+        return tr("Around it");
+    case depth:
+        return tr("Depth");
+    default:
+        return {};
+    }
+}
+
+} // namespace teleta::camera

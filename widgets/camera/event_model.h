@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/pipeline/camera_snapshot.h"
+
+#include <QAbstractTableModel>
+
+#include <cstddef>
+#include <deque>
+
+namespace teleta::camera {
+
+/// What happened to the tube, the newest first; older events than fit are forgotten. Thread: GUI.
+class EventModel : public QAbstractTableModel {
+    Q_OBJECT
+public:
+    enum Column { time, event, contact, along, around, depth };
+    static constexpr int kColumns = 6;
+    static constexpr std::size_t kCapacity = 1000;
+
+    using QAbstractTableModel::QAbstractTableModel;
+
+    void append(const pipeline::CameraEvent& event);
+    void clear();
+    void retranslate();
+
+    /// One event a line: time_s,event,contact_id,x_m,y_m,z_m,depth_m; C locale, NA where unknown.
+    [[nodiscard]] QString csv() const;
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+private:
+    std::deque<pipeline::CameraEvent> m_events; ///< the newest first
+};
+
+} // namespace teleta::camera

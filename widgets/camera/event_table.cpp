@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/camera/event_table.h"
+
+#include "widgets/base/theme.h"
+#include "widgets/camera/event_model.h"
+
+#include <QContextMenuEvent>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMenu>
+#include <QTableView>
+#include <QVBoxLayout>
+
+namespace teleta::camera {
+
+EventTable::EventTable(QWidget* parent)
+    : QWidget(parent)
+    , m_model(new EventModel(this))
+    , m_table(new QTableView(this))
+    , m_provenance(new QLabel(this))
+    , m_export(new base::FigureExport(this, [this] { return figure(); })) {
+    m_table->setModel(m_model);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setAlternatingRowColors(true);
+    m_table->setShowGrid(false);
+    m_table->setFrameShape(QFrame::NoFrame);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setDefaultSectionSize(base::em(this, 1.5));
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    m_table->horizontalHeader()->setHighlightSections(false);
+    m_table->installEventFilter(this);
+    QFont bold = base::sized(font(), base::kSmallText);
+    bold.setBold(true);
+    m_provenance->setFont(bold);
+    m_provenance->setContentsMargins(base::grid(this), 0, 0, 0);
+    m_provenance->hide();
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_provenance);
+    layout->addWidget(m_table, 1);
+    setFocusProxy(m_table);
+    connect(m_export, &base::FigureExport::saved, this, &EventTable::exported);
+    connect(m_export, &base::FigureExport::failed, this, &EventTable::exportFailed);
+    retranslate();
+}
+
+void EventTable::append(const pipeline::CameraEvent& event) {
+    m_model->append(event);
+}
+
+void EventTable::clear() {
+    m_model->clear();
+}
+
+void EventTable::setProvenance(base::Provenance provenance) {
+    m_shownProvenance = provenance;
+    retranslate();
+}
+
+base::Figure EventTable::figure() const {
+    base::Figure figure;
+    figure.name = tr("camera-events");
+    figure.csv = [text = m_model->csv()] { return text; };
+    return figure;
+}
+
+bool EventTable::eventFilter(QObject* watched, QEvent* event) {
+    if (watched != m_table)
+        return QWidget::eventFilter(watched, event);
+    if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->matches(QKeySequence::Copy)) {
+        base::copyData(figure());
+        return true;
+    }
+    if (event->type() == QEvent::ContextMenu) {
+        auto* menu = new QMenu(this);
+        menu->setAttribute(Qt::WA_DeleteOnClose);
+        m_export->addDataActions(*menu);
+        menu->addSeparator();
+        menu->addAction(tr("&Clear the list"), this, &EventTable::clear);
+        menu->popup(static_cast<QContextMenuEvent*>(event)->globalPos());
+        return true;
+    }
+    return false;
+}
+
+void EventTable::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange)
+        retranslate();
+}
+
+void EventTable::retranslate() {
+    m_table->setAccessibleName(tr("Events"));
+    m_table->setWhatsThis(
+        tr("What happened to the tube, the newest first. The context menu copies and saves the list."));
+    m_provenance->setText(base::provenanceText(m_shownProvenance));
+    m_provenance->setVisible(m_shownProvenance != base::Provenance::live);
+    QPalette changed = m_provenance->palette();
+    changed.setColor(QPalette::WindowText, base::statusColours(palette()).simulated);
+    m_provenance->setPalette(changed);
+    m_model->retranslate();
+}
+
+} // namespace teleta::camera

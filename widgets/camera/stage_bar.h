@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/pipeline/camera_snapshot.h"
+#include "widgets/base/number_format.h"
+
+#include <QWidget>
+
+#include <array>
+#include <optional>
+
+namespace teleta::camera {
+
+/// What a camera frame's time goes into, as parts of a bar that is as long as the time between two frames,
+/// with the rates beneath. Times are averaged over about a second. Thread: GUI.
+class StageBar : public QWidget {
+    Q_OBJECT
+public:
+    explicit StageBar(QWidget* parent = nullptr);
+
+    /// nominalRate_Hz: of the camera; 0: unknown. Null: no camera.
+    void setSnapshot(const pipeline::CameraSnapshot* snapshot, double nominalRate_Hz);
+
+    /// Averaged time of all stages, ms.
+    [[nodiscard]] double whole_ms() const { return m_whole_ms; }
+    [[nodiscard]] QString text() const;
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override { return {1, sizeHint().height()}; }
+
+protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    [[nodiscard]] static QString nameOf(std::size_t stage);
+
+    std::array<double, vision::kFinderStages> m_stage_ms{};
+    double m_whole_ms = 0.0;
+    double m_period_ms = 0.0;
+    std::optional<std::string> m_rung; ///< that the averages are of
+    std::uint64_t m_passedOver = 0;
+    std::uint64_t m_unusable = 0;
+    base::SteadyNumber m_wholeShown{0.1};
+    base::SteadyNumber m_rateShown{0.5};
+};
+
+} // namespace teleta::camera
