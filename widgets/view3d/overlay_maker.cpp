@@ -77,6 +77,8 @@ OverlayContent OverlayMaker::make(const TouchScene& scene, const SceneCamera& ca
             addContacts(scene, content);
         }
     }
+    if (request.contactLabels)
+        addTubeMarks(scene, content);
     if (!contour.isEmpty() && !request.shapeLabel.isEmpty()) {
         const Eigen::Vector3d above(contour.center().x(), contour.center().y(), contour.max().z());
         if (const auto place = placeInPicture(*scene.renderer(), above)) {
@@ -109,6 +111,54 @@ void OverlayMaker::addContacts(const TouchScene& scene, OverlayContent& content)
     });
 }
 
+void OverlayMaker::addTubeMarks(const TouchScene& scene, OverlayContent& content) {
+    const std::vector<TubeMark>& marks = scene.tube().marks();
+    for (std::size_t i = 0; i < std::min(marks.size(), kMostLabels); ++i) {
+        const TubeMark& mark = marks[i];
+        const Eigen::Vector3d out(mark.p_Sensor_Foot.x(), mark.p_Sensor_Foot.y(), 0.0);
+        const auto place = placeInPicture(*scene.renderer(),
+                                          scene.tube().X_World_Sensor() * (mark.p_Sensor_Foot + 0.35 * out));
+        if (!place)
+            continue;
+        base::SteadyNumber& deviation = m_deviations_mm[mark.id];
+        deviation.update(std::isfinite(mark.sd_m) ? std::optional(1e3 * mark.sd_m) : std::nullopt);
+        //: A contact on the tube in the 3-D view: its number and the standard deviation of its centre
+        QString text = tr("%1: \u00b1 %2")
+                           .arg(mark.id)
+                           .arg(base::withUnit(deviation.text().trimmed(), QStringLiteral("mm")));
+        if (mark.bumps)
+            text += QLatin1Char(' ') + tr("BUMP");
+        else if (mark.followed)
+            text += QLatin1Char(' ') + tr("followed");
+        content.labels.push_back({*place, text, mark.colour, true});
+    }
+    std::erase_if(m_deviations_mm, [&](const auto& known) {
+        return std::ranges::none_of(marks, [&](const TubeMark& mark) { return mark.id == known.first; });
+    });
+}
+
+QString wordsFor(const contact::Contact& contact, const QString& unit) {
+    return OverlayMaker::tr("Contact %1\nForce %2, peak %3\nx %4, y %5\nArea %6")
+        .arg(contact.id)
+        .arg(base::withUnit(base::threeDigits(contact.force_N), unit),
+             base::withUnit(base::threeDigits(contact.peak_N), unit),
+             base::withUnit(base::threeDigits(contact.x_m * 1e3), QStringLiteral("mm")),
+             base::withUnit(base::threeDigits(contact.y_m * 1e3), QStringLiteral("mm")),
+             base::withUnit(base::threeDigits(contact.area_m2 * 1e6), QStringLiteral("mm\u00b2")));
+}
+
+QString contactRows(const TouchScene& scene) {
+    QString text = QStringLiteral("time_s,contact_id,x_m,y_m,force_n,peak_n,area_m2\n");
+    for (const ContactMark& mark : scene.marks()) {
+        const contact::Contact& c = mark.contact;
+        QStringList row = {QString::number(scene.snapshot().sourceTime_s, 'g', 12), QString::number(c.id)};
+        for (const double value : {c.x_m, c.y_m, c.force_N, c.peak_N, c.area_m2})
+            row += QString::number(value, 'g', 9);
+        text += row.join(QLatin1Char(',')) + QLatin1Char('\n');
+    }
+    return text;
+}
+
 QStringList OverlayMaker::legendOf(const TouchScene& scene, bool grid) {
     QStringList legend;
     if (scene.hasSensor()) {
@@ -128,6 +178,17 @@ QStringList OverlayMaker::legendOf(const TouchScene& scene, bool grid) {
                           .arg(base::withUnit(QLocale().toString(scene.forceRange_N(), 'g', 3),
                                               QString::fromStdString(scene.snapshot().loadUnit)));
         }
+    }
+    if (scene.tube().isShown()) {
+        const vision::CylinderSurface& surface = scene.tube().surface();
+        legend +=
+            tr("Tube: radius %1, length %2")
+                .arg(millimetres(surface.radius_m), millimetres(surface.highest_z_m - surface.lowest_z_m));
+        if (scene.tube().hasVectors())
+            legend +=
+                tr("Displacement of the skin \u00d7 %1, fainter where uncertain").arg(TubePart::kEnlargement);
+        if (!scene.tube().marks().empty())
+            legend += tr("Ellipses hold the centres with 95 %");
     }
     if (grid) {
         legend += tr("Grid: %1").arg(millimetres(scene.gridSpacing_m()));

@@ -12,6 +12,11 @@
 
 namespace teleta::view3d {
 
+/// A contact of an array in words, for its tool tip.
+[[nodiscard]] QString wordsFor(const contact::Contact& contact, const QString& unit);
+/// Contacts of an array as CSV: time_s,contact_id,x_m,y_m,force_n,peak_n,area_m2. C locale.
+[[nodiscard]] QString contactRows(const TouchScene& scene);
+
 /// Place of a point of the world in the picture, as shares of its width and height from the top left; empty
 /// behind the camera.
 [[nodiscard]] std::optional<QPointF> placeInPicture(vtkRenderer& renderer, const Eigen::Vector3d& p_World);
@@ -35,9 +40,11 @@ public:
 
 private:
     void addContacts(const TouchScene& scene, OverlayContent& content);
+    void addTubeMarks(const TouchScene& scene, OverlayContent& content);
     [[nodiscard]] static QStringList legendOf(const TouchScene& scene, bool grid);
 
     std::map<int, base::SteadyNumber> m_forces; ///< by identity
+    std::map<int, base::SteadyNumber> m_deviations_mm;
 };
 
 } // namespace teleta::view3d

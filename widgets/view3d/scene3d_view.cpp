@@ -2,7 +2,6 @@
 #include "widgets/view3d/scene3d_view.h"
 
 #include "widgets/base/figure_export.h"
-#include "widgets/base/number_format.h"
 #include "widgets/base/theme.h"
 #include "widgets/view3d/geometry_export.h"
 #include "widgets/view3d/overlay_maker.h"
@@ -73,7 +72,6 @@ struct Scene3dView::Parts {
     }
 
     [[nodiscard]] base::Figure figure();
-    [[nodiscard]] QString csv() const;
 
     TouchScene scene;
     SceneCamera camera;
@@ -117,20 +115,7 @@ base::Figure Scene3dView::Parts::figure() {
                     painter.drawImage(QRectF(QPointF(), size), picture);
                     paintOverlay(painter, size, content);
                 },
-            .csv = [text = csv()] { return text; }};
-}
-
-QString Scene3dView::Parts::csv() const {
-    QString text = QStringLiteral("time_s,contact_id,x_m,y_m,force_n,peak_n,area_m2\n");
-    for (const ContactMark& mark : scene.marks()) {
-        const contact::Contact& c = mark.contact;
-        QStringList row = {QString::number(scene.snapshot().sourceTime_s, 'g', 12), QString::number(c.id)};
-        for (const double value : {c.x_m, c.y_m, c.force_N, c.peak_N, c.area_m2}) {
-            row += QString::number(value, 'g', 9);
-        }
-        text += row.join(QLatin1Char(',')) + QLatin1Char('\n');
-    }
-    return text;
+            .csv = [text = contactRows(scene)] { return text; }};
 }
 
 Scene3dView::Scene3dView(QWidget* parent)
@@ -399,6 +384,11 @@ void Scene3dView::setArmLinks(std::span<const ArmLink> links) {
     sceneMoved(wasEmpty != m_parts->scene.armBox_m().isEmpty());
 }
 
+void Scene3dView::setTube(const pipeline::CameraSnapshot* snapshot) {
+    sceneMoved(m_parts->scene.setTube(snapshot));
+    m_parts->vtk->requestRender();
+}
+
 void Scene3dView::look(CameraPreset preset) {
     m_parts->camera.look(preset);
 }
@@ -502,15 +492,7 @@ QString Scene3dView::contactTextAt(const QPoint& position) const {
     if (nearest == nullptr) {
         return {};
     }
-    const contact::Contact& c = nearest->contact;
-    const QString unit = QString::fromStdString(parts.scene.snapshot().loadUnit);
-    return tr("Contact %1\nForce %2, peak %3\nx %4, y %5\nArea %6")
-        .arg(c.id)
-        .arg(base::withUnit(base::threeDigits(c.force_N), unit),
-             base::withUnit(base::threeDigits(c.peak_N), unit),
-             base::withUnit(base::threeDigits(c.x_m * 1e3), QStringLiteral("mm")),
-             base::withUnit(base::threeDigits(c.y_m * 1e3), QStringLiteral("mm")),
-             base::withUnit(base::threeDigits(c.area_m2 * 1e6), QStringLiteral("mm²")));
+    return wordsFor(nearest->contact, QString::fromStdString(parts.scene.snapshot().loadUnit));
 }
 
 bool Scene3dView::event(QEvent* event) {

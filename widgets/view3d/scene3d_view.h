@@ -18,6 +18,10 @@
 class QAction;
 class QMenu;
 
+namespace teleta::pipeline {
+struct CameraSnapshot;
+}
+
 namespace teleta::view3d {
 
 class VtkWidget;
@@ -62,6 +66,8 @@ public:
                     std::span<const Eigen::Vector3d> vertices_m, const QString& label);
     /// The arm, from its base on; empty: none is shown.
     void setArmLinks(std::span<const ArmLink> links);
+    /// The tube that a camera watches from inside, with what touches it; null: none.
+    void setTube(const pipeline::CameraSnapshot* snapshot);
 
     void look(CameraPreset preset);
     [[nodiscard]] const Orbit& orbit() const;

@@ -35,6 +35,7 @@ TouchScene::TouchScene(const SceneColours& colours)
     m_axes.addTo(m_renderer);
     m_contour.addTo(m_renderer);
     m_arm.addTo(m_renderer);
+    m_tube.addTo(m_renderer);
     m_sensor.setPose(m_poseMatrix);
     m_contacts.setPose(m_poseMatrix);
     m_axes.setPose(m_poseMatrix);
@@ -197,6 +198,17 @@ void TouchScene::setArmLinks(std::span<const ArmLink> links) {
     coverGround(false);
 }
 
+bool TouchScene::setTube(const pipeline::CameraSnapshot* snapshot) {
+    const bool was = m_tube.isShown();
+    bool other = was;
+    if (snapshot == nullptr)
+        m_tube.clear();
+    else
+        other = m_tube.set(*snapshot);
+    coverGround(other);
+    return other || was != m_tube.isShown();
+}
+
 void TouchScene::setAxesShown(bool shown) {
     m_axesShown = shown;
     m_axes.setVisible(axesShown());
@@ -213,6 +225,7 @@ void TouchScene::applyColours(const SceneColours& colours) {
     m_ground.applyColours(colours);
     m_contour.applyColours(colours);
     m_arm.applyColours(colours);
+    m_tube.applyColours(colours);
     m_bodyStale = m_bodyStale || m_hasSensor;
 }
 
@@ -221,6 +234,7 @@ void TouchScene::applyPixelScale(double scale) {
     m_contacts.applyPixelScale(scale);
     m_ground.applyPixelScale(scale);
     m_contour.applyPixelScale(scale);
+    m_tube.applyPixelScale(scale);
 }
 
 Eigen::AlignedBox3d TouchScene::sensorBox_m() const {
@@ -249,6 +263,7 @@ std::vector<Eigen::Vector3d> TouchScene::corners() const {
     }
     add(m_contour.box_m(), Eigen::Isometry3d::Identity());
     add(m_arm.box_m(), Eigen::Isometry3d::Identity());
+    add(m_tube.box_m(), Eigen::Isometry3d::Identity());
     if (corners.empty()) {
         const Eigen::Vector3d half = Eigen::Vector3d::Constant(kEmptySceneHalf_m);
         add({-half, half}, Eigen::Isometry3d::Identity());
@@ -286,6 +301,9 @@ std::vector<vtkSmartPointer<vtkPolyData>> TouchScene::worldMeshes() const {
         m_contacts.appendMeshes(meshes);
     }
     add(meshes, m_poseMatrix);
+    meshes.clear();
+    m_tube.appendMeshes(meshes);
+    add(meshes, m_tube.pose());
     meshes.clear();
     m_contour.appendMeshes(meshes);
     m_arm.appendMeshes(meshes);

@@ -8,6 +8,7 @@
 #include "widgets/view3d/frame_part.h"
 #include "widgets/view3d/scene_colours.h"
 #include "widgets/view3d/sensor_part.h"
+#include "widgets/view3d/tube_part.h"
 
 #include <QString>
 
@@ -52,7 +53,13 @@ public:
     void setArmLinks(std::span<const ArmLink> links);
     void setGridShown(bool shown) { m_ground.setVisible(shown); }
     void setAxesShown(bool shown);
-    void setDisplacementShown(bool shown) { m_contacts.setDisplacementShown(shown); }
+    void setDisplacementShown(bool shown) {
+        m_contacts.setDisplacementShown(shown);
+        m_tube.setDisplacementShown(shown);
+    }
+    /// The tube that a camera watches; null: none. Returns whether the outer shape of the scene changed.
+    bool setTube(const pipeline::CameraSnapshot* snapshot);
+    [[nodiscard]] const TubePart& tube() const { return m_tube; }
     void applyColours(const SceneColours& colours);
     void applyPixelScale(double scale);
 
@@ -82,7 +89,7 @@ public:
     [[nodiscard]] const Eigen::AlignedBox3d& contourBox_m() const { return m_contour.box_m(); }
     [[nodiscard]] const Eigen::AlignedBox3d& armBox_m() const { return m_arm.box_m(); }
     [[nodiscard]] bool isEmpty() const {
-        return !m_hasSensor && contourBox_m().isEmpty() && armBox_m().isEmpty();
+        return !m_hasSensor && !m_tube.isShown() && contourBox_m().isEmpty() && armBox_m().isEmpty();
     }
 
     /// Corners of all that the camera should see, in the world frame. Does not depend on the loads. Never
@@ -120,6 +127,7 @@ private:
     AxesPart m_axes;
     ContourPart m_contour;
     ArmPart m_arm;
+    TubePart m_tube;
 };
 
 } // namespace teleta::view3d
