@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Makes the pictures of the README from the running console: touches and a contour of a simulated arm, a recorded pressure mat, a
-# simulated array, a rehearsed study, light and dark. The contour takes four minutes: it is explored in real time.
+# simulated array, a simulated camera, a rehearsed study, light and dark. The contour takes four minutes: it is explored in real time.
 #   screenshots.sh [FOLDER [WIDTHxHEIGHT]]      default: resources/screenshots 1600x1000
 set -euo pipefail
 source "$(dirname -- "${BASH_SOURCE[0]}")/build_environment.sh"
@@ -20,6 +20,7 @@ recording=(--replay "$data/tactilus_sequence_excerpt.csv" --tare "$data/tactilus
 ball=(--scene "$root/resources/scenes/tactile-indenter.toml" --after 6)
 touch=(--scene "$root/resources/scenes/teleta-touch.toml" --after 15)
 touches=(--scene "$root/resources/scenes/teleta-touch.toml" --after 34)
+camera=(--scene "$root/resources/scenes/vtacarm-multicontact.toml" --after 4)
 contour=(--scene "$root/resources/scenes/teleta-contour-triangle.toml" --after 250)
 bar=(--scene "$root/resources/scenes/tactile-indenter.toml" --after 14)
 
@@ -41,6 +42,7 @@ take() {
 
 take operate-touch-dark "${touch[@]}" --theme dark
 take operate-contour-light "${contour[@]}" --dock contour --theme light
+take operate-camera-dark "${camera[@]}" --theme dark
 take operate-touches-dark "${touches[@]}" --dock touches --theme dark
 take patterns-light --page patterns --after 4 --theme light
 take study-session-light "${session[@]}" --theme light

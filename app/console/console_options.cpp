@@ -84,6 +84,7 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
            "Examples:\n"
            "  teleta-console --scene tactile-indenter\n"
            "  teleta-console --replay run.csv --rows 64 --columns 27 --tare empty.csv --threshold 10\n"
+           "  teleta-console --camera 0 --camera-model camera.json\n"
            "  teleta-console --sources both-arrays.toml --theme dark"));
     m_parser.setSingleDashWordOptionMode(QCommandLineParser::ParseAsLongOptions);
     const QCommandLineOption help = m_parser.addHelpOption();
@@ -111,6 +112,10 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
         option("threshold", tr("Load from which a taxel is in contact (default 0.2)."), tr("LOAD"));
     const auto rate = option("rate", tr("Play at this rate in Hz instead of the recorded times."), tr("HZ"));
     const auto sources = option("sources", tr("Open the sources listed in a TOML file."), tr("FILE"));
+    const auto camera = option(
+        "camera", tr("Open a camera in the soft tube by its number, or a video of one."), tr("FILE|N"));
+    const auto cameraModel =
+        option("camera-model", tr("Calibration of that camera (JSON of teleta calibrate)."), tr("FILE"));
     const auto pattern =
         option("pattern", tr("Open a pattern file, or a built-in pattern by its id, on the Patterns page."),
                tr("FILE"));
@@ -194,6 +199,12 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
     const QStringList views = OperateDocks::names() + StudyPage::viewNames();
     if (m_parser.isSet(dock) && !views.contains(options.dock))
         fail(tr("--dock %1: expected one of %2").arg(options.dock, views.join(QStringLiteral(", "))));
+    if (m_parser.isSet(camera) != m_parser.isSet(cameraModel))
+        fail(
+            tr("--camera and --camera-model belong together: a camera is of no use without its calibration"));
+    if (m_parser.isSet(camera))
+        options.camera = CameraRequest{m_parser.value(camera).toStdString(),
+                                       m_parser.value(cameraModel).toStdString(), true};
     options.cameraPairs = m_parser.value(cameraPairs);
     options.study = m_parser.value(study);
     options.rehearse = m_parser.isSet(rehearse);

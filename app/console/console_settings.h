@@ -61,6 +61,15 @@ public:
     [[nodiscard]] std::optional<RecordingRequest> recording(const QString& path) const;
     void setRecording(const RecordingRequest& request);
 
+    /// The camera that was opened the last time.
+    [[nodiscard]] CameraRequest camera() const {
+        return {text("camera/source", {}).toStdString(), text("camera/model", {}).toStdString(), true};
+    }
+    void setCamera(const CameraRequest& request) {
+        set("camera/source", QString::fromStdString(request.source));
+        set("camera/model", QString::fromStdString(request.modelPath));
+    }
+
 private:
     [[nodiscard]] QString text(const QString& key, const QString& fallback) const;
     [[nodiscard]] QByteArray bytes(const QString& key) const;

@@ -8,6 +8,7 @@
 #include "app/console/bracelet/hand_station.h"
 #include "app/console/calibrate/calibrate_page.h"
 #include "app/console/operate/arm_views.h"
+#include "app/console/operate/camera_dialog.h"
 #include "app/console/operate/operate_page.h"
 #include "app/console/operate/recording_dialog.h"
 #include "app/console/operate/source_list.h"
@@ -145,6 +146,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     connect(&chooser, &chrome::SourceChooser::openListRequested, m_operate, &OperatePage::openListRequested);
     connect(&chooser, &chrome::SourceChooser::openSceneRequested, this,
             [this] { askForFile(tr("Open scene"), tr("Scenes (*.toml)"), &MainWindow::openScene); });
+    connect(&chooser, &chrome::SourceChooser::openCameraRequested, this, &MainWindow::openCamera);
     connect(&chooser, &chrome::SourceChooser::recentRequested, this, &MainWindow::openFile);
     connect(&m_operate->bracelet(), &BraceletStation::chosen, this, &MainWindow::buildMenus);
     connect(&m_operate->armViews().feedbackPanel(), &FeedbackPanel::changed, this, &MainWindow::saveFeedback);
@@ -224,6 +226,8 @@ void MainWindow::openRequested(const ConsoleOptions& options) {
                     onFailed(name, request.error());
             });
     }
+    if (options.camera)
+        m_sources.open(*options.camera);
     if (!options.sourceList.isEmpty())
         openList(options.sourceList);
     if (!options.pattern.isEmpty())
@@ -242,6 +246,16 @@ void MainWindow::openDemo() {
 
 void MainWindow::openScene(const QString& path) {
     m_sources.open(SceneRequest{path.toStdString(), m_seed});
+}
+
+void MainWindow::openCamera() {
+    auto* dialog = new CameraDialog(m_settings.camera(), CameraDialog::connectedCameras(), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] {
+        m_settings.setCamera(dialog->request());
+        m_sources.open(dialog->request());
+    });
+    dialog->open();
 }
 
 void MainWindow::openFile(const QString& path) {
@@ -368,6 +382,14 @@ void MainWindow::fillDemos() {
          tr("Two balls that approach each other until they touch, and part")},
         {QStringLiteral(":/scenes/tactile-mat.toml"), tr("Demo: a pressure mat"),
          tr("A 64 x 27 mat under a body: a head, a trunk that turns, two heels")},
+        {QStringLiteral(":/scenes/vtacarm-bump.toml"), tr("Demo: something pokes a soft arm"),
+         tr("A camera inside the soft tube sees the bump; the arm draws back")},
+        {QStringLiteral(":/scenes/vtacarm-follow-turn.toml"), tr("Demo: a finger turns a soft arm"),
+         tr("The arm turns after a finger that goes round it")},
+        {QStringLiteral(":/scenes/vtacarm-follow-axial.toml"), tr("Demo: a finger leads a soft arm"),
+         tr("The arm follows a finger along its axis")},
+        {QStringLiteral(":/scenes/vtacarm-multicontact.toml"), tr("Demo: three fingers on a soft arm"),
+         tr("Contacts near the lens, in the middle and at the far end of the tube")},
     });
 }
 

@@ -3,6 +3,7 @@
 
 #include "app/console/main_window.h"
 #include "app/console/study/study_page.h"
+#include "backend/pipeline/camera_channel.h"
 
 #include <QApplication>
 #include <QJsonArray>
@@ -60,12 +61,14 @@ void Unattended::printMeasurement() {
     const GuiClock::Report report = m_window.clock().report();
     QJsonArray sources;
     for (const SourceManager::Item& item : m_window.sources().items()) {
-        if (item.channel == nullptr)
+        if (!item.isOpen())
             continue;
-        const core::DeviceStatus status = item.channel->status();
+        const core::DeviceStatus status = item.camera ? item.camera->status() : item.channel->status();
+        const std::uint64_t processed =
+            item.camera ? item.camera->framesProcessed() : item.channel->framesProcessed();
         sources.append(QJsonObject{{"name", item.name},
                                    {"rate_hz", status.rate_Hz},
-                                   {"frames_processed", static_cast<qint64>(item.channel->framesProcessed())},
+                                   {"frames_processed", static_cast<qint64>(processed)},
                                    {"frames_lost", static_cast<qint64>(status.framesLost)},
                                    {"frames_displayed", static_cast<qint64>(item.displayed)}});
     }

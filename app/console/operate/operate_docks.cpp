@@ -16,11 +16,11 @@ namespace teleta::console {
 namespace {
 
 /// Version of the layouts: stored ones of another version are not restored.
-constexpr qint32 kLayoutVersion = 3;
+constexpr qint32 kLayoutVersion = 4;
 
 constexpr std::array<const char*, OperateDocks::kDocks> kNames{
-    "heatmap", "reconstruction", "charts", "processing", "stiffness", "bracelet",
-    "joints",  "touches",        "jog",    "feedback",   "contour",   "servo"};
+    "heatmap", "reconstruction", "charts",  "processing", "stiffness", "bracelet", "joints", "touches",
+    "jog",     "feedback",       "contour", "servo",      "camera",    "events"};
 
 } // namespace
 
@@ -69,8 +69,12 @@ bool OperateDocks::restore(const QByteArray& layout) {
 }
 
 bool OperateDocks::belongs(Kind kind, std::size_t dock) {
+    if (kind == Kind::camera)
+        return dock == reconstruction || dock == camera || dock == events;
     if (dock < stiffness)
         return true;
+    if (dock == camera || dock == events)
+        return false;
     return kind == (dock == servo ? Kind::servo : Kind::arm);
 }
 
@@ -150,6 +154,13 @@ void OperateDocks::arrange() {
         for (const Dock dock : docks)
             m_docks[dock]->show();
     };
+    if (m_kind == Kind::camera) {
+        addDockWidget(Qt::LeftDockWidgetArea, m_docks[camera]);
+        splitDockWidget(m_docks[camera], m_docks[reconstruction], Qt::Horizontal);
+        splitDockWidget(m_docks[reconstruction], m_docks[events], Qt::Vertical);
+        show({camera, reconstruction, events});
+        return;
+    }
     addDockWidget(Qt::LeftDockWidgetArea, m_docks[heatmap]);
     if (m_kind == Kind::array) {
         splitDockWidget(m_docks[heatmap], m_docks[charts], Qt::Vertical);
@@ -184,6 +195,13 @@ void OperateDocks::arrange() {
 }
 
 void OperateDocks::shareSpace() {
+    if (m_kind == Kind::camera) {
+        resizeDocks({m_docks[camera], m_docks[reconstruction]}, {width() * 11 / 20, width() * 9 / 20},
+                    Qt::Horizontal);
+        resizeDocks({m_docks[reconstruction], m_docks[events]}, {height() * 13 / 20, height() * 7 / 20},
+                    Qt::Vertical);
+        return;
+    }
     if (m_kind != Kind::arm) {
         const bool servos = m_kind == Kind::servo;
         const int settings = base::em(this, servos ? 25 : 18);
@@ -216,7 +234,8 @@ void OperateDocks::retranslate() {
     const std::array<QString, kDocks> titles{tr("Heatmap"),    tr("Reconstruction"), tr("Features over time"),
                                              tr("Processing"), tr("Stiffness"),      tr("Bracelet"),
                                              tr("Joints"),     tr("Touches"),        tr("Jog"),
-                                             tr("Feedback"),   tr("Contour"),        tr("Servo")};
+                                             tr("Feedback"),   tr("Contour"),        tr("Servo"),
+                                             tr("Camera"),     tr("Events")};
     for (std::size_t i = 0; i < kDocks; ++i)
         m_docks[i]->setWindowTitle(titles[i]);
 }

@@ -15,14 +15,14 @@ class QDockWidget;
 
 namespace teleta::console {
 
-/// The docks of the Operate page. An array on its own, an arm and a servo show different views, so each kind
-/// of source has a layout of its own, which is kept while another is shown. Thread: GUI.
+/// The docks of the Operate page. An array on its own, an arm, a servo and a camera show different views, so
+/// each kind of source has a layout of its own, which is kept while another is shown. Thread: GUI.
 class OperateDocks : public QMainWindow {
     Q_OBJECT
 
 public:
-    enum class Kind { array, arm, servo };
-    static constexpr std::size_t kKinds = 3;
+    enum class Kind { array, arm, servo, camera };
+    static constexpr std::size_t kKinds = 4;
 
     enum Dock {
         heatmap,
@@ -36,9 +36,11 @@ public:
         jog,
         feedback,
         contour,
-        servo
+        servo,
+        camera,
+        events
     };
-    static constexpr std::size_t kDocks = 12;
+    static constexpr std::size_t kDocks = 14;
     /// Whether a kind of source shows a dock.
     [[nodiscard]] static bool belongs(Kind kind, std::size_t dock);
 
@@ -81,7 +83,7 @@ private:
     Kind m_kind = Kind::array;
     QString m_forward; ///< name of the dock that comes to the front with the next layout
     std::array<QByteArray, kKinds> m_layouts; ///< of the kinds that are not shown; empty: never shown
-    std::array<bool, kKinds> m_default{true, true, true}; ///< shares its space anew when it is shown
+    std::array<bool, kKinds> m_default{true, true, true, true}; ///< shares its space anew when it is shown
 };
 
 } // namespace teleta::console

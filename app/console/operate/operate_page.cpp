@@ -30,6 +30,26 @@ base::Provenance provenanceOf(const core::SourceDescription& description) {
     return description.recorded ? base::Provenance::recorded : base::Provenance::live;
 }
 
+base::Provenance provenanceOf(const core::CameraDescription& description) {
+    if (description.simulated)
+        return base::Provenance::simulated;
+    return description.recorded ? base::Provenance::recorded : base::Provenance::live;
+}
+
+base::Provenance provenanceOf(const SourceManager::Item& item) {
+    if (item.camera)
+        return provenanceOf(item.camera->description());
+    return item.channel ? provenanceOf(item.channel->description()) : base::Provenance::live;
+}
+
+core::DeviceStatus statusOf(const SourceManager::Item& item) {
+    return item.camera ? item.camera->status() : item.channel->status();
+}
+
+bool isRecorded(const SourceManager::Item& item) {
+    return item.camera ? item.camera->description().recorded : item.channel->description().recorded;
+}
+
 /// Nobody looks at this arm: what it felt meanwhile is not shown later as if it were new.
 void drain(pipeline::ArmChannel& arm) {
     core::JointSample sample;
@@ -37,6 +57,12 @@ void drain(pipeline::ArmChannel& arm) {
     }
     pipeline::TouchRecord touch;
     while (arm.popTouch(touch)) {
+    }
+}
+
+void drain(pipeline::CameraChannel& camera) {
+    pipeline::CameraEvent event;
+    while (camera.popEvent(event)) {
     }
 }
 
@@ -57,7 +83,8 @@ OperatePage::OperatePage(SourceManager& sources, core::StopSwitch& stop, QWidget
     , m_scene(new view3d::Scene3dView(this))
     , m_settings(new tactile::ChannelSettingsPanel(this))
     , m_arm(new ArmViews(stop, *m_bracelet, *m_scene, this))
-    , m_servo(new ServoViews(*m_scene, this)) {
+    , m_servo(new ServoViews(*m_scene, this))
+    , m_camera(new CameraViews(*m_scene, this)) {
     auto* top = new QHBoxLayout;
     top->setContentsMargins(base::grid(this), base::grid(this, 0.5), base::grid(this), base::grid(this, 0.5));
     top->addWidget(m_chooser);
@@ -75,6 +102,7 @@ OperatePage::OperatePage(SourceManager& sources, core::StopSwitch& stop, QWidget
     m_docks->add(OperateDocks::processing, scroll);
     m_arm->addTo(*m_docks);
     m_servo->addTo(*m_docks);
+    m_camera->addTo(*m_docks);
     m_docks->begin();
 
     m_stack->addWidget(m_empty);
@@ -102,15 +130,15 @@ OperatePage::OperatePage(SourceManager& sources, core::StopSwitch& stop, QWidget
     connect(m_chooser, &chrome::SourceChooser::closeRequested, &m_sources, &SourceManager::close);
     connect(m_settings, &tactile::ChannelSettingsPanel::settingsChanged, this,
             [this](const pipeline::ChannelSettings& settings) {
-                if (auto* item = m_sources.active())
+                if (auto* item = m_sources.active(); item != nullptr && item->channel)
                     item->channel->post(settings);
             });
     connect(m_settings, &tactile::ChannelSettingsPanel::tareRequested, this, [this] {
-        if (auto* item = m_sources.active())
+        if (auto* item = m_sources.active(); item != nullptr && item->channel)
             item->channel->requestTare();
     });
     connect(m_settings, &tactile::ChannelSettingsPanel::clearTareRequested, this, [this] {
-        if (auto* item = m_sources.active())
+        if (auto* item = m_sources.active(); item != nullptr && item->channel)
             item->channel->clearTare();
     });
     const auto report = [this](const QString& text) {
@@ -121,6 +149,7 @@ OperatePage::OperatePage(SourceManager& sources, core::StopSwitch& stop, QWidget
     connect(m_charts, &charts::StripChartView::exportFailed, this, report);
     connect(m_scene, &view3d::Scene3dView::failed, this, report);
     connect(m_arm, &ArmViews::exportFailed, this, report);
+    connect(m_camera, &CameraViews::exportFailed, this, report);
     connect(&m_arm->feedbackPanel(), &FeedbackPanel::failed, this, report);
     connect(m_bracelet, &BraceletStation::failed, this, &OperatePage::onBraceletFailed);
     connectPlayback();
@@ -132,67 +161,80 @@ OperatePage::OperatePage(SourceManager& sources, core::StopSwitch& stop, QWidget
 void OperatePage::tick() {
     const std::int64_t now_ns = core::steadyNow_ns();
     for (SourceManager::Item& item : m_sources.items()) {
-        if (item.channel == nullptr)
+        if (!item.isOpen())
             continue;
         watchFailures(item);
-        const bool active = &item == m_sources.active();
-        pipeline::FeatureSample sample;
-        while (item.channel->popSample(sample)) {
-            if (active)
-                m_charts->append(sample);
-        }
-        if (item.arm && !active)
-            drain(*item.arm);
-        if (!item.channel->update() || !active)
-            continue;
-        const pipeline::TouchSnapshot& snapshot = item.channel->snapshot();
-        m_heatmap->setSnapshot(snapshot);
-        m_scene->setSnapshot(snapshot);
-        ++item.displayed;
-        m_latency_s = static_cast<double>(now_ns - snapshot.time_ns) * 1e-9;
-        if (m_settingsRevision != item.channel->settingsRevision()) {
-            m_settingsRevision = item.channel->settingsRevision();
-            m_settings->setSettings(item.channel->settings());
-        }
+        if (item.channel)
+            tickArray(item, now_ns);
+        else if (&item != m_sources.active())
+            drain(*item.camera);
     }
     m_charts->refresh();
     m_bracelet->tick();
     m_arm->tick();
     m_servo->tick();
+    SourceManager::Item* active = m_sources.active();
+    if (m_camera->tick() && active != nullptr) {
+        ++active->displayed;
+        m_latency_s = m_camera->latency_s();
+    }
     if (core::PlaybackControl* control = playback())
         m_playback->setPosition(control->position());
+}
+
+void OperatePage::tickArray(SourceManager::Item& item, std::int64_t now_ns) {
+    const bool active = &item == m_sources.active();
+    pipeline::FeatureSample sample;
+    while (item.channel->popSample(sample)) {
+        if (active)
+            m_charts->append(sample);
+    }
+    if (item.arm && !active)
+        drain(*item.arm);
+    if (!item.channel->update() || !active)
+        return;
+    const pipeline::TouchSnapshot& snapshot = item.channel->snapshot();
+    m_heatmap->setSnapshot(snapshot);
+    m_scene->setSnapshot(snapshot);
+    ++item.displayed;
+    m_latency_s = static_cast<double>(now_ns - snapshot.time_ns) * 1e-9;
+    if (m_settingsRevision != item.channel->settingsRevision()) {
+        m_settingsRevision = item.channel->settingsRevision();
+        m_settings->setSettings(item.channel->settings());
+    }
+}
+
+chrome::DeviceReading OperatePage::readingOf(const SourceManager::Item& item, std::int64_t now_ns) const {
+    chrome::DeviceReading reading;
+    reading.name = item.name;
+    reading.active = &item == m_sources.active();
+    if (!item.isOpen()) {
+        reading.state = core::DeviceState::connecting;
+        return reading;
+    }
+    const core::DeviceStatus status = statusOf(item);
+    const double nominalRate_Hz =
+        item.camera ? item.camera->description().nominalRate_Hz : item.channel->description().nominalRate_Hz;
+    reading.provenance = provenanceOf(item);
+    // A recording may be played as slowly as one likes: its frames are old by nature, not stale.
+    reading.state = isRecorded(item) ? status.state
+                                     : core::observedState(status.state, status.lastData_ns, now_ns,
+                                                           core::staleAfter_ns(nominalRate_Hz));
+    reading.age_s = status.lastData_ns > 0 ? static_cast<double>(now_ns - status.lastData_ns) * 1e-9 : 0.0;
+    reading.rate_Hz = status.rate_Hz;
+    reading.lost = status.framesLost;
+    reading.displayed = item.displayed;
+    reading.details = QString::fromStdString(status.message);
+    if (reading.active)
+        reading.latency_s = m_latency_s;
+    return reading;
 }
 
 std::vector<chrome::DeviceReading> OperatePage::readings() const {
     std::vector<chrome::DeviceReading> readings;
     const std::int64_t now_ns = core::steadyNow_ns();
-    const SourceManager::Item* active = m_sources.active();
-    for (const SourceManager::Item& item : m_sources.items()) {
-        chrome::DeviceReading reading;
-        reading.name = item.name;
-        reading.active = &item == active;
-        if (item.channel == nullptr) {
-            reading.state = core::DeviceState::connecting;
-        } else {
-            const core::SourceDescription& description = item.channel->description();
-            const core::DeviceStatus status = item.channel->status();
-            reading.provenance = provenanceOf(description);
-            // A recording may be played as slowly as one likes: its frames are old by nature, not stale.
-            reading.state = description.recorded
-                                ? status.state
-                                : core::observedState(status.state, status.lastData_ns, now_ns,
-                                                      core::staleAfter_ns(description.nominalRate_Hz));
-            reading.age_s =
-                status.lastData_ns > 0 ? static_cast<double>(now_ns - status.lastData_ns) * 1e-9 : 0.0;
-            reading.rate_Hz = status.rate_Hz;
-            reading.lost = status.framesLost;
-            reading.displayed = item.displayed;
-            reading.details = QString::fromStdString(status.message);
-            if (reading.active)
-                reading.latency_s = m_latency_s;
-        }
-        readings.push_back(std::move(reading));
-    }
+    for (const SourceManager::Item& item : m_sources.items())
+        readings.push_back(readingOf(item, now_ns));
     for (const SourceManager::Item& item : m_sources.items()) {
         if (item.arm == nullptr)
             continue;
@@ -219,23 +261,10 @@ void OperatePage::onActiveChanged() {
     m_latency_s.reset();
     m_charts->clear();
     SourceManager::Item* item = m_sources.active();
-    if (item != nullptr) {
-        const base::Provenance provenance = provenanceOf(item->channel->description());
-        m_heatmap->setProvenance(provenance);
-        m_charts->setProvenance(provenance);
-        m_scene->setProvenance(provenance);
-        const pipeline::ChannelSettings settings = item->channel->settings();
-        m_charts->setLoadUnit(QString::fromStdString(settings.loadUnit));
-        m_settings->setSettings(settings);
-        m_settingsRevision = item->channel->settingsRevision();
-        if (item->channel->generation() > 0) {
-            m_heatmap->setSnapshot(item->channel->snapshot());
-            m_scene->setSnapshot(item->channel->snapshot());
-        }
-    } else {
-        m_heatmap->clear();
-        m_scene->clear();
-    }
+    showArray(item != nullptr && item->channel ? item : nullptr);
+    const std::shared_ptr<pipeline::CameraChannel> camera = item != nullptr ? item->camera : nullptr;
+    if (camera != m_camera->camera())
+        m_camera->setCamera(camera, camera ? provenanceOf(*item) : base::Provenance::live);
     // Before the arm, whose surface is to stay.
     const std::shared_ptr<servo::ServoLink> servo = item != nullptr ? item->servo : nullptr;
     if (servo != m_servo->servo())
@@ -244,19 +273,38 @@ void OperatePage::onActiveChanged() {
     if (arm != m_arm->arm()) {
         m_arm->setArm(arm, arm ? provenanceOf(item->channel->description()) : base::Provenance::live);
     }
-    m_docks->setKind(arm     ? OperateDocks::Kind::arm
+    m_docks->setKind(camera  ? OperateDocks::Kind::camera
+                     : arm   ? OperateDocks::Kind::arm
                      : servo ? OperateDocks::Kind::servo
                              : OperateDocks::Kind::array);
-    m_settings->setEnabled(item != nullptr);
+    m_settings->setEnabled(item != nullptr && item->channel);
     onSourcesChanged();
+}
+
+void OperatePage::showArray(SourceManager::Item* item) {
+    if (item == nullptr) {
+        m_heatmap->clear();
+        m_scene->clear();
+        return;
+    }
+    const base::Provenance provenance = provenanceOf(*item);
+    m_heatmap->setProvenance(provenance);
+    m_charts->setProvenance(provenance);
+    m_scene->setProvenance(provenance);
+    const pipeline::ChannelSettings settings = item->channel->settings();
+    m_charts->setLoadUnit(QString::fromStdString(settings.loadUnit));
+    m_settings->setSettings(settings);
+    m_settingsRevision = item->channel->settingsRevision();
+    if (item->channel->generation() > 0) {
+        m_heatmap->setSnapshot(item->channel->snapshot());
+        m_scene->setSnapshot(item->channel->snapshot());
+    }
 }
 
 void OperatePage::onSourcesChanged() {
     std::vector<chrome::SourceChooser::Source> sources;
     for (const SourceManager::Item& item : m_sources.items()) {
-        sources.push_back({item.key, item.name,
-                           item.channel ? provenanceOf(item.channel->description()) : base::Provenance::live,
-                           item.channel == nullptr});
+        sources.push_back({item.key, item.name, provenanceOf(item), !item.isOpen()});
     }
     const SourceManager::Item* active = m_sources.active();
     m_chooser->setSources(sources, active != nullptr ? active->key : 0);
@@ -283,11 +331,11 @@ void OperatePage::connectPlayback() {
 
 core::PlaybackControl* OperatePage::playback() {
     SourceManager::Item* item = m_sources.active();
-    return item != nullptr ? item->channel->playback() : nullptr;
+    return item != nullptr && item->channel ? item->channel->playback() : nullptr;
 }
 
 void OperatePage::watchFailures(const SourceManager::Item& item) {
-    const core::DeviceStatus status = item.channel->status();
+    const core::DeviceStatus status = statusOf(item);
     const auto reported = std::find(m_reportedLost.begin(), m_reportedLost.end(), item.key);
     if (status.state != core::DeviceState::lost) {
         if (reported != m_reportedLost.end())
@@ -297,7 +345,7 @@ void OperatePage::watchFailures(const SourceManager::Item& item) {
     if (reported != m_reportedLost.end())
         return;
     m_reportedLost.push_back(item.key);
-    const bool recorded = item.channel->description().recorded;
+    const bool recorded = isRecorded(item);
     m_messages->post({chrome::Message::Severity::error, tr("%1 was lost.", "a source").arg(item.name),
                       recorded ? tr("What came before the damaged place can still be played. Repair the file "
                                     "and open it again.")

@@ -3,6 +3,7 @@
 
 #include "app/console/bracelet/bracelet_station.h"
 #include "app/console/operate/arm_views.h"
+#include "app/console/operate/camera_views.h"
 #include "app/console/operate/operate_docks.h"
 #include "app/console/operate/servo_views.h"
 #include "app/console/operate/source_manager.h"
@@ -53,6 +54,7 @@ public:
 
     [[nodiscard]] OperateDocks& docks() { return *m_docks; }
     [[nodiscard]] ArmViews& armViews() { return *m_arm; }
+    [[nodiscard]] CameraViews& cameraViews() { return *m_camera; }
     [[nodiscard]] BraceletStation& bracelet() { return *m_bracelet; }
     void retranslate();
 
@@ -69,6 +71,9 @@ private:
     void onSourcesChanged();
     void onBraceletFailed(const core::Error& error);
     void connectPlayback();
+    void showArray(SourceManager::Item* item);
+    void tickArray(SourceManager::Item& item, std::int64_t now_ns);
+    [[nodiscard]] chrome::DeviceReading readingOf(const SourceManager::Item& item, std::int64_t now_ns) const;
     void watchFailures(const SourceManager::Item& item);
     core::PlaybackControl* playback();
 
@@ -86,6 +91,7 @@ private:
     tactile::ChannelSettingsPanel* m_settings;
     ArmViews* m_arm;
     ServoViews* m_servo;
+    CameraViews* m_camera;
     std::uint64_t m_settingsRevision = 0;
     std::optional<double> m_latency_s;
     std::vector<pipeline::ChannelKey> m_reportedLost;

@@ -2,6 +2,7 @@
 #include "app/console/operate/source_list.h"
 
 #include "backend/scene/toml_table.h"
+#include "devices/camera/camera_feed.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -76,6 +77,16 @@ WtsRequest readWtsSource(scene::TomlTable& table, const std::string& listPath) {
     return request;
 }
 
+CameraRequest readCameraSource(scene::TomlTable& table, const std::string& listPath) {
+    CameraRequest request;
+    request.source = table.text("camera");
+    if (!camera::isCameraNumber(request.source))
+        request.source = besideList(listPath, request.source);
+    request.modelPath = besideList(listPath, table.text("camera_model"));
+    request.loop = table.boolean("loop", request.loop);
+    return request;
+}
+
 } // namespace
 
 core::Expected<std::vector<SourceRequest>> readSourceList(const std::string& path) {
@@ -89,6 +100,8 @@ core::Expected<std::vector<SourceRequest>> readSourceList(const std::string& pat
             requests.emplace_back(readSceneSource(table, path));
         else if (table.has("wts"))
             requests.emplace_back(readWtsSource(table, path));
+        else if (table.has("camera"))
+            requests.emplace_back(readCameraSource(table, path));
         else
             requests.emplace_back(readRecordingSource(table, path));
         table.finish();

@@ -40,7 +40,7 @@ void SourceManager::closeAll() {
 
 void SourceManager::activate(ChannelKey key) {
     const Item* item = find(key);
-    if (item == nullptr || item->channel == nullptr || key == m_active)
+    if (item == nullptr || !item->isOpen() || key == m_active)
         return;
     m_active = key;
     emit activeChanged(key);
@@ -67,6 +67,7 @@ void SourceManager::poll() {
             item->channel = std::move(event.channel);
             item->arm = std::move(event.arm);
             item->servo = std::move(event.servo);
+            item->camera = std::move(event.camera);
             emit opened(event.key);
             emit itemsChanged();
             activate(event.key);
@@ -94,8 +95,8 @@ void SourceManager::remove(ChannelKey key) {
     emit itemsChanged();
     if (!wasActive)
         return;
-    const auto next = std::find_if(m_items.begin(), m_items.end(),
-                                   [](const Item& item) { return item.channel != nullptr; });
+    const auto next =
+        std::find_if(m_items.begin(), m_items.end(), [](const Item& item) { return item.isOpen(); });
     if (next != m_items.end())
         activate(next->key);
     else

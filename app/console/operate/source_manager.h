@@ -24,10 +24,13 @@ public:
         pipeline::ChannelKey key = 0;
         SourceRequest request;
         QString name;
-        std::shared_ptr<pipeline::TouchChannel> channel; ///< null while it is being opened
+        std::shared_ptr<pipeline::TouchChannel> channel; ///< null while it is being opened, and of a camera
         std::shared_ptr<pipeline::ArmChannel> arm;       ///< null unless the channel is an arm's skin
         std::shared_ptr<servo::ServoLink> servo;         ///< null unless a servo moves the array
         std::uint64_t displayed = 0;                     ///< snapshots that were painted
+        std::shared_ptr<pipeline::CameraChannel> camera = nullptr; ///< null unless the source is a camera
+
+        [[nodiscard]] bool isOpen() const { return channel != nullptr || camera != nullptr; }
     };
 
     explicit SourceManager(core::StopSwitch& stop, QObject* parent = nullptr);

@@ -3,14 +3,20 @@
 
 #include "app/common/scene_file.h"
 #include "backend/core/frame_file.h"
+#include "backend/pipeline/camera_channel.h"
+#include "backend/scene_run/scene_reaction.h"
 #include "backend/scene_run/scene_settings.h"
 #include "backend/simulation/arm/simulated_arm.h"
+#include "backend/simulation/camera/tube_camera.h"
 #include "backend/simulation/servo/servo_array.h"
 #include "backend/simulation/simulated_array.h"
+#include "backend/vision/camera_file.h"
+#include "devices/camera/camera_feed.h"
 #include "devices/replay/replay_config.h"
 #include "devices/replay/replay_device.h"
 #include "devices/simulated/simulated_arm_device.h"
 #include "devices/simulated/simulated_array_device.h"
+#include "devices/simulated/simulated_camera_device.h"
 #include "devices/wts/wts_device.h"
 
 #include <QDir>
@@ -128,6 +134,49 @@ core::Expected<pipeline::OpenedSource> openServo(const scene::Scene& scene, std:
                                   std::move(link)};
 }
 
+pipeline::OpenedSource openedCamera(std::shared_ptr<pipeline::CameraChannel> channel) {
+    pipeline::OpenedSource opened;
+    opened.camera = std::move(channel);
+    return opened;
+}
+
+core::Expected<pipeline::OpenedSource> openTube(const scene::Scene& scene, std::uint64_t seed,
+                                                const core::StopSwitch& stop) {
+    auto link = std::make_shared<simulation::CarrierLink>();
+    auto made = simulation::makeTubeCamera(scene, seed, link);
+    if (!made)
+        return core::Unexpected(made.error());
+    const scene::CameraWorld& world = scene.camera();
+    std::unique_ptr<pipeline::CameraReaction> reaction;
+    if (!std::holds_alternative<scene::NoReaction>(world.reaction))
+        reaction = std::make_unique<scene_run::SceneReaction>(world, link);
+    auto channel = pipeline::CameraChannel::make(
+        std::make_unique<simulated::SimulatedCameraDevice>(std::move(made->generator), stop), made->camera,
+        stop, std::move(reaction), {.tracker = scene_run::trackerSettings(world), .contacts = {}});
+    if (!channel)
+        return core::Unexpected(channel.error());
+    return openedCamera(std::move(*channel));
+}
+
+core::Expected<pipeline::OpenedSource> openCamera(const CameraRequest& request,
+                                                  const core::StopSwitch& stop) {
+    auto model = vision::readCamera(request.modelPath);
+    if (!model)
+        return core::Unexpected(model.error());
+    camera::CameraConfig config;
+    config.source = request.source;
+    config.width_px = model->camera.camera().parameters().width_px;
+    config.height_px = model->camera.camera().parameters().height_px;
+    config.loop = request.loop;
+    auto feed = camera::CameraFeed::open(std::move(config));
+    if (!feed)
+        return core::Unexpected(feed.error());
+    auto channel = pipeline::CameraChannel::make(std::move(*feed), model->camera, stop);
+    if (!channel)
+        return core::Unexpected(channel.error());
+    return openedCamera(std::move(*channel));
+}
+
 core::Expected<pipeline::OpenedSource> openScene(const SceneRequest& request, const core::StopSwitch& stop) {
     auto scene = app::readScene(request.path);
     if (!scene)
@@ -136,6 +185,8 @@ core::Expected<pipeline::OpenedSource> openScene(const SceneRequest& request, co
         return openArm(*scene, request.seed, stop);
     if (scene->isServo())
         return openServo(*scene, request.seed, stop);
+    if (scene->isCamera())
+        return openTube(*scene, request.seed, stop);
     auto array = simulation::makeTactileArray(*scene, request.seed);
     if (!array)
         return core::Unexpected(array.error());
@@ -157,6 +208,9 @@ core::Expected<pipeline::OpenedSource> openWts(const WtsRequest& request) {
 
 /// The name of the link, or else nothing.
 QString linkOf(const SourceRequest& request) {
+    if (const auto* camera = std::get_if<CameraRequest>(&request);
+        camera && camera::isCameraNumber(camera->source))
+        return QStringLiteral("/dev/video") + QString::fromStdString(camera->source);
     const auto* connected = std::get_if<WtsRequest>(&request);
     return connected != nullptr ? QString::fromStdString(wts::displayName(connected->config.address))
                                 : QString();
@@ -165,6 +219,8 @@ QString linkOf(const SourceRequest& request) {
 QString pathOf(const SourceRequest& request) {
     if (const auto* recording = std::get_if<RecordingRequest>(&request))
         return QString::fromStdString(recording->path);
+    if (const auto* camera = std::get_if<CameraRequest>(&request))
+        return QString::fromStdString(camera->source);
     const auto* scene = std::get_if<SceneRequest>(&request);
     return scene != nullptr ? QString::fromStdString(scene->path) : QString();
 }
@@ -187,6 +243,8 @@ pipeline::SourceFactory makeSourceFactory(SourceRequest request, const core::Sto
             return openRecording(*recording);
         if (const auto* connected = std::get_if<WtsRequest>(&request))
             return openWts(*connected);
+        if (const auto* camera = std::get_if<CameraRequest>(&request))
+            return openCamera(*camera, stop);
         return openScene(std::get<SceneRequest>(request), stop);
     };
 }

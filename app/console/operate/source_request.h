@@ -45,7 +45,14 @@ struct WtsRequest {
     std::string loadUnit = "counts";                ///< shown with every load
 };
 
-using SourceRequest = std::variant<RecordingRequest, SceneRequest, WtsRequest>;
+/// A camera in a soft tube that is connected, or a video of one.
+struct CameraRequest {
+    std::string source;    ///< a file, a pattern of numbered images or the number of a camera
+    std::string modelPath; ///< camera file (JSON) of its calibration
+    bool loop = true;      ///< of a file
+};
+
+using SourceRequest = std::variant<RecordingRequest, SceneRequest, WtsRequest, CameraRequest>;
 
 /// Name under which people know the source: the file name without its folder, or the name of the link.
 [[nodiscard]] QString displayName(const SourceRequest& request);

@@ -60,6 +60,17 @@ private slots:
         QVERIFY2(parsed.text.contains(reason), qPrintable(parsed.text));
     }
 
+    void takesACameraWithItsCalibrationOnly() {
+        const auto both = parseOptions({"teleta-console", "--camera", "0", "--camera-model", "camera.json"});
+        QVERIFY(both.options.has_value());
+        QCOMPARE(both.options->camera->source, std::string("0"));
+        QCOMPARE(both.options->camera->modelPath, std::string("camera.json"));
+        const auto alone = parseOptions({"teleta-console", "--camera", "0"});
+        QVERIFY(!alone.options.has_value());
+        QCOMPARE(alone.exitCode, 2);
+        QVERIFY(alone.text.contains("--camera-model"));
+    }
+
     void printsHelpAndVersionWithoutFailing() {
         const auto help = parseOptions({"teleta-console", "--help"});
         QVERIFY(!help.options.has_value());

@@ -80,7 +80,11 @@ private slots:
             QVERIFY(OperateDocks::belongs(kind, OperateDocks::processing));
             QCOMPARE(OperateDocks::belongs(kind, OperateDocks::stiffness), kind == Kind::arm);
             QCOMPARE(OperateDocks::belongs(kind, OperateDocks::servo), kind == Kind::servo);
+            QVERIFY(!OperateDocks::belongs(kind, OperateDocks::camera));
         }
+        for (const auto dock : {OperateDocks::camera, OperateDocks::events, OperateDocks::reconstruction})
+            QVERIFY(OperateDocks::belongs(Kind::camera, dock));
+        QVERIFY(!OperateDocks::belongs(Kind::camera, OperateDocks::heatmap));
     }
 };
 

@@ -6,6 +6,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+using teleta::console::CameraRequest;
 using teleta::console::guessRecording;
 using teleta::console::readSourceList;
 using teleta::console::RecordingRequest;
@@ -55,6 +56,28 @@ private slots:
         QVERIFY(prime.has_value());
         QCOMPARE(prime->layout.rows, 1);
         QCOMPARE(prime->layout.columns, 13);
+    }
+
+    void readsCamerasAndVideosWithTheirCalibration() {
+        const auto list = readSourceList(write("cameras.toml", "[[source]]\n"
+                                                               "camera = \"0\"\n"
+                                                               "camera_model = \"tube.json\"\n"
+                                                               "[[source]]\n"
+                                                               "camera = \"run.avi\"\n"
+                                                               "camera_model = \"tube.json\"\n"
+                                                               "loop = false\n")
+                                             .toStdString());
+        QVERIFY(list.has_value());
+        QCOMPARE(list->size(), std::size_t(2));
+        const auto& connected = std::get<CameraRequest>((*list)[0]);
+        QCOMPARE(connected.source, std::string("0"));
+        QCOMPARE(QString::fromStdString(connected.modelPath), m_folder.filePath("tube.json"));
+        const auto& video = std::get<CameraRequest>((*list)[1]);
+        QCOMPARE(QString::fromStdString(video.source), m_folder.filePath("run.avi"));
+        QVERIFY(!video.loop);
+        const auto without = readSourceList(write("bad.toml", "[[source]]\ncamera = \"0\"\n").toStdString());
+        QVERIFY(!without.has_value());
+        QVERIFY(without.error().where.line > 0);
     }
 
     void readsRecordingsAndScenesInTheirOrderWithPathsBesideTheList() {

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/operate/operate_docks.h"
+#include "backend/pipeline/camera_channel.h"
+#include "widgets/base/badge.h"
+
+#include <QObject>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+namespace teleta::camera {
+class CameraPanel;
+class EventTable;
+} // namespace teleta::camera
+namespace teleta::view3d {
+class Scene3dView;
+}
+
+namespace teleta::console {
+
+/// The views of a camera in the soft tube on the Operate page: its picture, what happened, and the tube with
+/// what touches it in the reconstruction. Thread: GUI.
+class CameraViews : public QObject {
+    Q_OBJECT
+
+public:
+    CameraViews(view3d::Scene3dView& scene, QWidget* parent);
+
+    void addTo(OperateDocks& docks);
+    /// The camera that is shown from now on; null: none.
+    void setCamera(std::shared_ptr<pipeline::CameraChannel> camera, base::Provenance provenance);
+    [[nodiscard]] const std::shared_ptr<pipeline::CameraChannel>& camera() const { return m_camera; }
+    /// Shows what came since the last tick; true when there was a new picture.
+    bool tick();
+    /// Time from the read of the newest frame to its picture; empty without one.
+    [[nodiscard]] std::optional<double> latency_s() const { return m_latency_s; }
+
+    [[nodiscard]] camera::CameraPanel& panel() { return *m_panel; }
+    [[nodiscard]] camera::EventTable& events() { return *m_events; }
+
+signals:
+    void exportFailed(const QString& message);
+
+private:
+    void show(const pipeline::CameraSnapshot& snapshot);
+
+    view3d::Scene3dView& m_scene;
+    camera::CameraPanel* m_panel;
+    camera::EventTable* m_events;
+    std::shared_ptr<pipeline::CameraChannel> m_camera;
+    std::optional<double> m_latency_s;
+};
+
+} // namespace teleta::console

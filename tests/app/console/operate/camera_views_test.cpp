@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/operate/camera_dialog.h"
+#include "app/console/operate/camera_views.h"
+#include "app/console/operate/operate_page.h"
+#include "devices/simulated/simulated_camera_device.h"
+#include "widgets/camera/camera_panel.h"
+#include "widgets/camera/camera_view.h"
+#include "widgets/camera/event_model.h"
+#include "widgets/camera/event_table.h"
+#include "widgets/view3d/scene3d_view.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFile>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace teleta;
+using console::CameraDialog;
+using console::CameraRequest;
+using console::OperateDocks;
+using console::OperatePage;
+using console::SceneRequest;
+using console::SourceManager;
+
+namespace {
+
+/// A small tube, so that frames are drawn quickly: a tool pokes it after half a second.
+constexpr char kScene[] = R"(
+name = "poke"
+description = "A tool pokes a small tube."
+duration_s = 1.2
+rate_Hz = 40.0
+[camera]
+width_px = 410
+height_px = 308
+focal_length_px = 147.0
+behind_m = 0.020
+[skin]
+radius_m = 0.025
+length_m = 0.060
+dot_pitch_m = 0.005
+dot_diameter_m = 0.002
+reach_m = 0.0015
+[[finger]]
+name = "tool"
+radius_m = 0.008
+keyframes = [
+    { time_s = 0.0, angle_rad = 0.8, z_m = 0.020, depth_m = -0.010 },
+    { time_s = 0.4, angle_rad = 0.8, z_m = 0.020, depth_m = 0.003 },
+    { time_s = 1.2, angle_rad = 0.8, z_m = 0.020, depth_m = 0.003 },
+]
+[reaction]
+kind = "bump"
+speed_m_per_s = 0.02
+depth_m = 0.0015
+retreat_m = 0.02
+[limits]
+speed_m_per_s = 0.25
+acceleration_m_per_s2 = 5.0
+[[effects]]
+name = "lens_distortion"
+why = "A lens of 160 degrees is no pinhole."
+k1 = 0.77777778
+k2 = 0.06772487
+k4 = 1.11111111
+k5 = 0.23809524
+)";
+
+constexpr int kPatience_ms = 60'000;
+
+} // namespace
+
+/// A simulated camera from its scene file to the views of the Operate page.
+class CameraViewsTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+    core::StopSwitch m_stop;
+    std::unique_ptr<SourceManager> m_sources;
+    std::unique_ptr<OperatePage> m_page;
+
+    void poll() {
+        m_sources->poll();
+        m_page->tick();
+    }
+    template <typename Condition>
+    bool comes(const Condition& condition) {
+        return QTest::qWaitFor(
+            [&] {
+                poll();
+                return condition();
+            },
+            kPatience_ms);
+    }
+    camera::CameraPanel& panel() { return m_page->cameraViews().panel(); }
+    bool lists(const QString& event) {
+        const camera::EventModel& model = m_page->cameraViews().events().model();
+        for (int row = 0; row < model.rowCount(); ++row)
+            if (model.index(row, camera::EventModel::event).data().toString() == event)
+                return true;
+        return false;
+    }
+
+private slots:
+    void init() {
+        m_stop.release();
+        m_sources = std::make_unique<SourceManager>(m_stop);
+        m_page = std::make_unique<OperatePage>(*m_sources, m_stop);
+        m_page->resize(1200, 800);
+        QFile file(m_folder.filePath("poke.toml"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(kScene);
+        file.close();
+        m_sources->open(SceneRequest{file.fileName().toStdString(), 1});
+        QSignalSpy failed(m_sources.get(), &SourceManager::failed);
+        QVERIFY(comes([&] { return m_sources->active() != nullptr || !failed.isEmpty(); }));
+        if (!failed.isEmpty())
+            QFAIL(core::describe(failed[0][1].value<core::Error>()).c_str());
+    }
+
+    void cleanup() {
+        m_page.reset();
+        m_sources.reset();
+    }
+
+    void aPokeIsSeenToldAndTheArmDrawsBack() {
+        QVERIFY(m_page->docks().kind() == OperateDocks::Kind::camera);
+        QVERIFY(comes([&] { return panel().isEnabled(); }));
+        QVERIFY(panel().view().picture().provenance == base::Provenance::simulated);
+        QVERIFY(comes([&] { return lists("BUMP"); }));
+        QVERIFY(lists("touched"));
+        QVERIFY(comes([&] { return lists("begins anew"); }));
+        const auto readings = m_page->readings();
+        QVERIFY(!readings.empty());
+        QVERIFY(readings.front().provenance == base::Provenance::simulated);
+        QVERIFY(readings.front().displayed > 0);
+        QVERIFY(readings.front().latency_s.has_value());
+    }
+
+    void anotherRungIsUsedFromTheNextFrameOn() {
+        QVERIFY(comes([&] { return panel().isEnabled(); }));
+        m_page->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_page.get()));
+        auto* rungs = panel().findChild<QComboBox*>("cameraRung");
+        rungs->setFocus();
+        QTest::keyClick(rungs, Qt::Key_Down);
+        QVERIFY(comes([&] { return panel().view().picture().shown.rung == "paper"; }));
+        QCOMPARE(rungs->currentText(), QStringLiteral("paper"));
+    }
+
+    void stopTakesTheArmsPermissionUntilTheBoxIsTickedAgain() {
+        QVERIFY(comes([&] { return panel().isEnabled(); }));
+        m_page->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_page.get()));
+        auto* mayReact = panel().findChild<QCheckBox*>("cameraMayReact");
+        QVERIFY(mayReact->isChecked());
+        m_stop.engage();
+        QVERIFY(comes([&] { return !mayReact->isChecked(); }));
+        m_stop.release();
+        const std::uint64_t frame = panel().view().picture().shown.frame;
+        QVERIFY(comes([&] { return panel().view().picture().shown.frame > frame + 2; }));
+        QVERIFY(!mayReact->isChecked());
+        QTest::mouseClick(mayReact, Qt::LeftButton, {}, QPoint(8, mayReact->height() / 2));
+        const std::uint64_t ticked = panel().view().picture().shown.frame;
+        QVERIFY(comes([&] { return panel().view().picture().shown.frame > ticked + 2; }));
+        QVERIFY(mayReact->isChecked());
+    }
+
+    void anUnpluggedCameraIsToldAndComesBack() {
+        QVERIFY(comes([&] { return panel().isEnabled(); }));
+        auto& device = dynamic_cast<simulated::SimulatedCameraDevice&>(m_sources->active()->camera->source());
+        device.setFaults({.unplugged = true});
+        QVERIFY(comes([&] {
+            const core::DeviceState state = m_page->readings().front().state;
+            return state == core::DeviceState::lost || state == core::DeviceState::reconnecting;
+        }));
+        device.setFaults({});
+        QVERIFY(comes([&] { return lists("begins anew"); }));
+        QVERIFY(comes([&] { return m_page->readings().front().rate_Hz > 0.0; }));
+    }
+
+    void aClosedCameraLeavesNothingBehind() {
+        QVERIFY(comes([&] { return panel().isEnabled(); }));
+        m_sources->closeAll();
+        poll();
+        QVERIFY(!panel().isEnabled());
+        QVERIFY(m_page->docks().kind() == OperateDocks::Kind::array);
+        QVERIFY(m_page->readings().empty() || !m_page->readings().front().active);
+    }
+
+    void theDialogAsksForACameraAndItsCalibration() {
+        CameraDialog dialog({}, {"0", "2"});
+        auto* open = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Open);
+        QVERIFY(!open->isEnabled());
+        QCOMPARE(dialog.request().source, std::string("0"));
+        dialog.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&dialog));
+        auto* model = dialog.findChild<QLineEdit*>("cameraModel");
+        model->setFocus();
+        QTest::keyClicks(model, "camera.json");
+        QVERIFY(open->isEnabled());
+        QVERIFY(!dialog.findChild<QCheckBox*>()->isEnabled()); // a camera does not begin again
+        dialog.findChild<QComboBox*>("cameraSource")->setCurrentText("run.avi");
+        QVERIFY(dialog.findChild<QCheckBox*>()->isEnabled());
+        QCOMPARE(dialog.request().source, std::string("run.avi"));
+        QCOMPARE(dialog.request().modelPath, std::string("camera.json"));
+    }
+};
+
+QTEST_MAIN(CameraViewsTest)
+#include "camera_views_test.moc"
