@@ -238,7 +238,8 @@ void CameraPicture::paintState(QPainter& painter, const QSizeF& size, const QPal
         painter.setPen(Qt::white);
         painter.drawText(line, Qt::AlignCenter | Qt::TextWordWrap, QString::fromStdString(shown.problem));
     } else if (arrows && !shown.arrows.empty()) {
-        paintHalo(painter, {margin, size.height() - margin},
+        const QRectF visible = imageRect(size) & QRectF(QPointF(), size);
+        paintHalo(painter, {visible.left() + margin, visible.bottom() - margin},
                   tr("Displacement \u00d7 %1").arg(std::lround(enlargement)), Qt::white);
     }
 }

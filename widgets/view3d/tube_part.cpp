@@ -23,7 +23,6 @@ constexpr double kVector_px = 2.2;
 constexpr double kLift = 0.012; ///< of what is drawn on the skin, in radii
 constexpr double kMark = 0.045; ///< radius of the sphere at a centre, in radii
 constexpr double kStartMoved_m = 0.0005;
-constexpr double kSkinOpacity = 0.6;
 
 Eigen::Vector3d onCircle(double radius_m, double angle_rad, double z_m) {
     return {radius_m * std::cos(angle_rad), radius_m * std::sin(angle_rad), z_m};
@@ -44,8 +43,8 @@ TubePart::TubePart()
     , m_vectorActor(m_vectors.data(), MeshActor::Shading::none) {
     for (MeshActor* actor : {&m_skinActor, &m_ringActor, &m_solidActor, &m_outlineActor, &m_vectorActor})
         actor->actor->SetUserMatrix(m_pose);
-    // What presses on the far side is seen through the skin.
-    m_skinActor.actor->GetProperty()->SetOpacity(kSkinOpacity);
+    // Of what presses on the far side the outline is seen.
+    m_outlineActor.showThrough();
     setVisible();
 }
 
@@ -108,7 +107,13 @@ bool TubePart::set(const pipeline::CameraSnapshot& snapshot) {
     }
     rebuildContacts(snapshot);
     setVisible();
-    return other;
+    const Eigen::AlignedBox3d box = box_m();
+    const bool left = other || !m_room.contains(box);
+    if (left) {
+        const Eigen::Vector3d room_m = Eigen::Vector3d::Constant(kRoom_m);
+        m_room = {box.min() - room_m, box.max() + room_m};
+    }
+    return left;
 }
 
 void TubePart::clear() {

@@ -34,6 +34,8 @@ class TubePart {
 public:
     /// Vectors of the skin are drawn so many times longer than they are.
     static constexpr double kEnlargement = 4.0;
+    /// How far the tube may move before the camera is fitted anew.
+    static constexpr double kRoom_m = 0.02;
     /// Displacements of less than this, or than their standard deviation, are not drawn.
     static constexpr double kLeastVector_m = 0.0001;
     /// Radius of the ellipse that holds 95 % of a normal distribution of the plane, in standard deviations.
@@ -45,7 +47,8 @@ public:
     void applyPixelScale(double scale);
     void setDisplacementShown(bool shown);
 
-    /// Returns whether the tube itself is another one. An arm's pose moves the tube in the world.
+    /// Returns whether the tube is another one or has left the room around where it was when this last said
+    /// so. An arm's pose moves the tube in the world.
     bool set(const pipeline::CameraSnapshot& snapshot);
     void clear();
 
@@ -71,7 +74,8 @@ private:
 
     bool m_shown = false;
     bool m_displacementShown = true;
-    bool m_moved = false; ///< away from the start
+    bool m_moved = false;       ///< away from the start
+    Eigen::AlignedBox3d m_room; ///< in which the tube may move without the camera being fitted anew
     vision::CylinderSurface m_surface;
     Eigen::Isometry3d m_X_World_Sensor = Eigen::Isometry3d::Identity();
     std::vector<TubeMark> m_marks;

@@ -115,6 +115,7 @@ TEST_F(SimulatedCameraTest, isLostWhenUnpluggedAndComesBackByItself) {
         return test::eventually(m_wakeup, [&] { return m_device->status().state == state; });
     };
     ASSERT_TRUE(comesTo(DeviceState::lost));
+    m_clock->settle();
     EXPECT_EQ(m_device->status().message, "The camera was unplugged.");
     m_clock->advance(100'000'000);
     EXPECT_EQ(m_device->status().state, DeviceState::reconnecting);

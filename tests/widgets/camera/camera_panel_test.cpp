@@ -210,7 +210,12 @@ private slots:
         view.setSnapshot(&snapshot);
         const QStringList lines = view.figure().csv().trimmed().split('\n');
         QCOMPARE(lines.size(), 2);
-        QCOMPARE(lines[1], QStringLiteral("40,1,3,410,308,0,0.025,0.04,0,0,0.01,0,0.0002"));
+        const QStringList cells = lines[1].split(',');
+        const std::vector<double> expected{40.0, 1.0, 3.0, 410.0, 308.0, 0.0,   0.025,
+                                           0.04, 0.0, 0.0, 0.01,  0.0,   0.0002};
+        QCOMPARE(cells.size(), static_cast<qsizetype>(expected.size()));
+        for (std::size_t i = 0; i < expected.size(); ++i)
+            QVERIFY(std::abs(cells[static_cast<qsizetype>(i)].toDouble() - expected[i]) < 1e-12);
         QTest::keyClick(&view, Qt::Key_C, Qt::ControlModifier);
         QVERIFY(!QGuiApplication::clipboard()->image().isNull());
     }

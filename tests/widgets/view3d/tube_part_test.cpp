@@ -38,8 +38,11 @@ TEST(TubePart, isAsLargeAsItsSurfaceAndFollowsItsArm) {
     EXPECT_NEAR(box.max().z(), 0.1, 1e-12);
     EXPECT_GE(box.max().x(), 0.025);
     snapshot.carrier = CarrierReport{};
+    snapshot.carrier->X_Base_Sensor.translation() = Eigen::Vector3d(-0.01, 0.0, 0.01);
+    EXPECT_FALSE(scene.setTube(&snapshot)) << "a small way: the camera need not be fitted anew";
     snapshot.carrier->X_Base_Sensor.translation() = Eigen::Vector3d(-0.03, 0.0, 0.06);
-    EXPECT_FALSE(scene.setTube(&snapshot)) << "the same tube elsewhere: the camera need not be fitted anew";
+    EXPECT_TRUE(scene.setTube(&snapshot));
+    EXPECT_FALSE(scene.setTube(&snapshot));
     box = scene.tube().box_m();
     EXPECT_NEAR(box.max().z(), 0.16, 1e-12);
     EXPECT_LT(box.min().x(), -0.055);

@@ -166,8 +166,7 @@ private slots:
         QVERIFY(comes([&] { return panel().view().picture().shown.frame > frame + 2; }));
         QVERIFY(!mayReact->isChecked());
         QTest::mouseClick(mayReact, Qt::LeftButton, {}, QPoint(8, mayReact->height() / 2));
-        const std::uint64_t ticked = panel().view().picture().shown.frame;
-        QVERIFY(comes([&] { return panel().view().picture().shown.frame > ticked + 2; }));
+        QVERIFY(comes([&] { return panel().view().picture().shown.mayReact; }));
         QVERIFY(mayReact->isChecked());
     }
 
