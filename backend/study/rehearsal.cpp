@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/rehearsal.h"
 
+#include "backend/study/due_questionnaires.h"
 #include "backend/study/session.h"
 #include "backend/study/simulated_participant.h"
 #include "backend/study/study_export.h"
@@ -24,7 +25,6 @@ constexpr std::int64_t kLatency_ns = 5'000'000;
 constexpr std::int64_t kBetweenTrials_ns = 1'000'000'000;
 constexpr qint64 kBetweenSessions_s = 3600;
 constexpr std::uint64_t kAnswersOfSession = 2; // parts 0 and 1 of the session's seed are its orders
-constexpr std::uint64_t kQuestionnaires = 1'000'000;
 
 /// Shows one trial to the participant and passes on what it does.
 void showTrial(Session& session, const SimulatedParticipant& participant, double stimulus_s,
@@ -57,21 +57,6 @@ void showTrial(Session& session, const SimulatedParticipant& participant, double
     }
 }
 
-/// What a simulated participant says: any point or choice, and that it is simulated.
-std::vector<ItemAnswer> simulatedAnswers(const Questionnaire& questionnaire, std::uint64_t seed) {
-    PortableRandom random(seed);
-    std::vector<ItemAnswer> answers;
-    for (const QuestionnaireItem& item : questionnaire.items) {
-        std::string value = "simulated";
-        if (item.kind == ItemKind::likert)
-            value = std::to_string(random.below(item.points) + 1);
-        else if (item.kind == ItemKind::choice)
-            value = item.choices[static_cast<std::size_t>(random.below(item.choices.size()))].id;
-        answers.push_back({item.id, std::move(value)});
-    }
-    return answers;
-}
-
 class Rehearsal {
 public:
     Rehearsal(StudyStore& store, const std::function<bool(std::size_t)>& goOn)
@@ -86,8 +71,9 @@ private:
     /// Those that are due then and were not answered before an interruption.
     [[nodiscard]] core::Expected<void> answerQuestionnaires(QuestionnaireTime when,
                                                             const Participant& participant,
-                                                            const std::optional<SessionRecord>& session,
-                                                            std::uint64_t seed, const QDateTime& now);
+                                                            const SessionRecord& session,
+                                                            const PlannedSession& plan,
+                                                            const QDateTime& now);
 
     StudyStore& m_store;
     const std::function<bool(std::size_t)>& m_goOn;
@@ -123,13 +109,12 @@ core::Expected<RehearsalProgress> Rehearsal::run() {
             return head.created.addSecs(static_cast<qint64>(participant.enrolment * plan.size() + session) *
                                         kBetweenSessions_s);
         };
-        const std::uint64_t seed = derivedSeed(head.seed, participant.enrolment);
         core::Expected<void> done =
-            answerQuestionnaires(QuestionnaireTime::beforeStudy, participant, {}, seed, beginOf(0));
+            answerQuestionnaires(QuestionnaireTime::beforeStudy, participant, {}, {}, beginOf(0));
         for (std::size_t j = 0; done && j < plan.size() && !m_progress.interrupted; ++j)
             done = runSession(participant, j, plan[j], beginOf(j));
         if (done && !m_progress.interrupted)
-            done = answerQuestionnaires(QuestionnaireTime::afterStudy, participant, {}, seed,
+            done = answerQuestionnaires(QuestionnaireTime::afterStudy, participant, {}, {},
                                         beginOf(plan.size()))
                        .and_then([&] { return exportAnswers(m_store, participant, ExportFormat::psychds); });
         if (!done)
@@ -140,25 +125,18 @@ core::Expected<RehearsalProgress> Rehearsal::run() {
 }
 
 core::Expected<void> Rehearsal::answerQuestionnaires(QuestionnaireTime when, const Participant& participant,
-                                                     const std::optional<SessionRecord>& session,
-                                                     std::uint64_t seed, const QDateTime& now) {
-    const std::vector<Questionnaire>& questionnaires = m_store.head().protocol.questionnaires;
-    if (questionnaires.empty())
+                                                     const SessionRecord& session, const PlannedSession& plan,
+                                                     const QDateTime& now) {
+    const StudyHead& head = m_store.head();
+    if (head.protocol.questionnaires.empty())
         return {};
     const core::Expected<std::vector<StoredAnswer>> kept = m_store.answers(participant);
     if (!kept)
         return core::Unexpected(kept.error());
-    for (std::size_t i = 0; i < questionnaires.size(); ++i) {
-        const Questionnaire& questionnaire = questionnaires[i];
-        const bool isKept = std::any_of(kept->begin(), kept->end(), [&](const StoredAnswer& answer) {
-            return answer.questionnaire == questionnaire.id &&
-                   answer.session == (session ? std::optional(session->key) : std::nullopt);
-        });
-        if (questionnaire.when != when || isKept)
-            continue;
-        const core::Expected<void> safe = m_store.keepAnswers(
-            participant, session, questionnaire,
-            simulatedAnswers(questionnaire, derivedSeed(derivedSeed(seed, kQuestionnaires), i)), now);
+    for (const DueQuestionnaire& due : dueQuestionnaires(head.protocol, when, session, *kept)) {
+        const core::Expected<void> safe =
+            m_store.keepAnswers(participant, due.session, head.protocol.questionnaires[due.index],
+                                simulatedAnswers(head, participant, plan, due.index), now);
         if (!safe)
             return safe;
     }
@@ -172,7 +150,7 @@ core::Expected<void> Rehearsal::runSession(const Participant& participant, std::
     if (!record)
         return core::Unexpected(record.error());
     if (const auto answered =
-            answerQuestionnaires(QuestionnaireTime::beforeSession, participant, *record, plan.seed, begin);
+            answerQuestionnaires(QuestionnaireTime::beforeSession, participant, *record, plan, begin);
         !answered)
         return answered;
     const core::Expected<std::vector<StoredTrial>> kept = m_store.trials(*record);
@@ -217,7 +195,7 @@ core::Expected<void> Rehearsal::runSession(const Participant& participant, std::
         session->feedbackSeen();
     }
     if (const auto answered = answerQuestionnaires(QuestionnaireTime::afterSession, participant, *record,
-                                                   plan.seed, begin.addMSecs(now_ns / 1'000'000));
+                                                   plan, begin.addMSecs(now_ns / 1'000'000));
         !answered)
         return answered;
     if (record->finished)

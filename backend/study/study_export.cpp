@@ -16,10 +16,11 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <set>
+#include <span>
 #include <string_view>
+#include <utility>
 
 namespace teleta::study {
 
@@ -90,8 +91,7 @@ std::string alphanumeric(const std::string& text) {
     return kept;
 }
 
-template <std::size_t Count>
-ordered_json columnNames(const std::array<std::string_view, Count>& columns) {
+ordered_json columnNames(std::span<const std::string_view> columns) {
     ordered_json names = ordered_json::array();
     for (const std::string_view name : columns)
         names.push_back(name);
@@ -175,16 +175,36 @@ core::Expected<void> writeSession(const StudyStore& store, const Participant& pa
     return writeChecked(path + ".json", sidecarText(head, plan, format));
 }
 
-std::string answersPath(ExportFormat format, const std::string& label) {
+/// Path of a participant's table beside those of the sessions, without its extension. name: alphanumeric.
+std::string besidePath(ExportFormat format, const std::string& label, const std::string& name) {
     switch (format) {
     case ExportFormat::psychds:
-        return "data/subject-" + label + "/subject-" + label + "_description-questionnaire_data";
+        return "data/subject-" + label + "/subject-" + label + "_description-" + name + "_data";
     case ExportFormat::bids:
-        return "bids/phenotype/questionnaire_" + label;
+        return "bids/phenotype/" + name + '_' + label;
     case ExportFormat::excel:
         break;
     }
-    return "excel/" + label + "_questionnaire";
+    return "excel/" + label + '_' + name;
+}
+
+/// bidsSidecar: what describes the table where it is a file of BIDS.
+core::Expected<void> writeBeside(const StudyStore& store, const std::string& path,
+                                 const std::vector<TrialRow>& rows, std::span<const std::string_view> columns,
+                                 const ordered_json& bidsSidecar, ExportFormat format) {
+    const std::string whole =
+        QDir(QString::fromStdString(store.folder())).filePath(QString::fromStdString(path)).toStdString();
+    const std::string extension = format == ExportFormat::bids ? ".tsv" : ".csv";
+    const core::Expected<void> written =
+        writeChecked(whole + extension, tableText(rows, tableFormat(format), columns));
+    if (!written || format == ExportFormat::excel)
+        return written;
+    ordered_json sidecar = bidsSidecar;
+    if (format == ExportFormat::psychds)
+        sidecar = {{"@context", "https://schema.org/"},
+                   {"@type", "Dataset"},
+                   {"variableMeasured", columnNames(columns)}};
+    return writeChecked(whole + ".json", sidecar.dump(2) + "\n");
 }
 
 core::Expected<void> writeAnswers(const StudyStore& store, const Participant& participant,
@@ -199,25 +219,36 @@ core::Expected<void> writeAnswers(const StudyStore& store, const Participant& pa
         return core::Unexpected(sessions.error());
     if (answers->empty())
         return {};
-    const std::string path = QDir(QString::fromStdString(store.folder()))
-                                 .filePath(QString::fromStdString(answersPath(format, label)))
-                                 .toStdString();
-    const std::string extension = format == ExportFormat::bids ? ".tsv" : ".csv";
-    const core::Expected<void> written =
-        writeChecked(path + extension, tableText(answerRows(store.head(), participant, *sessions, *answers),
-                                                 tableFormat(format), kAnswerColumns));
-    if (!written || format == ExportFormat::excel)
-        return written;
-    ordered_json sidecar;
-    if (format == ExportFormat::psychds)
-        sidecar = {{"@context", "https://schema.org/"},
-                   {"@type", "Dataset"},
-                   {"variableMeasured", columnNames(kAnswerColumns)}};
-    else
-        sidecar = {
-            {"MeasurementToolMetadata", {{"Description", "Questionnaires of " + store.head().protocol.name}}},
-            {"answer", {{"Description", "The text, the point of the scale, or the choice"}}}};
-    return writeChecked(path + ".json", sidecar.dump(2) + "\n");
+    return writeBeside(
+        store, besidePath(format, label, "questionnaire"),
+        answerRows(store.head(), participant, *sessions, *answers), kAnswerColumns,
+        {{"MeasurementToolMetadata", {{"Description", "Questionnaires of " + store.head().protocol.name}}},
+         {"answer", {{"Description", "The text, the point of the scale, or the choice"}}}},
+        format);
+}
+
+core::Expected<void> writeNotes(const StudyStore& store, const Participant& participant,
+                                const std::string& label, ExportFormat format) {
+    const StudyHead& head = store.head();
+    const core::Expected<std::vector<SessionRecord>> sessions = store.sessions(participant);
+    if (!sessions)
+        return core::Unexpected(sessions.error());
+    const std::vector<PlannedSession> plans = planSessions(head.protocol, head.seed, participant.enrolment);
+    std::vector<TrialRow> rows;
+    for (const SessionRecord& session : *sessions) {
+        const core::Expected<std::vector<StoredNote>> notes = store.notes(session);
+        if (!notes)
+            return core::Unexpected(notes.error());
+        std::vector<TrialRow> more =
+            noteRows(head, participant, session, plans.at(session.planIndex), *notes);
+        std::move(more.begin(), more.end(), std::back_inserter(rows));
+    }
+    if (rows.empty())
+        return {};
+    return writeBeside(store, besidePath(format, label, "notes"), rows, kNoteColumns,
+                       {{"MeasurementToolMetadata", {{"Description", "The experimenter's notes"}}},
+                        {"note", {{"Description", "What the experimenter wrote down"}}}},
+                       format);
 }
 
 core::Expected<void> writeDescription(const StudyStore& store, ExportFormat format) {
@@ -282,9 +313,12 @@ core::Expected<std::size_t> exportStudy(const StudyStore& store, ExportFormat fo
                 return core::Unexpected(done.error());
             ++written;
         }
-        const core::Expected<void> answered = writeAnswers(store, (*participants)[i], labels[i], format);
-        if (!answered)
-            return core::Unexpected(answered.error());
+        const core::Expected<void> beside =
+            writeAnswers(store, (*participants)[i], labels[i], format).and_then([&] {
+                return writeNotes(store, (*participants)[i], labels[i], format);
+            });
+        if (!beside)
+            return core::Unexpected(beside.error());
     }
     return written;
 }
@@ -298,6 +332,15 @@ core::Expected<void> exportAnswers(const StudyStore& store, const Participant& p
     return writeAnswers(store, participant, labels.at(participant.enrolment), format);
 }
 
+core::Expected<void> exportNotes(const StudyStore& store, const Participant& participant,
+                                 ExportFormat format) {
+    const core::Expected<std::vector<Participant>> participants = store.participants();
+    if (!participants)
+        return core::Unexpected(participants.error());
+    const std::vector<std::string> labels = fileLabels(*participants);
+    return writeNotes(store, participant, labels.at(participant.enrolment), format);
+}
+
 core::Expected<void> exportSession(const StudyStore& store, const Participant& participant,
                                    const SessionRecord& session, ExportFormat format) {
     if (const core::Expected<void> described = writeDescription(store, format); !described)
@@ -307,9 +350,9 @@ core::Expected<void> exportSession(const StudyStore& store, const Participant& p
         return core::Unexpected(participants.error());
     const std::vector<std::string> labels = fileLabels(*participants);
     const std::string& label = labels.at(participant.enrolment);
-    return writeSession(store, participant, label, session, format).and_then([&] {
-        return writeAnswers(store, participant, label, format);
-    });
+    return writeSession(store, participant, label, session, format)
+        .and_then([&] { return writeAnswers(store, participant, label, format); })
+        .and_then([&] { return writeNotes(store, participant, label, format); });
 }
 
 } // namespace teleta::study

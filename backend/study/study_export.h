@@ -19,6 +19,7 @@ namespace teleta::study {
 /// Answers to questionnaires, one file a participant who gave any:
 ///          DIR/data/subject-P07/subject-P07_description-questionnaire_data.csv with its .json,
 ///          DIR/bids/phenotype/questionnaire_P07.tsv with its .json, DIR/excel/P07_questionnaire.csv.
+/// The experimenter's notes in the same way, with "notes" for "questionnaire".
 enum class ExportFormat { psychds, bids, excel };
 
 /// What names a participant in file names: the letters A-Z, a-z and digits of the id; where the id has
@@ -30,9 +31,12 @@ enum class ExportFormat { psychds, bids, excel };
 /// back and compared. Returns how many sessions were written. Error: ioFailed, also when what was read back
 /// differs. Thread: that of the store.
 [[nodiscard]] core::Expected<std::size_t> exportStudy(const StudyStore& store, ExportFormat format);
-/// Answers that a participant has given since the last session was exported; both functions write them too.
+/// Answers that a participant has given, and notes that were written, since the last session was exported;
+/// both functions write them too.
 [[nodiscard]] core::Expected<void> exportAnswers(const StudyStore& store, const Participant& participant,
                                                  ExportFormat format);
+[[nodiscard]] core::Expected<void> exportNotes(const StudyStore& store, const Participant& participant,
+                                               ExportFormat format);
 [[nodiscard]] core::Expected<void> exportSession(const StudyStore& store, const Participant& participant,
                                                  const SessionRecord& session, ExportFormat format);
 

@@ -164,6 +164,20 @@ std::vector<TrialRow> answerRows(const StudyHead& head, const Participant& parti
     return rows;
 }
 
+std::vector<TrialRow> noteRows(const StudyHead& head, const Participant& participant,
+                               const SessionRecord& session, const PlannedSession& plan,
+                               const std::vector<StoredNote>& notes) {
+    const StudyTask& task = head.protocol.tasks[plan.task];
+    std::vector<TrialRow> rows;
+    for (const StoredNote& note : notes)
+        rows.push_back({numberCell(1), textCell(participant.id), textCell(session.id),
+                        textCell(toString(head.mode)), textCell(task.id),
+                        textCell(task.conditions[plan.condition]), textCell(note.text),
+                        textCell(note.time.toString(Qt::ISODateWithMs).toStdString()),
+                        textCell(head.appVersion)});
+    return rows;
+}
+
 std::string tableText(const std::vector<TrialRow>& rows, const TableFormat& format,
                       std::span<const std::string_view> columns) {
     std::string table = format.byteOrderMark ? "\xEF\xBB\xBF" : "";

@@ -91,4 +91,13 @@ inline constexpr std::array<std::string_view, 15> kAnswerColumns{
                                                const std::vector<SessionRecord>& sessions,
                                                const std::vector<StoredAnswer>& answers);
 
+/// Columns of a table of the experimenter's notes.
+inline constexpr std::array<std::string_view, 9> kNoteColumns{
+    "schema", "participant_id", "session_id", "mode", "task", "condition", "note", "time_utc", "app_version"};
+
+/// The notes of a session in the order in which they were written. Thread: any.
+[[nodiscard]] std::vector<TrialRow> noteRows(const StudyHead& head, const Participant& participant,
+                                             const SessionRecord& session, const PlannedSession& plan,
+                                             const std::vector<StoredNote>& notes);
+
 } // namespace teleta::study

@@ -31,6 +31,7 @@ struct ParticipantScene {
         paused,
         stopped, ///< STOP, or a device that is lost
         finished,
+        questionnaire, ///< in place of the answers, a questionnaire is filled in
     };
 
     State state = State::waiting;
@@ -44,6 +45,8 @@ struct ParticipantScene {
     bool canReplay = false;
     std::optional<std::size_t> answered = {};  ///< the last answer, in feedback and after it
     std::optional<std::size_t> presented = {}; ///< the right answer; in feedback only
+    bool questionnaireLocked = false;          ///< its answers are being kept, or are those of a program
+    QString questionnaireProblem = {};         ///< why they could not be kept
 
     friend bool operator==(const ParticipantScene&, const ParticipantScene&) = default;
 };

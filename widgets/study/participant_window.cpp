@@ -4,6 +4,7 @@
 #include "widgets/base/theme.h"
 #include "widgets/study/answer_button.h"
 #include "widgets/study/answer_keys.h"
+#include "widgets/study/questionnaire_form.h"
 #include "widgets/study/watermark.h"
 
 #include <QCloseEvent>
@@ -36,7 +37,8 @@ ParticipantWindow::ParticipantWindow(Clock clock, QWidget* parent)
     , m_clock(std::move(clock))
     , m_title(new QLabel(this))
     , m_instruction(new QLabel(this))
-    , m_grid(new QGridLayout) {
+    , m_grid(new QGridLayout)
+    , m_questionnaire(new QuestionnaireForm(this)) {
     setObjectName(QStringLiteral("participantWindow"));
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_AcceptTouchEvents);
@@ -53,6 +55,9 @@ ParticipantWindow::ParticipantWindow(Clock clock, QWidget* parent)
     layout->addWidget(m_title);
     layout->addWidget(m_instruction);
     layout->addLayout(m_grid, 1);
+    layout->addWidget(m_questionnaire, 1000);
+    m_questionnaire->hide();
+    connect(m_questionnaire, &QuestionnaireForm::submitted, this, &ParticipantWindow::questionnaireAnswered);
     resize(base::em(this, 60), base::em(this, 44));
     refresh();
 }
@@ -81,11 +86,28 @@ void ParticipantWindow::arrange() {
     m_grid->setSpacing(base::grid(this, 2));
 }
 
+void ParticipantWindow::setQuestionnaire(const study::Questionnaire& questionnaire,
+                                         const std::vector<study::ItemAnswer>& answers) {
+    m_questionnaireTitle = QString::fromStdString(questionnaire.title);
+    m_questionnaire->setQuestionnaire(questionnaire, answers);
+    refresh();
+    if (m_scene.state == State::questionnaire)
+        m_questionnaire->focusFirst();
+}
+
 void ParticipantWindow::setScene(const ParticipantScene& scene) {
     if (scene == m_scene)
         return;
+    const bool wasQuestionnaire = m_scene.state == State::questionnaire;
     m_scene = scene;
     refresh();
+    if (m_scene.state == State::questionnaire && !wasQuestionnaire) {
+        // Releases would go to the questions.
+        releaseAll();
+        m_questionnaire->focusFirst();
+    } else if (wasQuestionnaire && m_scene.state != State::questionnaire) {
+        setFocus();
+    }
 }
 
 QString ParticipantWindow::instruction() const {
@@ -115,6 +137,8 @@ QString ParticipantWindow::instruction() const {
         return tr("Stopped. The bracelet is off. Please wait for the experimenter.");
     case State::finished:
         return tr("This part is finished. Thank you!");
+    case State::questionnaire:
+        return m_questionnaireTitle;
     }
     return {};
 }
@@ -133,13 +157,18 @@ void ParticipantWindow::refresh() {
                                               .arg(m_scene.trials);
     if (const QString mark = modeMark(m_scene.mode); !mark.isEmpty())
         title = mark + QStringLiteral(" \u00b7 ") + title;
+    const bool asks = m_scene.state == State::questionnaire;
     m_title->setText(title);
     m_instruction->setText(instruction());
+    m_questionnaire->setVisible(asks);
+    m_questionnaire->setLocked(m_scene.questionnaireLocked);
+    m_questionnaire->setProblem(m_scene.questionnaireProblem);
     setAccessibleDescription(m_instruction->text());
     for (std::size_t i = 0; i < m_buttons.size(); ++i) {
         const bool wasPresented = m_scene.presented == i;
         const bool wasAnswered = m_scene.answered == i;
         const bool told = m_scene.state == State::feedback;
+        m_buttons[i]->setVisible(!asks);
         m_buttons[i]->setDiagramShown(m_scene.diagrams);
         m_buttons[i]->setOpen(m_scene.answersOpen);
         m_buttons[i]->setLook(told && wasPresented                           ? AnswerButton::Look::right
@@ -162,6 +191,9 @@ void ParticipantWindow::paintEvent(QPaintEvent* /*event*/) {
 }
 
 bool ParticipantWindow::event(QEvent* event) {
+    // The touches of a questionnaire are those of its own buttons.
+    if (m_scene.state == State::questionnaire)
+        return QWidget::event(event);
     switch (event->type()) {
     case QEvent::TouchBegin:
     case QEvent::TouchUpdate: {
@@ -186,6 +218,10 @@ bool ParticipantWindow::event(QEvent* event) {
 }
 
 void ParticipantWindow::keyPressEvent(QKeyEvent* event) {
+    if (m_scene.state == State::questionnaire) {
+        QWidget::keyPressEvent(event);
+        return;
+    }
     const std::int64_t time_ns = m_clock();
     const std::optional<PhysicalKey> key = physicalKey(*event);
     if (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) {
@@ -243,6 +279,8 @@ void ParticipantWindow::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void ParticipantWindow::pressAt(const QPointF& at, const QString& device, std::int64_t time_ns) {
+    if (m_scene.state == State::questionnaire)
+        return;
     for (std::size_t i = 0; i < m_buttons.size(); ++i) {
         if (!m_buttons[i]->geometry().contains(at.toPoint()))
             continue;

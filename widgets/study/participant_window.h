@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/study/questionnaire.h"
 #include "backend/study/session.h"
 #include "widgets/study/participant_scene.h"
 
@@ -17,10 +18,11 @@ class QLabel;
 namespace teleta::studyview {
 
 class AnswerButton;
+class QuestionnaireForm;
 
 /// The participant's own window: the answers as large buttons, and nothing else. Answers come by the digits
 /// of keyboard and keypad, mouse and touch; Space asks for the next trial, R for the stimulus once more where
-/// that is allowed. It decides nothing: each press goes out with the time of its arrival. Thread: GUI.
+/// that is allowed. Questionnaires take the place of the answers. It decides nothing: each press goes out with the time of its arrival. Thread: GUI.
 class ParticipantWindow : public QWidget {
     Q_OBJECT
 
@@ -33,17 +35,23 @@ public:
     explicit ParticipantWindow(Clock clock, QWidget* parent = nullptr);
 
     void setChoices(std::vector<AnswerChoice> choices);
+    /// What ParticipantScene::State::questionnaire shows. answers: those that are given already.
+    void setQuestionnaire(const study::Questionnaire& questionnaire,
+                          const std::vector<study::ItemAnswer>& answers = {});
     void setScene(const ParticipantScene& scene);
     [[nodiscard]] const ParticipantScene& scene() const { return m_scene; }
     /// The sentence that says what to do.
     [[nodiscard]] QString instruction() const;
     [[nodiscard]] const std::vector<AnswerButton*>& buttons() const { return m_buttons; }
+    [[nodiscard]] QuestionnaireForm& questionnaire() const { return *m_questionnaire; }
 
 signals:
     void nextRequested(std::int64_t time_ns);
     void replayRequested(std::int64_t time_ns);
     void pressed(const teleta::study::KeyPress& press);
     void released(const QString& device, const QString& key);
+    /// A questionnaire was filled in.
+    void questionnaireAnswered(const std::vector<teleta::study::ItemAnswer>& answers);
     /// The window was closed.
     void left();
 
@@ -71,6 +79,8 @@ private:
     QLabel* m_title;
     QLabel* m_instruction;
     QGridLayout* m_grid;
+    QuestionnaireForm* m_questionnaire;
+    QString m_questionnaireTitle;
     std::vector<AnswerButton*> m_buttons;
     std::set<std::pair<QString, QString>> m_down; ///< keys and buttons, by device, that were passed on
 };

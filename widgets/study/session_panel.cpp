@@ -89,9 +89,11 @@ SessionPanel::SessionPanel(QWidget* parent)
     , m_outcomes(new QTableWidget(0, columns, this))
     , m_note(new QLineEdit(this))
     , m_window(new QPushButton(this))
+    , m_skip(new QPushButton(this))
     , m_pause(new QPushButton(this))
     , m_abort(new QPushButton(this)) {
     m_next->setObjectName(QStringLiteral("nextStep"));
+    m_skip->setObjectName(QStringLiteral("skip"));
     m_pause->setObjectName(QStringLiteral("pause"));
     m_abort->setObjectName(QStringLiteral("abort"));
     m_noise->setObjectName(QStringLiteral("noiseConfirmed"));
@@ -132,6 +134,7 @@ SessionPanel::SessionPanel(QWidget* parent)
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_window);
     buttons->addStretch(1);
+    buttons->addWidget(m_skip);
     buttons->addWidget(m_pause);
     buttons->addWidget(m_abort);
     auto* layout = new QVBoxLayout(this);
@@ -153,6 +156,7 @@ SessionPanel::SessionPanel(QWidget* parent)
 
     connect(m_next, &QPushButton::clicked, this, &SessionPanel::nextRequested);
     connect(m_pause, &QPushButton::clicked, this, &SessionPanel::pauseRequested);
+    connect(m_skip, &QPushButton::clicked, this, &SessionPanel::askForSkip);
     connect(m_abort, &QPushButton::clicked, this, &SessionPanel::askForAbort);
     connect(m_window, &QPushButton::clicked, this, &SessionPanel::participantWindowRequested);
     connect(m_noise, &QCheckBox::toggled, this, &SessionPanel::noiseConfirmed);
@@ -213,6 +217,7 @@ void SessionPanel::refresh() {
     m_pause->setEnabled(m_scene.canPause);
     m_abort->setEnabled(m_scene.canAbort);
     m_note->setEnabled(m_scene.canNote);
+    m_skip->setVisible(m_scene.canSkip);
 }
 
 void SessionPanel::showChecks() {
@@ -265,6 +270,19 @@ void SessionPanel::askForAbort() {
     box->open();
 }
 
+void SessionPanel::askForSkip() {
+    auto* box = new QMessageBox(QMessageBox::Warning, tr("Leave the questionnaire out?"),
+                                tr("What is filled in is lost, and a note says that it was left out. It is asked "
+                                   "again when the session is gone on with."),
+                                QMessageBox::NoButton, this);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setObjectName(QStringLiteral("confirmSkip"));
+    QPushButton* skip = box->addButton(tr("&Leave it out"), QMessageBox::DestructiveRole);
+    box->setDefaultButton(box->addButton(tr("&Go on with it"), QMessageBox::RejectRole));
+    connect(skip, &QPushButton::clicked, this, &SessionPanel::skipRequested);
+    box->open();
+}
+
 void SessionPanel::retranslate() {
     m_next->setAccessibleName(tr("Next step"));
     m_next->setToolTip(tr("What to do next (Ctrl+Return)"));
@@ -279,6 +297,8 @@ void SessionPanel::retranslate() {
     m_note->setAccessibleName(tr("Note"));
     m_window->setText(tr("Participant's &window"));
     m_window->setToolTip(tr("Shows the participant's window, on the second screen where there is one"));
+    m_skip->setText(tr("&Leave the questionnaire out\u2026"));
+    m_skip->setToolTip(tr("Goes on without the participant's answers"));
     m_pause->setText(tr("&Pause"));
     m_pause->setToolTip(tr("Pauses after the present trial"));
     m_abort->setText(tr("&Abort\u2026"));

@@ -32,6 +32,8 @@ signals:
     void pauseRequested();
     /// After the experimenter confirmed it.
     void abortRequested();
+    /// The same for a questionnaire that is left out.
+    void skipRequested();
     void noteWritten(const QString& text);
     void noiseConfirmed(bool confirmed);
     void noisePlayRequested(bool play);
@@ -46,6 +48,7 @@ private:
     void showChecks();
     void showOutcomes();
     void askForAbort();
+    void askForSkip();
 
     SessionScene m_scene;
     QLabel* m_title;
@@ -65,6 +68,7 @@ private:
     QTableWidget* m_outcomes;
     QLineEdit* m_note;
     QPushButton* m_window;
+    QPushButton* m_skip;
     QPushButton* m_pause;
     QPushButton* m_abort;
 };

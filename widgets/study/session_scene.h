@@ -54,6 +54,7 @@ struct SessionScene {
     bool canPause = false;
     bool canAbort = false;
     bool canNote = false;
+    bool canSkip = false; ///< a questionnaire
     bool needsNoise = false;
     bool noiseConfirmed = false;
     bool noisePlaying = false;

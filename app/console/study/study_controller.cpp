@@ -53,6 +53,7 @@ StudyController::StudyController(BraceletStation& station, core::StopSwitch& sto
     , m_stop(stop)
     , m_clock(std::move(clock))
     , m_bracelet(station, stop)
+    , m_round(m_desk)
     , m_runner(
           stop, [this] { return now_ns(); },
           [this](const study::TrialResult& result, StudyRunner::Kept kept) {
@@ -62,6 +63,7 @@ StudyController::StudyController(BraceletStation& station, core::StopSwitch& sto
           })
     , m_person(
           m_runner, [this] { return now_ns(); }, m_speed) {
+    connect(&m_round, &QuestionnaireRound::changed, this, &StudyController::changed);
     connect(&m_runner, &StudyRunner::changed, this, &StudyController::followSimulated);
     connect(&m_runner, &StudyRunner::changed, this, &StudyController::changed);
     // What is felt in a session is the session's alone.
@@ -76,6 +78,7 @@ StudyController::StudyController(BraceletStation& station, core::StopSwitch& sto
 }
 
 StudyController::~StudyController() {
+    m_round.leave();
     m_person.leave();
     m_runner.clear();
     releaseClaim();
@@ -90,10 +93,11 @@ std::int64_t StudyController::now_ns() const {
 }
 
 void StudyController::setSpeed(double speed) {
-    if (speed == m_speed || m_runner.isActive())
+    if (speed == m_speed || isActive())
         return;
     m_anchor_ns = m_clock();
     m_speed = speed;
+    m_round.setSpeed(speed);
     m_person.setSpeed(speed);
     emit changed();
 }
@@ -150,7 +154,7 @@ void StudyController::askForOverview(const QString& what, Work work) {
 }
 
 void StudyController::open(const QString& folder) {
-    if (m_runner.isActive())
+    if (isActive())
         return;
     askForOverview(tr("%1 could not be opened.", "a folder").arg(QDir(folder).dirName()),
                    [folder](StudyDesk::Store& store) -> core::Expected<void> {
@@ -163,7 +167,7 @@ void StudyController::open(const QString& folder) {
 }
 
 void StudyController::create(const QString& folder, const study::StudyHead& head) {
-    if (m_runner.isActive())
+    if (isActive())
         return;
     askForOverview(tr("The study could not be made."),
                    [folder, head](StudyDesk::Store& store) -> core::Expected<void> {
@@ -176,7 +180,7 @@ void StudyController::create(const QString& folder, const study::StudyHead& head
 }
 
 void StudyController::enrol(const QString& id) {
-    if (!m_overview || m_runner.isActive())
+    if (!m_overview || isActive())
         return;
     // The newcomer is who is looked at next.
     m_chosen.reset();
@@ -229,7 +233,7 @@ void StudyController::take(StudyOverview overview) {
 }
 
 void StudyController::choose(int participant, int session) {
-    if (!m_overview || m_runner.isActive() || participant < 0 || session < 0)
+    if (!m_overview || isActive() || participant < 0 || session < 0)
         return;
     const auto p = static_cast<std::size_t>(participant);
     if (p >= m_overview->participants.size() ||
@@ -262,7 +266,7 @@ void StudyController::lookAround(bool thenBegin) {
             m_folder = std::move(findings.folder);
             m_otherRunner = findings.runner && !isOwn ? *findings.runner : std::nullopt;
             m_storeError = findings.runner ? std::nullopt : std::optional(findings.runner.error());
-            if (m_runner.isActive())
+            if (isActive())
                 return;
             if (thenBegin && m_rehearsing) {
                 begin();
@@ -311,7 +315,7 @@ void StudyController::setNoiseConfirmed(bool confirmed) {
 void StudyController::begin() {
     const ParticipantOverview* participant = chosenParticipant();
     const SessionOverview* session = chosenSession();
-    if (participant == nullptr || session == nullptr || m_runner.isActive() || isBusy() ||
+    if (participant == nullptr || session == nullptr || isActive() || isBusy() ||
         !study::allPassed(checks()))
         return;
     ++m_busy;
@@ -325,26 +329,39 @@ void StudyController::begin() {
         },
         [this, who = participant->participant, plan = session->plan](core::Expected<OpenedSession> opened) {
             --m_busy;
-            core::Expected<void> begun;
-            if (opened) {
-                m_record = opened->record;
-                m_participant = who;
-                m_claim = std::move(opened->claim);
-                begun = m_runner.begin(output(), m_overview->head.protocol, plan, opened->kept,
-                                       beganAt_ns(*opened, now_ns(), QDateTime::currentDateTimeUtc()));
-            } else {
-                begun = core::Unexpected(opened.error());
-            }
-            if (!begun) {
-                releaseClaim();
+            if (!opened) {
                 stopRehearsal();
-                emit failed(tr("The session could not begin."), begun.error());
-            } else if (isSimulated()) {
-                m_person.begin(mindFor(m_overview->head, plan), plan.seed);
+                emit failed(tr("The session could not begin."), opened.error());
+                emit changed();
+                return;
             }
+            m_record = opened->record;
+            m_participant = who;
+            m_claim = opened->claim;
+            m_after = opened->after;
+            m_round.begin({m_overview->head, who, plan, opened->record}, opened->before,
+                          [this, session = *opened, plan] { beginTrials(session, plan); });
             emit changed();
         });
     emit changed();
+}
+
+void StudyController::beginTrials(const OpenedSession& opened, const study::PlannedSession& plan) {
+    const core::Expected<void> begun =
+        m_runner.begin(output(), m_overview->head.protocol, plan, opened.kept,
+                       beganAt_ns(opened, now_ns(), QDateTime::currentDateTimeUtc()));
+    if (!begun) {
+        releaseClaim();
+        stopRehearsal();
+        emit failed(tr("The session could not begin."), begun.error());
+        return;
+    }
+    if (!isSimulated())
+        return;
+    m_person.begin(mindFor(m_overview->head, plan), plan.seed);
+    // It was halted while a questionnaire was filled in.
+    if (!m_rehearsing)
+        m_runner.pause();
 }
 
 void StudyController::exportSession(study::Phase /*phase*/) {
@@ -368,17 +385,40 @@ void StudyController::exportSession(study::Phase /*phase*/) {
 
 void StudyController::conclude() {
     m_person.leave();
+    m_round.begin({m_overview->head, m_participant, chosenSession()->plan, *m_record}, m_after,
+                  [this, answered = !m_after.empty()] { closeSession(answered); });
+}
+
+void StudyController::closeSession(bool answered) {
+    if (answered)
+        exportSession(study::Phase::test);
     askForOverview(tr("The session could not be closed."),
                    [record = *m_record](StudyDesk::Store& store) { return store->finishSession(record); });
 }
 
-void StudyController::leaveSession() {
-    if (isBusy())
+void StudyController::abort() {
+    if (m_round.current() == nullptr) {
+        m_runner.abort();
         return;
+    }
+    // What was answered is kept; the session is open until the rest is.
+    stopRehearsal();
+    forgetSession();
+    refresh();
+}
+
+void StudyController::forgetSession() {
+    m_round.leave();
     m_person.leave();
     m_runner.clear();
     m_record.reset();
     releaseClaim();
+}
+
+void StudyController::leaveSession() {
+    if (isBusy() || m_round.current() != nullptr)
+        return;
+    forgetSession();
     m_saved.clear();
     if (const ParticipantOverview* participant = chosenParticipant())
         m_chosen->second =
@@ -400,8 +440,12 @@ void StudyController::releaseClaim() {
 void StudyController::keepNote(const QString& text) {
     if (!m_record)
         return;
-    m_desk.ask([record = *m_record, text = text.toStdString(), now = QDateTime::currentDateTimeUtc()](
-                   StudyDesk::Store& store) { return store->keepNote(record, text, now); },
+    m_desk.ask([who = m_participant, record = *m_record, text = text.toStdString(),
+                now = QDateTime::currentDateTimeUtc()](StudyDesk::Store& store) -> core::Expected<void> {
+                   if (const core::Expected<void> kept = store->keepNote(record, text, now); !kept)
+                       return kept;
+                   return study::exportNotes(*store, who, study::ExportFormat::psychds);
+               },
                [this](const core::Expected<void>& kept) {
                    if (!kept)
                        emit failed(tr("The note could not be kept."), kept.error());
@@ -414,7 +458,7 @@ void StudyController::rehearse() {
     m_rehearsing = true;
     if (m_runner.isActive())
         m_runner.goOn();
-    else
+    else if (!isActive())
         refresh();
     emit changed();
 }
@@ -425,11 +469,9 @@ void StudyController::stopRehearsal() {
 
 /// The next open session of anybody; when there is none, the next participant.
 void StudyController::goOnRehearsing() {
-    if (!m_rehearsing || isBusy())
+    if (!m_rehearsing || isBusy() || m_round.current() != nullptr)
         return;
-    m_runner.clear();
-    m_record.reset();
-    releaseClaim();
+    forgetSession();
     const std::vector<ParticipantOverview>& people = m_overview->participants;
     for (std::size_t p = 0; p < people.size(); ++p) {
         if (const std::optional<std::size_t> session = people[p].nextSession()) {
@@ -454,7 +496,7 @@ void StudyController::followSimulated() {
 
 void StudyController::tick() {
     m_runner.poll();
-    if (!m_runner.isActive() && m_overview && m_clock() - m_lookedAround_ns > kLookAround_ns)
+    if (!isActive() && m_overview && m_clock() - m_lookedAround_ns > kLookAround_ns)
         lookAround();
 }
 

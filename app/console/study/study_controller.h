@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/console/study/bracelet_stimulus.h"
+#include "app/console/study/questionnaire_round.h"
 #include "app/console/study/simulated_person.h"
 #include "app/console/study/study_desk.h"
 #include "app/console/study/study_overview.h"
@@ -43,7 +44,7 @@ public:
     /// Begins the chosen session, or goes on with it, when all checks pass.
     void begin();
     void goOn() { m_runner.goOn(); }
-    void abort() { m_runner.abort(); }
+    void abort();
     /// Forgets a session that is over, and chooses the participant's next one.
     void leaveSession();
     void keepNote(const QString& text);
@@ -70,6 +71,10 @@ public:
     [[nodiscard]] std::vector<study::RunCheck> checks() const;
     [[nodiscard]] bool noiseConfirmed() const { return m_noiseConfirmed; }
     [[nodiscard]] bool isBusy() const { return m_busy > 0; }
+    /// A session is under way, or a questionnaire before or after it.
+    [[nodiscard]] bool isActive() const { return m_runner.isActive() || m_round.current() != nullptr; }
+    [[nodiscard]] QuestionnaireRound& round() { return m_round; }
+    [[nodiscard]] const QuestionnaireRound& round() const { return m_round; }
     [[nodiscard]] StudyRunner& runner() { return m_runner; }
     [[nodiscard]] const StudyRunner& runner() const { return m_runner; }
     [[nodiscard]] const StimulusOutput& output() const;
@@ -94,7 +99,10 @@ private:
     void take(StudyOverview overview);
     void refresh();
     void lookAround(bool thenBegin = false);
+    void beginTrials(const OpenedSession& opened, const study::PlannedSession& plan);
     void conclude();
+    void closeSession(bool answered);
+    void forgetSession();
     void exportSession(study::Phase phase);
     void releaseClaim();
     void goOnRehearsing();
@@ -113,6 +121,7 @@ private:
     BraceletStimulus m_bracelet;
     UnplayedStimulus m_unplayed;
     StudyDesk m_desk;
+    QuestionnaireRound m_round;
     StudyRunner m_runner;
     SimulatedPerson m_person;
 
@@ -120,6 +129,7 @@ private:
     std::optional<std::pair<int, int>> m_chosen;
     std::optional<study::SessionRecord> m_record;     ///< of the session that the runner has
     study::Participant m_participant;                 ///< the same
+    std::vector<study::DueQuestionnaire> m_after;     ///< questionnaires of the same
     std::shared_ptr<study::ParticipantClaim> m_claim; ///< nobody else runs the participant meanwhile
     study::FolderCondition m_folder;
     std::optional<std::string> m_otherRunner;

@@ -5,6 +5,40 @@
 
 namespace teleta::console {
 
+namespace {
+
+/// Those of the whole study come before the participant's first session and after the last one, whichever
+/// that is. A session is open until what comes after it is answered, so that an interruption loses none.
+core::Expected<void> findDue(const study::StudyStore& store, const study::Participant& participant,
+                             const study::SessionRecord& record, OpenedSession& opened) {
+    const study::Protocol& protocol = store.head().protocol;
+    if (protocol.questionnaires.empty())
+        return {};
+    const auto answers = store.answers(participant);
+    if (!answers)
+        return core::Unexpected(answers.error());
+    const auto sessions = store.sessions(participant);
+    if (!sessions)
+        return core::Unexpected(sessions.error());
+    const auto finished = std::count_if(sessions->begin(), sessions->end(), [&](const auto& session) {
+        return session.finished || session.key == record.key;
+    });
+    const bool isLast = static_cast<std::size_t>(finished) ==
+                        planSessions(protocol, store.head().seed, participant.enrolment).size();
+    const auto add = [&](std::vector<study::DueQuestionnaire>& list, study::QuestionnaireTime when) {
+        for (study::DueQuestionnaire& due : dueQuestionnaires(protocol, when, record, *answers))
+            list.push_back(std::move(due));
+    };
+    add(opened.before, study::QuestionnaireTime::beforeStudy);
+    add(opened.before, study::QuestionnaireTime::beforeSession);
+    add(opened.after, study::QuestionnaireTime::afterSession);
+    if (isLast)
+        add(opened.after, study::QuestionnaireTime::afterStudy);
+    return {};
+}
+
+} // namespace
+
 std::optional<std::size_t> ParticipantOverview::nextSession() const {
     const auto open = std::find_if(sessions.begin(), sessions.end(),
                                    [](const SessionOverview& session) { return !session.isFinished(); });
@@ -52,10 +86,13 @@ core::Expected<OpenedSession> openSession(study::StudyStore& store, const study:
     const auto trials = store.trials(*record);
     if (!trials)
         return core::Unexpected(trials.error());
-    OpenedSession opened{
-        std::move(*record), {}, std::make_shared<study::ParticipantClaim>(std::move(*claim))};
+    OpenedSession opened;
     for (const study::StoredTrial& trial : *trials)
         opened.kept.push_back(trial.result);
+    if (const core::Expected<void> asked = findDue(store, participant, *record, opened); !asked)
+        return core::Unexpected(asked.error());
+    opened.record = std::move(*record);
+    opened.claim = std::make_shared<study::ParticipantClaim>(std::move(*claim));
     return opened;
 }
 

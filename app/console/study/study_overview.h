@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/study/due_questionnaires.h"
 #include "backend/study/study_store.h"
 
 #include <cstddef>
@@ -42,6 +43,8 @@ struct StudyOverview {
 struct OpenedSession {
     study::SessionRecord record;
     std::vector<study::TrialResult> kept;
+    std::vector<study::DueQuestionnaire> before;    ///< the first trial
+    std::vector<study::DueQuestionnaire> after;     ///< the last one
     std::shared_ptr<study::ParticipantClaim> claim; ///< nobody else runs the participant as long as it lives
 };
 

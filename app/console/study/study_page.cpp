@@ -209,12 +209,15 @@ void StudyPage::connectViews() {
             [&runner](const QString& device, const QString& key) {
                 runner.release(device.toStdString(), key.toStdString());
             });
+    connect(m_participant, &ParticipantWindow::questionnaireAnswered, &m_controller.round(),
+            &QuestionnaireRound::submit);
     connect(m_participant, &ParticipantWindow::left, &runner, &StudyRunner::pause);
 
     using studyview::SessionPanel;
     connect(m_session, &SessionPanel::nextRequested, this, &StudyPage::doNextStep);
     connect(m_session, &SessionPanel::pauseRequested, &runner, &StudyRunner::pause);
     connect(m_session, &SessionPanel::abortRequested, &m_controller, &StudyController::abort);
+    connect(m_session, &SessionPanel::skipRequested, &m_controller.round(), &QuestionnaireRound::skip);
     connect(m_session, &SessionPanel::noteWritten, &m_controller, &StudyController::keepNote);
     connect(m_session, &SessionPanel::noiseConfirmed, &m_controller, &StudyController::setNoiseConfirmed);
     connect(m_session, &SessionPanel::noisePlayRequested, &m_noise, &NoisePlayer::setPlaying);
@@ -405,7 +408,13 @@ void StudyPage::doNextStep() {
             m_participant->activateWindow();
         return;
     case NextStep::retry:
-        m_controller.runner().retry();
+        if (m_controller.round().current() != nullptr)
+            m_controller.round().retry();
+        else
+            m_controller.runner().retry();
+        return;
+    case NextStep::fillIn:
+        showParticipantWindow();
         return;
     case NextStep::leaveSession:
         m_controller.leaveSession();
@@ -426,7 +435,7 @@ void StudyPage::refresh() {
     showSession();
     m_matrix->setContent(StudyScenes::matrix(m_controller));
     m_speedRow->setVisible(m_controller.overview()->head.mode == study::Mode::simulated);
-    m_speed->setEnabled(!m_controller.runner().isActive());
+    m_speed->setEnabled(!m_controller.isActive());
     // Choices change with the session only; their pictures are not cheap.
     QString session;
     if (m_controller.chosenSession() != nullptr)
@@ -437,6 +446,11 @@ void StudyPage::refresh() {
     if (session != m_choicesOf) {
         m_choicesOf = session;
         m_participant->setChoices(StudyScenes::choices(m_controller));
+    }
+    const QuestionnaireRound& round = m_controller.round();
+    if (round.current() != nullptr && m_asked != round.shown()) {
+        m_asked = round.shown();
+        m_participant->setQuestionnaire(*round.current(), round.filledIn());
     }
     m_participant->setScene(StudyScenes::participant(m_controller));
 }

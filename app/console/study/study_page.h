@@ -99,6 +99,7 @@ private:
     bool m_outdated = true;   ///< there are trials that the results do not have
     bool m_analysing = false; ///< on a pool thread
     QString m_choicesOf;      ///< session whose answers the participant's window has
+    std::size_t m_asked = 0;  ///< QuestionnaireRound::shown() of what the participant's window has
     bool m_rehearseWhenOpened = false;
 };
 

@@ -95,7 +95,7 @@ studyview::StudyScene StudyScenes::study(const StudyController& controller) {
     scene.mode = overview.head.mode;
     scene.protocol = protocolText(overview.head);
     scene.chosen = controller.chosen();
-    scene.locked = controller.runner().isActive() || controller.isRehearsing();
+    scene.locked = controller.isActive() || controller.isRehearsing();
     for (const ParticipantOverview& person : overview.participants) {
         studyview::ParticipantLine line{text(person.participant.id), {}, {}};
         QStringList order;
@@ -125,6 +125,11 @@ NextStep StudyScenes::nextStep(const StudyController& controller) {
         return NextStep::none;
     const StudyRunner& runner = controller.runner();
     const bool simulated = controller.overview()->head.mode == study::Mode::simulated;
+    if (controller.round().current() != nullptr) {
+        if (!controller.round().problem().isEmpty())
+            return NextStep::retry;
+        return controller.isRehearsing() ? NextStep::stopRehearsal : NextStep::fillIn;
+    }
     if (runner.isActive()) {
         if (runner.hold() == Hold::notKept)
             return NextStep::retry;
@@ -175,7 +180,9 @@ studyview::SessionScene StudyScenes::session(const StudyController& controller) 
     }
     if (controller.runner().isActive())
         describeRunning(controller, scene);
-    else
+    if (controller.round().current() != nullptr)
+        describeQuestionnaire(controller, scene);
+    else if (!controller.runner().isActive())
         describeIdle(controller, scene);
     return scene;
 }
@@ -232,6 +239,7 @@ void StudyScenes::describeIdle(const StudyController& controller, studyview::Ses
     case NextStep::none:
     case NextStep::goOn:
     case NextStep::retry:
+    case NextStep::fillIn:
         break;
     }
     scene.nextEnabled = false;
@@ -244,6 +252,35 @@ void StudyScenes::describeIdle(const StudyController& controller, studyview::Ses
         scene.next = tr("Choose another participant");
         scene.state = tr("This participant has finished all sessions.");
         scene.tone = Tone::good;
+    }
+}
+
+void StudyScenes::describeQuestionnaire(const StudyController& controller, studyview::SessionScene& scene) {
+    const QuestionnaireRound& round = controller.round();
+    const QString title = text(round.current()->title);
+    scene.canAbort = true;
+    scene.canNote = true;
+    scene.canPause = false;
+    scene.canSkip = !round.isKeeping() && !round.isSimulated();
+    scene.nextEnabled = !round.isKeeping();
+    scene.tone = Tone::calm;
+    scene.state = round.isSimulated() ? tr("The simulated participant fills in \u201c%1\u201d.").arg(title)
+                  : round.isKeeping() ? tr("Keeping the answers \u2026")
+                                      : tr("The participant fills in \u201c%1\u201d.").arg(title);
+    switch (nextStep(controller)) {
+    case NextStep::retry:
+        scene.next = tr("Try again to keep the answers");
+        scene.state = tr("The answers to \u201c%1\u201d could not be kept; they are still in the participant's "
+                         "window. %2")
+                          .arg(title, round.problem());
+        scene.tone = Tone::alarm;
+        return;
+    case NextStep::stopRehearsal:
+        scene.next = tr("Halt the rehearsal");
+        return;
+    default:
+        scene.next = tr("Show the questionnaire");
+        return;
     }
 }
 
@@ -360,7 +397,19 @@ studyview::ParticipantScene StudyScenes::participant(const StudyController& cont
     using State = studyview::ParticipantScene::State;
     studyview::ParticipantScene scene;
     const StudyRunner& runner = controller.runner();
-    if (!controller.overview() || runner.session() == nullptr)
+    if (!controller.overview())
+        return scene;
+    if (const QuestionnaireRound& round = controller.round(); round.current() != nullptr) {
+        scene.state = State::questionnaire;
+        scene.mode = controller.overview()->head.mode;
+        scene.title = text(controller.overview()->head.protocol.name);
+        scene.questionnaireLocked = round.isKeeping() || round.isSimulated();
+        if (!round.problem().isEmpty())
+            scene.questionnaireProblem =
+                tr("Your answers could not be kept yet. Please tell the experimenter.");
+        return scene;
+    }
+    if (runner.session() == nullptr)
         return scene;
     const study::Session& session = *runner.session();
     scene.title = text(controller.chosenTask()->name);

@@ -18,7 +18,8 @@ enum class NextStep {
     rehearse, ///< all simulated sessions
     stopRehearsal,
     goOn,         ///< after a hold
-    retry,        ///< to keep the last trial
+    retry,        ///< to keep the last trial, or the last answers
+    fillIn,       ///< a questionnaire, in the participant's window
     leaveSession, ///< to the participant's next one
     showResults,
 };
@@ -41,6 +42,7 @@ public:
 
 private:
     static void describeRunning(const StudyController& controller, studyview::SessionScene& scene);
+    static void describeQuestionnaire(const StudyController& controller, studyview::SessionScene& scene);
     static void describeIdle(const StudyController& controller, studyview::SessionScene& scene);
     [[nodiscard]] static QString protocolText(const study::StudyHead& head);
 };

@@ -215,4 +215,34 @@ TEST(StimulusSet, hashChangesWithThePatternsThatAreShown) {
     EXPECT_NE(stimulusSetSha256(protocol), stimulusSetSha256(other));
 }
 
+TEST_F(StudyExportTest, notesOfTheExperimenterComeAsATableOfTheirOwn) {
+    StudyStore store = create(Mode::pilot);
+    addSession(store, "P07");
+    addSession(store, "P08");
+    const Participant noted = store.participants()->front();
+    const SessionRecord session = store.sessions(noted)->front();
+    ASSERT_TRUE(store.keepNote(session, "the noise, \"pink\",\nwas off", kNow));
+    ASSERT_TRUE(store.keepNote(session, "on again", kNow.addSecs(9)));
+    ASSERT_EQ(exportStudy(store, ExportFormat::psychds), 2U);
+    const std::string path = "data/subject-P07/subject-P07_description-notes_data";
+    EXPECT_EQ(read(path + ".csv"),
+              "schema,participant_id,session_id,mode,task,condition,note,time_utc,app_version\n"
+              "1,P07,20261103T142233,pilot,shape,static,\"the noise, \"\"pink\"\",\nwas off\","
+              "2026-11-03T14:22:33.000Z,0.1.0\n"
+              "1,P07,20261103T142233,pilot,shape,static,on again,2026-11-03T14:22:42.000Z,0.1.0\n");
+    EXPECT_EQ(nlohmann::json::parse(read(path + ".json"))["variableMeasured"].size(), kNoteColumns.size());
+    EXPECT_FALSE(std::filesystem::exists(m_folder.path("study/data/subject-P08/subject-P08_description-notes_data.csv")))
+        << "nothing was noted";
+
+    ASSERT_EQ(exportStudy(store, ExportFormat::bids), 2U);
+    EXPECT_NE(read("bids/phenotype/notes_P07.tsv").find("\ton again\t"), std::string::npos);
+    EXPECT_TRUE(nlohmann::json::parse(read("bids/phenotype/notes_P07.json")).contains("note"));
+    ASSERT_EQ(exportStudy(store, ExportFormat::excel), 2U);
+    EXPECT_NE(read("excel/P07_notes.csv").find(";on again;"), std::string::npos);
+
+    ASSERT_TRUE(store.keepNote(session, "later", kNow.addSecs(20)));
+    ASSERT_TRUE(exportNotes(store, noted, ExportFormat::psychds));
+    EXPECT_NE(read(path + ".csv").find(",later,"), std::string::npos);
+}
+
 } // namespace teleta::study

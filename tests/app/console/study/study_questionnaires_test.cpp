@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/study/due_questionnaires.h"
+#include "tests/app/console/study/study_bench.h"
+#include "widgets/study/questionnaire_form.h"
+
+#include <QAbstractButton>
+#include <QFile>
+#include <QMessageBox>
+
+using namespace teleta;
+using study::Mode;
+using test::kPatience_ms;
+using State = studyview::ParticipantScene::State;
+
+namespace {
+
+constexpr char kQuestionnaires[] = R"(
+[[questionnaire]]
+id = "person"
+title = "About you"
+when = "before_study"
+[[questionnaire.item]]
+id = "age"
+kind = "text"
+question = "How old are you?"
+[[questionnaire]]
+id = "effort"
+title = "Effort"
+when = "after_session"
+[[questionnaire.item]]
+id = "hard"
+kind = "likert"
+question = "How hard was it?"
+points = 7
+[[questionnaire]]
+id = "end"
+title = "The end"
+when = "after_study"
+[[questionnaire.item]]
+id = "hand"
+kind = "choice"
+question = "Which hand?"
+choice = [{ id = "l", text = "Left" }, { id = "r", text = "Right" }]
+)";
+
+} // namespace
+
+/// Questionnaires before the first session, after each and after the last one, as the protocol says.
+class StudyQuestionnairesTest : public QObject, protected test::StudyBench {
+    Q_OBJECT
+
+    [[nodiscard]] studyview::QuestionnaireForm& form() { return window()->questionnaire(); }
+    [[nodiscard]] std::vector<study::StoredAnswer> answers(std::size_t participant = 0) {
+        const auto store = study::StudyStore::open(studyFolder().toStdString());
+        return *store->answers(store->participants()->at(participant));
+    }
+    void begin() {
+        auto* noise = m_page->findChild<QCheckBox*>("noiseConfirmed");
+        QTRY_VERIFY_WITH_TIMEOUT(noise->isVisible(), kPatience_ms);
+        if (!noise->isChecked())
+            QTest::mouseClick(noise, Qt::LeftButton, {}, QPoint(8, noise->height() / 2));
+        QTRY_VERIFY_WITH_TIMEOUT(nextButton()->isEnabled(), kPatience_ms);
+        QTest::mouseClick(nextButton(), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(controller().isActive(), kPatience_ms);
+    }
+    [[nodiscard]] std::string asked() {
+        const study::Questionnaire* current = controller().round().current();
+        return current == nullptr ? std::string() : current->id;
+    }
+    void fillIn(Qt::Key key) {
+        QTRY_COMPARE_WITH_TIMEOUT(window()->scene().state, State::questionnaire, kPatience_ms);
+        form().focusFirst();
+        QTest::keyClick(window()->focusWidget(), key);
+        QTest::mouseClick(form().doneButton(), Qt::LeftButton);
+    }
+    void doTrials() {
+        finishPractice();
+        for (int trial = 0; trial < 4; ++trial)
+            doTrial();
+    }
+
+private slots:
+    void init() {
+        setUp();
+        m_more = kQuestionnaires;
+    }
+    void cleanup() { tearDown(); }
+
+    void areAskedInTheParticipantsWindowWhereTheProtocolSaysSoAndKept() {
+        openStudy();
+        begin();
+        QCOMPARE(asked(), std::string("person"));
+        QVERIFY(!runner().isActive());
+        QVERIFY(window()->isVisible());
+        QCOMPARE(window()->instruction(), QStringLiteral("About you"));
+        fillIn(Qt::Key_9);
+        QTRY_VERIFY_WITH_TIMEOUT(runner().isActive(), kPatience_ms);
+        QCOMPARE(answers().size(), std::size_t(1));
+        doTrials();
+        QTRY_COMPARE_WITH_TIMEOUT(asked(), std::string("effort"), kPatience_ms);
+        QVERIFY2(!controller().chosenSession()->isFinished(), "open until it is answered");
+        fillIn(Qt::Key_4);
+        QTRY_VERIFY_WITH_TIMEOUT(controller().chosenSession()->isFinished(), kPatience_ms);
+        QCOMPARE(answers().size(), std::size_t(2));
+        QCOMPARE(answers()[1].value, std::optional<std::string>("4"));
+
+        QTRY_VERIFY_WITH_TIMEOUT(nextButton()->isEnabled(), kPatience_ms);
+        QTest::mouseClick(nextButton(), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(!controller().isActive(), kPatience_ms);
+        begin();
+        QTRY_VERIFY_WITH_TIMEOUT(runner().isActive(), kPatience_ms);
+        doTrials();
+        QTRY_COMPARE_WITH_TIMEOUT(asked(), std::string("effort"), kPatience_ms);
+        fillIn(Qt::Key_1);
+        QTRY_COMPARE_WITH_TIMEOUT(asked(), std::string("end"), kPatience_ms);
+        fillIn(Qt::Key_2);
+        QTRY_VERIFY_WITH_TIMEOUT(controller().chosenSession()->isFinished(), kPatience_ms);
+        const auto all = answers();
+        QCOMPARE(all.size(), std::size_t(4));
+        QCOMPARE(all[3].questionnaire, std::string("end"));
+        QCOMPARE(all[3].value, std::optional<std::string>("r"));
+        QVERIFY(!all[3].session);
+        QFile table(studyFolder() + "/data/subject-P01/subject-P01_description-questionnaire_data.csv");
+        QTRY_VERIFY_WITH_TIMEOUT(table.exists(), kPatience_ms);
+        QVERIFY(table.open(QIODevice::ReadOnly));
+        const QByteArray rows = table.readAll();
+        QVERIFY2(rows.contains(",end,after_study,hand,choice,Which hand?,r,Right,"), rows.constData());
+    }
+
+    void aQuestionnaireThatIsInterruptedIsAskedAgainAndNoTrialTwice() {
+        openStudy();
+        begin();
+        fillIn(Qt::Key_9);
+        QTRY_VERIFY_WITH_TIMEOUT(runner().isActive(), kPatience_ms);
+        doTrials();
+        QTRY_COMPARE_WITH_TIMEOUT(asked(), std::string("effort"), kPatience_ms);
+        m_tick.reset();
+        m_page.reset();
+        QCOMPARE(kept().size(), std::size_t(6));
+        QCOMPARE(answers().size(), std::size_t(1));
+
+        openPage();
+        m_page->open(studyFolder());
+        QTRY_VERIFY_WITH_TIMEOUT(controller().overview().has_value(), kPatience_ms);
+        QVERIFY(controller().foundInterrupted());
+        begin();
+        QTRY_COMPARE_WITH_TIMEOUT(asked(), std::string("effort"), kPatience_ms);
+        fillIn(Qt::Key_7);
+        QTRY_VERIFY_WITH_TIMEOUT(controller().chosenSession()->isFinished(), kPatience_ms);
+        QCOMPARE(kept().size(), std::size_t(6));
+        QCOMPARE(answers().size(), std::size_t(2));
+    }
+
+    void anAbortInAQuestionnaireLeavesTheSessionOpen() {
+        openStudy();
+        begin();
+        QCOMPARE(asked(), std::string("person"));
+        auto* abort = m_page->findChild<QPushButton*>("abort");
+        QVERIFY(abort->isEnabled());
+        controller().abort();
+        QTRY_VERIFY_WITH_TIMEOUT(!controller().isActive() && !controller().isBusy(), kPatience_ms);
+        QVERIFY(window()->scene().state != State::questionnaire);
+        QCOMPARE(answers().size(), std::size_t(0));
+        begin();
+        QTRY_COMPARE_WITH_TIMEOUT(asked(), std::string("person"), kPatience_ms);
+    }
+
+    void theExperimenterCanLeaveAQuestionnaireOutAndANoteSaysSo() {
+        openStudy();
+        begin();
+        auto* skip = m_page->findChild<QPushButton*>("skip");
+        QVERIFY(skip->isVisible());
+        QTest::mouseClick(skip, Qt::LeftButton);
+        auto* box = m_page->findChild<QMessageBox*>("confirmSkip");
+        QVERIFY(box != nullptr);
+        QCOMPARE(asked(), std::string("person"));
+        for (QAbstractButton* button : box->buttons()) {
+            if (box->buttonRole(button) == QMessageBox::DestructiveRole)
+                QTest::mouseClick(button, Qt::LeftButton);
+        }
+        QTRY_VERIFY_WITH_TIMEOUT(runner().isActive(), kPatience_ms);
+        QVERIFY(answers().empty());
+        const auto store = study::StudyStore::open(studyFolder().toStdString());
+        const auto notes = *store->notes(store->sessions(store->participants()->front())->front());
+        QCOMPARE(notes.size(), std::size_t(1));
+        QCOMPARE(notes[0].text, std::string("questionnaire skipped: person"));
+    }
+
+    void simulatedParticipantsAnswerAsInARehearsalWithoutAScreen() {
+        openStudy(Mode::simulated);
+        controller().setSpeed(200.0);
+        controller().rehearse();
+        QTRY_VERIFY_WITH_TIMEOUT(!controller().isRehearsing(), 60'000);
+        const auto store = study::StudyStore::open(studyFolder().toStdString());
+        const study::StudyHead& head = store->head();
+        for (const study::Participant& participant : *store->participants()) {
+            const auto given = *store->answers(participant);
+            QCOMPARE(given.size(), std::size_t(4)); // person, effort twice, end
+            const auto plans = planSessions(head.protocol, head.seed, participant.enrolment);
+            const auto sessions = *store->sessions(participant);
+            for (const study::StoredAnswer& answer : given) {
+                std::size_t index = 0;
+                while (head.protocol.questionnaires[index].id != answer.questionnaire)
+                    ++index;
+                study::PlannedSession plan;
+                for (const study::SessionRecord& session : sessions) {
+                    if (answer.session == session.key)
+                        plan = plans.at(session.planIndex);
+                }
+                const auto expected = study::simulatedAnswers(head, participant, plan, index);
+                QCOMPARE(answer.value, expected.front().value);
+            }
+        }
+    }
+};
+
+QTEST_MAIN(StudyQuestionnairesTest)
+#include "study_questionnaires_test.moc"
