@@ -72,8 +72,7 @@ private:
     [[nodiscard]] core::Expected<void> answerQuestionnaires(QuestionnaireTime when,
                                                             const Participant& participant,
                                                             const SessionRecord& session,
-                                                            const PlannedSession& plan,
-                                                            const QDateTime& now);
+                                                            const PlannedSession& plan, const QDateTime& now);
 
     StudyStore& m_store;
     const std::function<bool(std::size_t)>& m_goOn;
@@ -114,9 +113,9 @@ core::Expected<RehearsalProgress> Rehearsal::run() {
         for (std::size_t j = 0; done && j < plan.size() && !m_progress.interrupted; ++j)
             done = runSession(participant, j, plan[j], beginOf(j));
         if (done && !m_progress.interrupted)
-            done = answerQuestionnaires(QuestionnaireTime::afterStudy, participant, {}, {},
-                                        beginOf(plan.size()))
-                       .and_then([&] { return exportAnswers(m_store, participant, ExportFormat::psychds); });
+            done =
+                answerQuestionnaires(QuestionnaireTime::afterStudy, participant, {}, {}, beginOf(plan.size()))
+                    .and_then([&] { return exportAnswers(m_store, participant, ExportFormat::psychds); });
         if (!done)
             return core::Unexpected(done.error());
         m_progress.participants += m_progress.interrupted ? 0 : 1;

@@ -66,6 +66,10 @@ StudyStore::~StudyStore() = default;
 StudyStore::StudyStore(StudyStore&&) noexcept = default;
 StudyStore& StudyStore::operator=(StudyStore&&) noexcept = default;
 
+const StoreLocation& StudyStore::location() const {
+    return m_connection->location();
+}
+
 const std::string& StudyStore::folder() const {
     return m_connection->location().folder;
 }

@@ -99,6 +99,7 @@ public:
     StudyStore& operator=(StudyStore&&) noexcept;
 
     [[nodiscard]] const StudyHead& head() const { return m_head; }
+    [[nodiscard]] const StoreLocation& location() const;
     [[nodiscard]] const std::string& folder() const;
     /// The file, or the server without any password: for people.
     [[nodiscard]] const std::string& shownName() const;

@@ -170,11 +170,10 @@ std::vector<TrialRow> noteRows(const StudyHead& head, const Participant& partici
     const StudyTask& task = head.protocol.tasks[plan.task];
     std::vector<TrialRow> rows;
     for (const StoredNote& note : notes)
-        rows.push_back({numberCell(1), textCell(participant.id), textCell(session.id),
-                        textCell(toString(head.mode)), textCell(task.id),
-                        textCell(task.conditions[plan.condition]), textCell(note.text),
-                        textCell(note.time.toString(Qt::ISODateWithMs).toStdString()),
-                        textCell(head.appVersion)});
+        rows.push_back(
+            {numberCell(1), textCell(participant.id), textCell(session.id), textCell(toString(head.mode)),
+             textCell(task.id), textCell(task.conditions[plan.condition]), textCell(note.text),
+             textCell(note.time.toString(Qt::ISODateWithMs).toStdString()), textCell(head.appVersion)});
     return rows;
 }
 

@@ -41,7 +41,6 @@ ParticipantWindow::ParticipantWindow(Clock clock, QWidget* parent)
     , m_questionnaire(new QuestionnaireForm(this)) {
     setObjectName(QStringLiteral("participantWindow"));
     setFocusPolicy(Qt::StrongFocus);
-    setAttribute(Qt::WA_AcceptTouchEvents);
     for (QLabel* label : {m_title, m_instruction}) {
         label->setAlignment(Qt::AlignCenter);
         label->setWordWrap(true);
@@ -161,6 +160,8 @@ void ParticipantWindow::refresh() {
     m_title->setText(title);
     m_instruction->setText(instruction());
     m_questionnaire->setVisible(asks);
+    // The touches of a questionnaire are those of its own buttons.
+    setAttribute(Qt::WA_AcceptTouchEvents, !asks);
     m_questionnaire->setLocked(m_scene.questionnaireLocked);
     m_questionnaire->setProblem(m_scene.questionnaireProblem);
     setAccessibleDescription(m_instruction->text());
@@ -191,7 +192,6 @@ void ParticipantWindow::paintEvent(QPaintEvent* /*event*/) {
 }
 
 bool ParticipantWindow::event(QEvent* event) {
-    // The touches of a questionnaire are those of its own buttons.
     if (m_scene.state == State::questionnaire)
         return QWidget::event(event);
     switch (event->type()) {

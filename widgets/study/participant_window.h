@@ -22,7 +22,8 @@ class QuestionnaireForm;
 
 /// The participant's own window: the answers as large buttons, and nothing else. Answers come by the digits
 /// of keyboard and keypad, mouse and touch; Space asks for the next trial, R for the stimulus once more where
-/// that is allowed. Questionnaires take the place of the answers. It decides nothing: each press goes out with the time of its arrival. Thread: GUI.
+/// that is allowed. Questionnaires take the place of the answers. It decides nothing: each press goes out
+/// with the time of its arrival. Thread: GUI.
 class ParticipantWindow : public QWidget {
     Q_OBJECT
 

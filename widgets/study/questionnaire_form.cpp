@@ -11,7 +11,6 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QScroller>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -34,7 +33,6 @@ QuestionnaireForm::QuestionnaireForm(QWidget* parent)
     m_area->setWidgetResizable(true);
     m_area->setFrameShape(QFrame::NoFrame);
     m_area->setFocusPolicy(Qt::NoFocus);
-    QScroller::grabGesture(m_area->viewport(), QScroller::TouchGesture);
     m_problem->setTextFormat(Qt::PlainText);
     m_problem->setWordWrap(true);
     m_problem->hide();

@@ -271,10 +271,11 @@ void SessionPanel::askForAbort() {
 }
 
 void SessionPanel::askForSkip() {
-    auto* box = new QMessageBox(QMessageBox::Warning, tr("Leave the questionnaire out?"),
-                                tr("What is filled in is lost, and a note says that it was left out. It is asked "
-                                   "again when the session is gone on with."),
-                                QMessageBox::NoButton, this);
+    auto* box =
+        new QMessageBox(QMessageBox::Warning, tr("Leave the questionnaire out?"),
+                        tr("What is filled in is lost, and a note says that it was left out. It is asked "
+                           "again when the session is gone on with."),
+                        QMessageBox::NoButton, this);
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setObjectName(QStringLiteral("confirmSkip"));
     QPushButton* skip = box->addButton(tr("&Leave it out"), QMessageBox::DestructiveRole);

@@ -10,6 +10,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QTreeWidget>
@@ -31,6 +32,7 @@ StudyPanel::StudyPanel(QWidget* parent)
     , m_name(new QLabel(this))
     , m_mark(new QLabel(this))
     , m_folder(new QLabel(this))
+    , m_store(new QLabel(this))
     , m_protocol(new QLabel(this))
     , m_new(new QPushButton(this))
     , m_open(new QPushButton(this))
@@ -39,6 +41,8 @@ StudyPanel::StudyPanel(QWidget* parent)
     , m_list(new QTreeWidget(this))
     , m_id(new QLineEdit(this))
     , m_add(new QPushButton(this)) {
+    m_store->setObjectName(QStringLiteral("store"));
+    m_open->setMenu(new QMenu(m_open));
     m_list->setObjectName(QStringLiteral("participants"));
     m_id->setObjectName(QStringLiteral("participantId"));
     m_add->setObjectName(QStringLiteral("addParticipant"));
@@ -47,11 +51,11 @@ StudyPanel::StudyPanel(QWidget* parent)
     m_name->setFont(base::sized(font(), base::kLargeText));
     m_mark->setFont(bold);
     m_people->setFont(bold);
-    for (QLabel* label : {m_name, m_folder, m_protocol}) {
+    for (QLabel* label : {m_name, m_folder, m_store, m_protocol}) {
         label->setTextFormat(Qt::PlainText);
         label->setWordWrap(true);
     }
-    for (QLabel* label : {m_folder, m_protocol})
+    for (QLabel* label : {m_folder, m_store, m_protocol})
         label->setFont(base::sized(font(), base::kSmallText));
     m_folder->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_list->setColumnCount(2);
@@ -76,6 +80,7 @@ StudyPanel::StudyPanel(QWidget* parent)
     layout->setSpacing(base::grid(this));
     layout->addLayout(head);
     layout->addWidget(m_folder);
+    layout->addWidget(m_store);
     layout->addWidget(m_protocol);
     layout->addLayout(buttons);
     layout->addSpacing(base::grid(this));
@@ -84,7 +89,6 @@ StudyPanel::StudyPanel(QWidget* parent)
     layout->addLayout(add);
 
     connect(m_new, &QPushButton::clicked, this, &StudyPanel::newRequested);
-    connect(m_open, &QPushButton::clicked, this, &StudyPanel::openRequested);
     connect(m_edit, &QPushButton::clicked, this, &StudyPanel::protocolRequested);
     const auto enrol = [this] {
         const QString id = m_id->text().trimmed();
@@ -124,6 +128,12 @@ void StudyPanel::refresh() {
     setTextColour(m_mark, modeColour(m_scene.mode, palette()));
     m_folder->setText(m_scene.folder);
     setTextColour(m_folder, palette().color(QPalette::PlaceholderText));
+    const bool away = !m_scene.storeProblem.isEmpty();
+    const base::StatusColours& status = base::statusColours(palette());
+    m_store->setVisible(!m_scene.store.isEmpty());
+    m_store->setText(away ? tr("\u2717 Server away: %1").arg(m_scene.storeProblem)
+                          : tr("\u25cf On the server: %1").arg(m_scene.store));
+    setTextColour(m_store, away ? status.lost : status.live);
     m_protocol->setText(m_scene.protocol);
     for (QWidget* widget : std::initializer_list<QWidget*>{m_list, m_new, m_open})
         widget->setEnabled(!m_scene.locked);
@@ -164,7 +174,10 @@ void StudyPanel::retranslate() {
     m_new->setText(tr("&New\u2026"));
     m_new->setToolTip(tr("Begin a new study"));
     m_open->setText(tr("&Open\u2026"));
-    m_open->setToolTip(tr("Open the folder of a study"));
+    m_open->setToolTip(tr("Open another study"));
+    m_open->menu()->clear();
+    m_open->menu()->addAction(tr("The &folder of a study\u2026"), this, &StudyPanel::openRequested);
+    m_open->menu()->addAction(tr("A study on a &server\u2026"), this, &StudyPanel::openServerRequested);
     m_edit->setText(tr("Pro&tocol\u2026"));
     m_edit->setToolTip(tr("Look at the protocol, or make another one from it"));
     m_people->setText(tr("Participants"));

@@ -40,6 +40,8 @@ struct ParticipantLine {
 struct StudyScene {
     QString name;
     QString folder;
+    QString store;        ///< a server; empty: a file in the folder
+    QString storeProblem; ///< why the server cannot be used; empty: it can
     study::Mode mode = study::Mode::run;
     QString protocol; ///< some lines
     std::vector<ParticipantLine> participants;
@@ -62,6 +64,7 @@ public:
 signals:
     void newRequested();
     void openRequested();
+    void openServerRequested();
     void protocolRequested();
     void enrolRequested(const QString& id);
     void sessionChosen(int participant, int session);
@@ -78,6 +81,7 @@ private:
     QLabel* m_name;
     QLabel* m_mark;
     QLabel* m_folder;
+    QLabel* m_store;
     QLabel* m_protocol;
     QPushButton* m_new;
     QPushButton* m_open;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/study/new_study_dialog.h"
 
+#include "app/console/study/server_fields.h"
 #include "widgets/base/theme.h"
 
 #include <QComboBox>
@@ -31,6 +32,8 @@ NewStudyDialog::NewStudyDialog(study::Protocol protocol, const QString& folder, 
     : QDialog(parent)
     , m_protocol(std::move(protocol))
     , m_folder(new QLineEdit(folder, this))
+    , m_store(new QComboBox(this))
+    , m_server(new ServerFields(this))
     , m_mode(new QComboBox(this))
     , m_seed(new QLineEdit(QStringLiteral("1"), this))
     , m_participants(new QSpinBox(this))
@@ -39,6 +42,9 @@ NewStudyDialog::NewStudyDialog(study::Protocol protocol, const QString& folder, 
     setWindowTitle(tr("New study"));
     setObjectName(QStringLiteral("newStudy"));
     m_folder->setObjectName(QStringLiteral("folder"));
+    m_store->setObjectName(QStringLiteral("store"));
+    m_store->addItem(tr("In a file of this folder: one station"));
+    m_store->addItem(tr("On a PostgreSQL server: stations share it"));
     m_mode->setObjectName(QStringLiteral("mode"));
     m_seed->setObjectName(QStringLiteral("seed"));
     m_mode->addItem(tr("Run: real participants, counts as data"), static_cast<int>(study::Mode::run));
@@ -60,6 +66,8 @@ NewStudyDialog::NewStudyDialog(study::Protocol protocol, const QString& folder, 
     auto* form = new QFormLayout;
     form->addRow(tr("Protocol"), new QLabel(QString::fromStdString(m_protocol.name), this));
     form->addRow(tr("&Folder, which is made"), place);
+    form->addRow(tr("&Kept"), m_store);
+    form->addRow(QString(), m_server);
     form->addRow(tr("&Mode"), m_mode);
     form->addRow(tr("&Seed"), m_seed);
     form->addRow(m_participantsLabel, m_participants);
@@ -77,6 +85,8 @@ NewStudyDialog::NewStudyDialog(study::Protocol protocol, const QString& folder, 
     connect(m_folder, &QLineEdit::textChanged, this, &NewStudyDialog::check);
     connect(m_seed, &QLineEdit::textChanged, this, &NewStudyDialog::check);
     connect(m_mode, &QComboBox::currentIndexChanged, this, &NewStudyDialog::check);
+    connect(m_store, &QComboBox::currentIndexChanged, this, &NewStudyDialog::check);
+    connect(m_server, &ServerFields::changed, this, &NewStudyDialog::check);
     check();
 }
 
@@ -86,6 +96,10 @@ void NewStudyDialog::setMode(study::Mode mode) {
 
 QString NewStudyDialog::folder() const {
     return QDir::cleanPath(m_folder->text().trimmed());
+}
+
+study::StoreLocation NewStudyDialog::location() const {
+    return {folder().toStdString(), m_store->currentIndex() == 1 ? m_server->url() : std::string()};
 }
 
 study::StudyHead NewStudyDialog::head() const {
@@ -117,6 +131,9 @@ void NewStudyDialog::check() {
         problem = tr("Choose a folder, with its whole path.");
     else if (!isNumber)
         problem = tr("The seed is a whole number from 0 to 18446744073709551615.");
+    else if (m_store->currentIndex() == 1)
+        problem = m_server->problem();
+    m_server->setVisible(m_store->currentIndex() == 1);
     m_problem->setText(problem);
     m_make->setEnabled(problem.isEmpty());
     const bool simulated = m_mode->currentData().toInt() == static_cast<int>(study::Mode::simulated);

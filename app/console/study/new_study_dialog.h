@@ -13,8 +13,10 @@ class QSpinBox;
 
 namespace teleta::console {
 
-/// Asks for what a new study is: its folder, what it is for, the seed of its orders. Thread: GUI; it does not
-/// block.
+class ServerFields;
+
+/// Asks for what a new study is: its folder, whether a server keeps it, what it is for, the seed of its
+/// orders. Thread: GUI; it does not block.
 class NewStudyDialog : public QDialog {
     Q_OBJECT
 
@@ -23,6 +25,7 @@ public:
 
     void setMode(study::Mode mode);
     [[nodiscard]] QString folder() const;
+    [[nodiscard]] study::StoreLocation location() const;
     [[nodiscard]] study::StudyHead head() const;
 
 private:
@@ -31,6 +34,8 @@ private:
 
     study::Protocol m_protocol;
     QLineEdit* m_folder;
+    QComboBox* m_store;
+    ServerFields* m_server;
     QComboBox* m_mode;
     QLineEdit* m_seed;
     QSpinBox* m_participants;

@@ -104,19 +104,17 @@ void QuestionnaireRound::skip() {
         return;
     m_timer.stop();
     // The words of a file: they do not depend on the language of the program.
-    m_desk.ask(
-        [session = m_subject.session, text = "questionnaire skipped: " + current()->id,
-         now = QDateTime::currentDateTimeUtc()](StudyDesk::Store& store) {
-            return store->keepNote(session, text, now);
-        },
-        [this, run = m_run](const core::Expected<void>& noted) {
-            if (run == m_run && !noted) {
-                m_problem = QString::fromStdString(core::describe(noted.error()));
-                emit changed();
-            } else if (run == m_run) {
-                next();
-            }
-        });
+    m_desk.ask([session = m_subject.session, text = "questionnaire skipped: " + current()->id,
+                now = QDateTime::currentDateTimeUtc()](
+                   StudyDesk::Store& store) { return store->keepNote(session, text, now); },
+               [this, run = m_run](const core::Expected<void>& noted) {
+                   if (run == m_run && !noted) {
+                       m_problem = QString::fromStdString(core::describe(noted.error()));
+                       emit changed();
+                   } else if (run == m_run) {
+                       next();
+                   }
+               });
 }
 
 void QuestionnaireRound::next() {

@@ -153,12 +153,19 @@ void StudyController::askForOverview(const QString& what, Work work) {
     emit changed();
 }
 
-void StudyController::open(const QString& folder) {
+void StudyController::open(const study::StoreLocation& location) {
     if (isActive())
         return;
-    askForOverview(tr("%1 could not be opened.", "a folder").arg(QDir(folder).dirName()),
-                   [folder](StudyDesk::Store& store) -> core::Expected<void> {
-                       core::Expected<StudyStore> opened = StudyStore::open(folder.toStdString());
+    const QString folder = QString::fromStdString(location.folder);
+    const QString name = location.server.empty()
+                             ? QDir(folder).dirName()
+                             : QString::fromStdString(study::shownServer(location.server));
+    askForOverview(tr("%1 could not be opened.", "a folder").arg(name),
+                   [location, folder](StudyDesk::Store& store) -> core::Expected<void> {
+                       // The store looks for trials that wait for the server in it.
+                       if (!location.server.empty())
+                           QDir().mkpath(folder);
+                       core::Expected<StudyStore> opened = StudyStore::open(location);
                        if (!opened)
                            return core::Unexpected(opened.error());
                        store = std::move(*opened);
@@ -166,12 +173,12 @@ void StudyController::open(const QString& folder) {
                    });
 }
 
-void StudyController::create(const QString& folder, const study::StudyHead& head) {
+void StudyController::create(const study::StoreLocation& location, const study::StudyHead& head) {
     if (isActive())
         return;
     askForOverview(tr("The study could not be made."),
-                   [folder, head](StudyDesk::Store& store) -> core::Expected<void> {
-                       core::Expected<StudyStore> made = StudyStore::create(folder.toStdString(), head);
+                   [location, head](StudyDesk::Store& store) -> core::Expected<void> {
+                       core::Expected<StudyStore> made = StudyStore::create(location, head);
                        if (!made)
                            return core::Unexpected(made.error());
                        store = std::move(*made);
@@ -199,7 +206,7 @@ void StudyController::refresh() {
 }
 
 void StudyController::take(StudyOverview overview) {
-    const bool another = !m_overview || m_overview->folder != overview.folder;
+    const bool another = !m_overview || m_overview->store != overview.store;
     m_overview = std::move(overview);
     if (another) {
         m_chosen.reset();
@@ -251,6 +258,7 @@ void StudyController::choose(int participant, int session) {
 /// What only a thread that may wait can find out: the folder, and whether somebody else runs the participant.
 void StudyController::lookAround(bool thenBegin) {
     m_lookedAround_ns = m_clock();
+    m_lookingAround = true;
     const ParticipantOverview* participant = chosenParticipant();
     if (!m_overview || participant == nullptr)
         return;
@@ -263,6 +271,7 @@ void StudyController::lookAround(bool thenBegin) {
             return Findings{study::lookAtFolder(store->folder()), store->runner(who)};
         },
         [this, thenBegin, isOwn = m_claim != nullptr](Findings findings) {
+            m_lookingAround = false;
             m_folder = std::move(findings.folder);
             m_otherRunner = findings.runner && !isOwn ? *findings.runner : std::nullopt;
             m_storeError = findings.runner ? std::nullopt : std::optional(findings.runner.error());
@@ -315,8 +324,7 @@ void StudyController::setNoiseConfirmed(bool confirmed) {
 void StudyController::begin() {
     const ParticipantOverview* participant = chosenParticipant();
     const SessionOverview* session = chosenSession();
-    if (participant == nullptr || session == nullptr || isActive() || isBusy() ||
-        !study::allPassed(checks()))
+    if (participant == nullptr || session == nullptr || isActive() || isBusy() || !study::allPassed(checks()))
         return;
     ++m_busy;
     m_saved.clear();
@@ -374,7 +382,7 @@ void StudyController::exportSession(study::Phase /*phase*/) {
         [this](const core::Expected<void>& written) {
             if (written)
                 m_saved = tr("Saved, read back and compared: %1")
-                              .arg(QDir(QString::fromStdString(m_overview->folder))
+                              .arg(QDir(QString::fromStdString(m_overview->location.folder))
                                        .filePath(QStringLiteral("data")));
             else
                 emit failed(tr("The trials are safe in the study, but could not be exported."),
@@ -440,16 +448,17 @@ void StudyController::releaseClaim() {
 void StudyController::keepNote(const QString& text) {
     if (!m_record)
         return;
-    m_desk.ask([who = m_participant, record = *m_record, text = text.toStdString(),
-                now = QDateTime::currentDateTimeUtc()](StudyDesk::Store& store) -> core::Expected<void> {
-                   if (const core::Expected<void> kept = store->keepNote(record, text, now); !kept)
-                       return kept;
-                   return study::exportNotes(*store, who, study::ExportFormat::psychds);
-               },
-               [this](const core::Expected<void>& kept) {
-                   if (!kept)
-                       emit failed(tr("The note could not be kept."), kept.error());
-               });
+    m_desk.ask(
+        [who = m_participant, record = *m_record, text = text.toStdString(),
+         now = QDateTime::currentDateTimeUtc()](StudyDesk::Store& store) -> core::Expected<void> {
+            if (const core::Expected<void> kept = store->keepNote(record, text, now); !kept)
+                return kept;
+            return study::exportNotes(*store, who, study::ExportFormat::psychds);
+        },
+        [this](const core::Expected<void>& kept) {
+            if (!kept)
+                emit failed(tr("The note could not be kept."), kept.error());
+        });
 }
 
 void StudyController::rehearse() {
@@ -496,7 +505,7 @@ void StudyController::followSimulated() {
 
 void StudyController::tick() {
     m_runner.poll();
-    if (!isActive() && m_overview && m_clock() - m_lookedAround_ns > kLookAround_ns)
+    if (!isActive() && !m_lookingAround && m_overview && m_clock() - m_lookedAround_ns > kLookAround_ns)
         lookAround();
 }
 

@@ -36,8 +36,8 @@ public:
     ~StudyController() override;
 
     /// What comes of these comes as a signal.
-    void open(const QString& folder);
-    void create(const QString& folder, const study::StudyHead& head);
+    void open(const study::StoreLocation& location);
+    void create(const study::StoreLocation& location, const study::StudyHead& head);
     void enrol(const QString& id);
     void choose(int participant, int session);
 
@@ -69,6 +69,8 @@ public:
     [[nodiscard]] const SessionOverview* chosenSession() const;
     [[nodiscard]] const study::StudyTask* chosenTask() const;
     [[nodiscard]] std::vector<study::RunCheck> checks() const;
+    /// Why the store cannot be used now, the server being away for example; empty: it can.
+    [[nodiscard]] const std::optional<core::Error>& storeError() const { return m_storeError; }
     [[nodiscard]] bool noiseConfirmed() const { return m_noiseConfirmed; }
     [[nodiscard]] bool isBusy() const { return m_busy > 0; }
     /// A session is under way, or a questionnaire before or after it.
@@ -135,6 +137,7 @@ private:
     std::optional<std::string> m_otherRunner;
     std::optional<core::Error> m_storeError;
     std::int64_t m_lookedAround_ns = 0;
+    bool m_lookingAround = false; ///< a server that does not answer takes its time
     bool m_noiseConfirmed = false;
     bool m_foundInterrupted = false;
     bool m_rehearsing = false;

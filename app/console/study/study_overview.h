@@ -31,7 +31,8 @@ struct ParticipantOverview {
 
 /// What a study has, at one time.
 struct StudyOverview {
-    std::string folder;
+    study::StoreLocation location;
+    std::string store; ///< the file, or the server without any password
     study::StudyHead head;
     std::vector<ParticipantOverview> participants;
 };

@@ -4,6 +4,8 @@
 #include "app/console/background.h"
 #include "app/console/study/new_study_dialog.h"
 #include "app/console/study/protocol_dialog.h"
+#include "app/console/study/server_fields.h"
+#include "app/console/study/server_study_dialog.h"
 #include "backend/figure/figure_file.h"
 #include "backend/study/study_export.h"
 #include "backend/study/study_figures.h"
@@ -63,8 +65,8 @@ core::Expected<std::vector<study::TaskResults>> resultsOf(const study::StudyStor
     return study::studyResults(tally);
 }
 
-core::Expected<std::vector<study::TaskResults>> resultsOf(const std::string& folder) {
-    const core::Expected<study::StudyStore> store = study::StudyStore::open(folder);
+core::Expected<std::vector<study::TaskResults>> resultsOf(const study::StoreLocation& location) {
+    const core::Expected<study::StudyStore> store = study::StudyStore::open(location);
     if (!store)
         return core::Unexpected(store.error());
     return resultsOf(*store);
@@ -82,9 +84,10 @@ core::Expected<QString> writeAnalysis(const study::StudyStore& store, const QDir
         {"svg", {}},
         {"pdf", [](const std::string& svg) { return figure::pdfOf(svg); }},
         {"png", [](const std::string& svg) { return figure::pngOf(svg); }}};
+    const bool onServer = !store.location().server.empty();
     const study::ReportHeading heading{StudyPage::tr("Results of the study").toStdString(),
                                        mode,
-                                       {study.path().toStdString()},
+                                       {onServer ? store.shownName() : study.path().toStdString()},
                                        QCoreApplication::applicationVersion().toStdString()};
     return study::writeResults(*tasks, folder)
         .and_then([&] { return study::writeFigures(*tasks, folder, mode, formats); })
@@ -93,9 +96,9 @@ core::Expected<QString> writeAnalysis(const study::StudyStore& store, const QDir
 }
 
 /// The folder that was written. On a pool thread too.
-core::Expected<QString> exportTo(const std::string& folder, const QString& format) {
-    const QDir study(QString::fromStdString(folder));
-    const core::Expected<study::StudyStore> store = study::StudyStore::open(folder);
+core::Expected<QString> exportTo(const study::StoreLocation& location, const QString& format) {
+    const QDir study(QString::fromStdString(location.folder));
+    const core::Expected<study::StudyStore> store = study::StudyStore::open(location);
     if (!store)
         return core::Unexpected(store.error());
     if (format == QLatin1String("analysis"))
@@ -159,6 +162,8 @@ void StudyPage::build() {
             &QPushButton::clicked, this, [this] { beginNewStudy(study::Mode::run); });
     connect(empty->addAction(tr("Open a study\u2026"), tr("The folder of a study")), &QPushButton::clicked,
             this, &StudyPage::askForStudy);
+    connect(empty->addAction(tr("Study on a server\u2026"), tr("A study that several stations share")),
+            &QPushButton::clicked, this, &StudyPage::askForServer);
     m_empty = empty;
 
     m_counts->setObjectName(QStringLiteral("counts"));
@@ -232,6 +237,7 @@ void StudyPage::connectViews() {
     using studyview::StudyPanel;
     connect(m_study, &StudyPanel::newRequested, this, [this] { beginNewStudy(study::Mode::run); });
     connect(m_study, &StudyPanel::openRequested, this, &StudyPage::askForStudy);
+    connect(m_study, &StudyPanel::openServerRequested, this, &StudyPage::askForServer);
     connect(m_study, &StudyPanel::protocolRequested, this,
             [this] { showProtocol(m_controller.overview()->head.protocol); });
     connect(m_study, &StudyPanel::enrolRequested, &m_controller, &StudyController::enrol);
@@ -273,9 +279,16 @@ void StudyPage::connectViews() {
 }
 
 void StudyPage::open(const QString& path) {
+    if (path.startsWith(QLatin1String("postgres://")) || path.startsWith(QLatin1String("postgresql://"))) {
+        ServerFields address;
+        address.setAddress(path);
+        m_controller.open(
+            {QDir(studiesFolder()).filePath(address.studyName()).toStdString(), path.toStdString()});
+        return;
+    }
     const QString name = QFileInfo(path).fileName();
     if (QFileInfo(path).isDir()) {
-        m_controller.open(path);
+        m_controller.open(path.toStdString());
         return;
     }
     runInBackground(
@@ -291,7 +304,7 @@ void StudyPage::open(const QString& path) {
 void StudyPage::watchRehearsal(const QString& folder) {
     m_rehearseWhenOpened = true;
     if (QFileInfo::exists(QDir(folder).filePath(QStringLiteral("study.sqlite"))) && !folder.isEmpty()) {
-        m_controller.open(folder);
+        m_controller.open(folder.toStdString());
         return;
     }
     const QString place = folder.isEmpty() ? newFolder(QStringLiteral("rehearsal")) : folder;
@@ -304,7 +317,7 @@ void StudyPage::watchRehearsal(const QString& folder) {
             }
             NewStudyDialog form(*protocol, place);
             form.setMode(study::Mode::simulated);
-            m_controller.create(form.folder(), form.head());
+            m_controller.create(form.location(), form.head());
         });
 }
 
@@ -324,7 +337,7 @@ void StudyPage::askForNewStudy(const study::Protocol& protocol, study::Mode mode
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setMode(mode);
     connect(dialog, &QDialog::accepted, this,
-            [this, dialog] { m_controller.create(dialog->folder(), dialog->head()); });
+            [this, dialog] { m_controller.create(dialog->location(), dialog->head()); });
     dialog->open();
 }
 
@@ -366,6 +379,13 @@ void StudyPage::askForStudy() {
     dialog->setFileMode(QFileDialog::Directory);
     dialog->setOption(QFileDialog::ShowDirsOnly);
     connect(dialog, &QFileDialog::fileSelected, this, &StudyPage::open);
+    dialog->open();
+}
+
+void StudyPage::askForServer() {
+    auto* dialog = new ServerStudyDialog(studiesFolder(), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] { m_controller.open(dialog->location()); });
     dialog->open();
 }
 
@@ -440,7 +460,7 @@ void StudyPage::refresh() {
     QString session;
     if (m_controller.chosenSession() != nullptr)
         session = QStringLiteral("%1 %2 %3")
-                      .arg(QString::fromStdString(m_controller.overview()->folder))
+                      .arg(QString::fromStdString(m_controller.overview()->store))
                       .arg(m_controller.chosenSession()->plan.task)
                       .arg(m_controller.chosenSession()->plan.condition);
     if (session != m_choicesOf) {
@@ -496,7 +516,7 @@ void StudyPage::analyse() {
     for (const study::StudyTask& task : overview.head.protocol.tasks)
         scene.taskNames.insert(QString::fromStdString(task.id), QString::fromStdString(task.name));
     runInBackground(
-        this, [folder = overview.folder] { return resultsOf(folder); },
+        this, [location = overview.location] { return resultsOf(location); },
         [this, scene](core::Expected<std::vector<study::TaskResults>> results) mutable {
             m_analysing = false;
             if (results) {
@@ -515,7 +535,7 @@ void StudyPage::analyse() {
 
 void StudyPage::exportStudy(const QString& format) {
     runInBackground(
-        this, [folder = m_controller.overview()->folder, format] { return exportTo(folder, format); },
+        this, [location = m_controller.overview()->location, format] { return exportTo(location, format); },
         [this](const core::Expected<QString>& written) {
             if (written)
                 m_messages->post(

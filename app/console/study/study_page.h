@@ -36,7 +36,8 @@ public:
 
     ~StudyPage() override;
 
-    /// Opens the folder of a study, or a protocol to make one of.
+    /// Opens the folder of a study, the address of a study on a server (postgresql://..), or a protocol to
+    /// make one of.
     void open(const QString& path);
     /// Goes on with a simulated study, or makes one of the paper's protocol, and lets simulated participants
     /// go through it. folder: empty for a new one among the user's documents.
@@ -74,6 +75,7 @@ private:
     void askForNewStudy(const study::Protocol& protocol, study::Mode mode);
     void beginNewStudy(study::Mode mode);
     void askForStudy();
+    void askForServer();
     void showProtocol(const study::Protocol& protocol);
     void askForProtocol();
     void showParticipantWindow();

@@ -91,7 +91,12 @@ studyview::StudyScene StudyScenes::study(const StudyController& controller) {
     const StudyOverview& overview = *controller.overview();
     const study::Protocol& protocol = overview.head.protocol;
     scene.name = text(protocol.name);
-    scene.folder = text(overview.folder);
+    scene.folder = text(overview.location.folder);
+    if (!overview.location.server.empty()) {
+        scene.store = text(overview.store);
+        scene.storeProblem =
+            controller.storeError() ? text(core::describe(*controller.storeError())) : QString();
+    }
     scene.mode = overview.head.mode;
     scene.protocol = protocolText(overview.head);
     scene.chosen = controller.chosen();
@@ -270,9 +275,10 @@ void StudyScenes::describeQuestionnaire(const StudyController& controller, study
     switch (nextStep(controller)) {
     case NextStep::retry:
         scene.next = tr("Try again to keep the answers");
-        scene.state = tr("The answers to \u201c%1\u201d could not be kept; they are still in the participant's "
-                         "window. %2")
-                          .arg(title, round.problem());
+        scene.state =
+            tr("The answers to \u201c%1\u201d could not be kept; they are still in the participant's "
+               "window. %2")
+                .arg(title, round.problem());
         scene.tone = Tone::alarm;
         return;
     case NextStep::stopRehearsal:

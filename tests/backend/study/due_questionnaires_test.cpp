@@ -61,8 +61,7 @@ TEST(DueQuestionnaires, areThoseOfTheirTimeInTheProtocolsOrder) {
 
 TEST(DueQuestionnaires, areDueOnceASessionAndOnceAParticipant) {
     const std::vector<StoredAnswer> kept{answered("person", {}), answered("effort", 7)};
-    EXPECT_TRUE(
-        dueQuestionnaires(protocol(), QuestionnaireTime::beforeStudy, sessionOf(8), kept).empty());
+    EXPECT_TRUE(dueQuestionnaires(protocol(), QuestionnaireTime::beforeStudy, sessionOf(8), kept).empty());
     const auto same = dueQuestionnaires(protocol(), QuestionnaireTime::afterSession, sessionOf(7), kept);
     ASSERT_EQ(same.size(), 1U);
     EXPECT_EQ(same[0].index, 2U);

@@ -231,7 +231,8 @@ TEST_F(StudyExportTest, notesOfTheExperimenterComeAsATableOfTheirOwn) {
               "2026-11-03T14:22:33.000Z,0.1.0\n"
               "1,P07,20261103T142233,pilot,shape,static,on again,2026-11-03T14:22:42.000Z,0.1.0\n");
     EXPECT_EQ(nlohmann::json::parse(read(path + ".json"))["variableMeasured"].size(), kNoteColumns.size());
-    EXPECT_FALSE(std::filesystem::exists(m_folder.path("study/data/subject-P08/subject-P08_description-notes_data.csv")))
+    EXPECT_FALSE(std::filesystem::exists(
+        m_folder.path("study/data/subject-P08/subject-P08_description-notes_data.csv")))
         << "nothing was noted";
 
     ASSERT_EQ(exportStudy(store, ExportFormat::bids), 2U);

@@ -45,8 +45,8 @@ condition = [{ id = "static" }, { id = "dynamic" }]
 pattern = [{ letter = "A", name = "circle" }, { letter = "B", name = "rectangle" }]
 )";
 
-/// The Study page with a real store, a simulated bracelet in real time, and an experimenter's and a participant's
-/// hands.
+/// The Study page with a real store, a simulated bracelet in real time, and an experimenter's and a
+/// participant's hands.
 class StudyBench {
 protected:
     using Stage = study::Stage;
@@ -88,7 +88,7 @@ protected:
     /// A pilot study with one participant whose session can begin.
     void openStudy(study::Mode mode = study::Mode::pilot, double stimulus_s = 0.1) {
         openPage();
-        controller().create(studyFolder(), head(mode, stimulus_s));
+        controller().create(studyFolder().toStdString(), head(mode, stimulus_s));
         QTRY_VERIFY_WITH_TIMEOUT(controller().overview().has_value(), kPatience_ms);
         if (mode == study::Mode::simulated)
             return;

@@ -193,7 +193,8 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(!controller().isRehearsing(), 60'000);
         const auto store = study::StudyStore::open(studyFolder().toStdString());
         const study::StudyHead& head = store->head();
-        for (const study::Participant& participant : *store->participants()) {
+        const auto participants = store->participants();
+        for (const study::Participant& participant : *participants) {
             const auto given = *store->answers(participant);
             QCOMPARE(given.size(), std::size_t(4)); // person, effort twice, end
             const auto plans = planSessions(head.protocol, head.seed, participant.enrolment);

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/study/new_study_dialog.h"
+#include "app/console/study/server_fields.h"
+#include "app/console/study/server_study_dialog.h"
+#include "tests/app/console/study/study_bench.h"
+#include "tests/support/postgres_server.h"
+#include "widgets/study/result_table.h"
+#include "widgets/study/results_view.h"
+#include "widgets/study/study_panel.h"
+
+#include <QComboBox>
+#include <QDir>
+#include <QLabel>
+
+using namespace teleta;
+using study::Mode;
+using test::kPatience_ms;
+using test::PostgresServer;
+
+/// The Study page with a study on a real PostgreSQL server, which this test starts and kills.
+class StudyServerPageTest : public QObject, protected test::StudyBench {
+    Q_OBJECT
+
+    std::unique_ptr<PostgresServer> m_server;
+
+    [[nodiscard]] study::StoreLocation location() const {
+        return {studyFolder().toStdString(), m_server->url("shared")};
+    }
+    void create() {
+        openPage();
+        controller().create(location(), head(Mode::pilot, 0.1));
+        QTRY_VERIFY_WITH_TIMEOUT(controller().overview().has_value(), kPatience_ms);
+    }
+    [[nodiscard]] QString shownStore() {
+        return m_page->studyPanel().findChild<QLabel*>(QStringLiteral("store"))->text();
+    }
+    [[nodiscard]] std::vector<study::StoredTrial> onServer() {
+        const auto store = study::StudyStore::open(location());
+        if (!store)
+            return {};
+        const auto participants = store->participants();
+        const auto sessions = store->sessions(participants->front());
+        return sessions->empty() ? std::vector<study::StoredTrial>{} : *store->trials(sessions->front());
+    }
+
+private slots:
+    void init() {
+        if (PostgresServer::programs().empty())
+            QSKIP("PostgreSQL is not installed, so there is no server to talk to");
+        setUp();
+        m_server = std::make_unique<PostgresServer>();
+    }
+    void cleanup() {
+        tearDown();
+        m_server.reset();
+    }
+
+    void aSessionRunsOnTheServerAndItsResultsAreShown() {
+        create();
+        QVERIFY2(!shownStore().contains(QStringLiteral("cret")), "no password is shown");
+        QVERIFY(shownStore().contains(QStringLiteral("study=shared")));
+        enrol("P01");
+        QTRY_VERIFY_WITH_TIMEOUT(m_station->isReady(), kPatience_ms);
+        beginSession();
+        finishPractice();
+        for (int trial = 0; trial < 4; ++trial)
+            doTrial();
+        QTRY_VERIFY_WITH_TIMEOUT(controller().chosenSession()->isFinished(), kPatience_ms);
+        QCOMPARE(onServer().size(), std::size_t(6));
+        QVERIFY(!QDir(studyFolder() + "/data").entryList(QDir::Dirs | QDir::NoDotAndDotDot).isEmpty());
+        QVERIFY(!QFile::exists(studyFolder() + "/study.sqlite"));
+        m_page->bringForward(QStringLiteral("results"));
+        QTRY_COMPARE_WITH_TIMEOUT(m_page->resultsView().matrices().size(), std::size_t(1), kPatience_ms);
+        QCOMPARE(m_page->resultsView().peopleTable()->item(0, 3)->text(), QStringLiteral("4"));
+    }
+
+    void aServerThatGoesAwayHoldsTheSessionAtATrialThatIsSafe() {
+        create();
+        enrol("P01");
+        QTRY_VERIFY_WITH_TIMEOUT(m_station->isReady(), kPatience_ms);
+        beginSession();
+        doTrial();
+        QTRY_VERIFY_WITH_TIMEOUT(!runner().isKeeping(), kPatience_ms);
+        m_server->kill();
+        doTrial();
+        QTRY_COMPARE_WITH_TIMEOUT(runner().hold(), Hold::notKept, kPatience_ms);
+        QVERIFY(
+            m_page->sessionPanel().scene().state.contains(QStringLiteral("sent when the server is back")));
+        QCOMPARE(m_page->sessionPanel().scene().tone, studyview::Tone::alarm);
+        m_server->start();
+        QTest::mouseClick(nextButton(), Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(runner().hold(), Hold::paused, kPatience_ms);
+        QCOMPARE(onServer().size(), std::size_t(2));
+    }
+
+    void aServerThatIsAwayBeforeASessionIsSeenAndTheSessionDoesNotBegin() {
+        create();
+        enrol("P01");
+        QTRY_VERIFY_WITH_TIMEOUT(m_station->isReady(), kPatience_ms);
+        m_server->kill();
+        QTRY_VERIFY_WITH_TIMEOUT(shownStore().contains(QStringLiteral("Server away")), kPatience_ms);
+        QVERIFY(!nextButton()->isEnabled());
+        m_server->start();
+        QTRY_VERIFY_WITH_TIMEOUT(shownStore().contains(QStringLiteral("On the server")), kPatience_ms);
+    }
+
+    void aServerThatDoesNotAnswerIsSaidAndNothingIsOpened() {
+        m_server->kill();
+        openPage();
+        m_page->open(QString::fromStdString(m_server->url("shared")));
+        QTRY_COMPARE_WITH_TIMEOUT(m_page->messages().count(), 1, kPatience_ms);
+        QVERIFY(!controller().overview());
+    }
+
+    void theFormsMakeAnAddressOfWhatIsTyped() {
+        const QString address = QString::fromStdString(m_server->url("shared", ""));
+        const QString plain = QString(address).replace(QStringLiteral(":@"), QStringLiteral("@"));
+        console::ServerStudyDialog dialog(m_folder->path());
+        auto* open = dialog.findChild<QPushButton*>();
+        QVERIFY(open != nullptr);
+        dialog.server().setAddress(QStringLiteral("http://somewhere"));
+        QVERIFY(!dialog.server().problem().isEmpty());
+        dialog.server().setAddress(plain);
+        QTest::keyClicks(dialog.findChild<QLineEdit*>(QStringLiteral("serverPassword")),
+                         QString::fromLatin1(PostgresServer::kPassword));
+        QVERIFY2(dialog.server().problem().isEmpty(), qPrintable(dialog.server().problem()));
+        QCOMPARE(dialog.location().server, m_server->url("shared"));
+        QCOMPARE(QString::fromStdString(dialog.location().folder), m_folder->filePath("shared"));
+
+        console::NewStudyDialog made(head(Mode::pilot, 0.1).protocol, studyFolder());
+        QVERIFY(made.location().server.empty());
+        made.findChild<QComboBox*>(QStringLiteral("store"))->setCurrentIndex(1);
+        made.findChild<console::ServerFields*>()->setAddress(plain);
+        QTest::keyClicks(made.findChild<QLineEdit*>(QStringLiteral("serverPassword")),
+                         QString::fromLatin1(PostgresServer::kPassword));
+        QCOMPARE(made.location().server, m_server->url("shared"));
+        openPage();
+        controller().create(made.location(), head(Mode::pilot, 0.1));
+        QTRY_VERIFY_WITH_TIMEOUT(controller().overview().has_value(), kPatience_ms);
+    }
+};
+
+QTEST_MAIN(StudyServerPageTest)
+#include "study_server_page_test.moc"
