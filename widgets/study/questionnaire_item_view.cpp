@@ -23,6 +23,15 @@ namespace {
 
 constexpr double kTarget_em = 3.2; ///< a finger's
 
+/// Can be pressed in all of its line, not on its words alone.
+class ChoiceButton : public QRadioButton {
+public:
+    using QRadioButton::QRadioButton;
+
+protected:
+    [[nodiscard]] bool hitButton(const QPoint& at) const override { return rect().contains(at); }
+};
+
 QLabel* textLabel(const std::string& text, QWidget* parent) {
     auto* label = new QLabel(QString::fromStdString(text), parent);
     label->setTextFormat(Qt::PlainText);
@@ -109,14 +118,14 @@ void QuestionnaireItemView::buildScale(QVBoxLayout* column) {
 void QuestionnaireItemView::buildChoices(QVBoxLayout* column) {
     std::size_t number = 0;
     for (const study::ItemChoice& choice : m_item.choices) {
-        auto* button = new QRadioButton(
+        auto* button = new ChoiceButton(
             QStringLiteral("%1   %2").arg(++number).arg(QString::fromStdString(choice.text)), this);
         button->setAccessibleName(QString::fromStdString(choice.text));
         addButton(button, choice.id);
         column->addWidget(button);
     }
     if (!m_item.required) {
-        auto* none = new QRadioButton(this);
+        auto* none = new ChoiceButton(this);
         addButton(none, {});
         column->addWidget(none);
     }

@@ -76,7 +76,7 @@ private slots:
         connect(m_window.get(), &ParticipantWindow::questionnaireAnswered, this,
                 [this](const std::vector<ItemAnswer>& answers) { m_handedOver.push_back(answers); });
         connect(m_window.get(), &ParticipantWindow::pressed, this, [this] { ++m_presses; });
-        m_window->resize(900, 900);
+        m_window->resize(700, 700);
         m_window->show();
         m_window->activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
