@@ -206,7 +206,7 @@ void CameraChannel::process(const core::CameraFrame& frame) {
     snapshot.rung = m_rung->name;
     snapshot.mayReact = reacts;
     snapshot.stage_ns = m_tracker.finder().stageTimes_ns();
-    snapshot.whole_ns = end_ns - begin_ns;
+    snapshot.whole_ns = hadReference ? end_ns - begin_ns : 0;
     snapshot.processed_Hz = m_rate.rate_Hz(frame.time_ns);
     snapshot.processed = m_processed.load(std::memory_order_relaxed);
     snapshot.passedOver = m_passedOver;

@@ -34,12 +34,13 @@ void StageBar::setSnapshot(const pipeline::CameraSnapshot* snapshot, double nomi
         return;
     }
     const bool first = m_rung != std::string(snapshot->rung);
-    m_rung = std::string(snapshot->rung);
     const auto average = [&](double& average_ms, std::int64_t time_ns) {
         const double time_ms = 1e-6 * static_cast<double>(time_ns);
         average_ms = first ? time_ms : average_ms + kAveraging * (time_ms - average_ms);
     };
-    if (snapshot->usable) {
+    // Taking a reference is no finding of contacts.
+    if (snapshot->usable && snapshot->whole_ns > 0) {
+        m_rung = std::string(snapshot->rung);
         for (std::size_t i = 0; i < m_stage_ms.size(); ++i)
             average(m_stage_ms[i], snapshot->stage_ns[i]);
         average(m_whole_ms, snapshot->whole_ns);
