@@ -14,6 +14,7 @@ public:
         bytes,            ///< of a file; the rate is in MB/s
         simulatedSeconds, ///< the rate is a multiple of real time
         trials,           ///< the rate is in trials a second
+        runs,             ///< of a scene; the rate is in runs a second
     };
 
     ProgressBar(Unit unit, bool resultsOnTerminal);

@@ -12,16 +12,22 @@ namespace teleta::scene_run {
 using nlohmann::ordered_json;
 
 ordered_json SceneSummary::toJson() const {
-    ordered_json effectTimes = ordered_json::array();
-    for (const EffectTime& effect : effects)
-        effectTimes.push_back({{"name", effect.name}, {"time_s", effect.time_s}});
-    return {{"scene", scene},
-            {"seed", seed},
-            {"simulated_s", simulated_s},
-            {"wall_s", wall_s},
-            {"effects", std::move(effectTimes)},
-            {"measures", measures},
-            {"events", events}};
+    const auto times = [](const std::vector<EffectTime>& list) {
+        ordered_json entries = ordered_json::array();
+        for (const EffectTime& each : list)
+            entries.push_back({{"name", each.name}, {"time_s", each.time_s}});
+        return entries;
+    };
+    ordered_json document{{"scene", scene},
+                          {"seed", seed},
+                          {"simulated_s", simulated_s},
+                          {"wall_s", wall_s},
+                          {"effects", times(effects)}};
+    if (!parts.empty())
+        document["parts"] = times(parts);
+    document["measures"] = measures;
+    document["events"] = events;
+    return document;
 }
 
 ordered_json jsonNumber(double value) {

@@ -24,13 +24,17 @@ struct SceneSummary {
     double simulated_s = 0.0;
     double wall_s = 0.0;
     std::vector<EffectTime> effects; ///< those that were built
+    /// Computing time of the parts of the loop, for a scene that times them; estimated from a sample of its
+    /// cycles.
+    std::vector<EffectTime> parts;
     /// Name -> number, text or list. What a scene has nothing to say about is missing; what it could not
     /// determine is null.
     nlohmann::ordered_json measures = nlohmann::ordered_json::object();
     nlohmann::ordered_json events = nlohmann::ordered_json::array();
     bool interrupted = false; ///< it was ended before its time; not in the file
 
-    /// {"scene","seed","simulated_s","wall_s","effects":[{"name","time_s"}],"measures":{...},"events":[...]}
+    /// {"scene","seed","simulated_s","wall_s","effects":[{"name","time_s"}],"measures":{...},"events":[...]},
+    /// and after "effects" with parts: "parts":[{"name","time_s"}]
     [[nodiscard]] nlohmann::ordered_json toJson() const;
 };
 

@@ -7,6 +7,7 @@
 #include "backend/scene_run/servo_measures.h"
 #include "backend/simulation/servo/servo_loop.h"
 
+#include <algorithm>
 #include <array>
 #include <bitset>
 #include <cmath>
@@ -115,6 +116,11 @@ core::Expected<SceneSummary> runServoScene(const scene::Scene& scene, const RunO
     summary.simulated_s = loop.world().time_s();
     for (const simulation::EffectTime& effect : loop.world().effectTimes())
         summary.effects.push_back({std::string(effect.name), effect.time_s});
+    const double cyclesPerTimed =
+        static_cast<double>(loop.world().cycle()) / std::max(1.0, static_cast<double>(loop.times().cycles));
+    for (std::size_t i = 0; i < servo::kCycleParts; ++i)
+        summary.parts.push_back(
+            {std::string(servo::kCyclePartNames[i]), loop.times().part_s[i] * cyclesPerTimed});
     measures.report(summary.measures);
     summary.measures["frames"] = frames;
     summary.measures["frames_lost"] = 0;

@@ -4,6 +4,7 @@
 #include "backend/core/bounded_queue.h"
 #include "backend/core/latest_exchange.h"
 #include "backend/core/mailbox.h"
+#include "backend/servo/cycle_times.h"
 #include "backend/servo/lwr_kinematics.h"
 #include "backend/servo/servo_controller.h"
 #include "backend/servo/servo_tuning.h"
@@ -28,6 +29,8 @@ struct ServoReport {
     bool stopped = false;                      ///< STOP is engaged
     std::array<TaskKind, kLongestPlan> plan{}; ///< the tasks
     std::size_t tasks = 0;                     ///< how many of them there are
+    CycleTimes times;                          ///< of a simulated servo since its start; no cycles: not known
+    double rate_Hz = 0.0;                      ///< of the control cycles
     std::uint64_t restarts = 0;                ///< of the world; what was explored before is of another run
 };
 

@@ -2,10 +2,12 @@
 #include "app/cli/commands/simulate_command.h"
 
 #include "app/cli/command_io.h"
+#include "app/cli/commands/ablation_output.h"
 #include "app/cli/interruption.h"
 #include "app/cli/progress_bar.h"
 #include "app/cli/validators.h"
 #include "app/common/scene_file.h"
+#include "backend/scene_run/effect_ablation.h"
 #include "backend/scene_run/scene_run.h"
 
 #include <QCoreApplication>
@@ -54,6 +56,13 @@ core::Expected<void> printTable(const scene_run::SceneSummary& summary) {
     for (const scene_run::SceneSummary::EffectTime& effect : summary.effects)
         fields.emplace_back(SimulateText::tr("Effect %1").arg(QString::fromStdString(effect.name)),
                             SimulateText::tr("%1 s").arg(forPeople(effect.time_s, 3)));
+    double parts_s = 0.0;
+    for (const scene_run::SceneSummary::EffectTime& part : summary.parts)
+        parts_s += part.time_s;
+    for (const scene_run::SceneSummary::EffectTime& part : summary.parts)
+        fields.emplace_back(
+            SimulateText::tr("Share of %1").arg(QString::fromStdString(part.name)),
+            SimulateText::tr("%1 %").arg(forPeople(parts_s > 0.0 ? 100.0 * part.time_s / parts_s : 0.0, 3)));
     for (const auto& [name, value] : summary.measures.items())
         fields.emplace_back(QString::fromStdString(name), valueText(value));
     fields.emplace_back(SimulateText::tr("Events"), QString::number(summary.events.size()));
@@ -104,11 +113,41 @@ void SimulateCommand::declare(CLI::App& app) {
                                           "Simulated time in seconds; otherwise what the scene says")))
         ->type_name("S")
         ->check(positive());
-    app.add_option(
-           "--out", m_outFolder,
-           help(QT_TRANSLATE_NOOP("SimulateCommand", "Folder for summary.json and the recorded data as CSV")))
+    app.add_option("--out", m_outFolder,
+                   help(QT_TRANSLATE_NOOP(
+                       "SimulateCommand",
+                       "Folder for summary.json and the recorded data as CSV; with --ablate the CSV file")))
         ->type_name("DIR");
+    CLI::Option* ablate = app.add_flag(
+        "--ablate", m_ablate,
+        help(QT_TRANSLATE_NOOP(
+            "SimulateCommand",
+            "Leave out one effect at a time and tell how far the measures move against their spread")));
+    app.add_option(
+           "--seeds", m_seeds,
+           help(QT_TRANSLATE_NOOP("SimulateCommand", "Runs of each variant, with seeds from --seed upwards")))
+        ->type_name("N")
+        ->needs(ablate)
+        ->capture_default_str()
+        ->check(between(2, 1000));
     declareJson(app, m_json);
+}
+
+core::Expected<void> SimulateCommand::ablate(const scene::Scene& scene) const {
+    ProgressBar progress(ProgressBar::Unit::runs, false);
+    scene_run::AblationOptions options;
+    options.firstSeed = m_seed;
+    options.seeds = m_seeds;
+    options.duration_s = m_duration_s;
+    options.goOn = [&progress](double runs, double allRuns) {
+        progress.update(runs, allRuns);
+        return !interrupted();
+    };
+    const core::Expected<scene_run::Ablation> ablation = scene_run::ablateEffects(scene, options);
+    progress.erase();
+    if (!ablation)
+        return core::Unexpected(ablation.error());
+    return printAblation(*ablation, {.json = m_json, .outPath = m_outFolder});
 }
 
 core::Expected<void> SimulateCommand::run() {
@@ -119,6 +158,8 @@ core::Expected<void> SimulateCommand::run() {
     const core::Expected<scene::Scene> scene = app::readScene(m_scenePath);
     if (!scene)
         return core::Unexpected(scene.error());
+    if (m_ablate)
+        return ablate(*scene);
 
     // Nothing is printed before the end, so the bar may share the terminal with the results.
     ProgressBar progress(ProgressBar::Unit::simulatedSeconds, false);

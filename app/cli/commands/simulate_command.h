@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/cli/command.h"
+#include "backend/scene/scene.h"
 
 #include <cstdint>
 #include <optional>
@@ -19,12 +20,16 @@ public:
     [[nodiscard]] core::Expected<void> run() override;
 
 private:
+    [[nodiscard]] core::Expected<void> ablate(const scene::Scene& scene) const;
+
     std::string m_scenePath;
     bool m_list = false;
     std::uint64_t m_seed = 1;
     std::optional<double> m_duration_s;
     std::string m_outFolder;
     bool m_json = false;
+    bool m_ablate = false;
+    std::uint64_t m_seeds = 8;
 };
 
 } // namespace teleta::cli

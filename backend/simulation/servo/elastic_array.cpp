@@ -2,6 +2,7 @@
 #include "backend/simulation/servo/elastic_array.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace teleta::simulation {
@@ -84,29 +85,42 @@ void ElasticArray::forEachPressed(const Eigen::Isometry3d& X_Sensor_Object, cons
         findNear(X_Object_Sensor, shape);
     for (const std::size_t index : m_near) {
         const Spring& spring = m_springs[index];
-        const Depth depth = shape.at(X_Object_Sensor * spring.p_Sensor);
-        if (depth.depth_m > 0.0)
+        if (Depth depth; contains(shape, X_Object_Sensor * spring.p_Sensor, depth))
             take(spring, depth.depth_m, Eigen::Vector3d(X_Sensor_Object.linear() * depth.normal));
     }
 }
 
 ArrayContact ElasticArray::press(const Eigen::Isometry3d& X_Sensor_Object, const TouchedShape& shape) const {
-    ArrayContact contact;
+    double energy_J = 0.0;
+    std::array<double, 6> wrench{};
+    std::array<double, 36> tangent{}; ///< column by column
+    int springs = 0;
     std::visit(
         [&](const auto& known) {
             forEachPressed(X_Sensor_Object, known,
                            [&](const Spring& spring, double depth_m, const Eigen::Vector3d& normal) {
-                               servo::Vector6 screw;
-                               screw << normal, spring.p_Sensor.cross(normal);
-                               const double force_N = spring.stiffness_NPerM * depth_m;
-                               contact.energy_J += 0.5 * force_N * depth_m;
-                               contact.wrench_Sensor += force_N * screw;
-                               contact.tangent_Sensor.noalias() +=
-                                   (spring.stiffness_NPerM * screw) * screw.transpose();
-                               ++contact.springs;
+                               const Eigen::Vector3d moment = spring.p_Sensor.cross(normal);
+                               // Plain numbers stay in registers, where a vector goes through memory.
+                               const std::array screw{normal.x(), normal.y(), normal.z(),
+                                                      moment.x(), moment.y(), moment.z()};
+                               const double stiffness_NPerM = spring.stiffness_NPerM;
+                               const double force_N = stiffness_NPerM * depth_m;
+                               energy_J += 0.5 * force_N * depth_m;
+                               for (std::size_t column = 0; column < 6; ++column) {
+                                   wrench[column] += force_N * screw[column];
+                                   for (std::size_t row = 0; row < 6; ++row)
+                                       tangent[6 * column + row] +=
+                                           stiffness_NPerM * screw[row] * screw[column];
+                               }
+                               ++springs;
                            });
         },
         shape);
+    ArrayContact contact;
+    contact.energy_J = energy_J;
+    contact.wrench_Sensor = Eigen::Map<const servo::Wrench>(wrench.data());
+    contact.tangent_Sensor = Eigen::Map<const servo::Matrix6>(tangent.data());
+    contact.springs = springs;
     return contact;
 }
 

@@ -83,11 +83,17 @@ void ImpedanceArm::evaluateSprings(Place& place) const {
                         place.contact.energy_J - m_hingeTorque_Nm * place.at[kLwrJoints];
 }
 
-void ImpedanceArm::evaluate(const Freedoms& at, Place& place) const {
+void ImpedanceArm::evaluate(const Freedoms& at, Place& place, servo::CycleTimes* times) const {
     place.at = at;
-    place.posture = m_kinematics.forward(at.head<kLwrJoints>());
-    place.contact = m_array.press(
-        place.posture.X_Base_Tool.inverse(Eigen::Isometry) * objectAt(at[kLwrJoints]), m_object.shape);
+    {
+        const servo::CycleTimer timer(times, servo::CyclePart::kinematics);
+        place.posture = m_kinematics.forward(at.head<kLwrJoints>());
+    }
+    {
+        const servo::CycleTimer timer(times, servo::CyclePart::contact);
+        place.contact = m_array.press(
+            place.posture.X_Base_Tool.inverse(Eigen::Isometry) * objectAt(at[kLwrJoints]), m_object.shape);
+    }
     evaluateSprings(place);
 }
 
@@ -133,7 +139,7 @@ double ImpedanceArm::energy_J() const {
     return kinetic_J(rate) + place.potential_J;
 }
 
-void ImpedanceArm::step(double step_s) {
+void ImpedanceArm::step(double step_s, servo::CycleTimes* times) {
     Place places[2];
     Place* here = &places[0];
     Place* next = &places[1];
@@ -177,7 +183,7 @@ void ImpedanceArm::step(double step_s) {
         double share = 1.0;
         int halving = 0;
         for (; halving < kMostHalvings; ++halving, share *= 0.5) {
-            evaluate(here->at + share * move, *next);
+            evaluate(here->at + share * move, *next, times);
             const double nextMerit_J = next->potential_J + inertial_J(next->at - start);
             if (nextMerit_J <= merit_J) {
                 merit_J = nextMerit_J;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/servo/cycle_times.h"
 #include "backend/servo/lwr_kinematics.h"
 #include "backend/simulation/servo/elastic_array.h"
 #include "backend/simulation/servo/lwr_inertia.h"
@@ -61,8 +62,8 @@ public:
     /// Of the object about its hinge, from the next step on; kg m^2 > 0 and Nm.
     void setHinge(double inertia_kgm2, double torque_Nm);
 
-    /// step_s > 0.
-    void step(double step_s);
+    /// step_s > 0. times: null, or what contact and kinematics take is added there.
+    void step(double step_s, servo::CycleTimes* times = nullptr);
 
     [[nodiscard]] const ImpedanceState& state() const { return m_state; }
     [[nodiscard]] const servo::LwrPosture& posture() const { return m_posture; }
@@ -91,7 +92,7 @@ private:
     };
 
     [[nodiscard]] Eigen::Isometry3d objectAt(double hinge_rad) const;
-    void evaluate(const Freedoms& at, Place& place) const;
+    void evaluate(const Freedoms& at, Place& place, servo::CycleTimes* times) const;
     void evaluateSprings(Place& place) const;
     /// Of the potential energy; contactHessian: its part of the contact.
     void derivatives(const Place& place, Freedoms& gradient, FreedomsMatrix& hessian,

@@ -83,6 +83,8 @@ private:
         report.tasks = std::min(m_plan.tasks.size(), report.plan.size());
         for (std::size_t i = 0; i < report.tasks; ++i)
             report.plan[i] = m_plan.tasks[i].kind;
+        report.times = m_loop->times();
+        report.rate_Hz = m_loop->world().rate_Hz();
         report.restarts = m_restarts;
         m_link->reports.publish();
     }

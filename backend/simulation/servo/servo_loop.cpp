@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/simulation/servo/servo_loop.h"
 
+#include "backend/core/steady_time.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -79,17 +81,32 @@ void ServoLoop::restart() {
     m_controller.reset();
     m_features = {};
     m_output = {};
+    m_times = {};
     m_lastServo = 0;
     m_frameCame = m_frameWaits = m_servoed = false;
 }
 
 void ServoLoop::next(bool hold) {
-    m_world->next();
+    if ((m_world->cycle() + 1) % servo::CycleTimes::kEvery != 0) {
+        cycle(hold, nullptr);
+        return;
+    }
+    servo::CycleTimes times;
+    const std::int64_t start_ns = core::steadyNow_ns();
+    cycle(hold, &times);
+    const double whole_s = 1e-9 * static_cast<double>(core::steadyNow_ns() - start_ns);
+    times.of(servo::CyclePart::dynamics) = std::max(0.0, whole_s - times.sum_s());
+    m_times.add(times);
+}
+
+void ServoLoop::cycle(bool hold, servo::CycleTimes* times) {
+    m_world->next(times);
     m_frameCame = m_world->frame(m_frame);
     m_frameWaits = m_frameWaits || m_frameCame;
     const std::uint64_t cycle = m_world->cycle();
     if (m_frameWaits && m_images.isDue(cycle)) {
         m_frameWaits = false;
+        const servo::CycleTimer timer(times, servo::CyclePart::features);
         std::ranges::transform(m_frame, m_load_N.begin(), [](float value) { return std::max(value, 0.0F); });
         m_features = m_extractor.compute(m_load_N);
     }
@@ -103,7 +120,10 @@ void ServoLoop::next(bool hold) {
     input.q_rad = m_world->arm().state().q_rad;
     input.hold = hold;
     m_lastServo = cycle;
-    m_output = m_controller.step(input);
+    {
+        const servo::CycleTimer timer(times, servo::CyclePart::control);
+        m_output = m_controller.step(input);
+    }
     m_world->setReference(m_output.X_Base_Sensor);
 }
 

@@ -4,6 +4,7 @@
 #include "backend/contact/tactile_features.h"
 #include "backend/core/error.h"
 #include "backend/scene/scene.h"
+#include "backend/servo/cycle_times.h"
 #include "backend/servo/servo_controller.h"
 #include "backend/simulation/servo/servo_world.h"
 
@@ -42,9 +43,13 @@ public:
     [[nodiscard]] const std::vector<float>& frame() const { return m_frame; }
     [[nodiscard]] const contact::TactileFeatures& features() const { return m_features; }
     [[nodiscard]] const servo::ServoOutput& output() const { return m_output; }
+    /// Of the cycles since the start.
+    [[nodiscard]] const servo::CycleTimes& times() const { return m_times; }
     [[nodiscard]] servo::ServoController& controller() { return m_controller; }
 
 private:
+    void cycle(bool hold, servo::CycleTimes* times);
+
     ServoLoop(const scene::Scene& scene, std::unique_ptr<SimulatedServoWorld> world,
               servo::ServoController controller);
 
@@ -58,6 +63,7 @@ private:
     std::vector<float> m_load_N;
     contact::TactileFeatures m_features;
     servo::ServoOutput m_output;
+    servo::CycleTimes m_times;
     std::uint64_t m_lastServo = 0;
     bool m_frameCame = false;
     bool m_frameWaits = false;

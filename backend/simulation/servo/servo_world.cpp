@@ -143,14 +143,14 @@ void SimulatedServoWorld::moveMass() {
                    m_arm.object().axis_Base.dot(arm_m.cross(weight_N)));
 }
 
-void SimulatedServoWorld::next() {
+void SimulatedServoWorld::next(servo::CycleTimes* times) {
     ++m_cycle;
     moveMass();
-    m_arm.step(m_step_s);
+    m_arm.step(m_step_s, times);
     updateTruth();
     m_frameDue = m_acquisition.isDue(m_cycle);
     if (m_frameDue)
-        readArray();
+        readArray(times);
 }
 
 void SimulatedServoWorld::updateTruth() {
@@ -160,9 +160,12 @@ void SimulatedServoWorld::updateTruth() {
     m_truth.hinge_rad = m_arm.state().hinge_rad;
 }
 
-void SimulatedServoWorld::readArray() {
+void SimulatedServoWorld::readArray(servo::CycleTimes* times) {
     const Isometry3d X_Sensor_Object = m_arm.X_Base_Sensor().inverse(Eigen::Isometry) * m_arm.X_Base_Object();
-    m_frameTruth.loads = m_arm.array().readLoads(X_Sensor_Object, m_arm.object().shape, m_load_N);
+    {
+        const servo::CycleTimer timer(times, servo::CyclePart::contact);
+        m_frameTruth.loads = m_arm.array().readLoads(X_Sensor_Object, m_arm.object().shape, m_load_N);
+    }
     m_frameTruth.X_Base_Sensor = m_arm.X_Base_Sensor();
     m_frameTruth.alphaZ_rad.reset();
     std::optional<Vector3d> along;

@@ -69,7 +69,8 @@ public:
     /// Everything as at the start.
     void restart();
     void setReference(const Eigen::Isometry3d& X_Base_Sensor) { m_arm.setReference(X_Base_Sensor); }
-    void next();
+    /// times: null, or what the parts take is added there.
+    void next(servo::CycleTimes* times = nullptr);
 
     /// True when the last cycle has read the array; its taxels, layout().taxels() values.
     [[nodiscard]] bool frame(std::span<float> load_N) const;
@@ -88,7 +89,7 @@ public:
 private:
     SimulatedServoWorld(const scene::Scene& scene, std::uint64_t seed);
     void moveMass();
-    void readArray();
+    void readArray(servo::CycleTimes* times);
     void updateTruth();
 
     scene::ServoWorld m_world;

@@ -28,20 +28,19 @@ class BarSurface {
 public:
     explicit BarSurface(const scene::BarShape& shape);
 
-    [[nodiscard]] Depth at(const Eigen::Vector3d& p_Object) const {
-        const double u0 = std::clamp(p_Object.x(), m_low_m, m_high_m);
-        const Axis first = axisAt(u0);
-        const double share =
-            ((p_Object.x() - u0) + (p_Object.y() - first.y_m) * first.ySlope +
-             (p_Object.z() - first.z_m) * first.zSlope) /
-            (1.0 + first.ySlope * first.ySlope + first.zSlope * first.zSlope -
-             (p_Object.y() - first.y_m) * first.yBend - (p_Object.z() - first.z_m) * first.zBend);
-        const double u = std::clamp(u0 + share, m_low_m, m_high_m);
-        const Axis axis = axisAt(u);
-        const Eigen::Vector3d away(p_Object.x() - u, p_Object.y() - axis.y_m, p_Object.z() - axis.z_m);
-        const double distance_m = std::sqrt(away.squaredNorm());
-        return {m_radius_m - distance_m,
-                distance_m > 0.0 ? Eigen::Vector3d(away / distance_m) : Eigen::Vector3d::UnitZ()};
+    [[nodiscard]] Depth at(const Eigen::Vector3d& p_Object) const { return depthOf(fromAxis(p_Object)); }
+
+    /// As at(), where the point lies in the bar; false outside, and depth is left as it was.
+    [[nodiscard]] bool contains(const Eigen::Vector3d& p_Object, Depth& depth) const {
+        const Eigen::Vector3d away = fromAxis(p_Object);
+        // Most springs that are near the bar are outside: those need no root.
+        if (away.squaredNorm() > m_surelyOutside_m2)
+            return false;
+        const Depth found = depthOf(away);
+        if (!(found.depth_m > 0.0))
+            return false;
+        depth = found;
+        return true;
     }
 
     /// Point and unit tangent of the line of contact.
@@ -54,6 +53,29 @@ private:
     struct Axis {
         double y_m, z_m, ySlope, zSlope, yBend, zBend;
     };
+
+    /// From the nearest point of the axis.
+    [[nodiscard]] Eigen::Vector3d fromAxis(const Eigen::Vector3d& p_Object) const {
+        const double u0 = std::clamp(p_Object.x(), m_low_m, m_high_m);
+        // The general way gives the same for a straight bar, for the price of a division.
+        if (!(m_bend_m > 0.0))
+            return {p_Object.x() - u0, p_Object.y(), p_Object.z() + m_radius_m};
+        const Axis first = axisAt(u0);
+        const double share =
+            ((p_Object.x() - u0) + (p_Object.y() - first.y_m) * first.ySlope +
+             (p_Object.z() - first.z_m) * first.zSlope) /
+            (1.0 + first.ySlope * first.ySlope + first.zSlope * first.zSlope -
+             (p_Object.y() - first.y_m) * first.yBend - (p_Object.z() - first.z_m) * first.zBend);
+        const double u = std::clamp(u0 + share, m_low_m, m_high_m);
+        const Axis axis = axisAt(u);
+        return {p_Object.x() - u, p_Object.y() - axis.y_m, p_Object.z() - axis.z_m};
+    }
+
+    [[nodiscard]] Depth depthOf(const Eigen::Vector3d& away_m) const {
+        const double distance_m = std::sqrt(away_m.squaredNorm());
+        return {m_radius_m - distance_m,
+                distance_m > 0.0 ? Eigen::Vector3d(away_m / distance_m) : Eigen::Vector3d::UnitZ()};
+    }
 
     [[nodiscard]] Axis axisAt(double u_m) const {
         const double into_m = u_m - m_straight_m;
@@ -69,6 +91,7 @@ private:
     }
 
     double m_radius_m;
+    double m_surelyOutside_m2; ///< square of a distance from the axis that no rounding brings inside
     double m_low_m;
     double m_high_m;
     double m_straight_m;
@@ -107,6 +130,16 @@ struct WallSurface {
 };
 
 using TouchedShape = std::variant<BarSurface, EdgeSurface, BallSurface, WallSurface>;
+
+/// True where a point lies in a body, with its depth there.
+template <typename Shape>
+[[nodiscard]] bool contains(const Shape& shape, const Eigen::Vector3d& p_Object, Depth& depth) {
+    depth = shape.at(p_Object);
+    return depth.depth_m > 0.0;
+}
+[[nodiscard]] inline bool contains(const BarSurface& bar, const Eigen::Vector3d& p_Object, Depth& depth) {
+    return bar.contains(p_Object, depth);
+}
 
 [[nodiscard]] TouchedShape makeShape(const scene::ServoShape& shape);
 

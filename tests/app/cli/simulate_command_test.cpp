@@ -22,6 +22,7 @@ ordered_json withoutComputingTimes(ordered_json summary) {
     summary.erase("wall_s");
     for (ordered_json& effect : summary["effects"])
         effect.erase("time_s");
+    summary.erase("parts");
     return summary;
 }
 
@@ -51,6 +52,39 @@ TEST_F(SimulateCommand, knowsTheScenesOfTheProgramByName) {
     EXPECT_EQ(ordered_json::parse(byName.out)["measures"],
               simulate("tactile-indenter.toml", {"--duration", "0.1"})["measures"]);
     EXPECT_EQ(ordered_json::parse(byName.out)["scene"], "tactile-indenter");
+}
+
+TEST_F(SimulateCommand, leavesOutOneEffectAtATimeAndTellsWhatMoves) {
+    const ordered_json rows =
+        simulate("tactile-indenter.toml", {"--ablate", "--seeds", "2", "--duration", "3"});
+    ASSERT_TRUE(rows.is_array());
+    for (const char* effect : {"crosstalk", "noise", "quantization", "saturation"})
+        EXPECT_TRUE(std::ranges::any_of(rows, [&](const ordered_json& row) {
+            return row["effect"] == effect && row["measure"] == "contact_error_mean_m";
+        })) << effect;
+    for (const ordered_json& row : rows) {
+        EXPECT_NE(row["measure"], "frames") << "what no effect changes is left out";
+        EXPECT_TRUE(row["moves"] == "yes" || row["moves"] == "no");
+        EXPECT_GT(row["run_s"].get<double>(), 0.0);
+    }
+
+    const std::string file = m_folder.path("ablation.csv");
+    const ProgramResult written = run({"simulate", kScenes + "tactile-indenter.toml", "--ablate", "--seeds",
+                                       "2", "--duration", "0.5", "--out", file});
+    ASSERT_EQ(written.exitCode, 0) << written.err;
+    EXPECT_EQ(readAll(file).substr(0, 30), "effect,measure,mean,spread,mea");
+    EXPECT_EQ(run({"simulate", kScenes + "tactile-indenter.toml", "--seeds", "3"}).exitCode, 2);
+    EXPECT_EQ(run({"simulate", kScenes + "tactile-indenter.toml", "--ablate", "--seeds", "1"}).exitCode, 2);
+}
+
+TEST_F(SimulateCommand, sharesTheTimeOfAServoBetweenItsParts) {
+    const ordered_json parts = simulate("servo-point.toml", {"--duration", "2"})["parts"];
+    ASSERT_EQ(parts.size(), 5U);
+    const char* names[]{"contact", "kinematics", "features", "control", "dynamics"};
+    for (std::size_t i = 0; i < 5; ++i) {
+        EXPECT_EQ(parts[i]["name"], names[i]);
+        EXPECT_GT(parts[i]["time_s"].get<double>(), 0.0) << names[i];
+    }
 }
 
 TEST_F(SimulateCommand, writesTheSummaryThatItPrintsAndTheFrames) {

@@ -62,7 +62,7 @@ TEST(ServoScene, saysInWhichLineSomethingIsWrong) {
           Fault{"force_N = 10.0", "force_N = 31.0"}, Fault{"force_N = 10.0", "force = 10.0"},
           Fault{"kind = \"explore_edge\"\nforce_N = 10.0\napproach_m_per_s = 0.006\nslide_m_per_s = 0.005",
                 "kind = \"comanipulate\"\nforce_N = 10.0\napproach_m_per_s = 0.006"},
-          Fault{"name = \"noise\"", "name = \"torque_noise\""},
+          Fault{"name = \"crosstalk\"", "name = \"torque_noise\""},
           Fault{"yaw_rad = 0.087", "yaw_rad = -0.087"}}) {
         int line = 0;
         const auto scene = changed(fault.from, fault.to, &line);

@@ -174,7 +174,7 @@ TEST(ArmScenes, listNoEffectThatMovesNothing) {
     // the effect draws no random number.
     const scene::Scene touch = shippedArm("teleta-touch.toml");
     const double all_NPerM = firstStiffness_NPerM(touch, 1);
-    for (const char* effect : {"torque_noise", "gear_ripple", "encoder_quantization"})
+    for (const char* effect : {"torque_noise", "gear_ripple"})
         EXPECT_GT(std::abs(firstStiffness_NPerM(without(touch, effect), 1) - all_NPerM), 1e-4 * all_NPerM)
             << effect;
     EXPECT_LT(contactError_m(without(touch, "noise"), 2), 0.9 * contactError_m(touch, 2));

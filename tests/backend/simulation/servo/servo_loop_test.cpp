@@ -46,6 +46,31 @@ TEST(ServoLoop, allocatesNothingWhileItRuns) {
     }
 }
 
+TEST(ServoLoop, timesEveryPartInOneOfSeventeenCycles) {
+    const auto loop = loopOf("servo-straight-bar");
+    for (int i = 0; i < 1700; ++i)
+        loop->next();
+    EXPECT_GT(loop->times().cycles, 0U);
+    EXPECT_LE(loop->times().cycles, 100U);
+    for (const double part_s : loop->times().part_s)
+        EXPECT_GT(part_s, 0.0);
+    loop->restart();
+    EXPECT_EQ(loop->times().cycles, 0U);
+}
+
+TEST(CycleTimes, aCycleThatWasInterruptedSaysNothing) {
+    servo::CycleTimes times;
+    servo::CycleTimes cycle;
+    cycle.of(servo::CyclePart::contact) = 4e-6;
+    cycle.of(servo::CyclePart::dynamics) = 6e-6;
+    times.add(cycle);
+    times.add(cycle);
+    cycle.of(servo::CyclePart::features) = 2e-3;
+    times.add(cycle);
+    EXPECT_EQ(times.cycles, 2U);
+    EXPECT_DOUBLE_EQ(times.sum_s(), 20e-6);
+}
+
 TEST(ServoLoop, stopHoldsTheReference) {
     const auto loop = loopOf("servo-straight-bar");
     for (int i = 0; i < 500; ++i)

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/scene_run/effect_ablation.h"
+
+#include "backend/scene_run/scene_run.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace teleta::scene_run {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+/// A difference that rounding makes.
+constexpr double kRounding = 1e-12;
+
+struct AblationText {
+    Q_DECLARE_TR_FUNCTIONS(EffectAblation)
+};
+
+/// Measures by name; what could not be determined is not there.
+struct FlatMeasures {
+    std::map<std::string, double> numbers;
+    std::map<std::string, std::string> texts;
+};
+
+void flatten(const ordered_json& value, const std::string& name, FlatMeasures& flat) {
+    if (value.is_number()) {
+        flat.numbers[name] = value.get<double>();
+    } else if (value.is_string()) {
+        flat.texts[name] = value.get<std::string>();
+    } else if (value.is_array()) {
+        for (std::size_t i = 0; i < value.size(); ++i) {
+            const ordered_json& entry = value[i];
+            // ["align", 1.5] is a number with a name.
+            if (entry.is_array() && entry.size() == 2 && entry[0].is_string())
+                flatten(entry[1], name + "." + entry[0].get<std::string>(), flat);
+            else
+                flatten(entry, name + "[" + std::to_string(i) + "]", flat);
+        }
+    }
+}
+
+/// All seeds of a scene with the same effects.
+struct Runs {
+    std::vector<FlatMeasures> measures;
+    std::vector<double> wall_s;
+    std::map<std::string, double> own_s; ///< mean of each effect
+};
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+double mean(const std::vector<double>& values) {
+    if (values.empty())
+        return std::numeric_limits<double>::quiet_NaN();
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+double standardDeviation(const std::vector<double>& values) {
+    if (values.size() < 2)
+        return 0.0;
+    const double middle = mean(values);
+    double squares = 0.0;
+    for (const double value : values)
+        squares += (value - middle) * (value - middle);
+    return std::sqrt(squares / static_cast<double>(values.size() - 1));
+}
+
+core::Error cancelled() {
+    core::Error error;
+    error.kind = core::ErrorKind::cancelled;
+    error.message = AblationText::tr("interrupted before all runs were done").toStdString();
+    return error;
+}
+
+/// Runs all seeds; progress counts on from the runs that were done before.
+core::Expected<Runs> runSeeds(const scene::Scene& scene, const AblationOptions& options, double doneBefore,
+                              double allRuns) {
+    Runs runs;
+    for (std::uint64_t i = 0; i < options.seeds; ++i) {
+        RunOptions run;
+        run.seed = options.firstSeed + i;
+        run.duration_s = options.duration_s;
+        run.goOn = [&](double simulated_s, double duration_s) {
+            const double done = doneBefore + static_cast<double>(i) + simulated_s / duration_s;
+            return !options.goOn || options.goOn(done, allRuns);
+        };
+        const core::Expected<SceneSummary> summary = runScene(scene, run);
+        if (!summary)
+            return core::Unexpected(summary.error());
+        if (summary->interrupted)
+            return core::Unexpected(cancelled());
+        FlatMeasures flat;
+        for (const auto& [name, value] : summary->measures.items())
+            flatten(value, name, flat);
+        runs.measures.push_back(std::move(flat));
+        runs.wall_s.push_back(summary->wall_s);
+        for (const SceneSummary::EffectTime& effect : summary->effects)
+            runs.own_s[effect.name] += effect.time_s / static_cast<double>(options.seeds);
+    }
+    return runs;
+}
+
+/// Names of a kind of measures in any of the runs.
+template <typename Value>
+std::vector<std::string> namesOf(const Runs& with, const Runs& without,
+                                 std::map<std::string, Value> FlatMeasures::*kind) {
+    std::vector<std::string> names;
+    for (const Runs* runs : {&with, &without})
+        for (const FlatMeasures& run : runs->measures)
+            for (const auto& [name, value] : run.*kind)
+                names.push_back(name);
+    std::ranges::sort(names);
+    const auto repeated = std::ranges::unique(names);
+    names.erase(repeated.begin(), repeated.end());
+    return names;
+}
+
+MeasureChange numberChange(const std::string& name, const Runs& with, const Runs& without) {
+    MeasureChange change;
+    change.measure = name;
+    std::vector<double> all;
+    std::vector<double> others;
+    std::vector<double> differences;
+    for (std::size_t i = 0; i < with.measures.size(); ++i) {
+        const auto& a = with.measures[i].numbers;
+        const auto& b = without.measures[i].numbers;
+        const auto before = a.find(name);
+        const auto after = b.find(name);
+        if (before != a.end())
+            all.push_back(before->second);
+        if (after != b.end())
+            others.push_back(after->second);
+        if (before != a.end() && after != b.end())
+            differences.push_back(after->second - before->second);
+        else if (before != a.end() || after != b.end())
+            ++change.differing;
+    }
+    change.mean = mean(all);
+    change.spread = standardDeviation(all);
+    change.meanWithout = mean(others);
+    change.change = mean(differences);
+    const double size = std::max(std::abs(change.mean), std::abs(change.meanWithout));
+    change.moves = 2 * change.differing > with.measures.size() ||
+                   std::abs(change.change) > std::max(change.spread, kRounding * size);
+    return change;
+}
+
+MeasureChange textChange(const std::string& name, const Runs& with, const Runs& without) {
+    MeasureChange change;
+    change.measure = name;
+    change.mean = change.spread = change.meanWithout = change.change =
+        std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t i = 0; i < with.measures.size(); ++i) {
+        const auto& a = with.measures[i].texts;
+        const auto& b = without.measures[i].texts;
+        const auto before = a.find(name);
+        const auto after = b.find(name);
+        const bool known = before != a.end() && after != b.end();
+        if (known ? before->second != after->second : before != a.end() || after != b.end())
+            ++change.differing;
+    }
+    change.moves = 2 * change.differing > with.measures.size();
+    return change;
+}
+
+} // namespace
+
+bool EffectAblation::moves() const {
+    return std::ranges::any_of(changes, &MeasureChange::moves);
+}
+
+core::Expected<Ablation> ablateEffects(const scene::Scene& scene, const AblationOptions& options) {
+    if (options.seeds < 2) {
+        core::Error error;
+        error.kind = core::ErrorKind::badInput;
+        error.message = AblationText::tr("the spread of a measure needs at least two seeds").toStdString();
+        return core::Unexpected(error);
+    }
+    const auto perVariant = static_cast<double>(options.seeds);
+    const double allRuns = perVariant * static_cast<double>(scene.effects.size() + 1);
+    const core::Expected<Runs> with = runSeeds(scene, options, 0.0, allRuns);
+    if (!with)
+        return core::Unexpected(with.error());
+
+    Ablation ablation;
+    ablation.run_s = median(with->wall_s);
+    for (std::size_t left = 0; left < scene.effects.size(); ++left) {
+        scene::Scene others = scene;
+        others.effects.erase(others.effects.begin() + static_cast<std::ptrdiff_t>(left));
+        const core::Expected<Runs> without =
+            runSeeds(others, options, perVariant * static_cast<double>(left + 1), allRuns);
+        if (!without)
+            return core::Unexpected(without.error());
+        EffectAblation effect;
+        effect.effect = nameOf(scene.effects[left]);
+        const auto own = with->own_s.find(effect.effect);
+        effect.own_s = own == with->own_s.end() ? 0.0 : own->second;
+        effect.run_s = median(without->wall_s);
+        for (const std::string& name : namesOf(*with, *without, &FlatMeasures::numbers))
+            effect.changes.push_back(numberChange(name, *with, *without));
+        for (const std::string& name : namesOf(*with, *without, &FlatMeasures::texts))
+            effect.changes.push_back(textChange(name, *with, *without));
+        ablation.effects.push_back(std::move(effect));
+    }
+    return ablation;
+}
+
+} // namespace teleta::scene_run
