@@ -151,6 +151,7 @@ void printHighest(const std::string& what, scene::Scene scene) {
 void printSlidingTable() {
     scene::Scene full = shippedScene("servo-bent-bar");
     full.effects = shippedScene("servo-bent-bar-baseline").effects;
+    full.effects.push_back({"", scene::NoiseSpec{.sd_N = 0.015}});
     scene::Scene plain = full;
     std::erase_if(plain.effects, [](const scene::Effect& effect) {
         return !std::holds_alternative<scene::ContactDampingSpec>(effect.parameters);

@@ -145,6 +145,26 @@ TEST(ElasticArray, isFreeWithoutContact) {
     EXPECT_TRUE(contact.wrench_Sensor.isZero());
 }
 
+TEST(TouchedShape, aPointIsInTheBarWhereItsDepthIsPositive) {
+    for (const BarSurface& bar : {BarSurface(test::straightBar()), BarSurface(test::bentBar())}) {
+        int inside = 0;
+        for (double x_m = -0.2; x_m < 0.3; x_m += 0.0173)
+            for (double y_m = -0.004; y_m < 0.004; y_m += 0.0004)
+                for (double z_m = -0.008; z_m < 0.002; z_m += 0.0003) {
+                    const Eigen::Vector3d p_Object(x_m, y_m, z_m);
+                    const Depth whole = bar.at(p_Object);
+                    Depth found{};
+                    ASSERT_EQ(contains(bar, p_Object, found), whole.depth_m > 0.0);
+                    if (whole.depth_m > 0.0) {
+                        ++inside;
+                        ASSERT_EQ(found.depth_m, whole.depth_m);
+                        ASSERT_EQ(found.normal, whole.normal);
+                    }
+                }
+        EXPECT_GT(inside, 100);
+    }
+}
+
 TEST(TouchedShape, theBarsSurfaceIsARadiusFromItsAxisAndItsLineOnIt) {
     const BarSurface bar(test::bentBar());
     for (double u_m = -0.05; u_m < 0.3; u_m += 0.01) {
