@@ -136,7 +136,8 @@ core::Expected<std::vector<CameraContact>> FlowContactFinder::find(const cv::Mat
         m_flow.setTo(cv::Scalar::all(0.0));
         if (!part.empty()) {
             cv::Mat2f flow;
-            m_dis->calc(m_reference(part), m_small(part), flow);
+            // It takes no part of an image as it lies there.
+            m_dis->calc(m_reference(part).clone(), m_small(part).clone(), flow);
             flow.copyTo(m_flow(part));
         }
     }

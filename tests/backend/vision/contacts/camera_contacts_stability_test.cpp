@@ -77,6 +77,22 @@ TEST(ContactLadder, hasNamesThatAreUniqueAndKnowsNoOther) {
     EXPECT_EQ(contactRung("none"), nullptr);
 }
 
+TEST_F(HardFrames, ofAContactThatComesAndGoesAreAnsweredByEveryRung) {
+    const cv::Mat1b pressed = press(0.0012);
+    for (const ContactRung& rung : contactLadder()) {
+        auto finder = makeContactFinder(rung, m_tube->camera());
+        ASSERT_TRUE(finder) << rung.name;
+        ASSERT_TRUE((*finder)->setReference(m_rest)) << rung.name;
+        EXPECT_TRUE((*finder)->find(pressed)) << rung.name;
+        EXPECT_TRUE((*finder)->find(pressed)) << rung.name; // from the flow before, for those that do
+        const auto gone = (*finder)->find(m_rest);
+        ASSERT_TRUE(gone) << rung.name;
+        if (rung.method == FlowMethod::dots || rung.changedOnly) {
+            EXPECT_TRUE(gone->empty()) << rung.name;
+        }
+    }
+}
+
 TEST_F(HardFrames, thatCannotBeDecodedAreCountedAndEndNoContact) {
     ASSERT_TRUE(m_tracker->next(m_rest, 0.0));
     int id = 0;
