@@ -9,8 +9,13 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <fcntl.h>
 #include <filesystem>
+#include <linux/videodev2.h>
 #include <optional>
+#include <sys/ioctl.h>
+#include <unistd.h>
+#include <vector>
 
 namespace teleta::camera {
 
@@ -33,6 +38,19 @@ std::optional<int> cameraNumber(const std::string& source) {
     return number;
 }
 
+/// Of the pictures that a camera gives as it is set now; empty: unknown.
+cv::Size ownSize(int number) {
+    const int node = ::open(("/dev/video" + std::to_string(number)).c_str(), O_RDWR | O_CLOEXEC);
+    if (node < 0)
+        return {};
+    v4l2_format format{};
+    format.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+    const bool known = ::ioctl(node, VIDIOC_G_FMT, &format) == 0;
+    ::close(node);
+    return known ? cv::Size(static_cast<int>(format.fmt.pix.width), static_cast<int>(format.fmt.pix.height))
+                 : cv::Size();
+}
+
 core::Unexpected failed(core::ErrorKind kind, const QString& message, const QString& expected,
                         const std::string& source) {
     return core::Unexpected(core::Error{kind, message.toStdString(), expected.toStdString(), {source, 0, 0}});
@@ -45,14 +63,17 @@ core::Expected<VideoStream> VideoStream::open(const std::string& source, const O
     try {
         if (const std::optional<int> number = cameraNumber(source)) {
             stream.m_isCamera = true;
-            stream.m_capture.open(*number, cv::CAP_V4L2);
+            // Without a size OpenCV asks for 640 x 480.
+            cv::Size size(options.width_px, options.height_px);
+            if (size.empty())
+                size = ownSize(*number);
+            std::vector<int> wanted;
+            if (!size.empty())
+                wanted = {cv::CAP_PROP_FRAME_WIDTH, size.width, cv::CAP_PROP_FRAME_HEIGHT, size.height};
+            stream.m_capture.open(*number, cv::CAP_V4L2, wanted);
             if (!stream.m_capture.isOpened())
                 return failed(core::ErrorKind::unavailable,
                               VideoText::tr("camera %1 cannot be opened").arg(*number), {}, source);
-            if (options.width_px > 0 && options.height_px > 0) {
-                stream.m_capture.set(cv::CAP_PROP_FRAME_WIDTH, options.width_px);
-                stream.m_capture.set(cv::CAP_PROP_FRAME_HEIGHT, options.height_px);
-            }
             if (options.rate_Hz > 0.0)
                 stream.m_capture.set(cv::CAP_PROP_FPS, options.rate_Hz);
         } else {

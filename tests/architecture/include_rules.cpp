@@ -59,7 +59,7 @@ const std::vector<Rule> kRules = {
       "backend/scene", "backend/servo", "backend/simulation", "backend/pipeline", "backend/vision"},
      {"QtCore", "expected", "Eigen", "nlohmann_json", "OpenCV"}},
 
-    {"devices/camera", {"backend/core"}, {"QtCore", "posix", "expected", "OpenCV"}},
+    {"devices/camera", {"backend/core"}, {"QtCore", "posix", "expected", "OpenCV", "V4L2"}},
     {"devices/modbus", {"backend/core", "backend/scene"}, {"QtCore", "posix", "expected", "libmodbus"}},
     {"devices/mouse3d", {"backend/core"}, {"QtCore", "posix", "expected", "hidapi"}},
     {"devices/replay", {"backend/core"}, {"QtCore", "posix", "expected"}},
@@ -124,6 +124,7 @@ constexpr std::array kLibraries = {
     Library{"librsvg/", "librsvg"},
     Library{"cairo", "cairo"},
     Library{"modbus/", "libmodbus"},
+    Library{"linux/videodev2.h", "V4L2"},
 };
 
 const std::set<std::string_view> kPosixHeaders = {

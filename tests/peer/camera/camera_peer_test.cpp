@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The camera device against the kernel's own video stack: a camera of the driver vivid. Runs in the virtual
+// machine of tests/peer/vm.
+#include "devices/camera/camera_device.h"
+
+#include <gtest/gtest.h>
+
+#include <cerrno>
+#include <chrono>
+#include <fcntl.h>
+#include <filesystem>
+#include <fstream>
+#include <linux/videodev2.h>
+#include <optional>
+#include <string>
+#include <sys/ioctl.h>
+#include <unistd.h>
+#include <vector>
+
+using namespace teleta;
+using camera::CameraDevice;
+using camera::CameraFrame;
+using core::DeviceState;
+
+namespace {
+
+constexpr const char* kNode = "/dev/video0";
+constexpr auto kLongest = std::chrono::seconds(90); // the machine is emulated
+
+void toDriver(const std::string& what) {
+    std::ofstream file("/sys/bus/platform/drivers/vivid/" + what);
+    file << "vivid.0" << std::flush;
+    ASSERT_TRUE(file.good()) << what;
+}
+
+/// Another program sets the size of the pictures. Returns the error number, 0 for none.
+int setFormat(unsigned width, unsigned height) {
+    const int node = ::open(kNode, O_RDWR | O_CLOEXEC);
+    if (node < 0)
+        return errno;
+    v4l2_format format{};
+    format.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+    int error = ::ioctl(node, VIDIOC_G_FMT, &format) == 0 ? 0 : errno;
+    format.fmt.pix.width = width;
+    format.fmt.pix.height = height;
+    if (error == 0 && ::ioctl(node, VIDIOC_S_FMT, &format) != 0)
+        error = errno;
+    ::close(node);
+    return error;
+}
+
+class Vivid : public testing::Test {
+protected:
+    void SetUp() override {
+        ASSERT_TRUE(std::filesystem::exists(kNode));
+        ASSERT_EQ(setFormat(640, 360), 0);
+    }
+
+    std::unique_ptr<CameraDevice> started(camera::CameraConfig config = {.source = "0"}) {
+        config.firstRetry_ms = 50;
+        config.longestRetry_ms = 200;
+        auto device = CameraDevice::open(config);
+        EXPECT_TRUE(device) << describe(device.error());
+        if (!device)
+            return nullptr;
+        (*device)->start(m_wakeup);
+        return std::move(*device);
+    }
+
+    /// Empty when none came in a long time.
+    std::optional<CameraFrame> nextFrame(CameraDevice& device) {
+        const auto end = std::chrono::steady_clock::now() + kLongest;
+        CameraFrame frame;
+        while (std::chrono::steady_clock::now() < end) {
+            if (device.frames().pop(frame))
+                return frame;
+            (void)m_wakeup.waitFor(std::chrono::milliseconds(50));
+        }
+        return std::nullopt;
+    }
+
+    bool reaches(CameraDevice& device, DeviceState wanted) {
+        const auto end = std::chrono::steady_clock::now() + kLongest;
+        while (std::chrono::steady_clock::now() < end) {
+            if (device.status().state == wanted)
+                return true;
+            CameraFrame frame;
+            while (device.frames().pop(frame)) {
+            }
+            (void)m_wakeup.waitFor(std::chrono::milliseconds(5));
+        }
+        return false;
+    }
+
+    core::Wakeup m_wakeup;
+};
+
+} // namespace
+
+TEST_F(Vivid, framesComeWithTheDriversCaptureTimesWhichRise) {
+    const auto device = started();
+    ASSERT_TRUE(device);
+    double last_s = -1.0;
+    std::int64_t last_ns = 0;
+    for (int i = 0; i < 20; ++i) {
+        const auto frame = nextFrame(*device);
+        ASSERT_TRUE(frame) << i;
+        EXPECT_EQ(frame->image.size(), cv::Size(640, 360));
+        EXPECT_GT(frame->capture_s, last_s);
+        EXPECT_GE(frame->time_ns, last_ns);
+        EXPECT_EQ(frame->discontinuity, false);
+        last_s = frame->capture_s;
+        last_ns = frame->time_ns;
+    }
+    // A test picture: bars from black to white of three quarters.
+    const auto frame = nextFrame(*device);
+    ASSERT_TRUE(frame);
+    double darkest = 0.0;
+    double brightest = 0.0;
+    cv::minMaxLoc(frame->image, &darkest, &brightest);
+    EXPECT_LT(darkest, 60.0);
+    EXPECT_GT(brightest, 180.0);
+    EXPECT_EQ(device->status().state, DeviceState::live);
+    // Stamps made here by counting frames would be exact multiples of the period.
+    EXPECT_GT(device->nominalRate_Hz(), 0.0);
+    const double periods = last_s * device->nominalRate_Hz();
+    EXPECT_GT(std::abs(periods - std::round(periods)), 1e-9);
+}
+
+TEST_F(Vivid, theAskedSizeIsTakenAndWithoutOneTheCamerasOwn) {
+    {
+        const auto device = started({.source = "0", .width_px = 1280, .height_px = 720});
+        ASSERT_TRUE(device);
+        const auto frame = nextFrame(*device);
+        ASSERT_TRUE(frame);
+        EXPECT_EQ(frame->image.size(), cv::Size(1280, 720));
+        // While it streams, no other program can change it.
+        EXPECT_EQ(setFormat(320, 180), EBUSY);
+        EXPECT_TRUE(nextFrame(*device));
+    }
+    ASSERT_EQ(setFormat(320, 180), 0);
+    const auto device = started();
+    ASSERT_TRUE(device);
+    const auto frame = nextFrame(*device);
+    ASSERT_TRUE(frame);
+    EXPECT_EQ(frame->image.size(), cv::Size(320, 180));
+}
+
+TEST_F(Vivid, anotherFormatBetweenStopAndStartIsTaken) {
+    const auto device = started();
+    ASSERT_TRUE(device);
+    ASSERT_TRUE(nextFrame(*device));
+    device->stop();
+    EXPECT_EQ(device->status().state, DeviceState::closed);
+    ASSERT_EQ(setFormat(320, 180), 0);
+    CameraFrame old;
+    while (device->frames().pop(old)) {
+    }
+    device->start(m_wakeup);
+    const auto frame = nextFrame(*device);
+    ASSERT_TRUE(frame);
+    EXPECT_EQ(frame->image.size(), cv::Size(320, 180));
+}
+
+TEST_F(Vivid, aCameraThatIsUnboundIsLostAndComesBackWithADiscontinuity) {
+    ASSERT_EQ(setFormat(320, 180), 0);
+    const auto device = started();
+    ASSERT_TRUE(device);
+    auto frame = nextFrame(*device);
+    ASSERT_TRUE(frame);
+    EXPECT_EQ(frame->image.size(), cv::Size(320, 180));
+    ASSERT_NO_FATAL_FAILURE(toDriver("unbind"));
+    ASSERT_TRUE(reaches(*device, DeviceState::reconnecting));
+    EXPECT_FALSE(device->status().message.empty());
+    ASSERT_NO_FATAL_FAILURE(toDriver("bind"));
+    ASSERT_TRUE(reaches(*device, DeviceState::live));
+    const auto number = frame->number;
+    do {
+        frame = nextFrame(*device);
+        ASSERT_TRUE(frame);
+    } while (frame->number <= number + 2);
+    EXPECT_EQ(device->status().state, DeviceState::live);
+    // The driver has begun anew with its own format, and the frames say what they are.
+    EXPECT_EQ(frame->image.size(), cv::Size(640, 360));
+}
+
+TEST_F(Vivid, aCameraThatIsUnboundTwentyTimesIsBackEachTime) {
+    const auto device = started();
+    ASSERT_TRUE(device);
+    ASSERT_TRUE(nextFrame(*device));
+    for (int i = 0; i < 20; ++i) {
+        ASSERT_NO_FATAL_FAILURE(toDriver("unbind"));
+        ASSERT_TRUE(reaches(*device, DeviceState::reconnecting)) << i;
+        ASSERT_NO_FATAL_FAILURE(toDriver("bind"));
+        ASSERT_TRUE(reaches(*device, DeviceState::live)) << i;
+    }
+    device->stop();
+    EXPECT_EQ(device->status().state, DeviceState::closed);
+}
