@@ -2,7 +2,7 @@
 // Contacts of a camera in a soft tube: each rung of the ladder against the paper's pipeline (resize to 512 x
 // 288, dense inverse search of medium quality against the reference, maximum filter, threshold, contours), on
 // the same rendered frames of 1640 x 1232 and on one core. Counters: frames a second, mean distance from the
-// true contact in mm, contacts that were missed.
+// true contact in mm, contacts that were missed, time of each stage in ms.
 #include "backend/simulation/camera/simulated_tube.h"
 #include "backend/simulation/random_stream.h"
 #include "backend/vision/contacts/contact_ladder.h"
@@ -11,6 +11,7 @@
 #include <benchmark/benchmark.h>
 #include <opencv2/core/utility.hpp>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -68,6 +69,7 @@ void findContacts(benchmark::State& state, const std::string& name) {
         state.SkipWithError("the rung does not take the camera");
         return;
     }
+    std::array<double, vision::kFinderStages> stages_ms{};
     double sum_m = 0.0;
     int compared = 0;
     int missed = 0;
@@ -79,6 +81,8 @@ void findContacts(benchmark::State& state, const std::string& name) {
             (*finder)->forget();
         const auto found = (*finder)->find(frame.image);
         benchmark::DoNotOptimize(found);
+        for (std::size_t stage = 0; stage < stages_ms.size(); ++stage)
+            stages_ms[stage] += static_cast<double>((*finder)->stageTimes_ns()[stage]) * 1e-6;
         if (!frame.pressed)
             continue;
         if (!found || found->empty()) {
@@ -90,6 +94,9 @@ void findContacts(benchmark::State& state, const std::string& name) {
     }
     state.counters["fps"] =
         benchmark::Counter(static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+    constexpr std::array kStages{"prepare_ms", "displace_ms", "segment_ms", "locate_ms"};
+    for (std::size_t stage = 0; stage < stages_ms.size(); ++stage)
+        state.counters[kStages[stage]] = stages_ms[stage] / static_cast<double>(state.iterations());
     state.counters["error_mm"] = compared > 0 ? sum_m / compared * 1e3 : std::nan("");
     state.counters["missed_share"] =
         compared + missed > 0 ? static_cast<double>(missed) / (compared + missed) : 0.0;
