@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -47,6 +48,21 @@ struct Finger {
     std::vector<FingerKeyframe> keyframes;
 };
 
+/// A person who probes the skin with a stick, through the holes of a shell one after the other: a grid, ring
+/// by ring.
+struct Probing {
+    int around = 25; ///< holes a ring, 1 .. kMostHoles in all
+    int along = 10;
+    double first_z_m = 0.0; ///< of the first ring
+    double last_z_m = 0.0;
+    double stickRadius_m = 0.0019; ///< > 0
+    double depth_m = 0.0;          ///< > 0
+    double hole_s = 1.0;           ///< from hole to hole; > 0
+    double play_m = 0.0;           ///< of the stick in its hole: standard deviation in either direction
+    double wrongShare = 0.0;       ///< of the holes that are mistaken for another one, 0 .. 1
+};
+inline constexpr int kMostHoles = 10000;
+
 /// The arm stays where it is, whatever touches it.
 struct NoReaction {};
 
@@ -77,6 +93,7 @@ struct CameraWorld {
     TubeCamera camera;
     CameraSkin skin;
     std::vector<Finger> fingers;
+    std::optional<Probing> probing; ///< a stick that comes besides the fingers
     Reaction reaction;
     CarrierLimits limits;
 };

@@ -40,6 +40,14 @@ bool isFinger(const Finger& finger, const CameraSkin& skin) {
                                       &FingerKeyframe::time_s) == finger.keyframes.end();
 }
 
+bool isProbing(const Probing& probing, const CameraSkin& skin) {
+    return probing.around >= 1 && probing.along >= 1 && probing.around <= kMostHoles &&
+           probing.along <= kMostHoles / probing.around && std::isfinite(probing.first_z_m) &&
+           std::isfinite(probing.last_z_m) && isPositive(probing.stickRadius_m) &&
+           isPositive(probing.depth_m) && probing.depth_m < 0.5 * skin.radius_m &&
+           isPositive(probing.hole_s) && isNotNegative(probing.play_m) && isShare(probing.wrongShare);
+}
+
 struct ReactionIsValid {
     bool operator()(const NoReaction&) const { return true; }
     bool operator()(const BumpReaction& bump) const {
@@ -58,6 +66,8 @@ CameraWorldFault checkCameraWorld(const CameraWorld& world) {
     if (!std::ranges::all_of(world.fingers,
                              [&](const Finger& finger) { return isFinger(finger, world.skin); }))
         return CameraWorldFault::finger;
+    if (world.probing && !isProbing(*world.probing, world.skin))
+        return CameraWorldFault::probing;
     const CarrierLimits& limits = world.limits;
     if (!std::visit(ReactionIsValid(), world.reaction) || !isPositive(limits.speed_mPerS) ||
         !isPositive(limits.acceleration_mPerS2) || !isPositive(limits.turn_radPerS) ||

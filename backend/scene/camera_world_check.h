@@ -6,7 +6,7 @@
 namespace teleta::scene {
 
 /// What is wrong with the world of a camera.
-enum class CameraWorldFault { none, camera, skin, finger, arm };
+enum class CameraWorldFault { none, camera, skin, finger, probing, arm };
 
 /// Sizes, signs, motions and limits of a camera's world. Thread: any (pure).
 [[nodiscard]] CameraWorldFault checkCameraWorld(const CameraWorld& world);

@@ -75,6 +75,22 @@ Finger readFinger(TomlTable& table) {
     return finger;
 }
 
+Probing readProbing(TomlTable& table, const CameraSkin& skin) {
+    Probing probing;
+    probing.around = static_cast<int>(table.integer("holes_around", 1, kMostHoles, probing.around));
+    probing.along =
+        static_cast<int>(table.integer("holes_along", 1, kMostHoles / probing.around, probing.along));
+    probing.first_z_m = table.number("first_z_m", NumberRange::any());
+    probing.last_z_m = table.number("last_z_m", NumberRange::any());
+    readSize(table, "stick_radius_m", probing.stickRadius_m);
+    probing.depth_m = table.number("depth_m", {.low = 0.0, .high = 0.5 * skin.radius_m, .lowOpen = true});
+    readSize(table, "hole_s", probing.hole_s);
+    probing.play_m = table.number("play_m", NumberRange::notNegative(), 0.0);
+    probing.wrongShare = table.number("wrong_share", NumberRange::between(0.0, 1.0), 0.0);
+    table.finish();
+    return probing;
+}
+
 Reaction readReaction(TomlTable& table) {
     Reaction reaction;
     switch (table.choice("kind", {"none", "bump", "follow"})) {
@@ -115,6 +131,7 @@ CameraTables::CameraTables(TomlTable& root)
     : camera(root.table("camera"))
     , skin(root.table("skin"))
     , fingers(root.tables("finger", 0))
+    , probing(tableIfThere(root, "probing"))
     , reaction(tableIfThere(root, "reaction"))
     , limits(tableIfThere(root, "limits")) {
 }
@@ -125,6 +142,8 @@ CameraWorld readCameraWorld(CameraTables& tables) {
     world.skin = readCameraSkin(tables.skin);
     for (TomlTable& finger : tables.fingers)
         world.fingers.push_back(readFinger(finger));
+    if (tables.probing)
+        world.probing = readProbing(*tables.probing, world.skin);
     if (tables.reaction)
         world.reaction = readReaction(*tables.reaction);
     if (tables.limits)

@@ -19,7 +19,7 @@ struct CameraTables {
     TomlTable camera;
     TomlTable skin;
     std::vector<TomlTable> fingers;
-    std::optional<TomlTable> reaction, limits;
+    std::optional<TomlTable> probing, reaction, limits;
 };
 
 /// Errors are kept by the document.

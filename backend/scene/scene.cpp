@@ -163,6 +163,8 @@ core::Expected<void> checkWorld(const CameraWorld& world) {
         return refused(SceneCheck::tr("a property of the soft tube is out of range"));
     case CameraWorldFault::finger:
         return refused(SceneCheck::tr("a finger's size or motion is out of range"));
+    case CameraWorldFault::probing:
+        return refused(SceneCheck::tr("a number of the probing is out of range"));
     case CameraWorldFault::arm:
         break;
     }

@@ -2,17 +2,14 @@
 #include "backend/scene_run/camera_run.h"
 
 #include "backend/core/csv_writer.h"
+#include "backend/scene_run/camera_image.h"
+#include "backend/scene_run/probing_run.h"
 #include "backend/scene_run/reacting_arm.h"
 #include "backend/scene_run/scene_reaction.h"
 #include "backend/simulation/camera/simulated_tube.h"
 #include "backend/vision/contacts/camera_tracker.h"
 #include "backend/vision/contacts/contact_ladder.h"
 #include "backend/vision/contacts/contact_rows.h"
-
-#include <QCoreApplication>
-#include <QString>
-
-#include <opencv2/imgcodecs.hpp>
 
 #include <algorithm>
 #include <array>
@@ -23,10 +20,6 @@
 namespace teleta::scene_run {
 
 namespace {
-
-struct CameraRunText {
-    Q_DECLARE_TR_FUNCTIONS(SceneRun)
-};
 
 constexpr std::uint64_t kCameraFramesBetweenReports = 8;
 constexpr double kLeastDepth_m = 0.0006; ///< a lighter touch falls between the dots
@@ -160,24 +153,11 @@ private:
     double m_axialError_m = 0.0;
 };
 
-core::Expected<void> writeImage(const std::string& path, const cv::Mat1b& image) {
-    bool written = false;
-    try {
-        written = cv::imwrite(path, image);
-    } catch (const cv::Exception&) {
-        written = false;
-    }
-    if (written)
-        return {};
-    return core::Unexpected(core::Error{core::ErrorKind::ioFailed,
-                                        CameraRunText::tr("the image cannot be written").toStdString(),
-                                        {},
-                                        {path, 0, 0}});
-}
-
 } // namespace
 
 core::Expected<SceneSummary> runCameraScene(const scene::Scene& scene, const RunOptions& options) {
+    if (scene.camera().probing)
+        return runProbingScene(scene, options);
     auto made = simulation::SimulatedTube::make(scene, options.seed);
     if (!made)
         return core::Unexpected(made.error());

@@ -5,8 +5,8 @@
 
 namespace teleta::scene_run {
 
-/// Runs a scene with a camera in a soft tube: frames -> contacts -> reaction of the arm. Files in outFolder,
-/// beside summary.json:
+/// Runs a scene with a camera in a soft tube; one with a person who probes it by runProbingScene. Frames ->
+/// contacts -> reaction of the arm. Files in outFolder, beside summary.json:
 ///   contacts.csv   as `teleta track` writes them
 ///   arm.csv        time_s,turn_rad,along_m,aside_x_m,aside_y_m
 ///   reference.png  the tube with nothing touching it

@@ -44,6 +44,9 @@ struct CameraFile {
 /// line and column. cancelled: looked at between rows.
 [[nodiscard]] core::Expected<std::vector<CalibrationPair>> readPairs(const std::string& path,
                                                                      bool (*cancelled)() = nullptr);
+/// Writes pairs as readPairs reads them.
+[[nodiscard]] core::Expected<void> writePairs(const std::vector<CalibrationPair>& pairs,
+                                              const std::string& path);
 /// Writes a row for each pair: u_px,v_px,x_m,y_m,z_m, kept (1 or 0), what the camera makes of it:
 /// du_px,dv_px (projected minus pixel), x_located_m,y_located_m,z_located_m,error_m; NA where there is none.
 [[nodiscard]] core::Expected<void> writeResiduals(const std::vector<CalibrationPair>& pairs,

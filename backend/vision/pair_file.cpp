@@ -16,14 +16,15 @@ struct PairText {
     Q_DECLARE_TR_FUNCTIONS(CameraCalibration)
 };
 
+constexpr std::array<std::string_view, 5> kPairColumns{"u_px", "v_px", "x_m", "y_m", "z_m"};
+
 } // namespace
 
 core::Expected<std::vector<CalibrationPair>> readPairs(const std::string& path, bool (*cancelled)()) {
     core::Expected<core::CsvReader> reader = core::CsvReader::open(path);
     if (!reader)
         return core::Unexpected(reader.error());
-    constexpr std::array<std::string_view, 5> kNames{"u_px", "v_px", "x_m", "y_m", "z_m"};
-    const core::Expected<std::vector<std::size_t>> columns = reader->columns(kNames);
+    const core::Expected<std::vector<std::size_t>> columns = reader->columns(kPairColumns);
     if (!columns)
         return core::Unexpected(columns.error());
     // A fit of more would take minutes.
@@ -46,6 +47,20 @@ core::Expected<std::vector<CalibrationPair>> readPairs(const std::string& path, 
                 core::ErrorKind::badInput, PairText::tr("the file has too many pairs").toStdString(),
                 PairText::tr("at most %1").arg(kMostPairs).toStdString(), reader->place(0)});
     }
+}
+
+core::Expected<void> writePairs(const std::vector<CalibrationPair>& pairs, const std::string& path) {
+    core::Expected<core::CsvWriter> csv = core::CsvWriter::create(path, kPairColumns);
+    if (!csv)
+        return core::Unexpected(csv.error());
+    for (const CalibrationPair& pair : pairs) {
+        for (const double value : pair.pixel)
+            csv->number(value);
+        for (const double value : pair.p_Sensor_m)
+            csv->number(value);
+        csv->endRow();
+    }
+    return csv->finish();
 }
 
 core::Expected<void> writeResiduals(const std::vector<CalibrationPair>& pairs, const Calibration& calibration,

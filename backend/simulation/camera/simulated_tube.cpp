@@ -79,6 +79,10 @@ SimulatedTube::SimulatedTube(const scene::Scene& scene, std::uint64_t seed)
     : m_world(scene.camera())
     , m_rate_Hz(scene.rate_Hz)
     , m_arm(m_world.limits) {
+    if (m_world.probing) {
+        m_probing.emplace(*m_world.probing, m_world.skin, seed);
+        m_world.fingers.push_back(m_probing->stick());
+    }
     for (const scene::Finger& finger : m_world.fingers)
         m_motions.emplace_back(keyframes(finger), false);
     for (std::unique_ptr<CameraEffect>& effect : makeCameraEffects(scene, seed))

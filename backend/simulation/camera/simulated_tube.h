@@ -5,6 +5,7 @@
 #include "backend/scene/scene.h"
 #include "backend/simulation/camera/carrier_arm.h"
 #include "backend/simulation/camera/effects/camera_effect.h"
+#include "backend/simulation/camera/probing_plan.h"
 #include "backend/simulation/camera/skin_renderer.h"
 #include "backend/simulation/effect_time.h"
 #include "backend/simulation/keyframe_motion.h"
@@ -12,6 +13,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,6 +52,8 @@ public:
     [[nodiscard]] const vision::CylinderCamera& camera() const { return m_renderer->camera(); }
     [[nodiscard]] const std::vector<FingerTruth>& truth() const { return m_truth; }
     [[nodiscard]] const CarrierArm& arm() const { return m_arm; }
+    /// Of the person with the stick, whose truth is the last one; empty in a scene without.
+    [[nodiscard]] const std::optional<ProbingPlan>& probing() const { return m_probing; }
     [[nodiscard]] const SkinRenderer& renderer() const { return *m_renderer; }
     [[nodiscard]] std::vector<EffectTime> effectTimes() const;
 
@@ -67,6 +71,7 @@ private:
 
     scene::CameraWorld m_world;
     double m_rate_Hz;
+    std::optional<ProbingPlan> m_probing;
     std::vector<KeyframeMotion> m_motions;
     std::vector<TimedEffect> m_effects;
     std::unique_ptr<SkinRenderer> m_renderer;

@@ -40,7 +40,28 @@ TEST(CameraScene, isReadWithItsReactionAndEffects) {
     EXPECT_FALSE(checkArmScene(*scene));
 }
 
+TEST(CameraScene, isReadWithThePersonWhoProbesIt) {
+    const auto scene = parseScene(kHead + kCamera +
+                                      "[probing]\nholes_around = 12\nholes_along = 4\nfirst_z_m = 0.01\n"
+                                      "last_z_m = 0.09\ndepth_m = 0.001\nwrong_share = 0.1\n",
+                                  "scene.toml");
+    ASSERT_TRUE(scene) << describe(scene.error());
+    ASSERT_TRUE(scene->camera().probing);
+    EXPECT_EQ(scene->camera().probing->around, 12);
+    EXPECT_EQ(scene->camera().probing->along, 4);
+    EXPECT_EQ(scene->camera().probing->last_z_m, 0.09);
+    EXPECT_EQ(scene->camera().probing->wrongShare, 0.1);
+    EXPECT_TRUE(checkCameraScene(*scene));
+    const auto without = parseScene(kHead + kCamera, "scene.toml");
+    ASSERT_TRUE(without);
+    EXPECT_FALSE(without->camera().probing);
+}
+
 TEST(CameraScene, saysWhereAndWhatIsWrong) {
+    expectFault(kHead + kCamera +
+                    "[probing]\nfirst_z_m = 0.0\nlast_z_m = 0.1\ndepth_m = 0.001\nwrong_share = 1.2\n",
+                13, "wrong_share");
+    expectFault(kHead + kCamera + "[probing]\nfirst_z_m = 0.0\nlast_z_m = 0.1\n", 9, "depth_m");
     expectFault(kHead + "[camera]\nfocal_length = 500.0\n[skin]\n", 6, "focal_length_px");
     expectFault(kHead + "[camera]\nwidth_px = 0\n[skin]\n", 6, "width_px");
     expectFault(kHead + "[camera]\n[skin]\ndot_diameter_m = 0.005\n", 7, "dots touch");

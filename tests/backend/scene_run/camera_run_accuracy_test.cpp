@@ -54,6 +54,18 @@ TEST_P(CameraRun, findsThreeFingersAtOnce) {
     EXPECT_EQ(run["contacts_missed"], 0);
 }
 
+TEST_P(CameraRun, calibratesTheCameraFromWhatAPersonProbes) {
+    // Two fifths of the places, those near the lens.
+    RunOptions options;
+    options.duration_s = 100.0;
+    const auto run = measures("vtacarm-calibration", options);
+    EXPECT_GE(run["pairs"].get<int>(), 80);
+    EXPECT_GT(run["pairs_mistaken"].get<int>(), 0);
+    EXPECT_EQ(run["mistaken_kept"], 0);
+    EXPECT_LT(run["contact_error_mean_m"].get<double>(), 0.001);
+    EXPECT_EQ(run["frames_lost"], 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Seeds, CameraRun, testing::Values(1));
 
 TEST(CameraRunFiles, areWritten) {
