@@ -7,7 +7,6 @@
 #include <QCoreApplication>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace teleta::pattern {
@@ -19,6 +18,7 @@ struct RecoveryText {
 };
 
 constexpr const char* kKey = "recovery";
+constexpr long long kLatest_ms = 1LL << 53U; ///< a number of JSON is exact up to it
 
 bool isRecovery(const std::pair<std::string, std::string>& unknown) {
     return unknown.first == kKey;
@@ -51,8 +51,7 @@ core::Expected<RecoveredPattern> readRecovery(const std::string& file) {
     core::JsonReader reader(*about);
     RecoveredPattern recovered;
     recovered.path = reader.text(reader.root(), "path", {});
-    recovered.edited_ms = reader.integer(reader.member(reader.root(), "edited_ms"), 0,
-                                         std::numeric_limits<std::int64_t>::max());
+    recovered.edited_ms = reader.integer(reader.member(reader.root(), "edited_ms"), 0, kLatest_ms);
     if (reader.error()) {
         core::Error error = *reader.error();
         error.where = {file, 0, 0}; // lines of the key's value are not those of the file

@@ -161,5 +161,8 @@ TEST(RecoveryFile, thatIsNoneOrIsDamagedIsRefused) {
     wrong.unknown[0].second = "{\"path\": \"\", \"edited_ms\": \"yesterday\"}";
     ASSERT_TRUE(savePattern(wrong, place.path("c.json")));
     EXPECT_EQ(readRecovery(place.path("c.json")).error().where.file, place.path("c.json"));
+    wrong.unknown[0].second = "{\"path\": \"\", \"edited_ms\": 9223372036854775807}";
+    ASSERT_TRUE(savePattern(wrong, place.path("d.json")));
+    EXPECT_EQ(readRecovery(place.path("d.json")).error().kind, ErrorKind::badInput);
     EXPECT_EQ(readRecovery(place.path("none.json")).error().kind, ErrorKind::notFound);
 }
