@@ -148,8 +148,10 @@ void FeltPanel::refresh() {
                         : !m_presented ? tr("Play the next burst.")
                         : start        ? tr("Did you feel it?")
                                        : tr("Was the second burst stronger?"));
-    m_trouble->setText(!m_ready ? tr("The bracelet cannot play now: it is not connected, or STOP is engaged.")
-                                : tr("Now and then nothing is played. Answer yes only when you are sure."));
+    m_trouble->setText(!m_ready
+                           ? tr("The bracelet cannot play now: it is not connected, STOP is engaged, or a "
+                                "study uses it.")
+                           : tr("Now and then nothing is played. Answer yes only when you are sure."));
     m_play->setEnabled(m_ready && !done);
     for (QPushButton* button : {m_yes, m_no})
         button->setEnabled(m_ready && m_presented && !done);

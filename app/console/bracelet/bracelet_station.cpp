@@ -217,6 +217,8 @@ QString BraceletStation::note() const {
     if (m_session->source().connection() == 0)
         return tr("The bracelet is not connected. %1")
             .arg(QString::fromStdString(m_session->source().status().message));
+    if (m_reserved)
+        return tr("A study uses the bracelet.");
     if (!m_calibration.measured())
         return tr("The motors are not calibrated (page Calibrate).");
     return {};

@@ -69,6 +69,7 @@ public:
 
     /// For whoever drives session() alone: meanwhile nothing else is played or held.
     void reserve(bool reserved);
+    [[nodiscard]] bool isReserved() const { return m_reserved; }
 
     /// Collects what happened since the last tick.
     void tick();
@@ -76,6 +77,8 @@ public:
     [[nodiscard]] core::Intensities given() const;
     /// Connected, and not stopped.
     [[nodiscard]] bool isReady() const;
+    /// Ready, and not reserved: what is asked to be played is played.
+    [[nodiscard]] bool isFree() const { return isReady() && !m_reserved; }
     /// One line on the state; empty when there is nothing to say.
     [[nodiscard]] QString note() const;
     [[nodiscard]] bool isSimulated() const;

@@ -82,7 +82,7 @@ void MotorCalibrator::tick() {
         facts.name = QString::fromStdString(description.name);
         facts.serial = QString::fromStdString(description.serial);
         facts.simulated = description.simulated;
-        facts.ready = m_station.isReady();
+        facts.ready = m_station.isFree();
         const auto speeds = session->source().motorSpeeds();
         facts.hasSensor = speeds.has_value();
         if (speeds && m_view->isVisible())
@@ -95,7 +95,8 @@ void MotorCalibrator::tick() {
 
 void MotorCalibrator::measureNext() {
     auto session = m_station.session();
-    if (m_waiting.empty() || !session) {
+    if (m_waiting.empty() || !session || m_station.isReserved()) {
+        m_waiting.clear();
         m_measuring.reset();
         m_run.reset();
         m_view->setMeasuring(std::nullopt);
@@ -156,7 +157,11 @@ void MotorCalibrator::openRecording(std::size_t motor, const QString& path) {
             auto fit = motors::fitMotor(*recording);
             return Fitted{std::move(*recording), std::move(fit)};
         },
-        [this, motor](Fitted fitted) { m_view->takeFit(motor, fitted.first, fitted.second); });
+        [this, motor, serial = m_view->calibration().bracelet](Fitted fitted) {
+            // Another bracelet may have been connected meanwhile.
+            if (serial == m_view->calibration().bracelet)
+                m_view->takeFit(motor, fitted.first, fitted.second);
+        });
 }
 
 void MotorCalibrator::load(const QString& path) {

@@ -128,7 +128,7 @@ void ArmViews::tick() {
     m_jog->setReadingsOld(m_arm && readingsAreOld(*m_arm));
     m_picture->setIntensities(m_bracelet.given());
     m_picture->setNote(m_bracelet.note());
-    m_picture->setHoldable(m_bracelet.isReady());
+    m_picture->setHoldable(m_bracelet.isFree());
     m_picture->setProvenance(m_bracelet.isSimulated() ? base::Provenance::simulated : base::Provenance::live);
     m_picture->setTitle(m_feedback->lastText());
     if (!m_arm)

@@ -91,6 +91,16 @@ private slots:
         QTRY_VERIFY(view().button("measure")->isEnabled());
     }
 
+    void leavesABraceletAloneThatIsReserved() {
+        m_station->reserve(true);
+        QTRY_VERIFY(!view().button("measure")->isEnabled());
+        QVERIFY(!view().button("feel")->isEnabled());
+        emit view().measureRequested({0});
+        QVERIFY(!view().button("cancel")->isVisibleTo(&view())); // no measurement began
+        m_station->reserve(false);
+        QTRY_VERIFY(view().button("measure")->isEnabled());
+    }
+
     void anotherBraceletEndsAMeasurement() {
         QTest::mouseClick(view().button("measure"), Qt::LeftButton);
         QTRY_VERIFY(m_station->playingPosition_s().has_value());
