@@ -72,6 +72,7 @@ PatternsPage::PatternsPage(BraceletStation& station, PatternCollection& collecti
     , m_editor(new editor::PatternEditor(this))
     , m_picture(new bracelet::BraceletView) {
     setAcceptDrops(true);
+    m_writing.setMaxThreadCount(1);
     m_editor->setBraceletPicture(m_picture);
     m_recoveryText->setWordWrap(true);
     m_recover->setObjectName(QStringLiteral("recover"));
@@ -280,15 +281,17 @@ void PatternsPage::save() {
 }
 
 void PatternsPage::saveAs(const QString& path) {
-    if (isOwnFormat(path))
+    if (isOwnFormat(path)) {
         write(path);
-    else
-        exportTo(path);
+        return;
+    }
+    exportTo(path);
+    settled(false);
 }
 
 void PatternsPage::write(const QString& path) {
     runInBackground(
-        this,
+        m_writing, this,
         [path, pattern = std::make_shared<const Pattern>(m_editor->document()->pattern())] {
             return pattern::savePattern(*pattern, path.toStdString());
         },
@@ -411,6 +414,9 @@ void PatternsPage::askForFile(bool save) {
                                 tr("Patterns (*.json)"), tr("HJIF (*.hjif)"),
                                 tr("Haptic clips (*.haptic *.haptic.zip)"), tr("tact (*.tact)")});
     }
+    // Who gives up saving does not want what was to come after it.
+    if (save)
+        connect(dialog, &QDialog::rejected, this, [this] { m_afterSaving = nullptr; });
     connect(dialog, &QFileDialog::fileSelected, this, [this, save](const QString& path) {
         if (save)
             saveAs(path);
@@ -442,7 +448,7 @@ void PatternsPage::inform(const QString& what) {
 }
 
 void PatternsPage::play() {
-    if (!m_station.isReady()) {
+    if (!m_station.isFree()) {
         m_editor->setPlaying(false);
         return;
     }
@@ -470,7 +476,7 @@ void PatternsPage::tick() {
         m_editor->setPlayhead(m_playedFrom_s + *playing);
     m_picture->setIntensities(m_station.given());
     m_picture->setNote(m_station.note());
-    m_picture->setHoldable(m_station.isReady());
+    m_picture->setHoldable(m_station.isFree());
     m_picture->setTitle(QString::fromStdString(m_editor->document()->pattern().name));
     m_picture->setProvenance(m_station.isSimulated() ? base::Provenance::simulated : base::Provenance::live);
 }

@@ -8,6 +8,7 @@
 #include "widgets/chrome/message_bar.h"
 
 #include <QString>
+#include <QThreadPool>
 #include <QWidget>
 
 #include <functional>
@@ -96,6 +97,7 @@ private:
     QPushButton* m_discard;
     editor::PatternEditor* m_editor;
     bracelet::BraceletView* m_picture;
+    QThreadPool m_writing;               ///< of one thread: the last save is the one that stays
     QMetaObject::Connection m_adding;    ///< to the end of a save as one of the user's own
     std::function<void()> m_afterSaving; ///< goes on when what is being saved is saved
     double m_playedFrom_s = 0.0;         ///< where the program that is played begins in the pattern
