@@ -224,9 +224,9 @@ core::Expected<void> playPattern(const pattern::Pattern& pattern, const PlayOpti
         return well;
     std::optional<Measured> live;
     if (options.measure_s && !interrupted()) {
+        const std::int64_t before_ns = player.status().begun_ns;
         player.startLive();
-        while (player.status().mode != playback::PlayerMode::live &&
-               player.status().ending != PlayerEnding::deviceLost)
+        while (player.status().begun_ns == before_ns && !interrupted())
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         postFor(player, *options.measure_s);
         live = measuredBy(player);
@@ -234,6 +234,8 @@ core::Expected<void> playPattern(const pattern::Pattern& pattern, const PlayOpti
             return well;
     }
     const bool cut = interrupted();
+    // Nothing is felt while whoever reads the output takes his time.
+    player.stop();
     if (auto printed = print(bracelet, player, program, live, options.json); !printed)
         return printed;
     return cut ? core::Expected<void>(core::Unexpected(interruption())) : core::Expected<void>();
