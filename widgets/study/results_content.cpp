@@ -2,7 +2,6 @@
 #include "widgets/study/results_content.h"
 
 #include "backend/study/information_transfer.h"
-#include "backend/study/portable_random.h"
 #include "backend/study/proportion.h"
 
 #include <QLocale>
@@ -348,21 +347,6 @@ TableContent ResultsContent::anova(const TaskResults& task) {
     return table;
 }
 
-double ResultsContent::guesserTransfer_bit(std::size_t patterns, std::size_t repetitions) {
-    constexpr int kDraws = 1000;
-    study::PortableRandom random(1);
-    double sum_bit = 0.0;
-    for (int draw = 0; draw < kDraws; ++draw) {
-        study::ConfusionMatrix matrix(patterns);
-        for (std::size_t pattern = 0; pattern < patterns; ++pattern) {
-            for (std::size_t trial = 0; trial < repetitions; ++trial)
-                matrix.add(pattern, static_cast<std::size_t>(random.below(patterns)));
-        }
-        sum_bit += study::informationTransfer(matrix)->measured_bit;
-    }
-    return sum_bit / kDraws;
-}
-
 QString ResultsContent::transferNote(const TaskResults& task) {
     const std::size_t k = task.patterns.size();
     std::int64_t trials = 0;
@@ -375,13 +359,14 @@ QString ResultsContent::transferNote(const TaskResults& task) {
     }
     if (trials == 0 || k < 2)
         return {};
-    const auto repetitions =
-        static_cast<std::size_t>(std::max<std::int64_t>(1, trials / static_cast<std::int64_t>(k)));
+    study::ConfusionMatrix presented(k);
+    for (std::size_t pattern = 0; pattern < k; ++pattern)
+        presented.add(pattern, pattern, std::max<std::int64_t>(1, trials / static_cast<std::int64_t>(k)));
     QString note = tr("The information transfer of few trials is too high: with %1 trials, somebody who only "
                       "guesses shows "
                       "%2 bit on average. Read the corrected value beside it.")
                        .arg(trials)
-                       .arg(QLocale().toString(guesserTransfer_bit(k, repetitions), 'f', 2));
+                       .arg(QLocale().toString(study::guesserTransfer(presented).value_or(0.0), 'f', 2));
     if (few)
         note += QLatin1Char(' ') + tr("With fewer than 5 k\u00b2 trials even the corrected value is rough.");
     return note;

@@ -37,9 +37,6 @@ public:
     [[nodiscard]] static TableContent groups(const study::TaskResults& task);
     [[nodiscard]] static TableContent people(const study::TaskResults& task, const QString& participant);
     [[nodiscard]] static TableContent anova(const study::TaskResults& task);
-    /// Information transfer that somebody shows on average who answers by chance, from 1000 simulated ones.
-    /// patterns: at least 1; repetitions: of each.
-    [[nodiscard]] static double guesserTransfer_bit(std::size_t patterns, std::size_t repetitions);
     /// What a guesser would show, and how far the information transfer can be trusted.
     [[nodiscard]] static QString transferNote(const study::TaskResults& task);
     [[nodiscard]] static QString anovaNote(const study::TaskResults& task);

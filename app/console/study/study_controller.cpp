@@ -44,6 +44,16 @@ study::SimulatedParticipant mindFor(const study::StudyHead& head, const study::P
     return mind;
 }
 
+/// The store becomes another one only when all of that study could be read.
+core::Expected<StudyOverview> replaced(StudyDesk::Store& store, core::Expected<StudyStore> another) {
+    if (!another)
+        return core::Unexpected(another.error());
+    core::Expected<StudyOverview> overview = overviewOf(*another);
+    if (overview)
+        store = std::move(*another);
+    return overview;
+}
+
 } // namespace
 
 StudyController::StudyController(BraceletStation& station, core::StopSwitch& stop, SteadyClock clock,
@@ -134,56 +144,57 @@ const study::StudyTask* StudyController::chosenTask() const {
 template <typename Work>
 void StudyController::askForOverview(const QString& what, Work work) {
     ++m_busy;
-    m_desk.ask(
-        [work = std::move(work)](StudyDesk::Store& store) mutable -> core::Expected<StudyOverview> {
-            if (const core::Expected<void> done = work(store); !done)
-                return core::Unexpected(done.error());
-            return overviewOf(*store);
-        },
-        [this, what](core::Expected<StudyOverview> overview) {
-            --m_busy;
-            if (overview) {
-                take(std::move(*overview));
-            } else {
-                stopRehearsal();
-                emit failed(what, overview.error());
-            }
-            emit changed();
-        });
+    m_desk.ask(std::move(work), [this, what](core::Expected<StudyOverview> overview) {
+        --m_busy;
+        if (overview) {
+            take(std::move(*overview));
+        } else {
+            stopRehearsal();
+            emit failed(what, overview.error());
+        }
+        emit changed();
+    });
     emit changed();
 }
 
+bool StudyController::mayChange(const QString& what) {
+    // A session that is about to begin would write into the other study.
+    if (!isActive() && !isBusy()) {
+        stopRehearsal();
+        return true;
+    }
+    const bool runs = isActive();
+    emit failed(what,
+                {core::ErrorKind::refused,
+                 (runs ? tr("a session of the open study is going on")
+                       : tr("the open study is being read or written"))
+                     .toStdString(),
+                 (runs ? tr("to leave the session first") : tr("to try again in a moment")).toStdString(),
+                 {}});
+    return false;
+}
+
 void StudyController::open(const study::StoreLocation& location) {
-    if (isActive())
-        return;
     const QString folder = QString::fromStdString(location.folder);
     const QString name = location.server.empty()
                              ? QDir(folder).dirName()
                              : QString::fromStdString(study::shownServer(location.server));
-    askForOverview(tr("%1 could not be opened.", "a folder").arg(name),
-                   [location, folder](StudyDesk::Store& store) -> core::Expected<void> {
-                       // The store looks for trials that wait for the server in it.
-                       if (!location.server.empty())
-                           QDir().mkpath(folder);
-                       core::Expected<StudyStore> opened = StudyStore::open(location);
-                       if (!opened)
-                           return core::Unexpected(opened.error());
-                       store = std::move(*opened);
-                       return {};
-                   });
+    const QString what = tr("%1 could not be opened.", "a folder").arg(name);
+    if (mayChange(what))
+        askForOverview(what, [location, folder](StudyDesk::Store& store) {
+            // The store looks for trials that wait for the server in it.
+            if (!location.server.empty())
+                QDir().mkpath(folder);
+            return replaced(store, StudyStore::open(location));
+        });
 }
 
 void StudyController::create(const study::StoreLocation& location, const study::StudyHead& head) {
-    if (isActive())
-        return;
-    askForOverview(tr("The study could not be made."),
-                   [location, head](StudyDesk::Store& store) -> core::Expected<void> {
-                       core::Expected<StudyStore> made = StudyStore::create(location, head);
-                       if (!made)
-                           return core::Unexpected(made.error());
-                       store = std::move(*made);
-                       return {};
-                   });
+    const QString what = tr("The study could not be made.");
+    if (mayChange(what))
+        askForOverview(what, [location, head](StudyDesk::Store& store) {
+            return replaced(store, StudyStore::create(location, head));
+        });
 }
 
 void StudyController::enrol(const QString& id) {
@@ -191,18 +202,15 @@ void StudyController::enrol(const QString& id) {
         return;
     // The newcomer is who is looked at next.
     m_chosen.reset();
-    askForOverview(tr("%1 could not be enrolled.", "a participant").arg(id),
-                   [id = id.toStdString()](StudyDesk::Store& store) -> core::Expected<void> {
-                       const core::Expected<study::Participant> participant = store->enrol(id);
-                       if (!participant)
-                           return core::Unexpected(participant.error());
-                       return {};
-                   });
+    askForOverview(tr("%1 could not be enrolled.", "a participant").arg(id), [id = id.toStdString()](
+                                                                                 StudyDesk::Store& store) {
+        return store->enrol(id).and_then([&](const study::Participant&) { return overviewOf(*store); });
+    });
 }
 
 void StudyController::refresh() {
     askForOverview(tr("The study could not be read."),
-                   [](StudyDesk::Store&) -> core::Expected<void> { return {}; });
+                   [](StudyDesk::Store& store) { return overviewOf(*store); });
 }
 
 void StudyController::take(StudyOverview overview) {
@@ -258,7 +266,6 @@ void StudyController::choose(int participant, int session) {
 /// What only a thread that may wait can find out: the folder, and whether somebody else runs the participant.
 void StudyController::lookAround(bool thenBegin) {
     m_lookedAround_ns = m_clock();
-    m_lookingAround = true;
     const ParticipantOverview* participant = chosenParticipant();
     if (!m_overview || participant == nullptr)
         return;
@@ -266,6 +273,7 @@ void StudyController::lookAround(bool thenBegin) {
         study::FolderCondition folder;
         core::Expected<std::optional<std::string>> runner;
     };
+    m_lookingAround = true;
     m_desk.ask(
         [who = participant->participant](StudyDesk::Store& store) {
             return Findings{study::lookAtFolder(store->folder()), store->runner(who)};
@@ -400,8 +408,9 @@ void StudyController::conclude() {
 void StudyController::closeSession(bool answered) {
     if (answered)
         exportSession(study::Phase::test);
-    askForOverview(tr("The session could not be closed."),
-                   [record = *m_record](StudyDesk::Store& store) { return store->finishSession(record); });
+    askForOverview(tr("The session could not be closed."), [record = *m_record](StudyDesk::Store& store) {
+        return store->finishSession(record).and_then([&] { return overviewOf(*store); });
+    });
 }
 
 void StudyController::abort() {

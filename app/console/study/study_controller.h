@@ -98,6 +98,7 @@ signals:
 private:
     template <typename Work>
     void askForOverview(const QString& what, Work work);
+    [[nodiscard]] bool mayChange(const QString& what);
     void take(StudyOverview overview);
     void refresh();
     void lookAround(bool thenBegin = false);

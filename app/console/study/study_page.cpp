@@ -267,7 +267,11 @@ void StudyPage::connectViews() {
     connect(&m_controller, &StudyController::rehearsed, this,
             [this] { bringForward(QLatin1String(kResults)); });
     connect(&m_controller, &StudyController::changed, this, &StudyPage::refresh);
-    connect(&m_controller, &StudyController::failed, this, &StudyPage::report);
+    connect(&m_controller, &StudyController::failed, this,
+            [this](const QString& what, const core::Error& error) {
+                m_rehearseWhenOpened = false;
+                report(what, error);
+            });
     connect(&m_controller, &StudyController::opened, this, [this] {
         if (m_controller.foundInterrupted())
             m_messages->post(
@@ -479,6 +483,7 @@ void StudyPage::showSession() {
     studyview::SessionScene scene = StudyScenes::session(m_controller);
     // The level at the ear depends on headphones and volume: what is played has none of its own.
     scene.noisePlaying = m_noise.isPlaying();
+    scene.needsNoise = scene.needsNoise || scene.noisePlaying; // whatever plays can be stopped
     m_session->setScene(scene);
 }
 

@@ -281,7 +281,8 @@ void StudyRunner::abort() {
 void StudyRunner::retry() {
     if (!m_session || m_hold != Hold::notKept || m_results.empty())
         return;
-    m_hold = Hold::paused;
+    const Stage stage = m_session->stage();
+    m_hold = stage == Stage::finished || stage == Stage::aborted ? Hold::none : Hold::paused;
     m_reason.clear();
     keep(m_results.back());
     emit changed();

@@ -170,6 +170,7 @@ studyview::SessionScene StudyScenes::session(const StudyController& controller) 
     const StudyOverview& overview = *controller.overview();
     scene.mode = overview.head.mode;
     scene.saved = controller.savedText();
+    scene.noiseConfirmed = controller.noiseConfirmed();
     scene.device = controller.output().description();
     const QString obstacle = controller.output().obstacle();
     scene.deviceTone = !obstacle.isEmpty() ? Tone::alarm : Tone::calm;
@@ -205,7 +206,6 @@ void StudyScenes::describeIdle(const StudyController& controller, studyview::Ses
         scene.needsNoise =
             overview.head.mode != study::Mode::simulated && overview.head.protocol.noiseColour != "none";
     }
-    scene.noiseConfirmed = controller.noiseConfirmed();
     scene.nextEnabled = !controller.isBusy();
     switch (nextStep(controller)) {
     case NextStep::begin:

@@ -10,6 +10,9 @@
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSqlDatabase>
+#include <QSqlQuery>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <algorithm>
@@ -225,6 +228,41 @@ private slots:
         m_page->open(m_folder->path());
         QTRY_COMPARE_WITH_TIMEOUT(m_page->messages().count(), 1, kPatience_ms);
         QVERIFY(!controller().overview());
+    }
+
+    void noOtherStudyIsOpenedWhileASessionRuns() {
+        openStudy();
+        beginSession();
+        m_page->open(m_folder->path());
+        QCOMPARE(m_page->messages().count(), 1);
+        QVERIFY(runner().isActive());
+        doTrial();
+        QTRY_COMPARE_WITH_TIMEOUT(kept().size(), std::size_t(1), kPatience_ms);
+    }
+
+    void aStudyThatCannotBeReadLeavesTheOpenOneOpen() {
+        openStudy();
+        const QString damaged = m_folder->filePath(QStringLiteral("damaged"));
+        {
+            auto store = study::StudyStore::create(damaged.toStdString(), head(Mode::pilot, 0.1));
+            const study::Participant participant = *store->enrol("P01");
+            const auto plan = study::planSessions(store->head().protocol, store->head().seed, 0);
+            QVERIFY(store->beginSession(participant, 0, plan[0], QDateTime::currentDateTimeUtc()));
+        }
+        {
+            QSqlDatabase database = QSqlDatabase::addDatabase("QSQLITE", "damaged");
+            database.setDatabaseName(QDir(damaged).filePath("study.sqlite"));
+            QVERIFY(database.open());
+            QVERIFY(QSqlQuery(database).exec("UPDATE session SET plan_index = 99"));
+        }
+        QSqlDatabase::removeDatabase("damaged");
+        m_page->open(damaged);
+        QTRY_COMPARE_WITH_TIMEOUT(m_page->messages().count(), 1, kPatience_ms);
+        QCOMPARE(QString::fromStdString(controller().overview()->folder), studyFolder());
+        enrol("P02");
+        QCOMPARE(study::StudyStore::open(studyFolder().toStdString())->participants()->size(),
+                 std::size_t(2));
+        QCOMPARE(m_page->messages().count(), 1);
     }
 
     void aParticipantIsNotEnrolledTwice() {

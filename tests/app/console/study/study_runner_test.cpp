@@ -493,6 +493,23 @@ private slots:
         startTrial();
     }
 
+    void aSessionThatEndedWhileItsLastTrialCouldNotBeKeptIsOverOnceItIs() {
+        make();
+        startTrial();
+        endStimulus();
+        m_fullDisk = true;
+        digit(1);
+        QCOMPARE(m_runner->hold(), Hold::notKept);
+        QSignalSpy aborted(m_runner.get(), &StudyRunner::aborted);
+        m_runner->abort();
+        QCOMPARE(m_runner->hold(), Hold::notKept);
+        QCOMPARE(aborted.size(), 0);
+        m_fullDisk = false;
+        m_runner->retry();
+        QCOMPARE(aborted.size(), 1);
+        QCOMPARE(m_runner->hold(), Hold::none);
+    }
+
     void refusesAStimulusThatIsNotThere() {
         make();
         m_protocol.tasks[0].id = "taste";
