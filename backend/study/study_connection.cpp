@@ -32,6 +32,13 @@ std::string fileIn(const std::string& folder) {
     return QDir(QString::fromStdString(folder)).filePath(QStringLiteral("study.sqlite")).toStdString();
 }
 
+/// A value as libpq reads it, also with blanks and quotes.
+QString quotedForServer(QString value) {
+    value.replace(QLatin1Char('\\'), QStringLiteral("\\\\"))
+        .replace(QLatin1Char('\''), QStringLiteral("\\'"));
+    return QLatin1Char('\'') + value + QLatin1Char('\'');
+}
+
 /// Options that go through to libpq as they are.
 const QStringList& passedOptions() {
     static const QStringList kOptions{QStringLiteral("sslmode"), QStringLiteral("sslrootcert"),
@@ -78,10 +85,9 @@ core::Expected<void> StudyConnection::configureServer() {
     if (!url.isValid() || !isPostgres)
         return badUrl(ConnectionText::tr("this is no address of a PostgreSQL server"),
                       QStringLiteral("postgresql://user@host/database?study=name"));
-    QStringList options{
-        QStringLiteral("connect_timeout=%1").arg(kWaitForServer_s),
-        QStringLiteral("tcp_user_timeout=%1").arg(kWaitForOthers_ms),
-        QStringLiteral("application_name='%1'").arg(QSysInfo::machineHostName().remove(QLatin1Char('\'')))};
+    QStringList options{QStringLiteral("connect_timeout=%1").arg(kWaitForServer_s),
+                        QStringLiteral("tcp_user_timeout=%1").arg(kWaitForOthers_ms),
+                        QStringLiteral("application_name=") + quotedForServer(QSysInfo::machineHostName())};
     m_schema = QStringLiteral("study");
     m_database.setHostName(url.host(QUrl::FullyDecoded));
     m_database.setPort(url.port());
@@ -91,10 +97,15 @@ core::Expected<void> StudyConnection::configureServer() {
             m_schema = value;
         else if (key == QStringLiteral("host"))
             m_database.setHostName(value);
-        else if (key == QStringLiteral("port"))
-            m_database.setPort(value.toInt());
-        else if (passedOptions().contains(key) && !value.contains(QLatin1Char(';')))
-            options << key + QLatin1Char('=') + value;
+        else if (key == QStringLiteral("port")) {
+            bool isNumber = false;
+            const int port = value.toInt(&isNumber);
+            if (!isNumber || port < 1 || port > 65535)
+                return badUrl(ConnectionText::tr("the address has the port \"%1\"").arg(value),
+                              ConnectionText::tr("a whole number from 1 to 65535"));
+            m_database.setPort(port);
+        } else if (passedOptions().contains(key) && !value.contains(QLatin1Char(';')))
+            options << key + QLatin1Char('=') + quotedForServer(value);
         else
             return badUrl(ConnectionText::tr("the address has the unknown option \"%1\"").arg(key),
                           QStringLiteral("study, host, port, ") + passedOptions().join(QStringLiteral(", ")));

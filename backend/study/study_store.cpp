@@ -240,6 +240,8 @@ core::Expected<std::optional<std::string>> StudyStore::runner(const Participant&
 core::Expected<SessionRecord> StudyStore::beginSession(const Participant& participant, std::size_t planIndex,
                                                        const PlannedSession& plan, const QDateTime& now) {
     const QString second = now.toUTC().toString(QStringLiteral("yyyyMMdd'T'HHmmss"));
+    constexpr int kMostRefusals = 10;
+    int refusals = 0;
     for (int sameSecond = 1;; ++sameSecond) {
         core::Expected<std::vector<SessionRecord>> known = sessions(participant);
         if (!known)
@@ -258,8 +260,9 @@ core::Expected<SessionRecord> StudyStore::beginSession(const Participant& partic
             {participant.key, id, number(planIndex), QString::number(plan.seed)});
         if (made)
             continue; // the next round reads it
-        // Another station may just have begun this session or taken this name; the next round sees it.
-        if (made.error().kind != core::ErrorKind::refused)
+        // Another station may just have begun this session or taken this name; the next round sees it. A
+        // refusal that nobody else explains comes back every time.
+        if (made.error().kind != core::ErrorKind::refused || ++refusals == kMostRefusals)
             return core::Unexpected(made.error());
     }
 }

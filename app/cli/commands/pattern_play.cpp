@@ -118,6 +118,8 @@ core::Expected<void> endedWell(const playback::PlayerStatus& status) {
     case PlayerEnding::deviceLost:
         return core::Unexpected(core::Error{
             core::ErrorKind::unavailable, PlayText::tr("The bracelet was lost.").toStdString(), {}, {}});
+    case PlayerEnding::sourceFailed:
+        return core::Unexpected(core::Error{core::ErrorKind::refused, status.message, {}, {}});
     case PlayerEnding::stalled:
         return core::Unexpected(
             core::Error{core::ErrorKind::refused,
@@ -213,8 +215,17 @@ core::Expected<void> playPattern(const pattern::Pattern& pattern, const PlayOpti
         return core::Unexpected(motors.error());
     bracelet.start(wakeup);
     const std::int64_t begin_ns = core::steadyNow_ns();
-    while (bracelet.connection() == 0 && core::steadyNow_ns() - begin_ns < kLongestConnect_ns)
+    while (bracelet.connection() == 0 && !interrupted() &&
+           core::steadyNow_ns() - begin_ns < kLongestConnect_ns)
         wakeup.waitFor(kLook);
+    if (bracelet.connection() == 0 && !interrupted()) {
+        const core::DeviceStatus status = bracelet.status();
+        return core::Unexpected(core::Error{
+            core::ErrorKind::unavailable,
+            status.message.empty() ? PlayText::tr("No bracelet answers.").toStdString() : status.message,
+            {},
+            {}});
+    }
 
     playback::Player player(bracelet, stop, {.ranges = playback::rangesOf(*motors)});
     player.play(playback::programOf(pattern), options.measure_s.has_value());

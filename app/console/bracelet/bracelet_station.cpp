@@ -123,11 +123,6 @@ void BraceletStation::seek(double time_s) {
         m_session->player().seek(time_s);
 }
 
-void BraceletStation::setLoop(bool loop) {
-    if (m_session && !m_reserved)
-        m_session->player().setLoop(loop);
-}
-
 void BraceletStation::setCalibration(const motors::MotorCalibration& calibration) {
     m_calibration = calibration;
     if (m_session)

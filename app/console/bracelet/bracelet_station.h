@@ -60,7 +60,6 @@ public:
     void play(playback::Program program, bool loop, double from_s = 0.0);
     /// Goes on somewhere else in what is played.
     void seek(double time_s);
-    void setLoop(bool loop);
     void stopPlaying();
     /// Where the pattern that is played stands; empty while none is.
     [[nodiscard]] std::optional<double> playingPosition_s() const;

@@ -395,7 +395,9 @@ TEST_F(StudyServerTest, errorsNeverShowAPassword) {
         << core::describe(refused.error());
     for (const char* url :
          {"mysql://console:wr0ng-pass@host/db", "postgresql://console:wr0ng-pass@host/db?pet=cat",
-          "postgresql://console:wr0ng-pass@host/db?study=No%20name"}) {
+          "postgresql://console:wr0ng-pass@host/db?study=No%20name",
+          "postgresql://console:wr0ng-pass@host/db?port=abc",
+          "postgresql://console:wr0ng-pass@host/db?port=70000"}) {
         const auto bad = StudyStore::open({m_folder.path("here"), url});
         ASSERT_FALSE(bad) << url;
         EXPECT_EQ(bad.error().kind, core::ErrorKind::badInput) << core::describe(bad.error());
