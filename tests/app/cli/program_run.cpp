@@ -91,6 +91,21 @@ bool RunningProgram::ended() {
     return m_ended;
 }
 
+namespace {
+
+/// Libraries that are being loaded hold any text.
+bool isOpenForWriting(pid_t process, const std::string& descriptor) {
+    std::ifstream info("/proc/" + std::to_string(process) + "/fdinfo/" + descriptor);
+    for (std::string word; info >> word;) {
+        unsigned flags = O_RDONLY;
+        if (word == "flags:" && info >> std::oct >> flags)
+            return (flags & O_ACCMODE) != O_RDONLY;
+    }
+    return false;
+}
+
+} // namespace
+
 bool RunningProgram::hasWritten(std::string_view text) const {
     // A file that the program closes meanwhile is no error.
     std::error_code gone;
@@ -98,6 +113,7 @@ bool RunningProgram::hasWritten(std::string_view text) const {
     for (std::filesystem::directory_iterator file(files, gone), end; !gone && file != end;
          file.increment(gone)) {
         if (std::filesystem::is_regular_file(file->path(), gone) &&
+            isOpenForWriting(m_process, file->path().filename().string()) &&
             readAll(file->path()).find(text) != std::string::npos)
             return true;
     }
