@@ -4,8 +4,7 @@
 #include "backend/core/bracelet_device.h"
 #include "backend/core/bracelet_port.h"
 #include "backend/core/bracelet_worker.h"
-
-#include <thread>
+#include "backend/core/device_thread.h"
 
 namespace teleta::core {
 
@@ -31,7 +30,7 @@ public:
 
 private:
     BraceletWorker m_worker;
-    std::jthread m_thread;
+    DeviceThread m_thread;
 };
 
 } // namespace teleta::core

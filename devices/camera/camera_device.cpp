@@ -22,19 +22,11 @@ CameraDevice::~CameraDevice() {
 }
 
 void CameraDevice::start(core::Wakeup& consumer) {
-    if (m_thread.joinable())
-        return;
-    m_worker.open(consumer);
-    m_thread = std::jthread([this](const std::stop_token& stop) { m_worker.run(stop); });
+    m_thread.start(m_worker, consumer);
 }
 
 void CameraDevice::stop() {
-    if (!m_thread.joinable())
-        return;
-    m_thread.request_stop();
-    m_worker.wake();
-    m_thread.join();
-    m_thread = {};
+    m_thread.stop(m_worker);
 }
 
 } // namespace teleta::camera

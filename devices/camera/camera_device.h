@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/device_thread.h"
 #include "devices/camera/camera_worker.h"
 
 #include <memory>
-#include <thread>
 
 namespace teleta::camera {
 
@@ -39,7 +39,7 @@ private:
 
     double m_nominalRate_Hz;
     CameraWorker m_worker;
-    std::jthread m_thread;
+    core::DeviceThread m_thread;
 };
 
 } // namespace teleta::camera

@@ -2,9 +2,8 @@
 #pragma once
 
 #include "backend/core/arm_device.h"
+#include "backend/core/device_thread.h"
 #include "devices/modbus/modbus_joints_worker.h"
-
-#include <thread>
 
 namespace teleta::modbus {
 
@@ -35,7 +34,7 @@ public:
 private:
     core::ArmDescription m_description;
     ModbusJointsWorker m_worker;
-    std::jthread m_thread;
+    core::DeviceThread m_thread;
 };
 
 /// Joints of the map's server by libmodbus. Error: the map names no joints.

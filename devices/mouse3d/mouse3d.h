@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/device_thread.h"
 #include "devices/mouse3d/mouse3d_worker.h"
 
 #include <string>
-#include <thread>
 
 namespace teleta::mouse3d {
 
@@ -34,7 +34,7 @@ public:
 
 private:
     Mouse3dWorker m_worker;
-    std::jthread m_thread;
+    core::DeviceThread m_thread;
 };
 
 } // namespace teleta::mouse3d

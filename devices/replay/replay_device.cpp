@@ -53,20 +53,13 @@ ReplayDevice::~ReplayDevice() {
 }
 
 void ReplayDevice::start(core::Wakeup& consumer) {
-    if (m_thread.joinable())
-        return;
-    m_worker.open(consumer);
+    m_thread.start(m_worker, consumer);
     if (!m_indexThread.joinable())
         m_indexThread = std::jthread([this](const std::stop_token& stop) { m_worker.buildIndex(stop); });
-    m_thread = std::jthread([this](const std::stop_token& stop) { m_worker.run(stop); });
 }
 
 void ReplayDevice::stop() {
-    if (m_thread.joinable()) {
-        m_thread.request_stop();
-        m_worker.wake();
-        m_thread.join();
-    }
+    m_thread.stop(m_worker);
     if (m_indexThread.joinable()) {
         m_indexThread.request_stop();
         m_indexThread.join();

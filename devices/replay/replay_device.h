@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/core/device.h"
+#include "backend/core/device_thread.h"
 #include "backend/core/error.h"
 #include "devices/replay/replay_config.h"
 #include "devices/replay/replay_worker.h"
@@ -50,7 +51,7 @@ private:
     core::SourceDescription m_description;
     ReplayWorker m_worker;
     std::jthread m_indexThread;
-    std::jthread m_thread;
+    core::DeviceThread m_thread;
 };
 
 } // namespace teleta::replay

@@ -42,18 +42,11 @@ std::unique_ptr<core::TactileSource> SimulatedArmDevice::makeSkin() {
 }
 
 void SimulatedArmDevice::start(core::Wakeup& consumer) {
-    if (m_thread.joinable())
-        return;
-    m_worker->open(consumer);
-    m_thread = std::jthread([this](const std::stop_token& stop) { m_worker->run(stop); });
+    m_thread.start(*m_worker, consumer);
 }
 
 void SimulatedArmDevice::stop() {
-    if (!m_thread.joinable())
-        return;
-    m_thread.request_stop();
-    m_worker->wake();
-    m_thread.join();
+    m_thread.stop(*m_worker);
 }
 
 } // namespace teleta::simulated

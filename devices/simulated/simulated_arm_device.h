@@ -2,12 +2,12 @@
 #pragma once
 
 #include "backend/core/arm_device.h"
+#include "backend/core/device_thread.h"
 #include "backend/core/stop_switch.h"
 #include "devices/simulated/simulated_arm_config.h"
 #include "devices/simulated/simulated_arm_worker.h"
 
 #include <memory>
-#include <thread>
 
 namespace teleta::simulated {
 
@@ -50,7 +50,7 @@ public:
 
 private:
     std::shared_ptr<SimulatedArmWorker> m_worker; ///< shared with the skin
-    std::jthread m_thread;
+    core::DeviceThread m_thread;
 };
 
 } // namespace teleta::simulated

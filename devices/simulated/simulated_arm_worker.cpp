@@ -35,15 +35,14 @@ SimulatedArmWorker::SimulatedArmWorker(std::unique_ptr<core::ArmGenerator> gener
     , m_drive(m_description)
     , m_joints(m_config.queueSamples, samplesIn(m_config.batch_s, m_description.nominalRate_Hz))
     , m_skin(m_config.queueBlocks)
-    , m_faults(m_config.faults)
-    , m_dropRandom(m_config.faultSeed)
+    , m_link(m_config.clock, m_description.nominalRate_Hz, m_config.faults, m_config.faultSeed)
     , m_values(m_skinDescription.layout.taxels()) {
 }
 
 void SimulatedArmWorker::open(core::Wakeup& consumer) {
     m_drive.begin(m_config.startProgram);
-    m_joints.open(consumer, m_config.clock->now_ns());
-    m_skin.open(consumer, m_config.clock->now_ns());
+    m_joints.open(consumer, m_link.now_ns());
+    m_skin.open(consumer, m_link.now_ns());
 }
 
 void SimulatedArmWorker::run(const std::stop_token& stop) {
@@ -53,24 +52,24 @@ void SimulatedArmWorker::run(const std::stop_token& stop) {
     const std::int64_t jointsStaleAfter_ns = staleAfter(m_description.nominalRate_Hz);
     const std::int64_t skinStaleAfter_ns = staleAfter(m_skinDescription.nominalRate_Hz);
 
-    Lock lock(m_mutex);
+    SimulatedLink::Lock lock = m_link.lock();
     connect();
     bool silent = false;
     while (!stop.stop_requested()) {
-        const SimulatedFaults faults = m_faults;
+        const SimulatedFaults faults = m_link.faults(lock);
         if (faults.unplugged) {
             waitForPlug(lock, stop);
             continue;
         }
-        const std::int64_t now_ns = m_config.clock->now_ns();
+        const std::int64_t now_ns = m_link.now_ns();
         if (std::exchange(silent, faults.silent) != faults.silent) {
             m_joints.flush();
-            m_epoch_ns = now_ns;
-            m_sinceEpoch = 0;
+            m_link.restart();
         }
         if (faults.silent)
             obeyStop(now_ns);
-        const std::int64_t next_ns = faults.silent ? core::PacingClock::kNever_ns : due_ns(faults.lag_s);
+        const std::int64_t next_ns =
+            faults.silent ? core::PacingClock::kNever_ns : m_link.due_ns(faults.lag_s);
         if (next_ns <= now_ns) {
             lock.unlock();
             stepDue(faults, now_ns);
@@ -89,7 +88,7 @@ void SimulatedArmWorker::run(const std::stop_token& stop) {
         };
         watchAge(m_joints, jointsStaleAfter_ns);
         watchAge(m_skin, skinStaleAfter_ns);
-        m_config.clock->waitUntil(m_condition, lock, deadline_ns);
+        m_link.waitUntil(lock, deadline_ns);
     }
     m_drive.begin(false);
     setState(core::DeviceState::closed);
@@ -104,68 +103,34 @@ void SimulatedArmWorker::obeyStop(std::int64_t now_ns) {
         m_drive.begin(false);
 }
 
-void SimulatedArmWorker::wake() {
-    const std::scoped_lock lock(m_mutex);
-    m_condition.notify_all();
-}
-
-void SimulatedArmWorker::setFaults(const SimulatedFaults& faults) {
-    const std::scoped_lock lock(m_mutex);
-    m_faults = faults;
-    m_condition.notify_all();
-}
-
-SimulatedFaults SimulatedArmWorker::faults() const {
-    const std::scoped_lock lock(m_mutex);
-    return m_faults;
-}
-
 void SimulatedArmWorker::setState(core::DeviceState state, const std::string& message) {
-    const std::int64_t now_ns = m_config.clock->now_ns();
+    const std::int64_t now_ns = m_link.now_ns();
     m_joints.setState(state, now_ns, message);
     m_skin.setState(state, now_ns, message);
 }
 
 void SimulatedArmWorker::connect() {
-    m_epoch_ns = m_config.clock->now_ns();
-    m_sinceEpoch = 0;
+    m_link.restart();
     setState(core::DeviceState::connecting);
 }
 
-/// Behaves as a driver does whose device is gone: says so, then tries again less and less often. The arm is
-/// held when it is back: what it was told before is too old to move it.
-void SimulatedArmWorker::waitForPlug(Lock& lock, const std::stop_token& stop) {
-    core::PacingClock& clock = *m_config.clock;
+/// The arm is held when it is back: what it was told before is too old to move it.
+void SimulatedArmWorker::waitForPlug(SimulatedLink::Lock& lock, const std::stop_token& stop) {
     const std::string message =
         QCoreApplication::translate("SimulatedArmDevice", "The arm was unplugged.").toStdString();
     m_drive.begin(false);
-    setState(core::DeviceState::lost, message);
-    for (std::int64_t retry_ns = kFirstRetry_ns;; retry_ns = std::min(2 * retry_ns, kLongestRetry_ns)) {
-        const std::int64_t deadline_ns = clock.now_ns() + retry_ns;
-        while (clock.now_ns() < deadline_ns) {
-            if (stop.stop_requested())
-                return;
-            clock.waitUntil(m_condition, lock, deadline_ns);
-        }
-        setState(core::DeviceState::reconnecting, message);
-        if (!m_faults.unplugged)
-            break;
-    }
+    if (!m_link.waitForPlug(lock, stop, [&](core::DeviceState state) { setState(state, message); }))
+        return;
     m_drive.begin(false);
     m_jointDiscontinuity = m_skinDiscontinuity = true;
     connect();
 }
 
-std::int64_t SimulatedArmWorker::due_ns(double lag_s) const {
-    const double since_s = static_cast<double>(m_sinceEpoch + 1) / m_description.nominalRate_Hz;
-    return m_epoch_ns + toNs(since_s + (lag_s > 0.0 ? std::min(lag_s, kLongestLag_s) : 0.0));
-}
-
 void SimulatedArmWorker::stepDue(const SimulatedFaults& faults, std::int64_t now_ns) {
-    const std::int64_t late_ns = now_ns - due_ns(faults.lag_s);
+    const std::int64_t late_ns = now_ns - m_link.due_ns(faults.lag_s);
     if (late_ns > toNs(m_config.longestCatchUp_s))
-        m_epoch_ns += late_ns;
-    for (std::size_t i = 0; i < kStepsAtOnce && due_ns(faults.lag_s) <= now_ns; ++i)
+        m_link.standStill(late_ns);
+    for (std::size_t i = 0; i < kStepsAtOnce && m_link.due_ns(faults.lag_s) <= now_ns; ++i)
         step(faults);
 }
 
@@ -177,30 +142,26 @@ void SimulatedArmWorker::step(const SimulatedFaults& faults) {
         m_jointDiscontinuity = m_skinDiscontinuity = true;
     }
     const core::ArmDemand demand =
-        m_drive.decide(stopped, m_generator->programDone(), m_config.clock->now_ns(), m_reference_rad);
+        m_drive.decide(stopped, m_generator->programDone(), m_link.now_ns(), m_reference_rad);
 
     core::JointSample sample;
     m_generator->next(demand, sample);
     const bool hasFrame = m_generator->skinFrame(m_values);
-    ++m_sinceEpoch;
+    m_link.count();
     m_reference_rad = sample.reference_rad;
-    sample.time_ns = m_config.clock->now_ns();
+    sample.time_ns = m_link.now_ns();
 
     // The skin first: who has the sample can have the frame that was read with it.
-    if (hasFrame && drops(faults))
+    if (hasFrame && m_link.happens(faults.dropShare))
         m_skin.lose(1);
     else if (hasFrame)
         deliverFrame(sample.time_ns);
-    if (drops(faults)) {
+    if (m_link.happens(faults.dropShare)) {
         m_joints.lose(1);
         return;
     }
     sample.discontinuity = std::exchange(m_jointDiscontinuity, false);
     m_joints.deliver(std::move(sample));
-}
-
-bool SimulatedArmWorker::drops(const SimulatedFaults& faults) {
-    return static_cast<double>(m_dropRandom() >> 11) * 0x1.0p-53 < faults.dropShare;
 }
 
 void SimulatedArmWorker::deliverFrame(std::int64_t now_ns) {

@@ -7,13 +7,11 @@
 #include "devices/simulated/arm_drive_control.h"
 #include "devices/simulated/joint_outlet.h"
 #include "devices/simulated/simulated_arm_config.h"
+#include "devices/simulated/simulated_link.h"
 
-#include <condition_variable>
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <random>
 #include <stop_token>
 #include <vector>
 
@@ -31,32 +29,28 @@ public:
     void open(core::Wakeup& consumer);
     void run(const std::stop_token& stop);
     /// Ends a wait of run(), so that it looks at its stop token and its faults.
-    void wake();
+    void wake() { m_link.wake(); }
 
-    void setFaults(const SimulatedFaults& faults);
-    [[nodiscard]] SimulatedFaults faults() const;
+    void setFaults(const SimulatedFaults& faults) { m_link.setFaults(faults); }
+    [[nodiscard]] SimulatedFaults faults() const { return m_link.faults(); }
 
     [[nodiscard]] const core::ArmDescription& description() const { return m_description; }
     [[nodiscard]] const core::SourceDescription& skinDescription() const { return m_skinDescription; }
     [[nodiscard]] ArmDriveControl& drive() { return m_drive; }
     [[nodiscard]] const ArmDriveControl& drive() const { return m_drive; }
-    [[nodiscard]] std::int64_t now_ns() const { return m_config.clock->now_ns(); }
+    [[nodiscard]] std::int64_t now_ns() const { return m_link.now_ns(); }
     [[nodiscard]] JointOutlet& joints() { return m_joints; }
     [[nodiscard]] const JointOutlet& joints() const { return m_joints; }
     [[nodiscard]] core::SourceOutlet& skin() { return m_skin; }
     [[nodiscard]] const core::SourceOutlet& skin() const { return m_skin; }
 
 private:
-    using Lock = std::unique_lock<std::mutex>;
-
     void connect();
     void obeyStop(std::int64_t now_ns);
-    void waitForPlug(Lock& lock, const std::stop_token& stop);
+    void waitForPlug(SimulatedLink::Lock& lock, const std::stop_token& stop);
     void setState(core::DeviceState state, const std::string& message = {});
-    [[nodiscard]] std::int64_t due_ns(double lag_s) const;
     void stepDue(const SimulatedFaults& faults, std::int64_t now_ns);
     void step(const SimulatedFaults& faults);
-    [[nodiscard]] bool drops(const SimulatedFaults& faults);
     void deliverFrame(std::int64_t now_ns);
 
     std::unique_ptr<core::ArmGenerator> m_generator;
@@ -67,18 +61,12 @@ private:
     ArmDriveControl m_drive;
     JointOutlet m_joints;
     core::SourceOutlet m_skin;
+    SimulatedLink m_link;
 
-    mutable std::mutex m_mutex;
-    std::condition_variable m_condition;
-    SimulatedFaults m_faults; ///< guarded by m_mutex
-
-    std::mt19937_64 m_dropRandom;
     std::vector<float> m_values;
     std::optional<core::JointArray> m_reference_rad; ///< of the newest step
-    std::int64_t m_epoch_ns = 0;
-    std::uint64_t m_sinceEpoch = 0;    ///< steps since the epoch
-    bool m_jointDiscontinuity = false; ///< of the next sample
-    bool m_skinDiscontinuity = false;  ///< of the next frame
+    bool m_jointDiscontinuity = false;               ///< of the next sample
+    bool m_skinDiscontinuity = false;                ///< of the next frame
 };
 
 } // namespace teleta::simulated

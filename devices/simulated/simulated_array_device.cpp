@@ -16,18 +16,11 @@ SimulatedArrayDevice::~SimulatedArrayDevice() {
 }
 
 void SimulatedArrayDevice::start(core::Wakeup& consumer) {
-    if (m_thread.joinable())
-        return;
-    m_worker.open(consumer);
-    m_thread = std::jthread([this](const std::stop_token& stop) { m_worker.run(stop); });
+    m_thread.start(m_worker, consumer);
 }
 
 void SimulatedArrayDevice::stop() {
-    if (!m_thread.joinable())
-        return;
-    m_thread.request_stop();
-    m_worker.wake();
-    m_thread.join();
+    m_thread.stop(m_worker);
 }
 
 } // namespace teleta::simulated

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "backend/core/device.h"
+#include "backend/core/device_thread.h"
 #include "backend/core/stop_switch.h"
 #include "devices/simulated/simulated_array_config.h"
 #include "devices/simulated/simulated_array_worker.h"
 
 #include <memory>
-#include <thread>
 
 namespace teleta::simulated {
 
@@ -36,7 +36,7 @@ public:
 private:
     core::SourceDescription m_description;
     SimulatedArrayWorker m_worker;
-    std::jthread m_thread;
+    core::DeviceThread m_thread;
 };
 
 } // namespace teleta::simulated

@@ -28,31 +28,29 @@ SimulatedArrayWorker::SimulatedArrayWorker(std::unique_ptr<core::FrameGenerator>
     , m_staleAfter_ns(m_config.staleAfter_s ? toNs(*m_config.staleAfter_s)
                                             : core::staleAfter_ns(m_description.nominalRate_Hz))
     , m_outlet(m_config.queueBlocks)
-    , m_faults(m_config.faults)
-    , m_dropRandom(m_config.faultSeed)
+    , m_link(m_config.clock, m_description.nominalRate_Hz, m_config.faults, m_config.faultSeed)
     , m_values(m_description.layout.taxels()) {
 }
 
 void SimulatedArrayWorker::open(core::Wakeup& consumer) {
-    m_outlet.open(consumer, m_config.clock->now_ns());
+    m_outlet.open(consumer, m_link.now_ns());
 }
 
 void SimulatedArrayWorker::run(const std::stop_token& stop) {
-    Lock lock(m_mutex);
+    SimulatedLink::Lock lock = m_link.lock();
     connect();
     bool silent = false;
     while (!stop.stop_requested()) {
-        const SimulatedFaults faults = m_faults;
+        const SimulatedFaults faults = m_link.faults(lock);
         if (faults.unplugged) {
             waitForPlug(lock, stop);
             continue;
         }
-        const std::int64_t now_ns = m_config.clock->now_ns();
-        if (std::exchange(silent, faults.silent) && !faults.silent) {
-            m_epoch_ns = now_ns;
-            m_sinceEpoch = 0;
-        }
-        const std::int64_t next_ns = faults.silent ? core::PacingClock::kNever_ns : due_ns(faults.lag_s);
+        const std::int64_t now_ns = m_link.now_ns();
+        if (std::exchange(silent, faults.silent) && !faults.silent)
+            m_link.restart();
+        const std::int64_t next_ns =
+            faults.silent ? core::PacingClock::kNever_ns : m_link.due_ns(faults.lag_s);
         if (next_ns <= now_ns) {
             lock.unlock();
             readDue(faults, now_ns);
@@ -67,75 +65,42 @@ void SimulatedArrayWorker::run(const std::stop_token& stop) {
             else
                 deadline_ns = std::min(deadline_ns, stale_ns);
         }
-        m_config.clock->waitUntil(m_condition, lock, deadline_ns);
+        m_link.waitUntil(lock, deadline_ns);
     }
-    m_outlet.setState(core::DeviceState::closed, m_config.clock->now_ns());
+    m_outlet.setState(core::DeviceState::closed, m_link.now_ns());
     m_discontinuity = true;
 }
 
-void SimulatedArrayWorker::wake() {
-    const std::scoped_lock lock(m_mutex);
-    m_condition.notify_all();
-}
-
-void SimulatedArrayWorker::setFaults(const SimulatedFaults& faults) {
-    const std::scoped_lock lock(m_mutex);
-    m_faults = faults;
-    m_condition.notify_all();
-}
-
-SimulatedFaults SimulatedArrayWorker::faults() const {
-    const std::scoped_lock lock(m_mutex);
-    return m_faults;
-}
-
 void SimulatedArrayWorker::connect() {
-    m_epoch_ns = m_config.clock->now_ns();
-    m_sinceEpoch = 0;
-    m_outlet.setState(core::DeviceState::connecting, m_epoch_ns);
+    m_link.restart();
+    m_outlet.setState(core::DeviceState::connecting, m_link.now_ns());
 }
 
-/// Behaves as a driver does whose device is gone: says so, then tries again less and less often.
-void SimulatedArrayWorker::waitForPlug(Lock& lock, const std::stop_token& stop) {
-    core::PacingClock& clock = *m_config.clock;
+void SimulatedArrayWorker::waitForPlug(SimulatedLink::Lock& lock, const std::stop_token& stop) {
     const std::string message =
         QCoreApplication::translate("SimulatedArrayDevice", "The device was unplugged.").toStdString();
-    m_outlet.setState(core::DeviceState::lost, clock.now_ns(), message);
-    for (std::int64_t retry_ns = kFirstRetry_ns;; retry_ns = std::min(2 * retry_ns, kLongestRetry_ns)) {
-        const std::int64_t deadline_ns = clock.now_ns() + retry_ns;
-        while (clock.now_ns() < deadline_ns) {
-            if (stop.stop_requested())
-                return;
-            clock.waitUntil(m_condition, lock, deadline_ns);
-        }
-        m_outlet.setState(core::DeviceState::reconnecting, clock.now_ns(), message);
-        if (!m_faults.unplugged)
-            break;
-    }
+    const auto enter = [&](core::DeviceState state) { m_outlet.setState(state, m_link.now_ns(), message); };
+    if (!m_link.waitForPlug(lock, stop, enter))
+        return;
     m_discontinuity = true;
     connect();
 }
 
-std::int64_t SimulatedArrayWorker::due_ns(double lag_s) const {
-    const double since_s = static_cast<double>(m_sinceEpoch + 1) / m_description.nominalRate_Hz;
-    return m_epoch_ns + toNs(since_s + (lag_s > 0.0 ? std::min(lag_s, kLongestLag_s) : 0.0));
-}
-
 void SimulatedArrayWorker::readDue(const SimulatedFaults& faults, std::int64_t now_ns) {
-    const std::int64_t late_ns = now_ns - due_ns(faults.lag_s);
+    const std::int64_t late_ns = now_ns - m_link.due_ns(faults.lag_s);
     if (late_ns > toNs(m_config.longestCatchUp_s))
-        m_epoch_ns += late_ns;
+        m_link.standStill(late_ns);
 
     core::SampleBlock block;
-    for (std::size_t i = 0; i < kFramesPerBlock && due_ns(faults.lag_s) <= now_ns; ++i) {
+    for (std::size_t i = 0; i < kFramesPerBlock && m_link.due_ns(faults.lag_s) <= now_ns; ++i) {
         m_generator->next(m_values, m_stopSwitch.engaged());
-        ++m_sinceEpoch;
-        if (static_cast<double>(m_dropRandom() >> 11) * 0x1.0p-53 < faults.dropShare) {
+        m_link.count();
+        if (m_link.happens(faults.dropShare)) {
             deliver(block); // frames of a block are consecutive
             m_outlet.lose(1);
             continue;
         }
-        block.time_ns.push_back(m_config.clock->now_ns());
+        block.time_ns.push_back(m_link.now_ns());
         block.sourceTime_s.push_back(m_generator->time_s());
         block.values.insert(block.values.end(), m_values.begin(), m_values.end());
     }

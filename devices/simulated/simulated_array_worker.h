@@ -5,12 +5,10 @@
 #include "backend/core/source_outlet.h"
 #include "backend/core/stop_switch.h"
 #include "devices/simulated/simulated_array_config.h"
+#include "devices/simulated/simulated_link.h"
 
-#include <condition_variable>
 #include <cstdint>
 #include <memory>
-#include <mutex>
-#include <random>
 #include <stop_token>
 #include <vector>
 
@@ -28,20 +26,17 @@ public:
     void open(core::Wakeup& consumer);
     void run(const std::stop_token& stop);
     /// Ends a wait of run(), so that it looks at its stop token and its faults.
-    void wake();
+    void wake() { m_link.wake(); }
 
-    void setFaults(const SimulatedFaults& faults);
-    [[nodiscard]] SimulatedFaults faults() const;
+    void setFaults(const SimulatedFaults& faults) { m_link.setFaults(faults); }
+    [[nodiscard]] SimulatedFaults faults() const { return m_link.faults(); }
 
     [[nodiscard]] core::SourceOutlet& outlet() { return m_outlet; }
     [[nodiscard]] const core::SourceOutlet& outlet() const { return m_outlet; }
 
 private:
-    using Lock = std::unique_lock<std::mutex>;
-
     void connect();
-    void waitForPlug(Lock& lock, const std::stop_token& stop);
-    [[nodiscard]] std::int64_t due_ns(double lag_s) const;
+    void waitForPlug(SimulatedLink::Lock& lock, const std::stop_token& stop);
     void readDue(const SimulatedFaults& faults, std::int64_t now_ns);
     void deliver(core::SampleBlock& block);
 
@@ -51,16 +46,10 @@ private:
     core::SourceDescription m_description;
     std::int64_t m_staleAfter_ns;
     core::SourceOutlet m_outlet;
+    SimulatedLink m_link;
 
-    mutable std::mutex m_mutex;
-    std::condition_variable m_condition;
-    SimulatedFaults m_faults; ///< guarded by m_mutex
-
-    std::mt19937_64 m_dropRandom;
     std::vector<float> m_values;
-    std::int64_t m_epoch_ns = 0;
-    std::uint64_t m_sinceEpoch = 0; ///< frames made since the epoch
-    bool m_discontinuity = false;   ///< of the next block
+    bool m_discontinuity = false; ///< of the next block
 };
 
 } // namespace teleta::simulated

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "backend/core/camera_source.h"
+#include "backend/core/device_thread.h"
 #include "devices/simulated/simulated_camera_worker.h"
 
 #include <memory>
-#include <thread>
 
 namespace teleta::simulated {
 
@@ -34,7 +34,7 @@ public:
 
 private:
     SimulatedCameraWorker m_worker;
-    std::jthread m_thread;
+    core::DeviceThread m_thread;
 };
 
 } // namespace teleta::simulated

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "backend/core/device.h"
+#include "backend/core/device_thread.h"
 #include "backend/core/error.h"
 #include "devices/wts/wts_config.h"
 #include "devices/wts/wts_worker.h"
 
 #include <memory>
-#include <thread>
 
 namespace teleta::wts {
 
@@ -43,7 +43,7 @@ private:
     core::SourceDescription m_description;
     MatrixInfo m_matrix;
     WtsWorker m_worker;
-    std::jthread m_thread;
+    core::DeviceThread m_thread;
 };
 
 } // namespace teleta::wts
