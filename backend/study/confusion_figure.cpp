@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/confusion_figure.h"
 
+#include "backend/study/watermark.h"
+
 #include <QCoreApplication>
 #include <QString>
 
@@ -40,7 +42,7 @@ QString heading(ConfusionValues values) {
     return FigureText::tr("Subject response, % and trials");
 }
 
-void drawCell(SvgCanvas& canvas, double x, double y, const ConfusionMatrix& matrix, std::size_t i,
+void drawCell(figure::SvgCanvas& canvas, double x, double y, const ConfusionMatrix& matrix, std::size_t i,
               std::size_t j, ConfusionValues values) {
     const std::optional<double> percent = matrix.rowPercent(i, j);
     const auto shade = 255 - std::lround(percent.value_or(0.0) * 2.0);
@@ -68,8 +70,9 @@ void drawCell(SvgCanvas& canvas, double x, double y, const ConfusionMatrix& matr
 
 } // namespace
 
-SvgCanvas confusionFigure(const ConfusionMatrix& matrix, const std::vector<std::string>& patterns,
-                          const std::string& title, ConfusionValues values, std::optional<Mode> mode) {
+figure::SvgCanvas confusionFigure(const ConfusionMatrix& matrix, const std::vector<std::string>& patterns,
+                                  const std::string& title, ConfusionValues values,
+                                  std::optional<Mode> mode) {
     const std::size_t columns = matrix.unanswered() > 0 ? matrix.columns() : matrix.patterns();
     const double tableWidth = kCell * static_cast<double>(columns);
     const QString name = QString::fromStdString(title);
@@ -77,12 +80,12 @@ SvgCanvas confusionFigure(const ConfusionMatrix& matrix, const std::vector<std::
                                   kLetterWidth * static_cast<double>(name.size()) + 2.0 * kMargin);
     const double height = kTop + kCell * static_cast<double>(matrix.patterns()) + kMargin;
     const QString bold = QStringLiteral("ink middle bold");
-    SvgCanvas canvas(width, height, name);
+    figure::SvgCanvas canvas(width, height, name);
     canvas.text(width / 2.0, 24.0, name, bold);
     canvas.text(kLeft + tableWidth / 2.0, 52.0, heading(values), bold);
     const double rowsMiddle = kTop + (height - kTop - kMargin) / 2.0;
     canvas.text(20.0, rowsMiddle, FigureText::tr("Actual pattern"), bold,
-                QStringLiteral("transform=\"rotate(-90 20 %1)\"").arg(svgNumber(rowsMiddle)));
+                QStringLiteral("transform=\"rotate(-90 20 %1)\"").arg(figure::svgNumber(rowsMiddle)));
     for (std::size_t j = 0; j < columns; ++j)
         canvas.text(kLeft + kCell * (static_cast<double>(j) + 0.5), 80.0,
                     j == matrix.noneColumn() ? QStringLiteral("NONE") : QString::fromStdString(patterns[j]),
@@ -93,7 +96,7 @@ SvgCanvas confusionFigure(const ConfusionMatrix& matrix, const std::vector<std::
         for (std::size_t j = 0; j < columns; ++j)
             drawCell(canvas, kLeft + kCell * static_cast<double>(j), y, matrix, i, j, values);
     }
-    canvas.watermark(mode);
+    canvas.watermark(watermarkOf(mode));
     return canvas;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/figure/svg_canvas.h"
 #include "backend/study/confusion_matrix.h"
-#include "backend/study/svg_canvas.h"
 #include "backend/study/trial.h"
 
 #include <optional>
@@ -21,10 +21,11 @@ enum class ConfusionValues {
 /// A confusion matrix in the layout of the paper's Tables 4-7: rows presented, columns answered, each cell
 /// the darker the larger its share of the row. The column NONE is there when it is needed. title: shown
 /// above. mode: others than run are written across. Thread: any.
-[[nodiscard]] SvgCanvas confusionFigure(const ConfusionMatrix& matrix,
-                                        const std::vector<std::string>& patterns, const std::string& title,
-                                        ConfusionValues values = ConfusionValues::percent,
-                                        std::optional<Mode> mode = {});
+[[nodiscard]] figure::SvgCanvas confusionFigure(const ConfusionMatrix& matrix,
+                                                const std::vector<std::string>& patterns,
+                                                const std::string& title,
+                                                ConfusionValues values = ConfusionValues::percent,
+                                                std::optional<Mode> mode = {});
 
 /// The same as a file of its own.
 [[nodiscard]] std::string confusionSvg(const ConfusionMatrix& matrix,

@@ -3,6 +3,7 @@
 
 #include "backend/core/output_file.h"
 #include "backend/study/confusion_figure.h"
+#include "backend/study/watermark.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -28,7 +29,7 @@ constexpr double kPlotRight = 20.0;
 constexpr double kDot = 5.0;
 
 QString series(std::size_t index) {
-    return QStringLiteral("series%1").arg(index % SvgCanvas::kSeries);
+    return QStringLiteral("series%1").arg(index % figure::SvgCanvas::kSeries);
 }
 
 QString classes(const QString& names) {
@@ -60,7 +61,7 @@ public:
         canvas.text(kPlotLeft + m_width / 2.0, 24.0, title, QStringLiteral("ink middle bold"));
         const double middle = kPlotTop + kPlotHeight / 2.0;
         canvas.text(20.0, middle, yTitle, QStringLiteral("ink middle"),
-                    QStringLiteral("transform=\"rotate(-90 20 %1)\"").arg(svgNumber(middle)));
+                    QStringLiteral("transform=\"rotate(-90 20 %1)\"").arg(figure::svgNumber(middle)));
         const double step = tickStep(top);
         for (int i = 0; i * step <= top * (1.0 + 1e-9); ++i) {
             const double value = i * step;
@@ -128,7 +129,7 @@ private:
     double m_top;
 
 public:
-    SvgCanvas canvas;
+    figure::SvgCanvas canvas;
 };
 
 std::vector<std::string> conditionsOf(const TaskResults& task) {
@@ -157,7 +158,7 @@ QString safeName(const std::string& name) {
 
 } // namespace
 
-SvgCanvas accuracyFigure(const TaskResults& task, std::optional<Mode> mode) {
+figure::SvgCanvas accuracyFigure(const TaskResults& task, std::optional<Mode> mode) {
     CategoryChart chart(titled(task, ChartText::tr("correct answers")), ChartText::tr("correct, %"),
                         conditionsOf(task), 130.0, 100.0);
     chart.level(100.0 / static_cast<double>(task.patterns.size()), ChartText::tr("chance"));
@@ -175,7 +176,7 @@ SvgCanvas accuracyFigure(const TaskResults& task, std::optional<Mode> mode) {
             chart.interval(chart.x(i, 22.0), inPercent(*group.accuracy->interval), series(i));
         chart.mark(i, chart.x(i, 22.0), chart.y(100.0 * group.accuracy->mean));
     }
-    chart.canvas.watermark(mode);
+    chart.canvas.watermark(watermarkOf(mode));
     return chart.canvas;
 }
 
@@ -191,7 +192,7 @@ std::vector<double> patternAccuracies(const TaskResults& task, const std::string
     return shares;
 }
 
-SvgCanvas patternFigure(const TaskResults& task, std::optional<Mode> mode) {
+figure::SvgCanvas patternFigure(const TaskResults& task, std::optional<Mode> mode) {
     const double between = 26.0;
     const auto conditions = static_cast<double>(task.groups.size());
     CategoryChart chart(titled(task, ChartText::tr("correct answers by pattern")),
@@ -209,11 +210,11 @@ SvgCanvas patternFigure(const TaskResults& task, std::optional<Mode> mode) {
         }
     }
     chart.legend(conditionsOf(task));
-    chart.canvas.watermark(mode);
+    chart.canvas.watermark(watermarkOf(mode));
     return chart.canvas;
 }
 
-SvgCanvas responseTimeFigure(const TaskResults& task, std::optional<Mode> mode) {
+figure::SvgCanvas responseTimeFigure(const TaskResults& task, std::optional<Mode> mode) {
     double longest_s = 0.0;
     for (const ParticipantSummary& person : task.participants)
         longest_s = std::max(longest_s, person.medianTime_s.value_or(0.0));
@@ -231,11 +232,11 @@ SvgCanvas responseTimeFigure(const TaskResults& task, std::optional<Mode> mode) 
         if (const std::optional<double> middle_s = median(medians_s))
             chart.mark(i, chart.x(i, 22.0), chart.y(*middle_s));
     }
-    chart.canvas.watermark(mode);
+    chart.canvas.watermark(watermarkOf(mode));
     return chart.canvas;
 }
 
-SvgCanvas transferFigure(const TaskResults& task, std::optional<Mode> mode) {
+figure::SvgCanvas transferFigure(const TaskResults& task, std::optional<Mode> mode) {
     const double most_bit = std::log2(static_cast<double>(task.patterns.size()));
     CategoryChart chart(titled(task, ChartText::tr("information transfer")), ChartText::tr("bit"),
                         conditionsOf(task), 150.0, std::max(0.5, std::ceil(2.0 * most_bit) / 2.0));
@@ -254,13 +255,13 @@ SvgCanvas transferFigure(const TaskResults& task, std::optional<Mode> mode) {
         chart.canvas.text(chart.x(i, 36.0), kPlotTop + kPlotHeight + 38.0, ChartText::tr("less bias"),
                           QStringLiteral("soft small middle"));
     }
-    chart.canvas.watermark(mode);
+    chart.canvas.watermark(watermarkOf(mode));
     return chart.canvas;
 }
 
 std::vector<StudyFigure> studyFigures(const std::vector<TaskResults>& results, std::optional<Mode> mode) {
     std::vector<StudyFigure> figures;
-    const auto add = [&](const QString& name, SvgCanvas picture) {
+    const auto add = [&](const QString& name, figure::SvgCanvas picture) {
         figures.push_back({name.toStdString(), std::move(picture)});
     };
     for (const TaskResults& task : results) {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "backend/core/error.h"
+#include "backend/figure/svg_canvas.h"
 #include "backend/study/study_results.h"
-#include "backend/study/svg_canvas.h"
 
 #include <functional>
 #include <optional>
@@ -13,17 +13,17 @@
 namespace teleta::study {
 
 /// Participants' shares of correct answers under each condition, their mean with its t interval, and chance.
-[[nodiscard]] SvgCanvas accuracyFigure(const TaskResults& task, std::optional<Mode> mode);
+[[nodiscard]] figure::SvgCanvas accuracyFigure(const TaskResults& task, std::optional<Mode> mode);
 
 /// Mean share of correct answers of each pattern, the conditions beside each other, with t intervals over
 /// participants.
-[[nodiscard]] SvgCanvas patternFigure(const TaskResults& task, std::optional<Mode> mode);
+[[nodiscard]] figure::SvgCanvas patternFigure(const TaskResults& task, std::optional<Mode> mode);
 
 /// Participants' median response times of correct answers under each condition, and the median of these.
-[[nodiscard]] SvgCanvas responseTimeFigure(const TaskResults& task, std::optional<Mode> mode);
+[[nodiscard]] figure::SvgCanvas responseTimeFigure(const TaskResults& task, std::optional<Mode> mode);
 
 /// Information transfer of the pooled answers as measured, with its bootstrap interval, and without bias.
-[[nodiscard]] SvgCanvas transferFigure(const TaskResults& task, std::optional<Mode> mode);
+[[nodiscard]] figure::SvgCanvas transferFigure(const TaskResults& task, std::optional<Mode> mode);
 
 /// Shares of correct answers of one pattern under one condition, one a participant who was presented it.
 [[nodiscard]] std::vector<double> patternAccuracies(const TaskResults& task, const std::string& condition,
@@ -32,7 +32,7 @@ namespace teleta::study {
 /// A picture and the name of its file, without an extension.
 struct StudyFigure {
     std::string name;
-    SvgCanvas picture;
+    figure::SvgCanvas picture;
 };
 
 /// Every picture of a study: confusion_TASK_CONDITION (percent) and confusion_counts_TASK_CONDITION of all

@@ -73,7 +73,7 @@ private:
     QString m_html;
 };
 
-QString figure(const SvgCanvas& picture, const QString& caption) {
+QString figure(const figure::SvgCanvas& picture, const QString& caption) {
     return QStringLiteral("<figure>\n%1<figcaption>%2</figcaption>\n</figure>\n")
         .arg(QString::fromStdString(picture.embedded()), caption);
 }
@@ -315,7 +315,7 @@ QString pageStyle() {
                "--paper:#17181b;--warn:#3a2f12}}"
                "@media print{:root{--ink:#000;--soft:#444;--grid:#bbb;--paper:#fff;--warn:#eee}"
                "body{max-width:none;padding:0;font-size:11px}figure,table{break-inside:avoid}}") +
-           SvgCanvas::style() +
+           figure::SvgCanvas::style() +
            QStringLiteral("text.ink{fill:var(--ink)}text.soft{fill:var(--soft)}line.ink{stroke:var(--ink)}"
                           "line.soft{stroke:var(--grid)}line.dashed{stroke:var(--soft)}");
 }

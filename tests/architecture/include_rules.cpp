@@ -36,7 +36,7 @@ const std::vector<Rule> kRules = {
     {"backend/pattern", {"backend/core"}, {"QtCore", "expected", "nlohmann_json", "libzip"}},
     {"backend/playback", {"backend/core", "backend/pattern"}, {"QtCore", "expected"}},
     {"backend/study",
-     {"backend/core", "backend/pattern", "backend/scene"},
+     {"backend/core", "backend/figure", "backend/pattern", "backend/scene"},
      {"QtCore", "QtSql", "posix", "expected", "toml++", "nlohmann_json", "Eigen", "Boost.Math"}},
     {"backend/motors",
      {"backend/core", "backend/pattern", "backend/scene", "backend/playback"},
@@ -56,7 +56,8 @@ const std::vector<Rule> kRules = {
      {"QtCore", "expected", "Eigen", "OpenCV"}},
     {"backend/scene_run",
      {"backend/core", "backend/contact", "backend/stiffness", "backend/contour", "backend/arm",
-      "backend/scene", "backend/servo", "backend/simulation", "backend/pipeline", "backend/vision"},
+      "backend/figure", "backend/scene", "backend/servo", "backend/simulation", "backend/pipeline",
+      "backend/vision"},
      {"QtCore", "expected", "Eigen", "nlohmann_json", "OpenCV"}},
 
     {"devices/camera", {"backend/core"}, {"QtCore", "posix", "expected", "OpenCV", "V4L2"}},

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/study/trial.h"
-
 #include <QString>
 
-#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
-namespace teleta::study {
+namespace teleta::figure {
 
 /// Draws a picture as SVG. Lengths are px, y points downwards. Colours are classes: ink, soft (grid lines and
 /// remarks) and series0 .. series5, so that a page can give them its own; a picture that stands alone has
@@ -29,8 +28,11 @@ public:
     /// A square that stands on a corner.
     void diamond(double x, double y, double radius, const QString& attributes);
 
-    /// Says across the picture that its data are not those of a study: PILOT or SIMULATED.
-    void watermark(std::optional<Mode> mode);
+    /// A line through points. attributes: its class and others; "hollow series0" draws it in that colour.
+    void path(const std::vector<std::pair<double, double>>& points, const QString& attributes);
+
+    /// Writes a word across the picture, such as SIMULATED; empty: nothing.
+    void watermark(const QString& word);
 
     /// A file of its own.
     [[nodiscard]] std::string standalone() const;
@@ -51,4 +53,4 @@ private:
 /// A length as SVG has it: C locale, two digits behind the point at most.
 [[nodiscard]] QString svgNumber(double value);
 
-} // namespace teleta::study
+} // namespace teleta::figure

@@ -1,21 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/svg_canvas.h"
-
-#include <QCoreApplication>
+#include "backend/figure/svg_canvas.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace teleta::study {
-
-namespace {
-
-struct CanvasText {
-    Q_DECLARE_TR_FUNCTIONS(StudyFigure)
-};
-
-} // namespace
+namespace teleta::figure {
 
 QString svgNumber(double value) {
     return QString::number(std::round(value * 100.0) / 100.0, 'g', 8);
@@ -56,10 +46,18 @@ void SvgCanvas::diamond(double x, double y, double radius, const QString& attrib
                        svgNumber(y + radius), svgNumber(x - radius), attributes);
 }
 
-void SvgCanvas::watermark(std::optional<Mode> mode) {
-    if (!mode || *mode == Mode::run)
+void SvgCanvas::path(const std::vector<std::pair<double, double>>& points, const QString& attributes) {
+    if (points.empty())
         return;
-    const QString word = *mode == Mode::pilot ? CanvasText::tr("PILOT") : CanvasText::tr("SIMULATED");
+    QString way;
+    for (const auto& [x, y] : points)
+        way += (way.isEmpty() ? u'M' : u'L') + svgNumber(x) + u' ' + svgNumber(y);
+    m_body += QStringLiteral("<path d=\"%1\" %2/>\n").arg(way, attributes);
+}
+
+void SvgCanvas::watermark(const QString& word) {
+    if (word.isEmpty())
+        return;
     // As wide as four fifths of the diagonal; a capital letter is about 0.72 as wide as its font is high.
     const double size = 0.8 * std::hypot(m_width, m_height) / (0.72 * static_cast<double>(word.size()));
     const double angle_deg = -std::atan2(m_height, m_width) * 180.0 / std::numbers::pi;
@@ -102,4 +100,4 @@ std::string SvgCanvas::embedded() const {
     return (head() + m_body + QStringLiteral("</svg>\n")).toStdString();
 }
 
-} // namespace teleta::study
+} // namespace teleta::figure
