@@ -68,18 +68,21 @@ void SvgCanvas::watermark(const QString& word) {
                   svgNumber(m_height / 2.0)));
 }
 
-QString SvgCanvas::style() {
-    return QStringLiteral(
-        ".middle{text-anchor:middle}.end{text-anchor:end}.bold{font-weight:bold}.small{font-size:12px}"
-        "text.ink{fill:#1b1b1f}text.soft{fill:#5c5f66}line.ink{stroke:#1b1b1f;stroke-width:1}"
-        "line.soft{stroke:#d4d6da;stroke-width:1}line.dashed{stroke:#5c5f66;stroke-width:1.5;"
-        "stroke-dasharray:6 4}line.series0{stroke:#0072b2}line.series1{stroke:#d55e00}"
-        "line.series2{stroke:#009e73}line.series3{stroke:#cc79a7}line.series4{stroke:#e69f00}"
-        "line.series5{stroke:#56b4e9}line.bar{stroke-width:2}.series0{fill:#0072b2}.series1{fill:#d55e00}"
-        ".series2{fill:#009e73}.series3{fill:#cc79a7}.series4{fill:#e69f00}.series5{fill:#56b4e9}"
-        ".faint{fill-opacity:0.35}.hollow{fill:none;stroke-width:2}.hollow.series0{stroke:#0072b2}"
-        ".hollow.series1{stroke:#d55e00}.hollow.series2{stroke:#009e73}.hollow.series3{stroke:#cc79a7}"
-        ".hollow.series4{stroke:#e69f00}.hollow.series5{stroke:#56b4e9}");
+QString SvgCanvas::style(const SvgColours& colours) {
+    QString style =
+        QStringLiteral(".middle{text-anchor:middle}.end{text-anchor:end}.bold{font-weight:bold}"
+                       ".small{font-size:12px}text.ink{fill:%1}text.soft{fill:%2}"
+                       "line.ink{stroke:%1;stroke-width:1}line.soft{stroke:%3;stroke-width:1}"
+                       "line.dashed{stroke:%2;stroke-width:1.5;stroke-dasharray:6 4}"
+                       "path.dashed{fill:none;stroke:%2;stroke-width:1.2;stroke-dasharray:6 4}"
+                       "path.dotted{fill:none;stroke:%1;stroke-width:1.2;stroke-dasharray:2 3}"
+                       "line.bar{stroke-width:2}.faint{fill-opacity:0.35}.hollow{fill:none;stroke-width:2}")
+            .arg(colours.ink, colours.soft, colours.grid);
+    for (std::size_t i = 0; i < kSeries; ++i)
+        style += QStringLiteral("line.series%1,.hollow.series%1{stroke:%2}.series%1{fill:%2}"
+                                ".hollow.series%1{fill:none}")
+                     .arg(QString::number(i), colours.series[i]);
+    return style;
 }
 
 QString SvgCanvas::head() const {
@@ -89,10 +92,10 @@ QString SvgCanvas::head() const {
         .arg(svgNumber(m_width), svgNumber(m_height), m_title.toHtmlEscaped());
 }
 
-std::string SvgCanvas::standalone() const {
+std::string SvgCanvas::standalone(const SvgColours& colours) const {
     const QString paper =
-        QStringLiteral("<style>%1</style>\n<rect width=\"%2\" height=\"%3\" fill=\"white\"/>\n")
-            .arg(style(), svgNumber(m_width), svgNumber(m_height));
+        QStringLiteral("<style>%1</style>\n<rect width=\"%2\" height=\"%3\" fill=\"%4\"/>\n")
+            .arg(style(colours), svgNumber(m_width), svgNumber(m_height), colours.paper);
     return (head() + paper + m_body + QStringLiteral("</svg>\n")).toStdString();
 }
 

@@ -3,18 +3,33 @@
 
 #include <QString>
 
+#include <array>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace teleta::figure {
 
+inline constexpr std::size_t kSvgSeries = 6;
+
+/// The colours of a picture, as SVG has them; as they are here, for white paper.
+struct SvgColours {
+    QString paper = QStringLiteral("#ffffff");
+    QString ink = QStringLiteral("#1b1b1f");
+    QString soft = QStringLiteral("#5c5f66"); ///< of remarks and references
+    QString grid = QStringLiteral("#d4d6da");
+    std::array<QString, kSvgSeries> series{QStringLiteral("#0072b2"), QStringLiteral("#d55e00"),
+                                           QStringLiteral("#009e73"), QStringLiteral("#cc79a7"),
+                                           QStringLiteral("#e69f00"), QStringLiteral("#56b4e9")};
+};
+
 /// Draws a picture as SVG. Lengths are px, y points downwards. Colours are classes: ink, soft (grid lines and
 /// remarks) and series0 .. series5, so that a page can give them its own; a picture that stands alone has
 /// them on white. Thread: one.
 class SvgCanvas {
 public:
-    static constexpr int kSeries = 6;
+    static constexpr std::size_t kSeries = kSvgSeries;
 
     /// title: what the picture shows, for readers who do not see it.
     SvgCanvas(double width, double height, const QString& title);
@@ -28,18 +43,19 @@ public:
     /// A square that stands on a corner.
     void diamond(double x, double y, double radius, const QString& attributes);
 
-    /// A line through points. attributes: its class and others; "hollow series0" draws it in that colour.
+    /// A line through points. attributes: its class and others; "hollow series0" draws it in that colour,
+    /// "dashed" and "dotted" as a reference.
     void path(const std::vector<std::pair<double, double>>& points, const QString& attributes);
 
     /// Writes a word across the picture, such as SIMULATED; empty: nothing.
     void watermark(const QString& word);
 
     /// A file of its own.
-    [[nodiscard]] std::string standalone() const;
+    [[nodiscard]] std::string standalone(const SvgColours& colours = {}) const;
     /// A part of a page that has style().
     [[nodiscard]] std::string embedded() const;
 
-    [[nodiscard]] static QString style();
+    [[nodiscard]] static QString style(const SvgColours& colours = {});
 
 private:
     [[nodiscard]] QString head() const;

@@ -42,6 +42,9 @@ const std::vector<Rule> kRules = {
      {"backend/core", "backend/pattern", "backend/scene", "backend/playback"},
      {"QtCore", "expected", "Eigen"}},
     {"backend/figure", {"backend/core"}, {"QtCore", "expected", "librsvg", "cairo"}},
+    {"backend/servo_figure",
+     {"backend/core", "backend/figure", "backend/servo"},
+     {"QtCore", "expected", "Eigen"}},
     // Services.
     {"backend/scene", {"backend/core"}, {"QtCore", "expected", "toml++"}},
     {"backend/pipeline",
@@ -56,8 +59,7 @@ const std::vector<Rule> kRules = {
      {"QtCore", "expected", "Eigen", "OpenCV"}},
     {"backend/scene_run",
      {"backend/core", "backend/contact", "backend/stiffness", "backend/contour", "backend/arm",
-      "backend/figure", "backend/scene", "backend/servo", "backend/simulation", "backend/pipeline",
-      "backend/vision"},
+      "backend/scene", "backend/servo", "backend/simulation", "backend/pipeline", "backend/vision"},
      {"QtCore", "expected", "Eigen", "nlohmann_json", "OpenCV"}},
 
     {"devices/camera", {"backend/core"}, {"QtCore", "posix", "expected", "OpenCV", "V4L2"}},
@@ -81,7 +83,7 @@ const std::vector<Rule> kRules = {
     {"widgets/camera", {"backend", "widgets/base"}, {"QtCore", "QtGui", "QtWidgets", "Eigen"}},
     {"widgets/bracelet", {"backend", "widgets/base"}, {"QtCore", "QtGui", "QtWidgets"}},
     {"widgets/pattern", {"backend", "widgets/base"}, {"QtCore", "QtGui", "QtWidgets"}},
-    {"widgets/servo", {"backend", "widgets/base"}, {"QtCore", "QtGui", "QtWidgets", "Eigen"}},
+    {"widgets/servo", {"backend", "widgets/base"}, {"QtCore", "QtGui", "QtWidgets", "QtSvg", "Eigen"}},
     {"widgets/study", {"backend", "widgets/base"}, {"QtCore", "QtGui", "QtWidgets", "expected"}},
     {"widgets/calibrate",
      {"backend", "widgets/base"},

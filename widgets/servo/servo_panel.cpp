@@ -2,6 +2,7 @@
 #include "widgets/servo/servo_panel.h"
 
 #include "widgets/base/theme.h"
+#include "widgets/servo/force_strip.h"
 #include "widgets/servo/servo_picture.h"
 #include "widgets/servo/servo_texts.h"
 
@@ -45,6 +46,8 @@ ServoPanel::ServoPanel(QWidget* parent)
     , m_contact(new QLabel(this))
     , m_limits(new QLabel(this))
     , m_picture(new ServoPicture(this))
+    , m_force20s(new ForceStrip(this))
+    , m_cost(new QLabel(this))
     , m_form(new QFormLayout)
     , m_tasks(new QComboBox(this))
     , m_force(spinBox(this, ServoTuning::kLeastForce_N, ServoTuning::kHighestForce_N, 0.5, 1))
@@ -57,6 +60,8 @@ ServoPanel::ServoPanel(QWidget* parent)
     m_provenance->hide();
     m_task->setFont(base::sized(font(), base::kLargeText));
     m_limits->setWordWrap(true);
+    m_cost->setWordWrap(true);
+    m_cost->setFont(base::sized(font(), base::kSmallText));
     m_force->setObjectName(QStringLiteral("servoForce"));
     m_slide->setObjectName(QStringLiteral("servoSlide"));
     m_gain->setObjectName(QStringLiteral("servoGain"));
@@ -74,6 +79,7 @@ ServoPanel::ServoPanel(QWidget* parent)
     layout->addWidget(m_task);
     layout->addWidget(m_contact);
     layout->addWidget(m_limits);
+    layout->addWidget(m_force20s);
     layout->addWidget(m_picture);
     for (QWidget* field : {static_cast<QWidget*>(m_tasks), static_cast<QWidget*>(m_force),
                            static_cast<QWidget*>(m_slide), static_cast<QWidget*>(m_gain)}) {
@@ -83,6 +89,7 @@ ServoPanel::ServoPanel(QWidget* parent)
     }
     m_form->addRow(m_moment);
     layout->addLayout(m_form);
+    layout->addWidget(m_cost);
     layout->addStretch(1);
 
     const auto wish = [this] {
@@ -120,9 +127,14 @@ QString ServoPanel::limitText() const {
     return m_limits->text();
 }
 
+QString ServoPanel::costText() const {
+    return m_cost->text();
+}
+
 void ServoPanel::setReport(const std::optional<ServoReport>& report) {
     m_report = report;
     m_picture->setReport(report);
+    m_force20s->setReport(report);
     setEnabled(report.has_value());
     if (!report)
         m_wish.reset();
@@ -150,8 +162,10 @@ void ServoPanel::showTexts() {
         m_task->setText(tr("No servo"));
         m_contact->clear();
         m_limits->clear();
+        m_cost->clear();
         return;
     }
+    m_cost->setText(ServoTexts::cost(m_report->times, m_report->rate_Hz));
     const ServoOutput& output = m_report->output;
     m_task->setText(m_report->stopped ? tr("STOP: the arm is held") : ServoTexts::task(output.kind));
     paint(m_task, m_report->stopped ? colours.lost : palette().color(QPalette::WindowText));

@@ -17,6 +17,7 @@ class QLabel;
 
 namespace teleta::servo {
 
+class ForceStrip;
 class ServoPicture;
 
 /// A running servo: its task, its contact, the limits that act, its features and matrices, and what of it can
@@ -37,6 +38,7 @@ public:
     /// The lines of text, for tests.
     [[nodiscard]] QString taskText() const;
     [[nodiscard]] QString limitText() const;
+    [[nodiscard]] QString costText() const;
 
 signals:
     void tuningChanged(const teleta::servo::ServoTuning& tuning);
@@ -56,6 +58,8 @@ private:
     QLabel* m_contact;
     QLabel* m_limits;
     ServoPicture* m_picture;
+    ForceStrip* m_force20s;
+    QLabel* m_cost;
     QFormLayout* m_form;
     QComboBox* m_tasks;
     QDoubleSpinBox* m_force;

@@ -73,6 +73,22 @@ QString ServoTexts::limits(const ActiveLimits& limits) {
     return names.join(tr(", ", "between the limits that act"));
 }
 
+QString ServoTexts::cost(const CycleTimes& times, double rate_Hz) {
+    const double sum_s = times.sum_s();
+    if (times.cycles == 0 || !(sum_s > 0.0))
+        return {};
+    const auto share = [&](CyclePart part) {
+        return QString::number(100.0 * times.part_s[static_cast<std::size_t>(part)] / sum_s, 'f', 0);
+    };
+    const double cycle_s = sum_s / static_cast<double>(times.cycles);
+    return tr("Simulated cycle: %1 \u00b5s, %2 times real time. Contact %3 %, kinematics %4 %, features %5 "
+              "%, "
+              "control %6 %, dynamics %7 %.")
+        .arg(QString::number(1e6 * cycle_s, 'f', 1), QString::number(1.0 / (cycle_s * rate_Hz), 'f', 0),
+             share(CyclePart::contact), share(CyclePart::kinematics), share(CyclePart::features),
+             share(CyclePart::control), share(CyclePart::dynamics));
+}
+
 QString ServoTexts::feature(int row, bool edge) {
     switch (row) {
     case kX:

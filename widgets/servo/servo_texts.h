@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/servo/cycle_times.h"
 #include "backend/servo/servo_controller.h"
 
 #include <QCoreApplication>
@@ -18,6 +19,8 @@ public:
     [[nodiscard]] static QString limit(Limit limit);
     /// Those that act, separated by commas; empty: none.
     [[nodiscard]] static QString limits(const ActiveLimits& limits);
+    /// What a simulated cycle takes and on what it is spent; empty when no cycle was timed.
+    [[nodiscard]] static QString cost(const CycleTimes& times, double rate_Hz);
     /// What row 0..5 of the features is, for an edge or a point.
     [[nodiscard]] static QString feature(int row, bool edge);
 };

@@ -7,8 +7,11 @@
 #include "app/cli/progress_bar.h"
 #include "app/cli/validators.h"
 #include "app/common/scene_file.h"
+#include "backend/core/output_file.h"
+#include "backend/figure/figure_file.h"
 #include "backend/scene_run/effect_ablation.h"
 #include "backend/scene_run/scene_run.h"
+#include "backend/servo_figure/servo_figure.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -118,6 +121,21 @@ void SimulateCommand::declare(CLI::App& app) {
                        "SimulateCommand",
                        "Folder for summary.json and the recorded data as CSV; with --ablate the CSV file")))
         ->type_name("DIR");
+    CLI::Option* figures =
+        app.add_option("--figures", m_figures,
+                       help(QT_TRANSLATE_NOOP("SimulateCommand",
+                                              "Formats of the chart of a servo run in --out, separated by "
+                                              "commas")))
+            ->type_name("svg|pdf|png")
+            ->delimiter(',')
+            ->check(CLI::IsMember({"svg", "pdf", "png"}).description(""))
+            ->needs("--out");
+    app.add_option("--compare", m_compare,
+                   help(QT_TRANSLATE_NOOP("SimulateCommand",
+                                          "Folders of earlier servo runs for the same chart, up to five")))
+        ->type_name("DIR")
+        ->expected(1, 5)
+        ->needs(figures);
     CLI::Option* ablate = app.add_flag(
         "--ablate", m_ablate,
         help(QT_TRANSLATE_NOOP(
@@ -150,6 +168,32 @@ core::Expected<void> SimulateCommand::ablate(const scene::Scene& scene) const {
     return printAblation(*ablation, {.json = m_json, .outPath = m_outFolder});
 }
 
+core::Expected<void> SimulateCommand::writeFigures() const {
+    std::vector<servo::ServoCurves> runs;
+    for (const std::vector<std::string>& folders : {std::vector{m_outFolder}, m_compare})
+        for (const std::string& folder : folders) {
+            core::Expected<servo::ServoCurves> run = servo::readServoCurves(folder);
+            if (!run)
+                return core::Unexpected(run.error());
+            runs.push_back(std::move(*run));
+        }
+    const std::string svg = servo::servoFigure(runs).standalone();
+    for (const std::string& format : m_figures) {
+        const core::Expected<std::string> bytes = format == "pdf"   ? figure::pdfOf(svg)
+                                                  : format == "png" ? figure::pngOf(svg)
+                                                                    : core::Expected<std::string>(svg);
+        if (!bytes)
+            return core::Unexpected(bytes.error());
+        core::Expected<core::OutputFile> file = core::OutputFile::create(m_outFolder + "/servo." + format);
+        if (!file)
+            return core::Unexpected(file.error());
+        file->write(*bytes);
+        if (const core::Expected<void> written = file->finish(); !written)
+            return written;
+    }
+    return {};
+}
+
 core::Expected<void> SimulateCommand::run() {
     if (m_list)
         return printScenes(m_json);
@@ -160,6 +204,8 @@ core::Expected<void> SimulateCommand::run() {
         return core::Unexpected(scene.error());
     if (m_ablate)
         return ablate(*scene);
+    if (!m_figures.empty() && !scene->isServo())
+        throw CLI::ValidationError("--figures", SimulateText::tr("is for scenes of a servo").toStdString());
 
     // Nothing is printed before the end, so the bar may share the terminal with the results.
     ProgressBar progress(ProgressBar::Unit::simulatedSeconds, false);
@@ -176,6 +222,9 @@ core::Expected<void> SimulateCommand::run() {
     progress.erase();
     if (!summary)
         return core::Unexpected(summary.error());
+    if (!m_figures.empty())
+        if (const core::Expected<void> drawn = writeFigures(); !drawn)
+            return drawn;
     const core::Expected<void> printed = m_json ? printDocument(summary->toJson()) : printTable(*summary);
     if (!printed)
         return printed;

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace teleta::cli {
 
@@ -21,6 +22,7 @@ public:
 
 private:
     [[nodiscard]] core::Expected<void> ablate(const scene::Scene& scene) const;
+    [[nodiscard]] core::Expected<void> writeFigures() const;
 
     std::string m_scenePath;
     bool m_list = false;
@@ -30,6 +32,8 @@ private:
     bool m_json = false;
     bool m_ablate = false;
     std::uint64_t m_seeds = 8;
+    std::vector<std::string> m_figures;
+    std::vector<std::string> m_compare; ///< folders of earlier runs
 };
 
 } // namespace teleta::cli

@@ -77,6 +77,24 @@ TEST_F(SimulateCommand, leavesOutOneEffectAtATimeAndTellsWhatMoves) {
     EXPECT_EQ(run({"simulate", kScenes + "tactile-indenter.toml", "--ablate", "--seeds", "1"}).exitCode, 2);
 }
 
+TEST_F(SimulateCommand, drawsServoRunsInOneChart) {
+    const std::string first = m_folder.path("first");
+    const std::string second = m_folder.path("second");
+    simulate("servo-point.toml", {"--duration", "1", "--out", first});
+    simulate("servo-point.toml",
+             {"--duration", "1", "--seed", "2", "--out", second, "--figures", "svg,png", "--compare", first});
+    const std::string svg = readAll(second + "/servo.svg");
+    EXPECT_NE(svg.find(">first<"), std::string::npos);
+    EXPECT_NE(svg.find(">second<"), std::string::npos);
+    EXPECT_EQ(readAll(second + "/servo.png").substr(1, 3), "PNG");
+    EXPECT_EQ(run({"simulate", kScenes + "tactile-indenter.toml", "--duration", "0.1", "--out", second,
+                   "--figures", "svg"})
+                  .exitCode,
+              2);
+    EXPECT_EQ(run({"simulate", kScenes + "servo-point.toml", "--figures", "svg"}).exitCode, 2)
+        << "there is no folder for it";
+}
+
 TEST_F(SimulateCommand, sharesTheTimeOfAServoBetweenItsParts) {
     const ordered_json parts = simulate("servo-point.toml", {"--duration", "2"})["parts"];
     ASSERT_EQ(parts.size(), 5U);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/test_registry.h"
+#include "widgets/servo/force_strip.h"
 #include "widgets/servo/servo_panel.h"
 #include "widgets/servo/servo_picture.h"
 #include "widgets/servo/servo_texts.h"
@@ -67,6 +68,46 @@ private slots:
         report.stopped = true;
         panel.setReport(report);
         QCOMPARE(panel.taskText(), QStringLiteral("STOP: the arm is held"));
+    }
+
+    void theForceIsKeptFor20sAndForgottenWithAnotherRun() {
+        ForceStrip strip;
+        strip.resize(strip.sizeHint());
+        const QImage empty = strip.grab().toImage();
+        ServoReport report = exploring();
+        for (int i = 0; i <= 300; ++i) {
+            report.time_s = 0.1 * i;
+            strip.setReport(report);
+            strip.setReport(report);
+        }
+        QCOMPARE(strip.steps(), std::size_t{201}); // both ends of 20 s
+        const QImage picture = strip.grab().toImage();
+        int inked = 0;
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = picture.width() / 4; x < picture.width(); ++x)
+                inked += picture.pixel(x, y) != empty.pixel(x, y) ? 1 : 0;
+        QVERIFY(inked > picture.width() / 3); // a level line
+        ++report.restarts;
+        strip.setReport(report);
+        QCOMPARE(strip.steps(), std::size_t{1});
+        strip.setReport(std::nullopt);
+        QCOMPARE(strip.steps(), std::size_t{0});
+    }
+
+    void whatACycleTakesIsToldWhenItIsKnown() {
+        ServoPanel panel;
+        ServoReport report = exploring();
+        panel.setReport(report);
+        QVERIFY(panel.costText().isEmpty());
+        report.rate_Hz = 1000.0;
+        report.times.cycles = 2;
+        report.times.of(CyclePart::contact) = 12e-6;
+        report.times.of(CyclePart::dynamics) = 8e-6;
+        panel.setReport(report);
+        QCOMPARE(panel.costText(),
+                 QStringLiteral(
+                     "Simulated cycle: 10.0 \u00b5s, 100 times real time. Contact 60 %, kinematics 0 %, "
+                     "features 0 %, control 0 %, dynamics 40 %."));
     }
 
     void aServoThatIsNotRealSaysSo() {

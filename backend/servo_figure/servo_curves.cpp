@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/servo_figure/servo_curves.h"
+
+#include "backend/core/csv_reader.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QString>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace teleta::servo {
+
+namespace {
+
+struct CurvesText {
+    Q_DECLARE_TR_FUNCTIONS(ServoCurves)
+};
+
+constexpr std::array kVectors{&ServoCurves::time_s,        &ServoCurves::force_N,
+                              &ServoCurves::desired_N,     &ServoCurves::copY_m,
+                              &ServoCurves::copYDesired_m, &ServoCurves::cocX_m,
+                              &ServoCurves::dzmpY_m,       &ServoCurves::dzmpYTrue_m,
+                              &ServoCurves::alphaZ_rad,    &ServoCurves::alphaZDesired_rad,
+                              &ServoCurves::x_m,           &ServoCurves::y_m,
+                              &ServoCurves::z_m,           &ServoCurves::way_m};
+
+constexpr std::array<std::string_view, 15> kNames{"time_s",
+                                                  "force_true_N",
+                                                  "force_desired_N",
+                                                  "cop_y_m",
+                                                  "cop_y_desired_m",
+                                                  "coc_x_m",
+                                                  "dzmp_y_m",
+                                                  "dzmp_y_true_m",
+                                                  "alpha_z_rad",
+                                                  "alpha_z_desired_rad",
+                                                  "x_m",
+                                                  "y_m",
+                                                  "z_m",
+                                                  "phase",
+                                                  "contact"};
+constexpr std::size_t kNumbers = 13;
+
+/// A number, or NaN for one that is not defined; nothing for anything else.
+std::optional<double> numberOf(std::string_view text) {
+    if (text == "NA" || text.empty())
+        return std::numeric_limits<double>::quiet_NaN();
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size())
+        return std::nullopt;
+    return value;
+}
+
+core::Error noNumber(const core::CsvReader& csv, std::size_t column) {
+    core::Error error;
+    error.kind = core::ErrorKind::badInput;
+    error.message = CurvesText::tr("this is no number").toStdString();
+    error.expected = CurvesText::tr("a number, or NA").toStdString();
+    error.where = csv.place(column);
+    return error;
+}
+
+} // namespace
+
+void ServoCurves::add(const ServoStep& step, std::string_view phase) {
+    if (phases.empty() || phases.back().second != phase)
+        phases.emplace_back(step.time_s, std::string(phase));
+    if (!m_start_m && step.touching)
+        m_start_m = step.p_Base_Sensor;
+    const Eigen::Vector3d way = m_start_m ? Eigen::Vector3d(step.p_Base_Sensor - *m_start_m)
+                                          : Eigen::Vector3d::Constant(ServoStep::kNone);
+    const std::array<double, kVectors.size()> values{
+        step.time_s, step.force_N, step.desired_N,   step.copY_m,     step.copYDesired_m,
+        step.cocX_m, step.dzmpY_m, step.dzmpYTrue_m, step.alphaZ_rad, step.alphaZDesired_rad,
+        way.x(),     way.y(),      way.z(),          way.norm()};
+    for (std::size_t i = 0; i < kVectors.size(); ++i)
+        (this->*kVectors[i]).push_back(values[i]);
+}
+
+void ServoCurves::thin() {
+    for (const auto vector : kVectors) {
+        std::vector<double>& values = this->*vector;
+        const std::size_t left = (values.size() + 1) / 2;
+        for (std::size_t i = 0; i < left; ++i)
+            values[i] = values[2 * i];
+        values.resize(left);
+    }
+}
+
+core::Expected<ServoCurves> readServoCurves(const std::string& path) {
+    const QFileInfo info(QString::fromStdString(path));
+    const QString file =
+        info.isDir() ? QDir(info.filePath()).filePath(QStringLiteral("servo.csv")) : info.filePath();
+    core::Expected<core::CsvReader> csv = core::CsvReader::open(file.toStdString());
+    if (!csv)
+        return core::Unexpected(csv.error());
+    const core::Expected<std::vector<std::size_t>> columns = csv->columns(kNames);
+    if (!columns)
+        return core::Unexpected(columns.error());
+
+    ServoCurves curves;
+    curves.name = QFileInfo(QFileInfo(file).absolutePath()).fileName().toStdString();
+    std::vector<std::string_view> fields;
+    while (true) {
+        const core::Expected<bool> more = csv->nextText(fields);
+        if (!more)
+            return core::Unexpected(more.error());
+        if (!*more)
+            return curves;
+        std::array<double, kNumbers> row{};
+        for (std::size_t i = 0; i < kNumbers; ++i) {
+            const std::optional<double> value = numberOf(fields[(*columns)[i]]);
+            if (!value)
+                return core::Unexpected(noNumber(*csv, (*columns)[i]));
+            row[i] = *value;
+        }
+        ServoStep step;
+        step.time_s = row[0];
+        step.touching = fields[(*columns)[14]] == "touching";
+        step.force_N = row[1];
+        step.desired_N = row[2];
+        step.copY_m = row[3];
+        step.copYDesired_m = row[4];
+        step.cocX_m = row[5];
+        step.dzmpY_m = row[6];
+        step.dzmpYTrue_m = row[7];
+        step.alphaZ_rad = row[8];
+        step.alphaZDesired_rad = row[9];
+        step.p_Base_Sensor = {row[10], row[11], row[12]};
+        curves.add(step, fields[(*columns)[13]]);
+    }
+}
+
+} // namespace teleta::servo

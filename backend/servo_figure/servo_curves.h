@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/error.h"
+#include "backend/servo/servo_step.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace teleta::servo {
+
+/// What a figure shows of a servo run, one entry a step. What is not defined is NaN. Thread: one.
+struct ServoCurves {
+    std::string name;
+    bool simulated = true;
+    std::vector<double> time_s;
+    std::vector<double> force_N;
+    std::vector<double> desired_N;
+    std::vector<double> copY_m;
+    std::vector<double> copYDesired_m;
+    std::vector<double> cocX_m;
+    std::vector<double> dzmpY_m;
+    std::vector<double> dzmpYTrue_m;
+    std::vector<double> alphaZ_rad;
+    std::vector<double> alphaZDesired_rad;
+    /// Of the array in the base, from where it was first in contact; NaN before.
+    std::vector<double> x_m, y_m, z_m;
+    std::vector<double> way_m;                          ///< the length of that
+    std::vector<std::pair<double, std::string>> phases; ///< when each one began
+
+    void add(const ServoStep& step, std::string_view phase);
+    /// Keeps every second entry; the phases stay.
+    void thin();
+
+private:
+    std::optional<Eigen::Vector3d> m_start_m;
+};
+
+/// Reads a run that `teleta simulate --out` has written. path: its folder or its servo.csv; the folder names
+/// the run. Error: badInput with line and column, notFound.
+[[nodiscard]] core::Expected<ServoCurves> readServoCurves(const std::string& path);
+
+} // namespace teleta::servo

@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/servo_figure/servo_figure.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+namespace teleta::servo {
+
+namespace {
+
+constexpr double kPlotLeft = 78.0;
+constexpr double kLegendTop = 44.0;
+constexpr double kLegendRow = 18.0;
+constexpr double kBetweenLanes = 18.0;
+constexpr double kRight = 22.0;
+constexpr double kBottom = 46.0;
+constexpr double kLeastSize = 400.0;
+constexpr double kLetter = 7.0;     ///< about the width of one in small text
+constexpr double kSwatch = 22.0;    ///< length of a line in the legend
+constexpr double kPxPerTick = 22.0; ///< about so far apart are those of a lane
+constexpr double kPxPerTimeTick = 90.0;
+
+struct FigureText {
+    Q_DECLARE_TR_FUNCTIONS(ServoFigure)
+};
+
+using Values = std::vector<double> ServoCurves::*;
+
+struct Line {
+    Values values;
+    QString name; ///< written into the lane; empty: not
+};
+
+struct Lane {
+    QString name;
+    double factor;            ///< from SI to what is shown
+    double leastSpan;         ///< in shown units
+    std::vector<Line> lines;  ///< of each run
+    Values desired = nullptr; ///< of the first run
+    Values truth = nullptr;   ///< of a run alone
+};
+
+std::vector<Lane> lanesFor(bool alone) {
+    std::vector<Lane> lanes{
+        {FigureText::tr("Force, N"), 1.0, 1.0, {{&ServoCurves::force_N, {}}}, &ServoCurves::desired_N},
+        {FigureText::tr("CoP y, mm"), 1e3, 1.0, {{&ServoCurves::copY_m, {}}}, &ServoCurves::copYDesired_m},
+        {FigureText::tr("CoC x, mm"), 1e3, 1.0, {{&ServoCurves::cocX_m, {}}}},
+        {FigureText::tr("DZMP y, mm"), 1e3, 1.0, {{&ServoCurves::dzmpY_m, {}}}},
+        {FigureText::tr("\u03b1 z, \u00b0"),
+         180.0 / std::numbers::pi,
+         2.0,
+         {{&ServoCurves::alphaZ_rad, {}}},
+         &ServoCurves::alphaZDesired_rad}};
+    if (alone) {
+        lanes[3].truth = &ServoCurves::dzmpYTrue_m;
+        lanes.push_back({FigureText::tr("Way, mm"),
+                         1e3,
+                         1.0,
+                         {{&ServoCurves::x_m, QStringLiteral("x")},
+                          {&ServoCurves::y_m, QStringLiteral("y")},
+                          {&ServoCurves::z_m, QStringLiteral("z")}}});
+    } else {
+        lanes.push_back({FigureText::tr("Way, mm"), 1e3, 1.0, {{&ServoCurves::way_m, {}}}});
+    }
+    return lanes;
+}
+
+/// 1, 2 or 5 times a power of ten; about as many of them as wanted are a span.
+double roundStep(double span, double wanted) {
+    const double rough = span / std::max(wanted, 2.0);
+    const double power = std::pow(10.0, std::floor(std::log10(rough)));
+    for (const double step : {1.0, 2.0, 5.0})
+        if (step * power >= rough)
+            return step * power;
+    return 10.0 * power;
+}
+
+struct Axis {
+    double low = 0.0;
+    double high = 1.0;
+    double step = 0.2;
+};
+
+Axis axisOf(double low, double high, double leastSpan, double ticks) {
+    if (!(low <= high))
+        low = high = 0.0;
+    const double missing = std::max(0.0, leastSpan - (high - low));
+    Axis axis{low - 0.5 * missing, high + 0.5 * missing, 0.0};
+    axis.step = roundStep(axis.high - axis.low, ticks);
+    axis.low = axis.step * std::floor(axis.low / axis.step + 1e-9);
+    axis.high = axis.step * std::ceil(axis.high / axis.step - 1e-9);
+    return axis;
+}
+
+QString tickText(double value, double step) {
+    const int digits = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9)));
+    return QString::number(std::abs(value) < 1e-9 * step ? 0.0 : value, 'f', digits)
+        .replace(QLatin1Char('-'), QChar(0x2212));
+}
+
+QString lineOf(std::size_t series) {
+    return QStringLiteral("class=\"hollow series%1\" style=\"stroke-width:1.4\"")
+        .arg(series % figure::SvgCanvas::kSeries);
+}
+
+QString dashes() {
+    return QStringLiteral("class=\"dashed\"");
+}
+
+QString dots() {
+    return QStringLiteral("class=\"dotted\"");
+}
+
+/// A word of the legend and the line before it.
+struct Entry {
+    QString name;
+    QString line;
+    double x = 0.0;
+    double y = 0.0;
+};
+
+class Chart {
+public:
+    Chart(std::span<const ServoCurves> runs, double width, double height)
+        : m_runs(runs)
+        , m_lanes(lanesFor(runs.size() == 1))
+        , m_width(std::max(width, kLeastSize))
+        , m_height(std::max(height, kLeastSize))
+        , m_legend(legend())
+        , m_canvas(m_width, m_height, FigureText::tr("Tactile servoing: force and features over time")) {
+        const auto count = static_cast<double>(m_lanes.size());
+        m_plotTop = m_legend.back().y + 34.0;
+        m_laneHeight = std::max(24.0, (m_height - m_plotTop - kBottom) / count - kBetweenLanes);
+        m_time_s = 1e-3;
+        for (const ServoCurves& run : runs)
+            m_time_s = run.time_s.empty() ? m_time_s : std::max(m_time_s, run.time_s.back());
+    }
+
+    figure::SvgCanvas drawn() {
+        drawLegend();
+        drawPhases();
+        for (std::size_t i = 0; i < m_lanes.size(); ++i)
+            drawLane(i);
+        drawTime();
+        return m_canvas;
+    }
+
+private:
+    [[nodiscard]] double plotWidth() const { return m_width - kPlotLeft - kRight; }
+    [[nodiscard]] double top(std::size_t lane) const {
+        return m_plotTop + static_cast<double>(lane) * (m_laneHeight + kBetweenLanes);
+    }
+    [[nodiscard]] double bottom() const { return top(m_lanes.size() - 1) + m_laneHeight; }
+    [[nodiscard]] double x(double time_s) const { return kPlotLeft + plotWidth() * time_s / m_time_s; }
+
+    /// Entries in as many rows as they need.
+    [[nodiscard]] std::vector<Entry> legend() const {
+        std::vector<Entry> entries;
+        for (std::size_t i = 0; i < m_runs.size(); ++i)
+            entries.push_back({QString::fromStdString(m_runs[i].name), lineOf(i)});
+        entries.push_back({FigureText::tr("desired"), dashes()});
+        if (m_runs.size() == 1)
+            entries.push_back({FigureText::tr("true"), dots()});
+        double at = kPlotLeft;
+        double row = kLegendTop;
+        for (Entry& entry : entries) {
+            const double needed = kSwatch + 30.0 + kLetter * static_cast<double>(entry.name.size());
+            if (at > kPlotLeft && at + needed > kPlotLeft + plotWidth()) {
+                at = kPlotLeft;
+                row += kLegendRow;
+            }
+            entry.x = at;
+            entry.y = row;
+            at += needed;
+        }
+        return entries;
+    }
+
+    void drawLegend() {
+        const bool simulated = std::ranges::any_of(m_runs, &ServoCurves::simulated);
+        m_canvas.text(kPlotLeft, 24.0,
+                      simulated ? FigureText::tr("Tactile servoing, simulated")
+                                : FigureText::tr("Tactile servoing"),
+                      QStringLiteral("ink bold"));
+        for (const Entry& entry : m_legend) {
+            m_canvas.path({{entry.x, entry.y}, {entry.x + kSwatch, entry.y}}, entry.line);
+            m_canvas.text(entry.x + kSwatch + 6.0, entry.y + 4.5, entry.name, QStringLiteral("ink small"));
+        }
+    }
+
+    /// The last phases take the longest, so names are placed from the end; one without room is left out.
+    void drawPhases() {
+        if (m_runs.empty())
+            return;
+        double room = kPlotLeft + plotWidth();
+        for (auto phase = m_runs.front().phases.rbegin(); phase != m_runs.front().phases.rend(); ++phase) {
+            const double at = x(phase->first);
+            m_canvas.line(at, m_plotTop - 6.0, at, bottom(), QStringLiteral("soft"));
+            const QString shown =
+                QString::fromStdString(phase->second).replace(QLatin1Char('_'), QLatin1Char(' '));
+            if (at + 6.0 + kLetter * static_cast<double>(shown.size()) > room)
+                continue;
+            m_canvas.text(at + 3.0, m_plotTop - 6.0, shown, QStringLiteral("soft small"));
+            room = at;
+        }
+    }
+
+    [[nodiscard]] Axis axisOfLane(const Lane& lane) const {
+        double low = std::numeric_limits<double>::infinity();
+        double high = -low;
+        const auto include = [&](const std::vector<double>& values) {
+            for (const double value : values)
+                if (std::isfinite(value)) {
+                    low = std::min(low, lane.factor * value);
+                    high = std::max(high, lane.factor * value);
+                }
+        };
+        for (const ServoCurves& run : m_runs)
+            for (const Line& line : lane.lines)
+                include(run.*line.values);
+        for (const Values reference : {lane.desired, lane.truth})
+            if (reference != nullptr && !m_runs.empty())
+                include(m_runs.front().*reference);
+        return axisOf(low, high, lane.leastSpan, m_laneHeight / kPxPerTick);
+    }
+
+    void drawLane(std::size_t index) {
+        const Lane& lane = m_lanes[index];
+        const Axis axis = axisOfLane(lane);
+        const double upper = top(index);
+        const auto y = [&](double value) {
+            return upper + m_laneHeight * (axis.high - lane.factor * value) / (axis.high - axis.low);
+        };
+        for (double tick = axis.low; tick < axis.high + 0.5 * axis.step; tick += axis.step) {
+            const double at = y(tick / lane.factor);
+            m_canvas.line(kPlotLeft, at, kPlotLeft + plotWidth(), at, QStringLiteral("soft"));
+            m_canvas.text(kPlotLeft - 8.0, at + 4.0, tickText(tick, axis.step),
+                          QStringLiteral("soft small end"));
+        }
+        const double middle = upper + 0.5 * m_laneHeight;
+        m_canvas.text(20.0, middle, lane.name, QStringLiteral("ink small middle"),
+                      QStringLiteral("transform=\"rotate(-90 20 %1)\"").arg(figure::svgNumber(middle)));
+        if (m_runs.empty())
+            return;
+        if (lane.desired != nullptr)
+            curve(m_runs.front(), m_runs.front().*lane.desired, y, dashes());
+        for (std::size_t i = 0; i < m_runs.size(); ++i)
+            for (std::size_t k = 0; k < lane.lines.size(); ++k)
+                curve(m_runs[i], m_runs[i].*lane.lines[k].values, y, lineOf(i + k));
+        if (lane.truth != nullptr)
+            curve(m_runs.front(), m_runs.front().*lane.truth, y, dots());
+        for (std::size_t k = 0; k < lane.lines.size(); ++k)
+            if (!lane.lines[k].name.isEmpty())
+                m_canvas.text(kPlotLeft + plotWidth() + 5.0, upper + 12.0 + 14.0 * static_cast<double>(k),
+                              lane.lines[k].name, QStringLiteral("small series%1").arg(k));
+    }
+
+    void drawTime() {
+        m_canvas.line(kPlotLeft, bottom(), kPlotLeft + plotWidth(), bottom(), QStringLiteral("ink"));
+        const double step_s = roundStep(m_time_s, plotWidth() / kPxPerTimeTick);
+        for (double tick_s = 0.0; tick_s < m_time_s * (1.0 + 1e-9); tick_s += step_s)
+            m_canvas.text(x(tick_s), bottom() + 18.0, tickText(tick_s, step_s),
+                          QStringLiteral("soft small middle"));
+        m_canvas.text(kPlotLeft + 0.5 * plotWidth(), bottom() + 36.0, FigureText::tr("time, s"),
+                      QStringLiteral("ink small middle"));
+    }
+
+    /// As many points as the picture can show: the lowest and the highest of each px, in their order.
+    template <typename Y>
+    void curve(const ServoCurves& run, const std::vector<double>& values, const Y& y,
+               const QString& attributes) {
+        std::vector<std::pair<double, double>> points;
+        const auto finish = [&] {
+            if (points.size() == 1) // a single value is a dot
+                points.emplace_back(points.front().first + 0.5, points.front().second);
+            m_canvas.path(points, attributes);
+            points.clear();
+        };
+        for (std::size_t i = 0; i < values.size();) {
+            if (!std::isfinite(values[i])) {
+                finish();
+                ++i;
+                continue;
+            }
+            std::size_t lowest = i;
+            std::size_t highest = i;
+            const double px = std::floor(x(run.time_s[i]));
+            for (; i < values.size() && std::isfinite(values[i]) && std::floor(x(run.time_s[i])) == px; ++i) {
+                lowest = values[i] < values[lowest] ? i : lowest;
+                highest = values[i] > values[highest] ? i : highest;
+            }
+            const auto [first, second] = std::minmax(lowest, highest);
+            points.emplace_back(x(run.time_s[first]), y(values[first]));
+            if (second != first)
+                points.emplace_back(x(run.time_s[second]), y(values[second]));
+        }
+        finish();
+    }
+
+    std::span<const ServoCurves> m_runs;
+    std::vector<Lane> m_lanes;
+    double m_width;
+    double m_height;
+    std::vector<Entry> m_legend;
+    figure::SvgCanvas m_canvas;
+    double m_plotTop = 0.0;
+    double m_laneHeight = 0.0;
+    double m_time_s = 0.0;
+};
+
+} // namespace
+
+figure::SvgCanvas servoFigure(std::span<const ServoCurves> runs, double width, double height) {
+    constexpr std::size_t kMost = figure::SvgCanvas::kSeries;
+    return Chart(runs.first(std::min(runs.size(), kMost)), width, height).drawn();
+}
+
+} // namespace teleta::servo

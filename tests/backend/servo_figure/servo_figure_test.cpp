@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/servo_figure/servo_figure.h"
+
+#include <QString>
+#include <QTemporaryDir>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace teleta::servo {
+namespace {
+
+constexpr const char* kHeader =
+    "time_s,phase,contact,force_true_N,force_desired_N,cop_y_m,cop_y_desired_m,coc_x_m,"
+    "dzmp_y_m,dzmp_y_true_m,alpha_z_rad,alpha_z_desired_rad,x_m,y_m,z_m\n";
+
+class ServoFigure : public testing::Test {
+protected:
+    std::string written(const std::string& rows) {
+        const std::string path = m_folder.filePath("servo.csv").toStdString();
+        std::ofstream(path) << rows;
+        return path;
+    }
+    QTemporaryDir m_folder;
+};
+
+/// 1 s between steps; DZMP is not defined in the middle, alpha never.
+ServoCurves nineSteps(const std::string& name) {
+    ServoCurves run;
+    run.name = name;
+    for (int i = 0; i < 9; ++i) {
+        ServoStep step;
+        step.time_s = i;
+        step.touching = true;
+        step.force_N = 5.0;
+        step.desired_N = 5.0;
+        step.copY_m = 0.0;
+        step.cocX_m = 0.0;
+        step.dzmpY_m = i == 4 ? ServoStep::kNone : 1e-3;
+        step.dzmpYTrue_m = 1e-3;
+        step.p_Base_Sensor.x() = 1e-3 * i;
+        run.add(step, i < 2 ? "align" : "edge_control");
+    }
+    return run;
+}
+
+qsizetype count(const std::string& text, const char* part) {
+    return QString::fromStdString(text).count(QLatin1String(part));
+}
+
+bool hasOnlyNumbers(const std::string& svg) {
+    return svg.find("nan") == std::string::npos && svg.find("inf") == std::string::npos;
+}
+
+} // namespace
+
+TEST_F(ServoFigure, aRunIsReadWithItsPhasesAndItsWaySinceTheFirstContact) {
+    const auto run = readServoCurves(written(
+        std::string(kHeader) + "0.01,free_motion,none,0,5,NA,0,NA,NA,NA,NA,0,9,9,9\n"
+                               "0.02,align,touching,4,5,0.001,0,0.01,0.002,0.003,0.1,0,1,2,3\n"
+                               "0.03,align,touching,5,5,0.001,0,0.01,0.002,0.003,0.1,0,1.003,2.004,3\n"));
+    ASSERT_TRUE(run) << describe(run.error());
+    ASSERT_EQ(run->time_s.size(), 3U);
+    EXPECT_EQ(run->phases,
+              (std::vector<std::pair<double, std::string>>{{0.01, "free_motion"}, {0.02, "align"}}));
+    EXPECT_EQ(run->force_N[2], 5.0);
+    EXPECT_TRUE(std::isnan(run->copY_m[0]));
+    EXPECT_EQ(run->cocX_m[1], 0.01);
+    EXPECT_EQ(run->dzmpY_m[1], 0.002);
+    EXPECT_EQ(run->dzmpYTrue_m[1], 0.003);
+    EXPECT_TRUE(std::isnan(run->way_m[0]));
+    EXPECT_EQ(run->way_m[1], 0.0);
+    EXPECT_NEAR(run->way_m[2], 0.005, 1e-12);
+    EXPECT_NEAR(run->y_m[2], 0.004, 1e-12);
+    EXPECT_EQ(readServoCurves(m_folder.path().toStdString())->time_s, run->time_s) << "the folder is enough";
+}
+
+TEST_F(ServoFigure, whatIsNoRunIsRefusedWithItsPlace) {
+    const auto broken =
+        readServoCurves(written(std::string(kHeader) + "0.01,align,touching,five,5,0,0,0,0,0,0,0,1,2,3\n"));
+    ASSERT_FALSE(broken);
+    EXPECT_EQ(broken.error().where.line, 2);
+    EXPECT_FALSE(readServoCurves(written("time_s,force_true_N\n0,1\n"))) << "columns are missing";
+    EXPECT_FALSE(readServoCurves(m_folder.filePath("none").toStdString()));
+}
+
+TEST_F(ServoFigure, twoRunsAreInOneChartAndAGapIsNoLine) {
+    const std::array runs{nineSteps("with <DZMP>"), nineSteps("baseline")};
+    const std::string svg = servoFigure(runs).standalone();
+    EXPECT_NE(svg.find("with &lt;DZMP&gt;"), std::string::npos);
+    EXPECT_NE(svg.find("baseline"), std::string::npos);
+    // The legend's line; force, CoP, CoC and way in one piece, DZMP in two, alpha none.
+    EXPECT_EQ(count(svg, "class=\"hollow series0\""), 1 + 4 + 2);
+    EXPECT_EQ(count(svg, "class=\"hollow series1\""), 1 + 4 + 2);
+    EXPECT_EQ(count(svg, "class=\"dashed\""), 1 + 1) << "the legend's and the desired force";
+    EXPECT_EQ(count(svg, "class=\"dotted\""), 0);
+    EXPECT_TRUE(hasOnlyNumbers(svg));
+}
+
+TEST_F(ServoFigure, aRunAloneHasItsThreeCoordinatesAndTheTrueMoment) {
+    const std::array runs{nineSteps("alone")};
+    const std::string svg = servoFigure(runs).standalone();
+    EXPECT_EQ(count(svg, "class=\"hollow series1\""), 1) << "y";
+    EXPECT_EQ(count(svg, "class=\"hollow series2\""), 1) << "z";
+    EXPECT_EQ(count(svg, "class=\"dotted\""), 1 + 1) << "the legend's and the moment";
+    EXPECT_NE(svg.find(">edge control<"), std::string::npos);
+}
+
+TEST_F(ServoFigure, aCurveRunsThroughTheHighestPointOfItsAxis) {
+    std::array runs{nineSteps("peak")};
+    runs[0].force_N[4] = 10.0; // of 0 .. 10
+    runs[0].force_N[0] = 0.0;
+    const std::string svg = servoFigure(runs, 820.0, 860.0).standalone();
+    // The force's lane is the first: its upper edge is the y of the first grid line of its highest tick.
+    const QString text = QString::fromStdString(svg);
+    const QString force =
+        text.section(QStringLiteral("class=\"hollow series0\""), 1, 1).section(QStringLiteral("d=\"M"), -1);
+    const QStringList points = force.section(QLatin1Char('"'), 0, 0).split(QLatin1Char('L'));
+    ASSERT_EQ(points.size(), 9);
+    const auto y = [&](int i) { return points[i].section(QLatin1Char(' '), 1).toDouble(); };
+    const auto x = [&](int i) { return points[i].section(QLatin1Char(' '), 0, 0).toDouble(); };
+    EXPECT_NEAR(y(1), 0.5 * (y(0) + y(4)), 0.02) << "5 N lies half way between 0 and 10";
+    EXPECT_LT(y(4), y(0));
+    EXPECT_NEAR(x(4), 0.5 * (x(0) + x(8)), 0.02);
+}
+
+TEST_F(ServoFigure, aThinnedRunKeepsItsLengthAndPhases) {
+    ServoCurves run = nineSteps("long");
+    run.thin();
+    EXPECT_EQ(run.time_s, (std::vector<double>{0.0, 2.0, 4.0, 6.0, 8.0}));
+    EXPECT_EQ(run.way_m.size(), 5U);
+    EXPECT_NEAR(run.way_m[4], 8e-3, 1e-12);
+    EXPECT_EQ(run.phases.size(), 2U);
+}
+
+TEST_F(ServoFigure, aRunWithoutRowsAndNoRunAreEmptyCharts) {
+    const auto empty = readServoCurves(written(kHeader));
+    ASSERT_TRUE(empty) << describe(empty.error());
+    const std::array runs{*empty};
+    EXPECT_TRUE(hasOnlyNumbers(servoFigure(runs).standalone()));
+    EXPECT_TRUE(hasOnlyNumbers(servoFigure({}).standalone()));
+}
+
+} // namespace teleta::servo

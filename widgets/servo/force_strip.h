@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/servo/servo_link.h"
+#include "widgets/base/calm_range.h"
+
+#include <QWidget>
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <optional>
+
+namespace teleta::servo {
+
+/// The force that the array reads and the one that is wanted, over the last 20 s. Thread: GUI.
+class ForceStrip : public QWidget {
+    Q_OBJECT
+public:
+    static constexpr double kSpan_s = 20.0;
+
+    explicit ForceStrip(QWidget* parent = nullptr);
+
+    /// Adds the newest step; a report of the same time adds nothing, one of another run begins anew. Nothing:
+    /// forgets all.
+    void setReport(const std::optional<ServoReport>& report);
+
+    [[nodiscard]] std::size_t steps() const { return m_steps.size(); }
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    struct Step {
+        double time_s;
+        double actual_N;
+        double desired_N;
+    };
+
+    void describe();
+
+    std::deque<Step> m_steps;
+    std::uint64_t m_restarts = 0;
+    base::CalmRange m_range{2.0};
+};
+
+} // namespace teleta::servo
