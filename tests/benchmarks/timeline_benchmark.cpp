@@ -41,7 +41,7 @@ const Pattern& hour() {
     return pattern;
 }
 
-void paint(const TimelineCurves& curves, const TimelineBands* bands) {
+void paint(const TimelineCurves& curves, const TimelineBands* bands, double span_s = kHour_s) {
     QImage picture(kSize, QImage::Format_ARGB32_Premultiplied);
     QPainter painter(&picture);
     const QFont font;
@@ -49,7 +49,7 @@ void paint(const TimelineCurves& curves, const TimelineBands* bands) {
     content.pattern = &hour();
     content.curves = &curves;
     content.bands = bands;
-    const TimelineGeometry geometry(QRectF(QPointF(), QSizeF(kSize)), font, 0.0, kHour_s);
+    const TimelineGeometry geometry(QRectF(QPointF(), QSizeF(kSize)), font, 0.0, span_s);
     benchmark::DoNotOptimize(paintTimeline(painter, geometry, content, QPalette(), font));
 }
 
@@ -63,6 +63,21 @@ void hourByRanges(benchmark::State& state) {
     }
 }
 BENCHMARK(hourByRanges)->Unit(benchmark::kMillisecond);
+
+/// What a person waits for while the ranges are still being made, and when zoomed in as far as single samples
+/// are drawn.
+void stretchBySamples(benchmark::State& state) {
+    const CompiledPattern compiled(hour());
+    const auto span_s = static_cast<double>(state.range(0));
+    for (auto _ : state) {
+        const Span span{0.0, span_s};
+        const auto curves = sampleCurves(hour(), compiled, assumedMotors(), span, 2 * kSize.width());
+        const TimelineBands bands =
+            span_s > kLongestPrediction_s ? bandsOf(curves, span, kSize.width()) : TimelineBands();
+        paint(curves, &bands, span_s);
+    }
+}
+BENCHMARK(stretchBySamples)->Arg(3)->Arg(15)->Arg(3600)->Unit(benchmark::kMillisecond);
 
 void hourByEverySample(benchmark::State& state) {
     const CompiledPattern compiled(hour());

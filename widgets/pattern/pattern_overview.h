@@ -25,7 +25,7 @@ class PatternOverview : public QObject {
     Q_OBJECT
 public:
     /// Shorter patterns are sampled when they are drawn.
-    static constexpr double kShortest_s = 30.0;
+    static constexpr double kShortest_s = 15.0;
 
     explicit PatternOverview(PatternDocument* document, QObject* parent = nullptr);
     ~PatternOverview() override;

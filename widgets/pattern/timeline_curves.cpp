@@ -113,6 +113,28 @@ TimelineBands bandsOf(const TrackEnvelopes& commanded, const MotorPrediction* pr
     return bands;
 }
 
+TimelineBands bandsOf(const TimelineCurves& curves, Span span, int columns) {
+    TimelineBands bands;
+    bands.begin_s = span.begin_s;
+    bands.column_s = (span.end_s - span.begin_s) / columns;
+    for (std::size_t i = 0; i < core::kTactors; ++i) {
+        auto& ranges = bands.tracks[i].commanded;
+        ranges.reserve(static_cast<std::size_t>(columns));
+        std::size_t k = 0;
+        for (int column = 0; column < columns; ++column) {
+            const double before = curves.commanded[i][k > 0 ? k - 1 : 0];
+            ValueRange range{before, before};
+            const double end_s = span.begin_s + (column + 1) * bands.column_s;
+            for (; k < curves.times_s.size() && curves.times_s[k] < end_s; ++k) {
+                const double value = curves.commanded[i][k];
+                range = {std::min(range.low, value), std::max(range.high, value)};
+            }
+            ranges.push_back(range);
+        }
+    }
+    return bands;
+}
+
 std::vector<std::size_t> tactorsOf(const ObjectForm& form) {
     std::set<std::size_t> tactors;
     const auto add = [&tactors](int tactor) { tactors.insert(core::wrappedTactor(tactor)); };

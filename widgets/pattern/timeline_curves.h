@@ -52,6 +52,10 @@ struct TimelineBands {
                                     const pattern::MotorPrediction* predicted, pattern::Span span,
                                     int columns);
 
+/// The ranges of samples; a column without one has the value of the sample before it. curves: sampled over
+/// span, not empty. columns: >= 1. Thread: any (pure).
+[[nodiscard]] TimelineBands bandsOf(const TimelineCurves& curves, pattern::Span span, int columns);
+
 /// Tactors that an object may use, in rising order.
 [[nodiscard]] std::vector<std::size_t> tactorsOf(const pattern::ObjectForm& form);
 

@@ -24,9 +24,33 @@ namespace {
 constexpr double kDegreesApart = 360.0 / static_cast<double>(core::kTactors);
 /// Handles nearer than this (in radii, on average) are left out.
 constexpr double kHandlesApart = 1.6;
+/// The painter's time grows with the square of the edges that cross a row of pixels: a shape with more
+/// corners than this is drawn piece by piece.
+constexpr qsizetype kCrowded = 300;
+constexpr double kPiece_px = 64.0;
+constexpr qsizetype kPieceCorners = 128;
+constexpr double kSeen_px = 0.5;
 
 QString text(const char* source) {
     return QCoreApplication::translate("Timeline", source);
+}
+
+/// What a line with rising x does in [from, to].
+QPolygonF stretchOf(const QPolygonF& line, double from, double to) {
+    const auto crossing = [](const QPointF& a, const QPointF& b, double x) {
+        return QPointF(x, a.y() + (b.y() - a.y()) * (x - a.x()) / (b.x() - a.x()));
+    };
+    const auto first = std::lower_bound(line.begin(), line.end(), from,
+                                        [](const QPointF& point, double x) { return point.x() < x; });
+    const auto last =
+        std::upper_bound(first, line.end(), to, [](double x, const QPointF& point) { return x < point.x(); });
+    QPolygonF stretch;
+    if (first != line.begin() && first != line.end() && first->x() > from)
+        stretch << crossing(*(first - 1), *first, from);
+    std::copy(first, last, std::back_inserter(stretch));
+    if (last != line.begin() && last != line.end() && (last - 1)->x() < to)
+        stretch << crossing(*(last - 1), *last, to);
+    return stretch;
 }
 
 class Drawing {
@@ -245,8 +269,12 @@ private:
         for (std::size_t k = 0; k < values.size(); ++k) {
             const QPointF point(m_g.xOf(curves.times_s[k]), m_g.yOf(track, values[k]));
             const qsizetype n = line.size();
-            // A run of equal values is one line.
-            if (n >= 2 && line[n - 1].y() == point.y() && line[n - 2].y() == point.y())
+            // A run of equal values is one line, and so are steps too small to be seen.
+            const bool level = n >= 2 && line[n - 1].y() == point.y() && line[n - 2].y() == point.y();
+            const bool near = n >= 2 && point.x() - line[n - 2].x() < kSeen_px &&
+                              std::abs(point.y() - line[n - 2].y()) < kSeen_px &&
+                              std::abs(line[n - 1].y() - line[n - 2].y()) < kSeen_px;
+            if (level || near)
                 line[n - 1] = point;
             else
                 line << point;
@@ -254,46 +282,74 @@ private:
         return line;
     }
 
+    /// Fills what lies between two lines with rising x that begin and end together, with the painter's brush;
+    /// where they cross, on both sides.
+    void fillBetween(const QPolygonF& one, const QPolygonF& other) {
+        const auto fill = [this](QPolygonF shape, const QPolygonF& back) {
+            std::reverse_copy(back.begin(), back.end(), std::back_inserter(shape));
+            m_painter.drawPolygon(shape, Qt::OddEvenFill);
+        };
+        if (one.size() + other.size() <= kCrowded) {
+            fill(one, other);
+            return;
+        }
+        const double end = std::min(one.last().x(), m_g.plot.right() + 1.0);
+        for (double x = std::max(std::floor(one.first().x()), std::floor(m_g.plot.left()) - 1.0); x < end;
+             x += kPiece_px)
+            fill(stretchOf(one, x, x + kPiece_px), stretchOf(other, x, x + kPiece_px));
+    }
+
+    [[nodiscard]] QPolygonF floorUnder(const QPolygonF& line, std::size_t track) const {
+        const double floor = m_g.yOf(track, 0.0);
+        return QPolygonF({QPointF(line.first().x(), floor), QPointF(line.last().x(), floor)});
+    }
+
+    void strokeLine(const QPolygonF& line, const QPen& pen) {
+        m_painter.setBrush(Qt::NoBrush);
+        m_painter.setPen(pen);
+        if (line.size() <= kCrowded) {
+            m_painter.drawPolyline(line);
+            return;
+        }
+        QPen plain = pen;
+        plain.setJoinStyle(Qt::BevelJoin);
+        plain.setCapStyle(Qt::FlatCap);
+        m_painter.setPen(plain);
+        for (qsizetype k = 0; k + 1 < line.size(); k += kPieceCorners)
+            m_painter.drawPolyline(line.constData() + k,
+                                   static_cast<int>(std::min(kPieceCorners + 1, line.size() - k)));
+    }
+
     void curves(std::size_t track) {
         const TimelineCurves& curves = *m_content.curves;
         if (curves.times_s.empty())
             return;
         const QPolygonF commanded = lineOf(curves, curves.commanded[track], track);
-        QPolygonF area = commanded;
-        area << QPointF(commanded.last().x(), m_g.yOf(track, 0.0))
-             << QPointF(commanded.first().x(), m_g.yOf(track, 0.0));
         QColor wash = m_line;
         wash.setAlphaF(0.16F);
         m_painter.setPen(Qt::NoPen);
         m_painter.setBrush(wash);
-        m_painter.drawPolygon(area);
+        fillBetween(commanded, floorUnder(commanded, track));
         if (curves.hasPrediction())
             hatch(track);
         if (m_content.reference) {
             const QPolygonF other =
                 lineOf(*m_content.reference, m_content.reference->commanded[track], track);
-            // What lies between the two lines: there and back, filled where that goes round once.
-            QPolygonF between = commanded;
-            for (auto at = other.rbegin(); at != other.rend(); ++at)
-                between << *at;
             QColor apart = referenceColour();
             apart.setAlphaF(0.22F);
             m_painter.setPen(Qt::NoPen);
             m_painter.setBrush(apart);
-            m_painter.drawPolygon(between, Qt::OddEvenFill);
-            m_painter.setBrush(Qt::NoBrush);
-            m_painter.setPen(QPen(referenceColour(), 1.5, Qt::DashLine));
-            m_painter.drawPolyline(other);
+            fillBetween(commanded, other);
+            strokeLine(other, QPen(referenceColour(), 1.5, Qt::DashLine));
         }
-        m_painter.setBrush(Qt::NoBrush);
-        m_painter.setPen(QPen(m_line, 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-        m_painter.drawPolyline(commanded);
-        if (curves.hasPrediction()) {
-            m_painter.setPen(QPen(base::mixed(m_ground, m_text, 0.75), 1.2));
-            m_painter.drawPolyline(lineOf(curves, curves.predicted[track], track));
-        }
+        strokeLine(commanded, QPen(m_line, 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        if (curves.hasPrediction())
+            strokeLine(lineOf(curves, curves.predicted[track], track), predictedPen(1.2));
     }
 
+    [[nodiscard]] QPen predictedPen(double width) const {
+        return {base::mixed(m_ground, m_text, 0.75), width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin};
+    }
     [[nodiscard]] QColor referenceColour() const { return base::identityColour(2, base::isDark(m_palette)); }
 
     [[nodiscard]] bool hasBands() const { return m_content.bands && !m_content.bands->empty(); }
@@ -318,41 +374,41 @@ private:
         const TimelineBands& all = *m_content.bands;
         const TimelineBands::Band& band = all.tracks[track];
         const auto high = [](const auto& range) { return static_cast<double>(range.high); };
-        const auto low = [](const auto& range) { return static_cast<double>(range.low); };
         const QPolygonF upper = lineOf(all, band.commanded, track, high);
-        const QPolygonF lower = lineOf(all, band.commanded, track, low);
-        m_painter.setPen(Qt::NoPen);
-        QPolygonF area = upper;
-        area << QPointF(upper.last().x(), m_g.yOf(track, 0.0))
-             << QPointF(upper.first().x(), m_g.yOf(track, 0.0));
-        QColor wash = m_line;
-        wash.setAlphaF(0.16F);
-        m_painter.setBrush(wash);
-        m_painter.drawPolygon(area);
-        QPolygonF between = upper;
-        for (auto at = lower.rbegin(); at != lower.rend(); ++at)
-            between << *at;
-        wash.setAlphaF(0.5F);
-        m_painter.setBrush(wash);
-        m_painter.drawPolygon(between);
+        fillColumns(track);
         if (all.hasPrediction())
             hatchColumns(track);
-        m_painter.setBrush(Qt::NoBrush);
-        if (m_content.referenceBands && !m_content.referenceBands->empty()) {
-            m_painter.setPen(QPen(referenceColour(), 1.5, Qt::DashLine));
-            m_painter.drawPolyline(lineOf(*m_content.referenceBands,
-                                          m_content.referenceBands->tracks[track].commanded, track, high));
-        } else if (m_content.reference) {
-            m_painter.setPen(QPen(referenceColour(), 1.5, Qt::DashLine));
-            m_painter.drawPolyline(
-                lineOf(*m_content.reference, m_content.reference->commanded[track], track));
+        const QPen referencePen(referenceColour(), 1.5, Qt::DashLine);
+        if (m_content.referenceBands && !m_content.referenceBands->empty())
+            strokeLine(lineOf(*m_content.referenceBands, m_content.referenceBands->tracks[track].commanded,
+                              track, high),
+                       referencePen);
+        else if (m_content.reference)
+            strokeLine(lineOf(*m_content.reference, m_content.reference->commanded[track], track),
+                       referencePen);
+        strokeLine(upper, QPen(m_line, 1.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        if (all.hasPrediction())
+            strokeLine(lineOf(all, band.predicted, track, high), predictedPen(1.0));
+    }
+
+    /// Faint below the lowest value of each column, strong up to its highest.
+    void fillColumns(std::size_t track) {
+        const TimelineBands& all = *m_content.bands;
+        const auto& ranges = all.tracks[track].commanded;
+        QColor wash = m_line;
+        const double floor = m_g.yOf(track, 0.0);
+        m_painter.setRenderHint(QPainter::Antialiasing, false);
+        for (std::size_t k = 0; k < ranges.size(); ++k) {
+            const double left = std::floor(m_g.xOf(all.begin_s + static_cast<double>(k) * all.column_s));
+            const double right = std::floor(m_g.xOf(all.begin_s + static_cast<double>(k + 1) * all.column_s));
+            const double low = m_g.yOf(track, ranges[k].low);
+            wash.setAlphaF(0.16F);
+            m_painter.fillRect(QRectF(QPointF(left, low), QPointF(right, floor)), wash);
+            wash.setAlphaF(0.58F);
+            m_painter.fillRect(QRectF(QPointF(left, m_g.yOf(track, ranges[k].high)), QPointF(right, low)),
+                               wash);
         }
-        m_painter.setPen(QPen(m_line, 1.4));
-        m_painter.drawPolyline(upper);
-        if (all.hasPrediction()) {
-            m_painter.setPen(QPen(base::mixed(m_ground, m_text, 0.75), 1.0));
-            m_painter.drawPolyline(lineOf(all, band.predicted, track, high));
-        }
+        m_painter.setRenderHint(QPainter::Antialiasing);
     }
 
     /// A strip along the floor of the lane where somewhere in the column the motor cannot follow.
@@ -407,6 +463,8 @@ private:
         const auto& done = curves.predicted[track];
         m_painter.setPen(Qt::NoPen);
         m_painter.setBrush(QBrush(base::statusColours(m_palette).stale, Qt::BDiagPattern));
+        // The lines hide its edges, and smoothing hundreds of them would take long.
+        m_painter.setRenderHint(QPainter::Antialiasing, false);
         const auto apart = [&](std::size_t k) { return std::abs(asked[k] - done[k]) > kFollowTolerance; };
         for (std::size_t k = 0; k < asked.size();) {
             if (!apart(k)) {
@@ -420,9 +478,9 @@ private:
                 upper << QPointF(x, m_g.yOf(track, asked[k]));
                 lower << QPointF(x, m_g.yOf(track, done[k]));
             }
-            std::reverse(lower.begin(), lower.end());
-            m_painter.drawPolygon(upper + lower);
+            fillBetween(upper, lower);
         }
+        m_painter.setRenderHint(QPainter::Antialiasing);
     }
 
     int handles(std::size_t track) {
@@ -482,7 +540,7 @@ private:
         sample(QPen(m_line, 1.8));
         word(text(QT_TRANSLATE_NOOP("Timeline", "commanded")));
         if (hasPrediction()) {
-            sample(QPen(base::mixed(m_ground, m_text, 0.75), 1.2));
+            sample(predictedPen(1.2));
             word(m_content.assumedMotors ? text(QT_TRANSLATE_NOOP("Timeline", "predicted (assumed motors)"))
                                          : text(QT_TRANSLATE_NOOP("Timeline", "predicted")));
             m_painter.setPen(Qt::NoPen);

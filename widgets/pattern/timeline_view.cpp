@@ -189,11 +189,15 @@ void TimelineView::refreshCurves() {
     const int columns = std::max(1, static_cast<int>(geometryNow().plot.width()));
     m_bands = {};
     m_referenceBands = {};
-    if (m_span_s > kLongestPrediction_s && m_overview->commanded())
+    const bool isLong = m_span_s > kLongestPrediction_s;
+    if (isLong && m_overview->commanded()) {
         m_bands = bandsOf(*m_overview->commanded(), m_overview->predicted().get(), span, columns);
-    else
+    } else {
         m_curves = sampleCurves(m_document->pattern(), m_document->compiled(), m_document->motors(), span,
                                 2 * columns);
+        if (isLong)
+            m_bands = bandsOf(m_curves, span, columns);
+    }
     const auto& other = m_reference->pattern();
     if (!other)
         return;

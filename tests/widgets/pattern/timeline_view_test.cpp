@@ -356,6 +356,46 @@ private slots:
         QVERIFY(!painted(with, empty.view.grab().toImage(), f.at(2, 900.0, 0.4)));
     }
 
+    void theRangesOfSamplesAreThoseOfTheirColumns() {
+        TimelineCurves ramp; // 0, 0.1 ... 1 in one second; the fourth fifth of it has no sample
+        for (int k = 0; k <= 10; ++k)
+            if (k != 6 && k != 7)
+                ramp.times_s.push_back(0.1 * k + 1e-9);
+        ramp.commanded.fill(ramp.times_s);
+        const TimelineBands bands = bandsOf(ramp, {0.0, 1.0}, 5);
+        const auto& columns = bands.tracks[3].commanded;
+        QCOMPARE(columns.size(), 5U);
+        QVERIFY(!bands.hasPrediction());
+        const double expected[5][2] = {{0.0, 0.1}, {0.1, 0.3}, {0.3, 0.5}, {0.5, 0.5}, {0.5, 0.9}};
+        for (std::size_t k = 0; k < columns.size(); ++k) {
+            QVERIFY(std::abs(columns[k].low - expected[k][0]) < 1e-6);
+            QVERIFY(std::abs(columns[k].high - expected[k][1]) < 1e-6);
+        }
+    }
+
+    /// Lines and areas with many corners are drawn piece by piece: none may be missing.
+    void everyBurstOfACrowdedStretchIsPainted() {
+        Pattern crowded;
+        crowded.id = "mine.crowded";
+        crowded.duration_s = 10.0;
+        const Pattern silent = crowded;
+        constexpr int kBursts = 100;
+        for (int k = 0; k < kBursts; ++k)
+            for (const Breakpoint& point :
+                 {Breakpoint{0.1 * k, 0.0}, {0.1 * k, 0.9}, {0.1 * k + 0.05, 0.9}, {0.1 * k + 0.05, 0.0}})
+                crowded.tracks[2].push_back(point);
+        Fixture f(crowded);
+        f.view.zoomToFit();
+        const QImage with = f.view.grab().toImage();
+        Fixture empty(silent);
+        empty.view.zoomToFit();
+        const QImage without = empty.view.grab().toImage();
+        for (int k = 0; k < kBursts; ++k) {
+            QVERIFY2(painted(with, without, f.at(2, 0.1 * k + 0.025, 0.4)), qPrintable(QString::number(k)));
+            QVERIFY2(!painted(with, without, f.at(2, 0.1 * k + 0.025, 0.99)), qPrintable(QString::number(k)));
+        }
+    }
+
     void theFigureHasItsNumbers() {
         Fixture f;
         const base::Figure figure = f.view.figure();
