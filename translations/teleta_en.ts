@@ -157,4 +157,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>TradeoffCommand</name>
+    <message numerus="yes">
+        <source>the machine was too busy: the times of %n rung(s) were refused</source>
+        <translation>
+            <numerusform>the machine was too busy: the times of %n rung were refused</numerusform>
+            <numerusform>the machine was too busy: the times of %n rungs were refused</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

@@ -14,6 +14,7 @@
 #include "app/cli/commands/stiffness_command.h"
 #include "app/cli/commands/study_command.h"
 #include "app/cli/commands/track_command.h"
+#include "app/cli/commands/tradeoff_command.h"
 
 #include <QCoreApplication>
 
@@ -40,6 +41,7 @@ std::vector<std::unique_ptr<Command>> makeCommands() {
     commands.push_back(std::make_unique<SimulateCommand>());
     commands.push_back(std::make_unique<PatternCommand>());
     commands.push_back(std::make_unique<StudyCommand>());
+    commands.push_back(std::make_unique<TradeoffCommand>());
     commands.push_back(std::make_unique<DevicesCommand>());
     return commands;
 }

@@ -53,7 +53,10 @@ void ProgressBar::update(double done, double total) {
     const double share = std::min(1.0, done / total);
     std::string bar(kWidth, ' ');
     std::fill_n(bar.begin(), static_cast<std::size_t>(share * static_cast<double>(kWidth)), '#');
-    std::fprintf(stderr, "\r[%s] %3.0f %%  %.0f %s\x1b[K", bar.c_str(), 100.0 * share, rate, rateUnit);
+    if (m_unit == Unit::share)
+        std::fprintf(stderr, "\r[%s] %3.0f %%\x1b[K", bar.c_str(), 100.0 * share);
+    else
+        std::fprintf(stderr, "\r[%s] %3.0f %%  %.0f %s\x1b[K", bar.c_str(), 100.0 * share, rate, rateUnit);
 }
 
 } // namespace teleta::cli

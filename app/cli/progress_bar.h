@@ -15,6 +15,7 @@ public:
         simulatedSeconds, ///< the rate is a multiple of real time
         trials,           ///< the rate is in trials a second
         runs,             ///< of a scene; the rate is in runs a second
+        share,            ///< of work whose parts take unlike times: no rate is shown
     };
 
     ProgressBar(Unit unit, bool resultsOnTerminal);

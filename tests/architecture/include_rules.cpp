@@ -61,6 +61,10 @@ const std::vector<Rule> kRules = {
      {"backend/core", "backend/contact", "backend/stiffness", "backend/contour", "backend/arm",
       "backend/scene", "backend/servo", "backend/simulation", "backend/pipeline", "backend/vision"},
      {"QtCore", "expected", "Eigen", "nlohmann_json", "OpenCV"}},
+    {"backend/cost",
+     {"backend/core", "backend/contact", "backend/stiffness", "backend/contour", "backend/scene",
+      "backend/simulation", "backend/vision", "backend/study", "backend/figure"},
+     {"QtCore", "posix", "expected", "Eigen", "OpenCV"}},
 
     {"devices/camera", {"backend/core"}, {"QtCore", "posix", "expected", "OpenCV", "V4L2"}},
     {"devices/modbus", {"backend/core", "backend/scene"}, {"QtCore", "posix", "expected", "libmodbus"}},

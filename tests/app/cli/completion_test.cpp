@@ -52,9 +52,10 @@ TEST(Completion, offersTheOptionsOfTheCommandAndTheValuesOfAnOption) {
     EXPECT_EQ(offered({"teleta", "stiffness", "--method", ""}), (Words{"two-point", "regression"}));
 }
 
-TEST(Completion, offersScenesAndPatternsByName) {
+TEST(Completion, offersScenesPatternsAndLaddersByName) {
     EXPECT_EQ(offered({"teleta", "simulate", "servo-bent-bar-"}), Words{"servo-bent-bar-baseline"});
     EXPECT_EQ(offered({"teleta", "pattern", "show", "shape.A.s"}), Words{"shape.A.static"});
+    EXPECT_EQ(offered({"teleta", "tradeoff", "contour", "stif"}), Words{"stiffness"});
 }
 
 TEST(Completion, leavesFileNamesToTheShell) {

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/cost/cost_file.h"
+
+#include "backend/core/csv_reader.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace teleta::cost {
+
+namespace {
+
+struct CostFileText {
+    Q_DECLARE_TR_FUNCTIONS(CostFile)
+};
+
+/// NA: NaN.
+std::optional<double> numberIn(std::string_view text) {
+    if (text == "NA")
+        return std::numeric_limits<double>::quiet_NaN();
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || !(value >= 0.0) || std::isinf(value))
+        return std::nullopt;
+    return value;
+}
+
+core::Error badField(const core::CsvReader& reader, std::size_t column, std::string_view text,
+                     const QString& expected) {
+    return {core::ErrorKind::badInput,
+            CostFileText::tr("\"%1\" is no value of the column %2")
+                .arg(QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())),
+                     QString::fromStdString(reader.header()[column]))
+                .toStdString(),
+            expected.toStdString(), reader.place(column)};
+}
+
+} // namespace
+
+void writeCosts(std::span<const LadderCost> ladders, core::CsvWriter& writer) {
+    for (const LadderCost& ladder : ladders)
+        for (const RungCost& rung : ladder.rungs) {
+            writer.text(ladder.ladder);
+            writer.text(rung.name);
+            writer.text(rung.parameter);
+            for (const double error : {rung.errorMean, rung.errorP95, rung.errorMax})
+                writer.number(error);
+            writer.text(ladder.errorUnit);
+            writer.number(rung.timeMedian_s);
+            writer.number(rung.timeP99_s);
+            writer.integer(static_cast<long long>(rung.samples));
+            writer.text(rung.pareto ? "yes" : "no");
+            writer.endRow();
+        }
+}
+
+core::Expected<void> writeCostFile(std::span<const LadderCost> ladders, const std::string& path) {
+    core::Expected<core::CsvWriter> writer = core::CsvWriter::create(path, kCostColumns);
+    if (!writer)
+        return core::Unexpected(writer.error());
+    writeCosts(ladders, *writer);
+    return writer->finish();
+}
+
+core::Expected<std::vector<LadderCost>> readCostFile(const std::string& path) {
+    core::Expected<core::CsvReader> reader = core::CsvReader::open(path);
+    if (!reader)
+        return core::Unexpected(reader.error());
+    const core::Expected<std::vector<std::size_t>> columns = reader->columns(kCostColumns);
+    if (!columns)
+        return core::Unexpected(columns.error());
+    std::vector<LadderCost> ladders;
+    std::vector<std::string_view> fields;
+    for (;;) {
+        const core::Expected<bool> more = reader->nextText(fields);
+        if (!more)
+            return core::Unexpected(more.error());
+        if (!*more)
+            return ladders;
+        const auto field = [&](std::size_t i) { return fields[(*columns)[i]]; };
+        std::array<double, kCostColumns.size()> numbers{};
+        for (const std::size_t i : {3U, 4U, 5U, 7U, 8U, 9U}) {
+            const std::optional<double> number = numberIn(field(i));
+            if (!number)
+                return core::Unexpected(badField(*reader, (*columns)[i], field(i),
+                                                 CostFileText::tr("a number that is not negative, or NA")));
+            numbers[i] = *number;
+        }
+        if (field(10) != "yes" && field(10) != "no")
+            return core::Unexpected(
+                badField(*reader, (*columns)[10], field(10), CostFileText::tr("yes or no")));
+        constexpr double kMostSamples = 1e9;
+        if (!(numbers[9] <= kMostSamples))
+            return core::Unexpected(
+                badField(*reader, (*columns)[9], field(9), CostFileText::tr("a number of samples")));
+        auto ladder = std::ranges::find(ladders, field(0), &LadderCost::ladder);
+        if (ladder == ladders.end()) {
+            ladders.push_back({std::string(field(0)), std::string(field(6)), {}});
+            ladder = ladders.end() - 1;
+        }
+        ladder->rungs.push_back({.name = std::string(field(1)),
+                                 .parameter = std::string(field(2)),
+                                 .errorMean = numbers[3],
+                                 .errorP95 = numbers[4],
+                                 .errorMax = numbers[5],
+                                 .timeMedian_s = numbers[7],
+                                 .timeP99_s = numbers[8],
+                                 .samples = static_cast<std::size_t>(numbers[9]),
+                                 .spread = std::numeric_limits<double>::quiet_NaN(),
+                                 .pareto = field(10) == "yes"});
+    }
+}
+
+} // namespace teleta::cost

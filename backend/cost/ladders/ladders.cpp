@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/cost/ladders/ladders.h"
+
+namespace teleta::cost {
+
+std::vector<Ladder> allLadders() {
+    return {contourLadder(), stiffnessLadder(), tactileFeaturesLadder()};
+}
+
+} // namespace teleta::cost
