@@ -14,7 +14,9 @@ core::Expected<scene::Scene> readScene(const std::string& pathOrName) {
     QString resource = QString::fromStdString(pathOrName);
     if (!resource.startsWith(QStringLiteral(":/"))) {
         resource = QStringLiteral(":/scenes/%1.toml").arg(resource);
-        if (QFile::exists(QString::fromStdString(pathOrName)) || !QFile::exists(resource))
+        const QFileInfo file(QString::fromStdString(pathOrName));
+        // The results of an earlier run may lie in a folder of that name.
+        if ((file.exists() && !file.isDir()) || !QFile::exists(resource))
             return scene::readScene(pathOrName);
     }
     // Only Qt can read it.

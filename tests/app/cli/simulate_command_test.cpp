@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <filesystem>
 
 using nlohmann::ordered_json;
 using teleta::test::ProgramResult;
@@ -52,6 +53,18 @@ TEST_F(SimulateCommand, knowsTheScenesOfTheProgramByName) {
     EXPECT_EQ(ordered_json::parse(byName.out)["measures"],
               simulate("tactile-indenter.toml", {"--duration", "0.1"})["measures"]);
     EXPECT_EQ(ordered_json::parse(byName.out)["scene"], "tactile-indenter");
+}
+
+TEST_F(SimulateCommand, findsASceneByItsNameBesideTheFolderOfItsResults) {
+    const std::filesystem::path before = std::filesystem::current_path();
+    std::filesystem::current_path(m_folder.path(""));
+    const std::vector<std::string> once{"simulate", "tactile-indenter", "--duration", "0.1",
+                                        "--out",    "tactile-indenter"};
+    const int first = run(once).exitCode;
+    const ProgramResult second = run(once);
+    std::filesystem::current_path(before);
+    EXPECT_EQ(first, 0);
+    EXPECT_EQ(second.exitCode, 0) << second.err;
 }
 
 TEST_F(SimulateCommand, leavesOutOneEffectAtATimeAndTellsWhatMoves) {
