@@ -37,8 +37,8 @@ packages=(
 )
 # What only the checks use.
 test_packages=(clang-format clang-tidy desktop-file-utils appstream r-base-core)
-# The shared store of studies, and readers of their reports and figures.
-test_packages+=(postgresql python3-html5lib poppler-utils locales)
+# The shared store of studies, readers of their reports and figures, and the other shell that completes commands.
+test_packages+=(postgresql python3-html5lib poppler-utils locales zsh)
 # Servers and lines that somebody else wrote, as peers of the devices.
 test_packages+=(python3-pymodbus python3-serial-asyncio socat qemu-system-x86 busybox-static cpio)
 # What only making and trying the Debian package uses.

@@ -16,17 +16,14 @@ struct PipeCloser {
     void operator()(FILE* pipe) const { pclose(pipe); }
 };
 
-/// What bash offers for the last of these words, with the program of this build as teleta.
-std::vector<std::string> offered(const std::vector<std::string>& words) {
-    std::string line =
-        "bash --norc -c 'PATH=\"$(dirname \"" TELETA_PROGRAM "\"):$PATH\"; source \"" TELETA_SOURCE_DIR
-        "/packaging/completion/teleta\"; COMP_WORDS=(";
-    for (const std::string& word : words)
-        line += '"' + word + "\" ";
-    line += "); COMP_CWORD=" + std::to_string(words.size() - 1) +
-            "; _teleta 2>/dev/null; printf \"%s\\n\" \"${COMPREPLY[@]}\"'";
+using Words = std::vector<std::string>;
+
+/// What a shell prints for a script in which the program of this build is teleta.
+Words printed(const std::string& shell, const std::string& script) {
+    const std::string line =
+        "PATH=\"$(dirname '" TELETA_PROGRAM "'):$PATH\" " + shell + " -c '" + script + "' 2>&1";
     const std::unique_ptr<FILE, PipeCloser> pipe(popen(line.c_str(), "r"));
-    std::vector<std::string> found;
+    Words found;
     char buffer[512];
     while (pipe != nullptr && std::fgets(buffer, sizeof buffer, pipe.get()) != nullptr) {
         std::string text(buffer);
@@ -37,7 +34,27 @@ std::vector<std::string> offered(const std::vector<std::string>& words) {
     return found;
 }
 
-using Words = std::vector<std::string>;
+std::string quoted(const Words& words) {
+    std::string line;
+    for (const std::string& word : words)
+        line += '"' + word + "\" ";
+    return line;
+}
+
+/// What the two shells offer for the last of these words: the same.
+Words offered(const Words& words) {
+    const Words byBash =
+        printed("bash --norc", "source \"" TELETA_SOURCE_DIR "/packaging/completion/teleta\"; COMP_WORDS=(" +
+                                   quoted(words) + "); COMP_CWORD=" + std::to_string(words.size() - 1) +
+                                   "; _teleta; printf \"%s\\n\" \"${COMPREPLY[@]}\"");
+    // Its own compadd works only while somebody types.
+    const Words byZsh = printed(
+        "zsh -f", "fpath=(\"" TELETA_SOURCE_DIR "/packaging/completion\" $fpath); autoload -U _teleta; "
+                  "compadd() { print -l -- \"${(@P)2}\" }; _files() { }; words=(" +
+                      quoted(words) + "); CURRENT=" + std::to_string(words.size()) + "; _teleta");
+    EXPECT_EQ(byBash, byZsh);
+    return byBash;
+}
 
 } // namespace
 
