@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace teleta::core {
 
@@ -19,13 +20,29 @@ struct GreyImage {
     [[nodiscard]] bool isEmpty() const { return pixels == nullptr || width_px <= 0 || height_px <= 0; }
 };
 
+/// A picture that keeps the pixels of an OpenCV matrix of bytes, which nobody writes to any more.
+template <typename Matrix>
+[[nodiscard]] GreyImage greyImageOf(Matrix pixels) {
+    if (pixels.empty())
+        return {};
+    const auto kept = std::make_shared<Matrix>(pixels.isContinuous() ? std::move(pixels) : pixels.clone());
+    return {{kept, kept->data}, kept->cols, kept->rows};
+}
+
 /// One frame as it left a camera.
 struct CameraFrame {
-    GreyImage image;            ///< empty: it could not be decoded
-    std::int64_t time_ns = 0;   ///< steady clock at the read
-    double capture_s = 0.0;     ///< the source's own time, from the first frame of the connection
-    std::uint64_t number = 0;   ///< since the source was started; a gap is a loss
-    bool discontinuity = false; ///< connected again, or the source begins anew
+    GreyImage image;              ///< empty: it could not be decoded
+    std::int64_t time_ns = 0;     ///< steady clock at the read
+    double capture_s = 0.0;       ///< the source's own time, from the first frame of the connection
+    std::uint64_t number = 0;     ///< since the source was started; a gap is a loss
+    bool discontinuity = false;   ///< connected again, or the source begins anew
+    std::uint64_t passedOver = 0; ///< frames before it that were dropped since a newer one was there
+
+    /// Takes the place of an older frame that nobody will look at.
+    void replace(const CameraFrame& older) {
+        discontinuity = discontinuity || older.discontinuity;
+        passedOver += older.passedOver + 1;
+    }
 };
 
 /// Who a camera is; constant while it is open.

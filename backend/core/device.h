@@ -31,7 +31,7 @@ struct DeviceStatus {
     std::int64_t lastData_ns = 0; ///< steady time of the newest frame; 0 when there was none
     double rate_Hz = 0.0;         ///< achieved rate
     std::uint64_t framesRead = 0; ///< frames read from the device since it was opened
-    std::uint64_t framesLost = 0; ///< frames that the device, the link or a full queue lost
+    std::uint64_t framesLost = 0; ///< frames that the device, the link or a full queue of samples lost
     std::string message;          ///< why the device is lost; UTF-8, translated; empty when all is well
 };
 

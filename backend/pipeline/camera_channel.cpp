@@ -21,11 +21,6 @@ constexpr double kLeastPeriod_s = 0.025;
 using vision::ContactEvent;
 using vision::FollowedContact;
 
-core::GreyImage shared(cv::Mat1b image) {
-    const auto kept = std::make_shared<cv::Mat1b>(std::move(image));
-    return {{kept, kept->data}, kept->cols, kept->rows};
-}
-
 /// The pixels themselves, which nobody writes to.
 cv::Mat1b viewOf(const core::GreyImage& image) {
     if (image.isEmpty())
@@ -40,7 +35,7 @@ core::GreyImage previewOf(const core::GreyImage& image) {
     const double scale = static_cast<double>(CameraChannel::kPreview_px) / whole.cols;
     cv::Mat1b small;
     cv::resize(whole, small, {}, scale, scale, cv::INTER_AREA);
-    return shared(std::move(small));
+    return core::greyImageOf(std::move(small));
 }
 
 } // namespace
@@ -121,8 +116,8 @@ void CameraChannel::run(const std::stop_token& stop) {
         core::CameraFrame newest;
         bool any = false;
         while (m_source->pop(frame)) {
-            m_passedOver += any ? 1 : 0;
-            frame.discontinuity = frame.discontinuity || (any && newest.discontinuity);
+            if (any)
+                frame.replace(newest);
             newest = std::move(frame);
             any = true;
         }
@@ -168,6 +163,7 @@ void CameraChannel::process(const core::CameraFrame& frame) {
             m_reaction->forget();
     }
     m_newest_ns = frame.time_ns;
+    m_passedOver += frame.passedOver;
     m_time_s = frame.capture_s + m_offset_s;
     const std::int64_t begin_ns = core::steadyNow_ns();
     const bool hadReference = m_tracker.hasReference();

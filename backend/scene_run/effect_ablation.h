@@ -50,7 +50,7 @@ struct Ablation {
 };
 
 /// Runs a scene with all its effects and with each one left out, several seeds each.
-/// Error: as runScene; interrupted when goOn said so; badInput for less than two seeds. Thread: any; keeps
+/// Error: as runScene; cancelled when goOn said so; badInput for less than two seeds. Thread: any; keeps
 /// one core busy.
 [[nodiscard]] core::Expected<Ablation> ablateEffects(const scene::Scene& scene,
                                                      const AblationOptions& options);

@@ -28,7 +28,7 @@ public:
     /// Ends the worker and waits for it: for a camera until its driver gives a frame or gives up. Idempotent.
     void stop();
 
-    [[nodiscard]] core::BoundedQueue<CameraFrame>& frames() { return m_worker.frames(); }
+    [[nodiscard]] core::CameraFrameQueue& frames() { return m_worker.frames(); }
     [[nodiscard]] core::DeviceStatus status() const { return m_worker.status(); }
     /// Frames since the start that could not be decoded; they are counted as lost, too.
     [[nodiscard]] std::uint64_t undecodable() const { return m_worker.undecodable(); }

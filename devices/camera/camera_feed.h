@@ -17,7 +17,7 @@ public:
     [[nodiscard]] const core::CameraDescription& description() const override { return m_description; }
     void start(core::Wakeup& consumer) override { m_device->start(consumer); }
     void stop() override { m_device->stop(); }
-    bool pop(core::CameraFrame& frame) override;
+    bool pop(core::CameraFrame& frame) override { return m_device->frames().pop(frame); }
     [[nodiscard]] core::DeviceStatus status() const override { return m_device->status(); }
 
 private:
@@ -26,8 +26,5 @@ private:
     std::unique_ptr<CameraDevice> m_device;
     core::CameraDescription m_description;
 };
-
-/// Whether a source names a connected camera, by its number, and not a file.
-[[nodiscard]] bool isCameraNumber(const std::string& source);
 
 } // namespace teleta::camera

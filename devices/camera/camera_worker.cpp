@@ -34,7 +34,6 @@ void CameraWorker::open(core::Wakeup& consumer) {
     m_number = 0;
     m_undecodable = 0;
     m_skipped = 0;
-    m_overflowAtOpen = m_frames.overflow();
     m_rate.reset();
     enter(DeviceState::connecting);
 }
@@ -104,8 +103,8 @@ std::string CameraWorker::stream(const std::stop_token& stop) {
 }
 
 void CameraWorker::deliver(cv::Mat1b image, double capture_s) {
-    CameraFrame frame;
-    frame.image = std::move(image);
+    core::CameraFrame frame;
+    frame.image = core::greyImageOf(std::move(image));
     frame.time_ns = now_ns();
     frame.capture_s = capture_s;
     frame.number = m_number++;
@@ -157,8 +156,7 @@ void CameraWorker::enter(DeviceState state, std::string message) {
 
 void CameraWorker::publish() {
     m_status.rate_Hz = m_rate.rate_Hz(m_status.lastData_ns);
-    m_status.framesLost = m_undecodable + m_skipped + (m_stream ? m_stream->framesSkipped() : 0) +
-                          (m_frames.overflow() - m_overflowAtOpen);
+    m_status.framesLost = m_undecodable + m_skipped + (m_stream ? m_stream->framesSkipped() : 0);
     m_published.set(m_status);
     m_publishedUndecodable.set(m_undecodable);
     if (m_consumer != nullptr)

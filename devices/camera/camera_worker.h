@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/bounded_queue.h"
+#include "backend/core/camera_frame_queue.h"
 #include "backend/core/device.h"
 #include "backend/core/latest_copy.h"
 #include "backend/core/rate_meter.h"
@@ -18,15 +18,6 @@
 
 namespace teleta::camera {
 
-/// One frame as it left the camera.
-struct CameraFrame {
-    cv::Mat1b image;            ///< empty: it could not be decoded
-    std::int64_t time_ns = 0;   ///< steady clock at the read
-    double capture_s = 0.0;     ///< driver's or file's time, from the first frame of the connection
-    std::uint64_t number = 0;   ///< since the device was started; a gap is a loss
-    bool discontinuity = false; ///< connected again, or the file begins anew
-};
-
 /// Reads, paces and queues frames, and opens a lost camera again.
 /// Thread: run() is the worker's; wake() and status() for any; frames() for one consumer.
 class CameraWorker {
@@ -37,7 +28,7 @@ public:
     void run(const std::stop_token& stop);
     void wake();
 
-    [[nodiscard]] core::BoundedQueue<CameraFrame>& frames() { return m_frames; }
+    [[nodiscard]] core::CameraFrameQueue& frames() { return m_frames; }
     [[nodiscard]] core::DeviceStatus status() const { return m_published.get(); }
     [[nodiscard]] std::uint64_t undecodable() const { return m_publishedUndecodable.get(); }
 
@@ -52,7 +43,7 @@ private:
     [[nodiscard]] std::int64_t now_ns() const { return m_config.clock->now_ns(); }
 
     CameraConfig m_config;
-    core::BoundedQueue<CameraFrame> m_frames;
+    core::CameraFrameQueue m_frames;
     core::LatestCopy<core::DeviceStatus> m_published;
     core::LatestCopy<std::uint64_t> m_publishedUndecodable;
     core::Wakeup* m_consumer = nullptr;
@@ -66,7 +57,6 @@ private:
     std::uint64_t m_number = 0;
     std::uint64_t m_undecodable = 0;
     std::uint64_t m_skipped = 0; ///< by the connections before this one
-    std::uint64_t m_overflowAtOpen = 0;
     bool m_discontinuity = false;
 };
 

@@ -58,6 +58,10 @@ core::Unexpected failed(core::ErrorKind kind, const QString& message, const QStr
 
 } // namespace
 
+bool isCameraNumber(const std::string& source) {
+    return cameraNumber(source).has_value();
+}
+
 core::Expected<VideoStream> VideoStream::open(const std::string& source, const Options& options) {
     VideoStream stream;
     try {

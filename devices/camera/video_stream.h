@@ -61,4 +61,7 @@ private:
     double m_last_s = 0.0;
 };
 
+/// Whether a source names a connected camera, by its number, and not a file.
+[[nodiscard]] bool isCameraNumber(const std::string& source);
+
 } // namespace teleta::camera

@@ -18,7 +18,7 @@
 namespace teleta::simulated {
 
 /// Moves a simulated arm in real time: one step a joint period, when it is due,
-///   due_k = epoch + k / rate + lag
+///   due_k = epoch + (k + 1) / rate + lag
 /// so that a late step does not delay the next ones. Each step looks at STOP first.
 /// Thread: run() is the worker's; open() before it; the others from any.
 class SimulatedArmWorker {

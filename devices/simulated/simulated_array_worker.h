@@ -15,7 +15,7 @@
 namespace teleta::simulated {
 
 /// Makes the frames of a simulated array when they are due:
-///   due_k = epoch + k / rate + lag
+///   due_k = epoch + (k + 1) / rate + lag
 /// so that a late frame does not delay the next ones. A block holds the frames that are due together.
 /// Thread: run() is the worker's; open() before it; the others from any.
 class SimulatedArrayWorker {

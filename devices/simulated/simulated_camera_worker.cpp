@@ -23,7 +23,6 @@ void SimulatedCameraWorker::open(core::Wakeup& consumer) {
     m_status = {};
     m_number = 0;
     m_lost = 0;
-    m_overflowAtOpen = m_frames.overflow();
     begin();
 }
 
@@ -107,7 +106,7 @@ void SimulatedCameraWorker::enter(core::DeviceState state, std::string message) 
 
 void SimulatedCameraWorker::publish() {
     m_status.rate_Hz = m_rate.rate_Hz(m_status.lastData_ns);
-    m_status.framesLost = m_lost + (m_frames.overflow() - m_overflowAtOpen);
+    m_status.framesLost = m_lost;
     m_published.set(m_status);
     m_consumer->notify();
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/bounded_queue.h"
-#include "backend/core/camera_source.h"
+#include "backend/core/camera_frame_queue.h"
 #include "backend/core/latest_copy.h"
 #include "backend/core/rate_meter.h"
 #include "backend/core/stop_switch.h"
@@ -17,7 +16,7 @@
 namespace teleta::simulated {
 
 /// Makes the frames of a simulated camera when they are due,
-///   due_k = epoch + k / rate + lag
+///   due_k = epoch + (k + 1) / rate + lag
 /// A world that takes longer than that to draw stands still meanwhile: late frames are not made up for.
 /// Thread: run() is the worker's; open() before it; frames() for one consumer; the others from any.
 class SimulatedCameraWorker {
@@ -34,7 +33,7 @@ public:
     [[nodiscard]] SimulatedFaults faults() const { return m_link.faults(); }
 
     [[nodiscard]] const core::CameraDescription& description() const { return m_description; }
-    [[nodiscard]] core::BoundedQueue<core::CameraFrame>& frames() { return m_frames; }
+    [[nodiscard]] core::CameraFrameQueue& frames() { return m_frames; }
     [[nodiscard]] core::DeviceStatus status() const { return m_published.get(); }
 
 private:
@@ -48,7 +47,7 @@ private:
     const core::StopSwitch& m_stopSwitch;
     SimulatedCameraConfig m_config;
     core::CameraDescription m_description;
-    core::BoundedQueue<core::CameraFrame> m_frames;
+    core::CameraFrameQueue m_frames;
     core::LatestCopy<core::DeviceStatus> m_published;
     core::Wakeup* m_consumer = nullptr;
     SimulatedLink m_link;
@@ -58,7 +57,6 @@ private:
     core::DeviceStatus m_status;
     std::uint64_t m_number = 0;
     std::uint64_t m_lost = 0; ///< by the link or damaged
-    std::uint64_t m_overflowAtOpen = 0;
     bool m_discontinuity = false;
 };
 

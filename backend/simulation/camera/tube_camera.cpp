@@ -26,25 +26,25 @@ public:
     [[nodiscard]] const core::CameraDescription& description() const override { return m_description; }
 
     bool next(core::GreyImage& image, bool held) override {
-        auto frame = std::make_shared<cv::Mat1b>();
+        cv::Mat1b frame;
         const bool anew = !held && m_tube->time_s() >= m_end_s;
         if (anew) {
             m_tube->restart();
             m_asked = {};
+            // It was asked of the arm as it stood before.
+            (void)m_link->asked.take();
             m_commandAge = m_commandFrames;
             ++m_restarts;
         }
         if (!m_started)
-            m_tube->untouched(*frame);
+            m_tube->untouched(frame);
         else
-            move(*frame, held);
+            move(frame, held);
         m_started = true;
         m_link->state.set({.pose = m_tube->arm().pose(),
                            .held = held || m_commandAge >= m_commandFrames,
                            .restarts = m_restarts});
-        image.width_px = frame->cols;
-        image.height_px = frame->rows;
-        image.pixels = {frame, frame->data};
+        image = core::greyImageOf(std::move(frame));
         ++m_frames;
         return anew;
     }

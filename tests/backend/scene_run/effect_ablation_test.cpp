@@ -71,7 +71,7 @@ TEST(EffectAblation, tellsTheMeanDifferenceAndTheSpreadOfTheRunsOneByOne) {
 }
 
 TEST(EffectAblation, anEffectThatDoesNothingMovesNothing) {
-    // Far above every load of the scene; the noise gives the measures a spread.
+    // Steps far below every load of the scene; the noise gives the measures a spread.
     const scene::Scene scene =
         indenterWith({{"", scene::NoiseSpec{.sd_N = 0.015}}, {"", scene::QuantizationSpec{.step_N = 1e-12}}});
     const auto ablation = ablateEffects(scene, fourSeconds(3));

@@ -11,6 +11,7 @@
 namespace teleta::camera {
 namespace {
 
+using core::CameraFrame;
 using core::DeviceState;
 
 constexpr int kFrames = 30;
@@ -50,7 +51,7 @@ TEST_F(CameraDeviceTest, deliversEveryFrameOfAFileThatIsPlayedAsFastAsItIsTaken)
     for (std::size_t i = 0; i < frames.size(); ++i) {
         EXPECT_EQ(frames[i].number, i);
         EXPECT_NEAR(frames[i].capture_s, static_cast<double>(i) / 100.0, 1e-6);
-        EXPECT_FALSE(frames[i].image.empty());
+        EXPECT_FALSE(frames[i].image.isEmpty());
         EXPECT_GE(frames[i].time_ns, i == 0 ? 1 : frames[i - 1].time_ns);
     }
     EXPECT_EQ((*device)->status().state, DeviceState::finished);
@@ -70,7 +71,7 @@ TEST_F(CameraDeviceTest, beginsAnewWithADiscontinuityInALoop) {
     EXPECT_EQ((*device)->status().state, DeviceState::closed);
 }
 
-TEST_F(CameraDeviceTest, countsWhatAFullQueueLosesWhenItKeepsTheTimeOfTheFile) {
+TEST_F(CameraDeviceTest, keepsTheNewestFramesWhenNobodyTakesThemInTheTimeOfTheFile) {
     auto device = CameraDevice::open({.source = m_path, .queueFrames = 2});
     ASSERT_TRUE(device);
     (*device)->start(m_wakeup);
@@ -78,7 +79,11 @@ TEST_F(CameraDeviceTest, countsWhatAFullQueueLosesWhenItKeepsTheTimeOfTheFile) {
         (void)m_wakeup.waitFor(std::chrono::milliseconds(20));
     EXPECT_EQ((*device)->status().state, DeviceState::finished);
     EXPECT_EQ((*device)->status().framesRead, static_cast<std::uint64_t>(kFrames));
-    EXPECT_EQ((*device)->status().framesLost, static_cast<std::uint64_t>(kFrames - 2));
+    EXPECT_EQ((*device)->status().framesLost, 0U);
+    const auto frames = take(**device, 3);
+    ASSERT_EQ(frames.size(), 2U);
+    EXPECT_EQ(frames[0].passedOver, static_cast<std::uint64_t>(kFrames - 2));
+    EXPECT_EQ(frames[1].number, static_cast<std::uint64_t>(kFrames - 1));
 }
 
 TEST_F(CameraDeviceTest, stopsAtOnceWhileItWaitsAndStartsAgain) {
@@ -97,6 +102,13 @@ TEST_F(CameraDeviceTest, stopsAtOnceWhileItWaitsAndStartsAgain) {
     ASSERT_EQ(frames.size(), 1U);
     EXPECT_EQ(frames.front().number, 0U);
     EXPECT_EQ(frames.front().capture_s, 0.0);
+}
+
+TEST(CameraNumber, isWhatTheStreamOpensAsACamera) {
+    for (const char* source : {"0", "7", "12"})
+        EXPECT_TRUE(isCameraNumber(source)) << source;
+    for (const char* source : {"", "-1", "1.avi", "0x1", " 1", "99999999999"})
+        EXPECT_FALSE(isCameraNumber(source)) << source;
 }
 
 TEST_F(CameraDeviceTest, reportsAFileThatIsNotThere) {

@@ -156,10 +156,30 @@ TEST_F(SimulatedCameraTest, doesNotMakeUpForTimeThatItWasLate) {
     EXPECT_EQ(take().size(), 1U);
 }
 
-TEST_F(SimulatedCameraTest, countsFramesThatAFullQueueLoses) {
+TEST_F(SimulatedCameraTest, keepsTheNewestFramesOfAQueueThatNobodyTakesAndTellsHowManyWentBefore) {
     open({.queueFrames = 4});
-    for (int i = 0; i < 9; ++i)
+    for (int i = 0; i < 12; ++i)
         m_clock->advance(kFrame_ns);
-    EXPECT_EQ(m_device->status().framesLost, 5U);
-    EXPECT_EQ(take().size(), 4U);
+    const auto frames = take();
+    ASSERT_EQ(frames.size(), 4U);
+    EXPECT_EQ(frames.front().number, 8U);
+    EXPECT_EQ(frames.front().passedOver, 8U);
+    EXPECT_FALSE(frames.front().discontinuity);
+    EXPECT_TRUE(frames[1].discontinuity) << "the tenth begins anew";
+    EXPECT_EQ(frames.back().number, 11U);
+    EXPECT_EQ(frames.back().passedOver, 0U);
+    EXPECT_EQ(m_device->status().framesLost, 0U) << "the link lost none";
+    for (int i = 0; i < 4; ++i)
+        m_clock->advance(kFrame_ns);
+    EXPECT_EQ(take().front().passedOver, 0U);
+}
+
+TEST_F(SimulatedCameraTest, tellsOfABreakThatAFullQueueDropped) {
+    open({.queueFrames = 2});
+    for (int i = 0; i < 14; ++i)
+        m_clock->advance(kFrame_ns);
+    const auto frames = take();
+    ASSERT_EQ(frames.size(), 2U);
+    EXPECT_TRUE(frames.front().discontinuity) << "that of the tenth";
+    EXPECT_FALSE(frames.back().discontinuity);
 }

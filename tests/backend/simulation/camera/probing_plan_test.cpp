@@ -29,7 +29,7 @@ TEST(ProbingPlan, visitsAGridOnTheSkinRingByRing) {
     EXPECT_EQ(plan.duration_s(), 200.0);
     EXPECT_LT((plan.holes()[0].p_Sensor_Noted_m - Eigen::Vector3d(0.025, 0.0, 0.01)).norm(), 1e-12);
     EXPECT_LT((plan.holes()[5].p_Sensor_Noted_m - Eigen::Vector3d(0.0, 0.025, 0.01)).norm(), 1e-12);
-    EXPECT_LT((plan.holes()[199].p_Sensor_Noted_m.z()) - 0.09, 1e-12);
+    EXPECT_NEAR(plan.holes()[199].p_Sensor_Noted_m.z(), 0.09, 1e-12);
     for (const ProbedHole& hole : plan.holes()) {
         EXPECT_FALSE(hole.mistaken);
         const Eigen::Vector3d truly(0.025 * std::cos(hole.truly.angle_rad),

@@ -115,6 +115,7 @@ TEST(TubeCamera, beginsAnewAfterItsEndButNotUnderStop) {
     for (int i = 0; i < 5; ++i)
         EXPECT_FALSE(camera.next(true));
     EXPECT_GT(camera.state().pose.along_m, 0.0);
+    camera.link->asked.post({.along_mPerS = 0.1}); // to the arm of before
     EXPECT_TRUE(camera.next());
     EXPECT_EQ(camera.state().restarts, 1U);
     EXPECT_EQ(camera.state().pose.along_m, 0.0);
