@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/bracelet/bracelet_view.h"
 
+#include "widgets/base/focus_frame.h"
 #include "widgets/base/number_format.h"
 #include "widgets/base/tabular_text.h"
 #include "widgets/base/theme.h"
@@ -206,11 +207,7 @@ void BraceletView::paintEvent(QPaintEvent*) {
     painter.setPen(faint);
     painter.drawText(layout.note, Qt::AlignLeft | Qt::AlignVCenter,
                      QFontMetricsF(small).elidedText(m_note, Qt::ElideRight, layout.note.width()));
-    if (hasFocus()) {
-        painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(accent, 1.0));
-        painter.drawRect(rect().adjusted(0, 0, -1, -1));
-    }
+    base::paintFocusFrame(painter, *this);
 }
 
 bool BraceletView::event(QEvent* event) {

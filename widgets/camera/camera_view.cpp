@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/camera/camera_view.h"
 
+#include "widgets/base/focus_frame.h"
 #include "widgets/base/theme.h"
 
 #include <QContextMenuEvent>
@@ -115,11 +116,7 @@ void CameraView::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     m_picture.font = font();
     m_picture.paint(painter, QSizeF(size()), palette());
-    if (hasFocus()) {
-        painter.setPen(QPen(palette().color(QPalette::Highlight), 1.0));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawRect(rect().adjusted(0, 0, -1, -1));
-    }
+    base::paintFocusFrame(painter, *this);
 }
 
 void CameraView::wheelEvent(QWheelEvent* event) {

@@ -2,6 +2,7 @@
 #include "widgets/camera/residual_view.h"
 
 #include "backend/core/number_text.h"
+#include "widgets/base/focus_frame.h"
 #include "widgets/base/number_format.h"
 #include "widgets/base/theme.h"
 
@@ -153,11 +154,7 @@ void ResidualView::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     m_picture.font = font();
     m_picture.paint(painter, QSizeF(size()), palette());
-    if (hasFocus()) {
-        painter.setPen(QPen(palette().color(QPalette::Highlight), 1.0));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawRect(rect().adjusted(0, 0, -1, -1));
-    }
+    base::paintFocusFrame(painter, *this);
 }
 
 void ResidualView::mousePressEvent(QMouseEvent* event) {

@@ -2,6 +2,7 @@
 #include "widgets/pattern/stroke_pad.h"
 
 #include "backend/core/tactor_ring.h"
+#include "widgets/base/focus_frame.h"
 #include "widgets/base/theme.h"
 
 #include <QKeyEvent>
@@ -236,11 +237,7 @@ void StrokePad::paintEvent(QPaintEvent*) {
         }
     }
     painter.setClipping(false);
-    if (hasFocus()) {
-        painter.setPen(QPen(accent, 1.0));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawRect(rect().adjusted(0, 0, -1, -1));
-    }
+    base::paintFocusFrame(painter, *this);
     if (!any) {
         painter.setPen(faint);
         painter.drawText(arm().adjusted(0.0, 0.0, 0.0, -0.2 * em), Qt::AlignHCenter | Qt::AlignBottom,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/pattern/timeline_view.h"
 
+#include "widgets/base/focus_frame.h"
 #include "widgets/base/theme.h"
 #include "widgets/pattern/timeline_menu.h"
 #include "widgets/pattern/timeline_painter.h"
@@ -247,11 +248,7 @@ void TimelineView::paintEvent(QPaintEvent*) {
         painter.drawRect(QRectF(m_press, m_now).normalized().intersected(geometry.plot));
     }
     paintPlayhead(painter, geometry, m_playhead_s, palette());
-    if (hasFocus()) {
-        painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(accent, 1.0));
-        painter.drawRect(rect().adjusted(0, 0, -1, -1));
-    }
+    base::paintFocusFrame(painter, *this);
 }
 
 void TimelineView::resizeEvent(QResizeEvent* event) {

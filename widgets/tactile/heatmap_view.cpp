@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/tactile/heatmap_view.h"
 
+#include "widgets/base/focus_frame.h"
 #include "widgets/base/inline_edit.h"
 #include "widgets/base/theme.h"
 
@@ -185,10 +186,7 @@ void HeatmapView::paintEvent(QPaintEvent*) {
         return;
     }
     m_painter.paint(painter, layoutNow(), m_content, palette(), HeatmapPainter::Medium::screen);
-    if (hasFocus()) {
-        painter.setPen(QPen(palette().color(QPalette::Highlight), 1.0));
-        painter.drawRect(rect().adjusted(0, 0, -1, -1));
-    }
+    base::paintFocusFrame(painter, *this);
 }
 
 base::Figure HeatmapView::figure() const {

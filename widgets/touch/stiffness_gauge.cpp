@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/touch/stiffness_gauge.h"
 
+#include "widgets/base/focus_frame.h"
 #include "widgets/base/theme.h"
 
 #include <QContextMenuEvent>
@@ -111,10 +112,7 @@ bool StiffnessGauge::event(QEvent* event) {
 void StiffnessGauge::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     paintGauge(painter, layoutNow(), font(), m_content, palette());
-    if (hasFocus()) {
-        painter.setPen(QPen(palette().color(QPalette::Highlight), 1.0));
-        painter.drawRect(rect().adjusted(0, 0, -1, -1));
-    }
+    base::paintFocusFrame(painter, *this);
 }
 
 void StiffnessGauge::keyPressEvent(QKeyEvent* event) {
