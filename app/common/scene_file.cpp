@@ -10,21 +10,39 @@
 
 namespace teleta::app {
 
+namespace {
+
+/// The file of a scene, or the resource, which only Qt can read.
+QString placeOf(const std::string& pathOrName) {
+    const QString name = QString::fromStdString(pathOrName);
+    const QString resource = QStringLiteral(":/scenes/%1.toml").arg(name);
+    const QFileInfo file(name);
+    // The results of an earlier run may lie in a folder of that name.
+    return (file.exists() && !file.isDir()) || !QFile::exists(resource) ? name : resource;
+}
+
+} // namespace
+
 core::Expected<scene::Scene> readScene(const std::string& pathOrName) {
-    QString resource = QString::fromStdString(pathOrName);
-    if (!resource.startsWith(QStringLiteral(":/"))) {
-        resource = QStringLiteral(":/scenes/%1.toml").arg(resource);
-        const QFileInfo file(QString::fromStdString(pathOrName));
-        // The results of an earlier run may lie in a folder of that name.
-        if ((file.exists() && !file.isDir()) || !QFile::exists(resource))
-            return scene::readScene(pathOrName);
-    }
-    // Only Qt can read it.
-    QFile file(resource);
+    const QString place = placeOf(pathOrName);
+    if (!place.startsWith(QStringLiteral(":/")))
+        return scene::readScene(pathOrName);
+    QFile file(place);
     if (!file.open(QIODevice::ReadOnly))
         return core::Unexpected(
             core::Error{core::ErrorKind::notFound, file.errorString().toStdString(), {}, {pathOrName, 0, 0}});
-    return scene::parseScene(file.readAll().toStdString(), resource.toStdString());
+    return scene::parseScene(file.readAll().toStdString(), place.toStdString());
+}
+
+core::Expected<AnyScene> readAnyScene(const std::string& pathOrName) {
+    const QString place = placeOf(pathOrName);
+    QFile file(place);
+    if (file.open(QIODevice::ReadOnly)) {
+        const std::string text = file.readAll().toStdString();
+        if (study::isStudyScene(text))
+            return study::parseStudyScene(text, place.toStdString());
+    }
+    return readScene(pathOrName);
 }
 
 std::vector<std::string> sceneNames() {

@@ -3,8 +3,10 @@
 
 #include "backend/core/error.h"
 #include "backend/scene/scene.h"
+#include "backend/study/study_scene.h"
 
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace teleta::app {
@@ -12,6 +14,11 @@ namespace teleta::app {
 /// Reads a scene from a file, or one of those that come with the programs by its name ("teleta-touch") or its
 /// resource (":/scenes/teleta-touch.toml"). A file of that name goes first. Failure: as scene::readScene().
 [[nodiscard]] core::Expected<scene::Scene> readScene(const std::string& pathOrName);
+
+/// A scene of either kind: a world that devices sense, or a study.
+using AnyScene = std::variant<scene::Scene, study::StudyScene>;
+/// The same for both kinds. Failure: also as study::parseStudyScene().
+[[nodiscard]] core::Expected<AnyScene> readAnyScene(const std::string& pathOrName);
 
 /// Names of the scenes that come with the programs, in alphabetical order.
 [[nodiscard]] std::vector<std::string> sceneNames();

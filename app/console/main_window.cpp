@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/main_window.h"
 
+#include "app/common/scene_file.h"
 #include "app/console/about.h"
 #include "app/console/background.h"
 #include "app/console/bracelet/bracelet_menu.h"
@@ -214,8 +215,7 @@ void MainWindow::onTick() {
 }
 
 void MainWindow::openRequested(const ConsoleOptions& options) {
-    for (const QString& scene : options.scenes)
-        m_sources.open(SceneRequest{scene.toStdString(), options.seed});
+    openScenes(options.scenes, options.study);
     for (const ConsoleOptions::Recording& recording : options.recordings) {
         runInBackground(
             this, [recording] { return completeRecording(recording); },
@@ -234,7 +234,7 @@ void MainWindow::openRequested(const ConsoleOptions& options) {
         m_patterns->open(options.pattern);
     if (options.rehearse)
         m_study->watchRehearsal(options.study);
-    else if (!options.study.isEmpty())
+    else if (!options.study.isEmpty() && options.scenes.isEmpty())
         m_study->open(options.study);
     if (!options.cameraPairs.isEmpty())
         m_calibrate->openPairs(options.cameraPairs);
@@ -245,7 +245,33 @@ void MainWindow::openDemo() {
 }
 
 void MainWindow::openScene(const QString& path) {
-    m_sources.open(SceneRequest{path.toStdString(), m_seed});
+    openScenes({path}, {});
+}
+
+/// A scene of a study goes to its page, in a folder of its own or the one that is named; all others are
+/// sources.
+void MainWindow::openScenes(const QStringList& scenes, const QString& studyFolder) {
+    const auto read = [scenes] {
+        std::vector<std::optional<study::StudyScene>> studies;
+        for (const QString& scene : scenes) {
+            core::Expected<app::AnyScene> any = app::readAnyScene(scene.toStdString());
+            studies.emplace_back();
+            if (any && std::holds_alternative<study::StudyScene>(*any))
+                studies.back() = std::get<study::StudyScene>(std::move(*any));
+        }
+        return studies;
+    };
+    runInBackground(this, read, [this, scenes, studyFolder](const auto& studies) {
+        for (qsizetype i = 0; i < scenes.size(); ++i) {
+            const auto& study = studies[static_cast<std::size_t>(i)];
+            if (!study) {
+                m_sources.open(SceneRequest{scenes[i].toStdString(), m_seed});
+                continue;
+            }
+            showPage(QLatin1String(kStudy));
+            m_study->watchScene(*study, m_seed, studyFolder);
+        }
+    });
 }
 
 void MainWindow::openCamera() {

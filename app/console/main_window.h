@@ -76,6 +76,7 @@ private:
     void openList(const QString& path);
     void askForFile(const QString& title, const QString& filter, void (MainWindow::*open)(const QString&));
     void openScene(const QString& path);
+    void openScenes(const QStringList& scenes, const QString& studyFolder);
     void openCamera();
     void saveState();
     void showPage(const QString& name);

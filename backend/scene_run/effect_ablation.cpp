@@ -2,6 +2,7 @@
 #include "backend/scene_run/effect_ablation.h"
 
 #include "backend/scene_run/scene_run.h"
+#include "backend/scene_run/study_run.h"
 
 #include <QCoreApplication>
 
@@ -84,8 +85,10 @@ core::Error cancelled() {
     return error;
 }
 
+using Run = std::function<core::Expected<SceneSummary>(const RunOptions&)>;
+
 /// Runs all seeds; progress counts on from the runs that were done before.
-core::Expected<Runs> runSeeds(const scene::Scene& scene, const AblationOptions& options, double doneBefore,
+core::Expected<Runs> runSeeds(const Run& runOne, const AblationOptions& options, double doneBefore,
                               double allRuns) {
     Runs runs;
     for (std::uint64_t i = 0; i < options.seeds; ++i) {
@@ -96,7 +99,7 @@ core::Expected<Runs> runSeeds(const scene::Scene& scene, const AblationOptions& 
             const double done = doneBefore + static_cast<double>(i) + simulated_s / duration_s;
             return !options.goOn || options.goOn(done, allRuns);
         };
-        const core::Expected<SceneSummary> summary = runScene(scene, run);
+        const core::Expected<SceneSummary> summary = runOne(run);
         if (!summary)
             return core::Unexpected(summary.error());
         if (summary->interrupted)
@@ -175,13 +178,10 @@ MeasureChange textChange(const std::string& name, const Runs& with, const Runs& 
     return change;
 }
 
-} // namespace
-
-bool EffectAblation::moves() const {
-    return std::ranges::any_of(changes, &MeasureChange::moves);
-}
-
-core::Expected<Ablation> ablateEffects(const scene::Scene& scene, const AblationOptions& options) {
+/// runWithout: of the scene without its effect of that index; all effects for none.
+core::Expected<Ablation> ablate(const std::vector<std::string>& effects,
+                                const std::function<Run(std::optional<std::size_t>)>& runWithout,
+                                const AblationOptions& options) {
     if (options.seeds < 2) {
         core::Error error;
         error.kind = core::ErrorKind::badInput;
@@ -189,22 +189,20 @@ core::Expected<Ablation> ablateEffects(const scene::Scene& scene, const Ablation
         return core::Unexpected(error);
     }
     const auto perVariant = static_cast<double>(options.seeds);
-    const double allRuns = perVariant * static_cast<double>(scene.effects.size() + 1);
-    const core::Expected<Runs> with = runSeeds(scene, options, 0.0, allRuns);
+    const double allRuns = perVariant * static_cast<double>(effects.size() + 1);
+    const core::Expected<Runs> with = runSeeds(runWithout({}), options, 0.0, allRuns);
     if (!with)
         return core::Unexpected(with.error());
 
     Ablation ablation;
     ablation.run_s = median(with->wall_s);
-    for (std::size_t left = 0; left < scene.effects.size(); ++left) {
-        scene::Scene others = scene;
-        others.effects.erase(others.effects.begin() + static_cast<std::ptrdiff_t>(left));
+    for (std::size_t left = 0; left < effects.size(); ++left) {
         const core::Expected<Runs> without =
-            runSeeds(others, options, perVariant * static_cast<double>(left + 1), allRuns);
+            runSeeds(runWithout(left), options, perVariant * static_cast<double>(left + 1), allRuns);
         if (!without)
             return core::Unexpected(without.error());
         EffectAblation effect;
-        effect.effect = nameOf(scene.effects[left]);
+        effect.effect = effects[left];
         const auto own = with->own_s.find(effect.effect);
         effect.own_s = own == with->own_s.end() ? 0.0 : own->second;
         effect.run_s = median(without->wall_s);
@@ -215,6 +213,37 @@ core::Expected<Ablation> ablateEffects(const scene::Scene& scene, const Ablation
         ablation.effects.push_back(std::move(effect));
     }
     return ablation;
+}
+
+} // namespace
+
+bool EffectAblation::moves() const {
+    return std::ranges::any_of(changes, &MeasureChange::moves);
+}
+
+core::Expected<Ablation> ablateEffects(const scene::Scene& scene, const AblationOptions& options) {
+    std::vector<std::string> effects;
+    for (const scene::Effect& effect : scene.effects)
+        effects.emplace_back(nameOf(effect));
+    const auto runWithout = [&scene](std::optional<std::size_t> left) -> Run {
+        scene::Scene others = scene;
+        if (left)
+            others.effects.erase(others.effects.begin() + static_cast<std::ptrdiff_t>(*left));
+        return [others](const RunOptions& run) { return runScene(others, run); };
+    };
+    return ablate(effects, runWithout, options);
+}
+
+core::Expected<Ablation> ablateEffects(const study::StudyScene& scene, const AblationOptions& options) {
+    std::vector<std::string> effects;
+    for (const study::StudyScene::Effect& effect : scene.effects)
+        effects.push_back(effect.name);
+    const auto runWithout = [&](std::optional<std::size_t> left) -> Run {
+        return [others = left ? scene.without(effects[*left]) : scene](const RunOptions& run) {
+            return runStudyScene(others, run);
+        };
+    };
+    return ablate(effects, runWithout, options);
 }
 
 } // namespace teleta::scene_run

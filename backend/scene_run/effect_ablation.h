@@ -3,6 +3,7 @@
 
 #include "backend/core/error.h"
 #include "backend/scene/scene.h"
+#include "backend/study/study_scene.h"
 
 #include <cstdint>
 #include <functional>
@@ -50,9 +51,11 @@ struct Ablation {
 };
 
 /// Runs a scene with all its effects and with each one left out, several seeds each.
-/// Error: as runScene; cancelled when goOn said so; badInput for less than two seeds. Thread: any; keeps
-/// one core busy.
+/// Error: as runScene or runStudyScene; cancelled when goOn said so; badInput for less than two seeds.
+/// Thread: any; keeps one core busy.
 [[nodiscard]] core::Expected<Ablation> ablateEffects(const scene::Scene& scene,
+                                                     const AblationOptions& options);
+[[nodiscard]] core::Expected<Ablation> ablateEffects(const study::StudyScene& scene,
                                                      const AblationOptions& options);
 
 } // namespace teleta::scene_run

@@ -4,6 +4,7 @@
 #include "backend/study/due_questionnaires.h"
 #include "backend/study/session.h"
 #include "backend/study/simulated_participant.h"
+#include "backend/study/stimulus_set.h"
 #include "backend/study/study_export.h"
 
 #include <QCoreApplication>
@@ -21,20 +22,17 @@ struct RehearsalText {
     Q_DECLARE_TR_FUNCTIONS(StudyRehearsal)
 };
 
-constexpr std::int64_t kLatency_ns = 5'000'000;
 constexpr std::int64_t kBetweenTrials_ns = 1'000'000'000;
 constexpr qint64 kBetweenSessions_s = 3600;
 constexpr std::uint64_t kAnswersOfSession = 2; // parts 0 and 1 of the session's seed are its orders
 
 /// Shows one trial to the participant and passes on what it does.
-void showTrial(Session& session, const SimulatedParticipant& participant, double stimulus_s,
-               std::uint64_t seed, std::int64_t& now_ns) {
-    PortableRandom random(seed);
-    const SimulatedParticipant::Answer answer = participant.answer(session.current()->stimulus, random);
+void showTrial(Session& session, const SimulatedParticipant::Answer& answer,
+               const RehearsalCast::Shown& shown, double stimulus_s, std::int64_t& now_ns) {
     now_ns += kBetweenTrials_ns;
     if (!session.startTrial(now_ns))
         return;
-    const std::int64_t onset_ns = now_ns + kLatency_ns;
+    const std::int64_t onset_ns = now_ns + std::llround(shown.latency_s * 1e9);
     const std::int64_t end_ns = onset_ns + std::llround(stimulus_s * 1e9);
     const std::int64_t answer_ns = onset_ns + std::llround(answer.time_s * 1e9);
     session.stimulusStarted(onset_ns);
@@ -59,9 +57,10 @@ void showTrial(Session& session, const SimulatedParticipant& participant, double
 
 class Rehearsal {
 public:
-    Rehearsal(StudyStore& store, const std::function<bool(std::size_t)>& goOn)
+    Rehearsal(StudyStore& store, const std::function<bool(std::size_t)>& goOn, const RehearsalCast& cast)
         : m_store(store)
-        , m_goOn(goOn) {}
+        , m_goOn(goOn)
+        , m_cast(cast) {}
 
     [[nodiscard]] core::Expected<RehearsalProgress> run();
 
@@ -76,6 +75,7 @@ private:
 
     StudyStore& m_store;
     const std::function<bool(std::size_t)>& m_goOn;
+    const RehearsalCast& m_cast;
     RehearsalProgress m_progress;
 };
 
@@ -167,24 +167,33 @@ core::Expected<void> Rehearsal::runSession(const Participant& participant, std::
         return core::Unexpected(session.error());
 
     const StudyTask& task = head.protocol.tasks[plan.task];
-    SimulatedParticipant simulated{
-        paperMatrix(task.id, task.conditions[plan.condition]).value_or(assumedMatrix(task.patterns.size())),
-        head.lapses};
-    if (simulated.matrix.patterns() != task.patterns.size())
-        simulated.matrix = assumedMatrix(task.patterns.size());
+    const std::string& condition = task.conditions[plan.condition];
+    const SimulatedParticipant simulated{knownMatrix(task, condition), head.lapses};
+    const std::int64_t start_ns = now_ns;
+    const double before_s = m_progress.simulated_s;
     while (session->stage() == Stage::ready) {
-        if (!m_goOn(m_progress.trialsBefore + m_progress.trials)) {
+        const bool goOn = m_goOn(m_progress.trialsBefore + m_progress.trials) &&
+                          (!m_cast.goOn || m_cast.goOn(m_progress.simulated_s));
+        if (!goOn) {
             m_progress.interrupted = true;
             return {};
         }
         const PlannedTrial trial = *session->current();
         const std::uint64_t part =
             (trial.trial << 16U) + (trial.attempt << 1U) + (trial.phase == Phase::test ? 1 : 0);
-        showTrial(*session, simulated, head.protocol.stimulus_s,
-                  derivedSeed(derivedSeed(plan.seed, kAnswersOfSession), part), now_ns);
+        const std::uint64_t seed = derivedSeed(derivedSeed(plan.seed, kAnswersOfSession), part);
+        const SimulatedParticipant::Answer answer = m_cast.answer
+                                                        ? m_cast.answer(task, condition, trial.stimulus, seed)
+                                                        : simulated.answer(trial.stimulus, seed);
+        const RehearsalCast::Shown shown =
+            m_cast.show ? m_cast.show(stimulusId(task, task.patterns[trial.stimulus], condition), seed)
+                        : RehearsalCast::Shown{};
+        showTrial(*session, answer, shown, head.protocol.stimulus_s, now_ns);
         // The store keeps milliseconds, and the next trial begins at what it keeps, resumed or not.
         now_ns = (now_ns + 999'999) / 1'000'000 * 1'000'000;
-        if (const std::optional<TrialResult> result = session->takeResult()) {
+        m_progress.simulated_s = before_s + static_cast<double>(now_ns - start_ns) * 1e-9;
+        if (std::optional<TrialResult> result = session->takeResult()) {
+            result->framesMissed = shown.framesMissed;
             const core::Expected<void> safe =
                 m_store.keepTrial(*record, *result, begin.addMSecs(now_ns / 1'000'000));
             if (!safe)
@@ -217,8 +226,9 @@ std::size_t plannedTrials(const StudyHead& head) {
     return trials * head.plannedParticipants;
 }
 
-core::Expected<RehearsalProgress> rehearse(StudyStore& store, const std::function<bool(std::size_t)>& goOn) {
-    return Rehearsal(store, goOn).run();
+core::Expected<RehearsalProgress> rehearse(StudyStore& store, const std::function<bool(std::size_t)>& goOn,
+                                           const RehearsalCast& cast) {
+    return Rehearsal(store, goOn, cast).run();
 }
 
 } // namespace teleta::study

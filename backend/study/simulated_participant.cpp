@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/simulated_participant.h"
 
+#include "backend/study/portable_random.h"
+#include "backend/study/trial_order.h"
+
 #include <cmath>
 #include <numbers>
 
 namespace teleta::study {
 
 namespace {
+
+/// Streams of a trial.
+constexpr std::uint64_t kConfusion = 1;
+constexpr std::uint64_t kLapses = 2;
+constexpr std::uint64_t kTimes = 3;
 
 using Counts = std::vector<std::vector<int>>;
 
@@ -21,30 +29,41 @@ ConfusionMatrix matrixOf(const Counts& counts) {
 
 } // namespace
 
-SimulatedParticipant::Answer SimulatedParticipant::answer(std::size_t stimulus,
-                                                          PortableRandom& random) const {
-    // Everything is drawn in every trial, so that one answer does not move the following ones.
-    const bool lapse = random.unit() < lapses;
-    const double choice = random.unit();
+SimulatedParticipant::Answer SimulatedParticipant::answer(std::size_t stimulus, std::uint64_t seed) const {
+    Answer answer{std::nullopt, time_s(seed)};
+    if (!isLapse(seed))
+        answer.response = response(stimulus, seed);
+    return answer;
+}
+
+bool SimulatedParticipant::isLapse(std::uint64_t seed) const {
+    return lapses > 0.0 && PortableRandom(derivedSeed(seed, kLapses)).unit() < lapses;
+}
+
+double SimulatedParticipant::time_s(std::uint64_t seed) const {
+    if (logSpread == 0.0)
+        return medianResponse_s;
+    PortableRandom random(derivedSeed(seed, kTimes));
     const double radius = std::sqrt(-2.0 * std::log1p(-random.unit()));
     const double normal = radius * std::cos(2.0 * std::numbers::pi * random.unit());
-    Answer answer{std::nullopt, medianResponse_s * std::exp(logSpread * normal)};
-    if (lapse)
-        return answer;
-    const std::int64_t total = matrix.rowTotal(stimulus);
-    if (total == 0) {
-        answer.response = static_cast<std::size_t>(choice * static_cast<double>(matrix.patterns()));
-        return answer;
-    }
+    return medianResponse_s * std::exp(logSpread * normal);
+}
+
+std::size_t SimulatedParticipant::response(std::size_t stimulus, std::uint64_t seed) const {
+    if (!matrix)
+        return stimulus;
+    const double choice = PortableRandom(derivedSeed(seed, kConfusion)).unit();
+    const std::int64_t total = matrix->rowTotal(stimulus);
+    if (total == 0)
+        return static_cast<std::size_t>(choice * static_cast<double>(matrix->patterns()));
     auto left = static_cast<std::int64_t>(choice * static_cast<double>(total));
-    for (std::size_t column = 0; column < matrix.patterns(); ++column) {
-        left -= matrix.count(stimulus, column);
-        if (left < 0) {
-            answer.response = column;
-            break;
-        }
+    std::size_t column = 0;
+    // An answer that is none, the last column, is a lapse's; the matrix is asked for the others only.
+    while (column + 1 < matrix->patterns() && left >= matrix->count(stimulus, column)) {
+        left -= matrix->count(stimulus, column);
+        ++column;
     }
-    return answer;
+    return column;
 }
 
 std::optional<ConfusionMatrix> paperMatrix(std::string_view task, std::string_view condition) {
@@ -69,6 +88,11 @@ std::optional<ConfusionMatrix> paperMatrix(std::string_view task, std::string_vi
         return matrixOf(
             {{22, 6, 2, 0, 0}, {4, 15, 5, 6, 0}, {0, 5, 15, 6, 4}, {0, 0, 7, 16, 7}, {0, 0, 2, 7, 21}});
     return std::nullopt;
+}
+
+ConfusionMatrix knownMatrix(const StudyTask& task, std::string_view condition) {
+    const std::optional<ConfusionMatrix> paper = paperMatrix(task.id, condition);
+    return paper && paper->patterns() == task.patterns.size() ? *paper : assumedMatrix(task.patterns.size());
 }
 
 ConfusionMatrix assumedMatrix(std::size_t patterns) {

@@ -97,6 +97,7 @@ SessionPanel::SessionPanel(QWidget* parent)
     m_pause->setObjectName(QStringLiteral("pause"));
     m_abort->setObjectName(QStringLiteral("abort"));
     m_noise->setObjectName(QStringLiteral("noiseConfirmed"));
+    m_noisePlay->setObjectName(QStringLiteral("noisePlay"));
     m_note->setObjectName(QStringLiteral("note"));
     m_title->setTextFormat(Qt::PlainText);
     m_title->setFont(base::sized(font(), base::kLargeText));

@@ -11,6 +11,7 @@
 #include "backend/figure/figure_file.h"
 #include "backend/scene_run/effect_ablation.h"
 #include "backend/scene_run/scene_run.h"
+#include "backend/scene_run/study_run.h"
 #include "backend/servo_figure/servo_figure.h"
 
 #include <QCoreApplication>
@@ -20,6 +21,7 @@
 #include <CLI/CLI.hpp>
 
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace teleta::cli {
@@ -76,14 +78,18 @@ core::Expected<void> printScenes(bool json) {
     nlohmann::ordered_json document = nlohmann::ordered_json::array();
     std::vector<std::pair<QString, QString>> fields;
     for (const std::string& name : app::sceneNames()) {
-        const core::Expected<scene::Scene> scene = app::readScene(name);
-        if (!scene)
-            return core::Unexpected(scene.error());
-        document.push_back({{"id", name},
-                            {"name", scene->name},
-                            {"description", scene->description},
-                            {"duration_s", scene->duration_s}});
-        fields.emplace_back(QString::fromStdString(name), QString::fromStdString(scene->name));
+        const core::Expected<app::AnyScene> any = app::readAnyScene(name);
+        if (!any)
+            return core::Unexpected(any.error());
+        std::visit(
+            [&](const auto& scene) {
+                document.push_back({{"id", name},
+                                    {"name", scene.name},
+                                    {"description", scene.description},
+                                    {"duration_s", scene.duration_s}});
+                fields.emplace_back(QString::fromStdString(name), QString::fromStdString(scene.name));
+            },
+            *any);
     }
     return json ? printDocument(document) : printFields(fields);
 }
@@ -151,7 +157,7 @@ void SimulateCommand::declare(CLI::App& app) {
     declareJson(app, m_json);
 }
 
-core::Expected<void> SimulateCommand::ablate(const scene::Scene& scene) const {
+core::Expected<void> SimulateCommand::ablate(const app::AnyScene& scene) const {
     ProgressBar progress(ProgressBar::Unit::runs, false);
     scene_run::AblationOptions options;
     options.firstSeed = m_seed;
@@ -161,7 +167,8 @@ core::Expected<void> SimulateCommand::ablate(const scene::Scene& scene) const {
         progress.update(runs, allRuns);
         return !interrupted();
     };
-    const core::Expected<scene_run::Ablation> ablation = scene_run::ablateEffects(scene, options);
+    const core::Expected<scene_run::Ablation> ablation =
+        std::visit([&](const auto& any) { return scene_run::ablateEffects(any, options); }, scene);
     progress.erase();
     if (!ablation)
         return core::Unexpected(ablation.error());
@@ -199,12 +206,13 @@ core::Expected<void> SimulateCommand::run() {
         return printScenes(m_json);
     if (m_scenePath.empty())
         throw CLI::ValidationError("scene", SimulateText::tr("is required").toStdString());
-    const core::Expected<scene::Scene> scene = app::readScene(m_scenePath);
+    const core::Expected<app::AnyScene> scene = app::readAnyScene(m_scenePath);
     if (!scene)
         return core::Unexpected(scene.error());
     if (m_ablate)
         return ablate(*scene);
-    if (!m_figures.empty() && !scene->isServo())
+    const auto* study = std::get_if<study::StudyScene>(&*scene);
+    if (!m_figures.empty() && (study != nullptr || !std::get<scene::Scene>(*scene).isServo()))
         throw CLI::ValidationError("--figures", SimulateText::tr("is for scenes of a servo").toStdString());
 
     // Nothing is printed before the end, so the bar may share the terminal with the results.
@@ -218,7 +226,9 @@ core::Expected<void> SimulateCommand::run() {
         progress.update(simulated_s, duration_s);
         return !interrupted();
     };
-    const core::Expected<scene_run::SceneSummary> summary = scene_run::runScene(*scene, options);
+    const core::Expected<scene_run::SceneSummary> summary =
+        study != nullptr ? scene_run::runStudyScene(*study, options)
+                         : scene_run::runScene(std::get<scene::Scene>(*scene), options);
     progress.erase();
     if (!summary)
         return core::Unexpected(summary.error());

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/cli/command.h"
-#include "backend/scene/scene.h"
+#include "app/common/scene_file.h"
 
 #include <cstdint>
 #include <optional>
@@ -21,7 +21,7 @@ public:
     [[nodiscard]] core::Expected<void> run() override;
 
 private:
-    [[nodiscard]] core::Expected<void> ablate(const scene::Scene& scene) const;
+    [[nodiscard]] core::Expected<void> ablate(const app::AnyScene& scene) const;
     [[nodiscard]] core::Expected<void> writeFigures() const;
 
     std::string m_scenePath;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/study/simulated_person.h"
 
-#include "backend/study/portable_random.h"
 #include "backend/study/trial_order.h"
 
 #include <algorithm>
@@ -63,8 +62,8 @@ void SimulatedPerson::look() {
         const study::PlannedTrial& trial = *current;
         const std::uint64_t part =
             (trial.trial << 16U) + (trial.attempt << 1U) + (trial.phase == study::Phase::test ? 1 : 0);
-        study::PortableRandom random(study::derivedSeed(study::derivedSeed(m_seed, kAnswersOfSession), part));
-        m_answer = m_mind.answer(trial.stimulus, random);
+        m_answer = m_mind.answer(trial.stimulus,
+                                 study::derivedSeed(study::derivedSeed(m_seed, kAnswersOfSession), part));
         if (!m_answer->response)
             return;
         wait_s = m_answer->time_s;

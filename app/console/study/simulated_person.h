@@ -33,7 +33,7 @@ private:
     StudyRunner::Clock m_clock;
     double m_speed;
     QTimer m_timer;
-    study::SimulatedParticipant m_mind{study::ConfusionMatrix(1)};
+    study::SimulatedParticipant m_mind;
     std::uint64_t m_seed = 0;
     bool m_present = false;
     std::optional<study::SimulatedParticipant::Answer> m_answer; ///< to the trial that runs

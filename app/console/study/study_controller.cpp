@@ -3,6 +3,7 @@
 
 #include "backend/study/study_export.h"
 
+#include <QCoreApplication>
 #include <QDateTime>
 #include <QDir>
 
@@ -32,16 +33,6 @@ std::int64_t beganAt_ns(const OpenedSession& session, std::int64_t now_ns, const
         elapsed_s =
             std::max(elapsed_s, result.onset_s + result.duration_s + result.responseTime_s.value_or(0.0));
     return now_ns - std::llround(1e9 * std::max(elapsed_s, 0.0));
-}
-
-study::SimulatedParticipant mindFor(const study::StudyHead& head, const study::PlannedSession& plan) {
-    const study::StudyTask& task = head.protocol.tasks[plan.task];
-    study::SimulatedParticipant mind{study::paperMatrix(task.id, task.conditions[plan.condition])
-                                         .value_or(study::assumedMatrix(task.patterns.size())),
-                                     head.lapses};
-    if (mind.matrix.patterns() != task.patterns.size())
-        mind.matrix = study::assumedMatrix(task.patterns.size());
-    return mind;
 }
 
 /// The store becomes another one only when all of that study could be read.
@@ -197,6 +188,28 @@ void StudyController::create(const study::StoreLocation& location, const study::
         });
 }
 
+void StudyController::rehearse(const QString& folder, const study::StudyScene& scene, std::uint64_t seed) {
+    const QString what = tr("The rehearsal could not be opened.");
+    if (!mayChange(what))
+        return;
+    m_scene = scene;
+    m_sceneFolder = folder.toStdString();
+    study::StudyHead head;
+    head.protocol = scene.protocol;
+    head.seed = seed;
+    head.mode = study::Mode::simulated;
+    head.plannedParticipants = scene.participants;
+    head.lapses = scene.lapses.value_or(0.0);
+    head.created = QDateTime::currentDateTimeUtc();
+    head.appVersion = QCoreApplication::applicationVersion().toStdString();
+    askForOverview(what, [location = study::StoreLocation(m_sceneFolder), head](StudyDesk::Store& store) {
+        const QDir place(QString::fromStdString(location.folder));
+        return replaced(store, place.exists(QStringLiteral("study.sqlite"))
+                                   ? StudyStore::open(location)
+                                   : StudyStore::create(location, head));
+    });
+}
+
 void StudyController::enrol(const QString& id) {
     if (!m_overview || isActive())
         return;
@@ -221,6 +234,8 @@ void StudyController::take(StudyOverview overview) {
         m_saved.clear();
         m_noiseConfirmed = false;
         m_foundInterrupted = false;
+        if (m_overview->location.folder != m_sceneFolder)
+            m_scene.reset();
     }
     const std::vector<ParticipantOverview>& people = m_overview->participants;
     if (m_chosen && static_cast<std::size_t>(m_chosen->first) >= people.size())
@@ -374,7 +389,12 @@ void StudyController::beginTrials(const OpenedSession& opened, const study::Plan
     }
     if (!isSimulated())
         return;
-    m_person.begin(mindFor(m_overview->head, plan), plan.seed);
+    const study::StudyTask& task = m_overview->head.protocol.tasks[plan.task];
+    const std::string& condition = task.conditions[plan.condition];
+    m_person.begin(m_scene
+                       ? m_scene->participantFor(task, condition)
+                       : study::SimulatedParticipant{knownMatrix(task, condition), m_overview->head.lapses},
+                   plan.seed);
     // It was halted while a questionnaire was filled in.
     if (!m_rehearsing)
         m_runner.pause();

@@ -9,6 +9,7 @@
 #include "app/console/study/study_runner.h"
 #include "backend/core/steady_time.h"
 #include "backend/study/run_checks.h"
+#include "backend/study/study_scene.h"
 
 #include <QObject>
 #include <QString>
@@ -38,6 +39,9 @@ public:
     /// What comes of these comes as a signal.
     void open(const study::StoreLocation& location);
     void create(const study::StoreLocation& location, const study::StudyHead& head);
+    /// Makes the study of a scene, or opens it where the folder has one, with the scene's participants as
+    /// long as it is open.
+    void rehearse(const QString& folder, const study::StudyScene& scene, std::uint64_t seed);
     void enrol(const QString& id);
     void choose(int participant, int session);
 
@@ -128,6 +132,8 @@ private:
     StudyRunner m_runner;
     SimulatedPerson m_person;
 
+    std::optional<study::StudyScene> m_scene; ///< whose participants the study in m_sceneFolder has
+    std::string m_sceneFolder;
     std::optional<StudyOverview> m_overview;
     std::optional<std::pair<int, int>> m_chosen;
     std::optional<study::SessionRecord> m_record;     ///< of the session that the runner has

@@ -27,11 +27,9 @@
 #include <QEvent>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QScreen>
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QStackedWidget>
@@ -137,6 +135,7 @@ StudyPage::StudyPage(BraceletStation& station, core::StopSwitch& stop, StudyCont
     , m_speedRow(new QWidget(this))
     , m_speedLabel(new QLabel(this))
     , m_participant(new studyview::ParticipantWindow([this] { return m_controller.now_ns(); }, this))
+    , m_placement(*m_participant, *this)
     , m_results(new studyview::ResultsView(this)) {
     build();
     connectViews();
@@ -218,6 +217,15 @@ void StudyPage::connectViews() {
             &QuestionnaireRound::submit);
     connect(m_participant, &ParticipantWindow::left, &runner, &StudyRunner::pause);
 
+    connect(&m_placement, &ParticipantPlacement::screenLost, this, [this] {
+        m_controller.runner().pause();
+        m_messages->post(
+            {chrome::Message::Severity::warning, tr("The participant's screen was lost."),
+             tr("The participant's window is beside the console now, and the session pauses. Plug the "
+                "screen in and show the window again."),
+             QString()});
+    });
+
     using studyview::SessionPanel;
     connect(m_session, &SessionPanel::nextRequested, this, &StudyPage::doNextStep);
     connect(m_session, &SessionPanel::pauseRequested, &runner, &StudyRunner::pause);
@@ -226,8 +234,13 @@ void StudyPage::connectViews() {
     connect(m_session, &SessionPanel::noteWritten, &m_controller, &StudyController::keepNote);
     connect(m_session, &SessionPanel::noiseConfirmed, &m_controller, &StudyController::setNoiseConfirmed);
     connect(m_session, &SessionPanel::noisePlayRequested, &m_noise, &NoisePlayer::setPlaying);
-    connect(&m_noise, &NoisePlayer::changed, this, &StudyPage::refresh);
+    connect(&m_noise, &NoisePlayer::changed, this, [this] {
+        if (m_noise.isPlaying())
+            m_noiseProblem.clear();
+        refresh();
+    });
     connect(&m_noise, &NoisePlayer::failed, this, [this](const core::Error& error) {
+        m_noiseProblem = QString::fromStdString(error.message);
         m_messages->post({chrome::Message::Severity::warning, tr("The noise cannot be played."),
                           tr("Play it from another device, and confirm its level."),
                           QString::fromStdString(core::describe(error))});
@@ -325,6 +338,11 @@ void StudyPage::watchRehearsal(const QString& folder) {
         });
 }
 
+void StudyPage::watchScene(const study::StudyScene& scene, std::uint64_t seed, const QString& folder) {
+    m_rehearseWhenOpened = true;
+    m_controller.rehearse(folder.isEmpty() ? newFolder(QStringLiteral("rehearsal")) : folder, scene, seed);
+}
+
 void StudyPage::beginNewStudy(study::Mode mode) {
     runInBackground(
         this, [] { return study::paperProtocol(); },
@@ -394,20 +412,7 @@ void StudyPage::askForServer() {
 }
 
 void StudyPage::showParticipantWindow() {
-    // The second screen is the participant's; on a single one the window stays beside the console's.
-    QScreen* other = nullptr;
-    for (QScreen* screen : QGuiApplication::screens()) {
-        if (screen != this->screen() && other == nullptr)
-            other = screen;
-    }
-    if (other != nullptr) {
-        m_participant->setGeometry(other->geometry());
-        m_participant->showFullScreen();
-    } else {
-        m_participant->show();
-    }
-    m_participant->raise();
-    m_participant->activateWindow();
+    m_placement.show();
 }
 
 void StudyPage::doNextStep() {
@@ -484,6 +489,8 @@ void StudyPage::showSession() {
     // The level at the ear depends on headphones and volume: what is played has none of its own.
     scene.noisePlaying = m_noise.isPlaying();
     scene.needsNoise = scene.needsNoise || scene.noisePlaying; // whatever plays can be stopped
+    if (!m_noiseProblem.isEmpty())
+        scene.noiseText = tr("\u2717 Not played: %1. Play it from another device.").arg(m_noiseProblem);
     m_session->setScene(scene);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/console/study/noise_player.h"
+#include "app/console/study/participant_placement.h"
 #include "app/console/study/study_controller.h"
 #include "app/console/study/study_scenes.h"
 #include "widgets/chrome/message_bar.h"
@@ -42,6 +43,8 @@ public:
     /// Goes on with a simulated study, or makes one of the paper's protocol, and lets simulated participants
     /// go through it. folder: empty for a new one among the user's documents.
     void watchRehearsal(const QString& folder = {});
+    /// The same with the study of a scene.
+    void watchScene(const study::StudyScene& scene, std::uint64_t seed, const QString& folder = {});
     /// Names of views for bringForward().
     [[nodiscard]] static QStringList viewNames();
     void bringForward(const QString& view);
@@ -97,12 +100,14 @@ private:
     QWidget* m_speedRow;
     QLabel* m_speedLabel;
     studyview::ParticipantWindow* m_participant;
+    ParticipantPlacement m_placement;
     studyview::ResultsView* m_results;
     bool m_outdated = true;   ///< there are trials that the results do not have
     bool m_analysing = false; ///< on a pool thread
     QString m_choicesOf;      ///< session whose answers the participant's window has
     std::size_t m_asked = 0;  ///< QuestionnaireRound::shown() of what the participant's window has
     bool m_rehearseWhenOpened = false;
+    QString m_noiseProblem; ///< why the noise could not be played the last time
 };
 
 } // namespace teleta::console

@@ -108,6 +108,25 @@ TEST_F(SimulateCommand, drawsServoRunsInOneChart) {
         << "there is no folder for it";
 }
 
+TEST_F(SimulateCommand, runsAStudyAsASceneAndLeavesOutItsEffects) {
+    const ordered_json list = ordered_json::parse(run({"simulate", "--list", "--json"}).out);
+    EXPECT_TRUE(std::ranges::any_of(
+        list, [](const ordered_json& scene) { return scene["id"] == "study-rehearsal"; }));
+    const ProgramResult byName = run({"simulate", "study-rehearsal", "--duration", "60", "--json"});
+    ASSERT_EQ(byName.exitCode, 0) << byName.err;
+    const ordered_json summary = ordered_json::parse(byName.out);
+    EXPECT_EQ(summary["scene"], "study-rehearsal");
+    EXPECT_GE(summary["simulated_s"].get<double>(), 60.0);
+    EXPECT_GT(summary["measures"]["patterns_sent"].get<int>(), 0);
+
+    const ordered_json rows =
+        simulate("study-rehearsal.toml", {"--ablate", "--seeds", "2", "--duration", "60"});
+    ASSERT_TRUE(rows.is_array());
+    EXPECT_TRUE(std::ranges::any_of(rows, [](const ordered_json& row) {
+        return row["effect"] == "motor_lag" && row["measure"] == "felt_onset_p50_s" && row["moves"] == "yes";
+    }));
+}
+
 TEST_F(SimulateCommand, sharesTheTimeOfAServoBetweenItsParts) {
     const ordered_json parts = simulate("servo-point.toml", {"--duration", "2"})["parts"];
     ASSERT_EQ(parts.size(), 5U);

@@ -8,7 +8,8 @@
 TEST(ShippedScenes, canAllBeRead) {
     int scenes = 0;
     for (const auto& entry : std::filesystem::directory_iterator(TELETA_SOURCE_DIR "/resources/scenes")) {
-        if (entry.path().extension() != ".toml")
+        // Scenes of studies are read elsewhere.
+        if (entry.path().extension() != ".toml" || entry.path().stem() == "study-rehearsal")
             continue;
         const auto scene = teleta::scene::readScene(entry.path().string());
         EXPECT_TRUE(scene) << describe(scene.error());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/scene/scene_reader.h"
 #include "backend/scene_run/effect_ablation.h"
+#include "tests/backend/core/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -10,26 +11,46 @@
 
 namespace teleta::scene_run {
 
-class NeededEffects : public testing::TestWithParam<const char*> {};
+namespace {
 
-TEST_P(NeededEffects, everyEffectMovesAMeasureByMoreThanTheMeasuresOwnSpread) {
-    const std::string name = GetParam();
-    const auto scene = scene::readScene(TELETA_SOURCE_DIR "/resources/scenes/" + name + ".toml");
-    ASSERT_TRUE(scene) << describe(scene.error());
+template <typename AnyScene>
+void expectThatAllEffectsMoveAMeasure(const AnyScene& scene, const std::string& name) {
     AblationOptions options;
     options.seeds = 6;
-    const auto ablation = ablateEffects(*scene, options);
+    const auto ablation = ablateEffects(scene, options);
     ASSERT_TRUE(ablation) << describe(ablation.error());
-    for (std::size_t i = 0; i < scene->effects.size(); ++i) {
+    ASSERT_EQ(ablation->effects.size(), scene.effects.size());
+    for (std::size_t i = 0; i < scene.effects.size(); ++i) {
         const EffectAblation& effect = ablation->effects[i];
         EXPECT_TRUE(effect.moves()) << effect.effect << " does not belong in this scene";
-        EXPECT_FALSE(scene->effects[i].why.empty()) << effect.effect;
+        EXPECT_FALSE(scene.effects[i].why.empty()) << effect.effect;
         for (const MeasureChange& change : effect.changes)
             if (change.moves)
                 std::cout << name << " without " << effect.effect << ": " << change.measure << " "
                           << change.mean << " -> " << change.meanWithout << ", spread " << change.spread
                           << '\n';
     }
+}
+
+std::string fileOf(const std::string& name) {
+    return TELETA_SOURCE_DIR "/resources/scenes/" + name + ".toml";
+}
+
+} // namespace
+
+class NeededEffects : public testing::TestWithParam<const char*> {};
+
+TEST_P(NeededEffects, everyEffectMovesAMeasureByMoreThanTheMeasuresOwnSpread) {
+    const auto scene = scene::readScene(fileOf(GetParam()));
+    ASSERT_TRUE(scene) << describe(scene.error());
+    expectThatAllEffectsMoveAMeasure(*scene, GetParam());
+}
+
+TEST(NeededEffectsOfStudies, everyEffectMovesAMeasureByMoreThanTheMeasuresOwnSpread) {
+    const std::string file = fileOf("study-rehearsal");
+    const auto scene = study::parseStudyScene(test::readAll(file), file);
+    ASSERT_TRUE(scene) << describe(scene.error());
+    expectThatAllEffectsMoveAMeasure(*scene, "study-rehearsal");
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, NeededEffects,

@@ -119,13 +119,13 @@ TEST(SimulatedParticipant, knowsTheTablesOfThePaper) {
 // Five standard deviations of a binomial share, and exactly none where the table has none.
 TEST(SimulatedParticipant, givesTheMatrixBackWithinSamplingError) {
     constexpr int kTrials = 20'000;
-    PortableRandom random(1);
+    std::uint64_t seed = 0;
     for (const PaperTable& table : kPaperTables) {
         const SimulatedParticipant participant{matrixOf(table.counts)};
         ConfusionMatrix seen(table.counts.size());
         for (std::size_t i = 0; i < table.counts.size(); ++i) {
             for (int trial = 0; trial < kTrials; ++trial)
-                seen.add(i, participant.answer(i, random).response);
+                seen.add(i, participant.answer(i, ++seed).response);
             for (std::size_t j = 0; j < table.counts.size(); ++j) {
                 const double share = table.counts[i][j] / 30.0;
                 EXPECT_NEAR(static_cast<double>(seen.count(i, j)) / kTrials, share,
@@ -139,21 +139,42 @@ TEST(SimulatedParticipant, givesTheMatrixBackWithinSamplingError) {
 // Median of a log-normal distribution; the standard error of its logarithm is 1.2533 spread / sqrt(n).
 TEST(SimulatedParticipant, answersAfterTheMedianTimeInHalfOfTheTrials) {
     const SimulatedParticipant participant{assumedMatrix(5), 0.0, 2.5, 0.5};
-    PortableRandom random(2);
     int later = 0;
     for (int i = 0; i < 10'000; ++i)
-        later += participant.answer(1, random).time_s > 2.5 ? 1 : 0;
+        later += participant.answer(1, static_cast<std::uint64_t>(i)).time_s > 2.5 ? 1 : 0;
     EXPECT_NEAR(later, 5000, 5.0 * 50.0);
 }
 
 TEST(SimulatedParticipant, guessesWhereTheMatrixSaysNothing) {
     const SimulatedParticipant participant{ConfusionMatrix(4)};
-    PortableRandom random(3);
     ConfusionMatrix seen(4);
-    for (int i = 0; i < 4000; ++i)
-        seen.add(0, participant.answer(0, random).response);
+    for (std::uint64_t seed = 0; seed < 4000; ++seed)
+        seen.add(0, participant.answer(0, seed).response);
     for (std::size_t j = 0; j < 4; ++j)
         EXPECT_NEAR(static_cast<double>(seen.count(0, j)), 1000.0, 5.0 * std::sqrt(4000 * 0.25 * 0.75));
+}
+
+TEST(SimulatedParticipant, leavesTheOtherDrawsAloneWhenOneIsLeftOut) {
+    const SimulatedParticipant whole{assumedMatrix(5), 0.2, 2.5, 0.5};
+    SimulatedParticipant sure = whole;
+    sure.matrix.reset();
+    SimulatedParticipant awake = whole;
+    awake.lapses = 0.0;
+    SimulatedParticipant steady = whole;
+    steady.logSpread = 0.0;
+    int lapses = 0;
+    for (std::uint64_t seed = 0; seed < 500; ++seed) {
+        const SimulatedParticipant::Answer answer = whole.answer(3, seed);
+        EXPECT_EQ(sure.answer(3, seed).time_s, answer.time_s);
+        EXPECT_EQ(sure.answer(3, seed).response.has_value(), answer.response.has_value());
+        EXPECT_EQ(awake.answer(3, seed).time_s, answer.time_s);
+        EXPECT_EQ(steady.answer(3, seed).response, answer.response);
+        EXPECT_EQ(steady.answer(3, seed).time_s, 2.5);
+        EXPECT_EQ(sure.response(3, seed), 3U);
+        EXPECT_EQ(answer.response.value_or(*awake.answer(3, seed).response), awake.answer(3, seed).response);
+        lapses += answer.response ? 0 : 1;
+    }
+    EXPECT_NEAR(lapses, 100, 5.0 * std::sqrt(500 * 0.2 * 0.8));
 }
 
 } // namespace teleta::study

@@ -5,9 +5,11 @@
 #include "widgets/study/results_view.h"
 
 #include <QApplication>
+#include <QAudioDevice>
 #include <QDir>
 #include <QFile>
 #include <QLineEdit>
+#include <QMediaDevices>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSqlDatabase>
@@ -272,6 +274,22 @@ private slots:
         QTest::keyClick(edit, Qt::Key_Return);
         QTRY_COMPARE_WITH_TIMEOUT(m_page->messages().count(), 1, kPatience_ms);
         QCOMPARE(controller().overview()->participants.size(), std::size_t(1));
+    }
+
+    void aComputerWithoutSoundSaysSoAndTheNoiseCanStillBeConfirmed() {
+        if (!QMediaDevices::defaultAudioOutput().isNull())
+            QSKIP("This computer has a sound output");
+        openStudy();
+        auto* play = m_page->findChild<QPushButton*>("noisePlay");
+        QTRY_VERIFY_WITH_TIMEOUT(play->isVisible(), kPatience_ms);
+        const QString text = play->text();
+        QTest::mouseClick(play, Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(m_page->messages().count(), 1, kPatience_ms);
+        QVERIFY(m_page->sessionPanel().scene().noiseText.contains(QStringLiteral("no sound output")));
+        QVERIFY(!m_page->sessionPanel().scene().noisePlaying);
+        QCOMPARE(play->text(), text);
+        beginSession();
+        QVERIFY(runner().isActive());
     }
 
     void noiseWithoutAnEndHasNoSeam() {

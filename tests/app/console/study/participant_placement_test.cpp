@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/study/participant_placement.h"
+
+#include <QApplication>
+#include <QFile>
+#include <QScreen>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QWidget>
+
+using namespace teleta;
+using console::ParticipantPlacement;
+using console::participantScreen;
+
+/// With two screens of Qt's offscreen platform. That one of them is unplugged is told by the signal that Qt
+/// sends.
+class ParticipantPlacementTest : public QObject {
+    Q_OBJECT
+
+    QWidget m_console;
+    QWidget m_participant;
+
+private slots:
+    void init() {
+        QCOMPARE(QGuiApplication::screens().size(), 2);
+        m_console.setGeometry(100, 100, 400, 300);
+        m_console.show();
+        QCOMPARE(m_console.screen(), QGuiApplication::screens()[0]);
+        m_participant.hide();
+    }
+
+    void choosesAnotherScreenThanTheConsoles() {
+        const QRect left(0, 0, 1280, 800);
+        const QRect right(1280, 0, 1024, 768);
+        const QRect below(0, 800, 1280, 800);
+        QCOMPARE(participantScreen({left}, 0), -1);
+        QCOMPARE(participantScreen({}, -1), -1);
+        QCOMPARE(participantScreen({left, right}, 0), 1);
+        QCOMPARE(participantScreen({left, right}, 1), 0);
+        QCOMPARE(participantScreen({left, right, below}, 0), 1);
+        QCOMPARE(participantScreen({left, below}, 0), 1);
+        QCOMPARE(participantScreen({left, left}, 0), -1); // mirrored
+    }
+
+    void fillsTheSecondScreen() {
+        ParticipantPlacement placement(m_participant, m_console);
+        placement.show();
+        QVERIFY(m_participant.isFullScreen());
+        QCOMPARE(m_participant.screen(), QGuiApplication::screens()[1]);
+        QCOMPARE(m_participant.geometry(), QGuiApplication::screens()[1]->geometry());
+    }
+
+    void comesBackBesideTheConsoleWhenItsScreenIsLost() {
+        ParticipantPlacement placement(m_participant, m_console);
+        QSignalSpy lost(&placement, &ParticipantPlacement::screenLost);
+        placement.show();
+        emit qGuiApp->screenRemoved(QGuiApplication::screens()[0]);
+        QCOMPARE(lost.count(), 0);
+        QVERIFY(m_participant.isFullScreen());
+        emit qGuiApp->screenRemoved(QGuiApplication::screens()[1]);
+        QCOMPARE(lost.count(), 1);
+        QVERIFY(m_participant.isVisible());
+        QVERIFY(!m_participant.isFullScreen());
+        QVERIFY(m_console.screen()->geometry().contains(m_participant.geometry()));
+        emit qGuiApp->screenRemoved(QGuiApplication::screens()[1]);
+        QCOMPARE(lost.count(), 1);
+        placement.show();
+        QVERIFY2(m_participant.isFullScreen(), "the screen is there again");
+    }
+
+    void aWindowThatIsNotShownStaysHidden() {
+        ParticipantPlacement placement(m_participant, m_console);
+        QSignalSpy lost(&placement, &ParticipantPlacement::screenLost);
+        placement.show();
+        m_participant.hide();
+        emit qGuiApp->screenRemoved(QGuiApplication::screens()[1]);
+        QVERIFY(!m_participant.isVisible());
+        QCOMPARE(lost.count(), 0);
+    }
+};
+
+int main(int argumentCount, char* arguments[]) {
+    const QTemporaryDir folder;
+    QFile screens(folder.filePath(QStringLiteral("screens.json")));
+    if (!screens.open(QIODevice::WriteOnly))
+        return 1;
+    screens.write(R"({"screens":[{"name":"one","x":0,"y":0,"width":1280,"height":800,"logicalDpi":96,"dpr":1},
+        {"name":"two","x":1280,"y":0,"width":1024,"height":768,"logicalDpi":96,"dpr":1}]})");
+    screens.close();
+    qputenv("QT_QPA_PLATFORM", "offscreen:configfile=" + QFile::encodeName(screens.fileName()));
+    QApplication application(argumentCount, arguments);
+    ParticipantPlacementTest test;
+    return QTest::qExec(&test, argumentCount, arguments);
+}
+#include "participant_placement_test.moc"
