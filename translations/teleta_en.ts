@@ -2,6 +2,23 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>ExportCommand</name>
+    <message numerus="yes">
+        <source>%n row(s)</source>
+        <translation>
+            <numerusform>%n row</numerusform>
+            <numerusform>%n rows</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n damaged block(s) left out</source>
+        <translation>
+            <numerusform>%n damaged block left out</numerusform>
+            <numerusform>%n damaged blocks left out</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::CameraCalibrator</name>
     <message numerus="yes">
         <source>use of %n pair(s)</source>

@@ -7,6 +7,7 @@
 #include "app/cli/commands/contacts_command.h"
 #include "app/cli/commands/contour_command.h"
 #include "app/cli/commands/devices_command.h"
+#include "app/cli/commands/export_command.h"
 #include "app/cli/commands/features_command.h"
 #include "app/cli/commands/locate_command.h"
 #include "app/cli/commands/pattern_command.h"
@@ -39,6 +40,7 @@ std::vector<std::unique_ptr<Command>> makeCommands() {
     commands.push_back(std::make_unique<LocateCommand>());
     commands.push_back(std::make_unique<TrackCommand>());
     commands.push_back(std::make_unique<SimulateCommand>());
+    commands.push_back(std::make_unique<ExportCommand>());
     commands.push_back(std::make_unique<PatternCommand>());
     commands.push_back(std::make_unique<StudyCommand>());
     commands.push_back(std::make_unique<TradeoffCommand>());

@@ -40,10 +40,15 @@ void ProgressBar::update(double done, double total) {
     m_drawn = true;
     const bool bytes = m_unit == Unit::bytes;
     const double scale = bytes ? 1e-6 : 1.0;
-    const char* unit = bytes ? "MB" : m_unit == Unit::trials ? "trials" : m_unit == Unit::runs ? "runs" : "s";
+    const char* unit = bytes                    ? "MB"
+                       : m_unit == Unit::trials ? "trials"
+                       : m_unit == Unit::runs   ? "runs"
+                       : m_unit == Unit::frames ? "frames"
+                                                : "s";
     const char* rateUnit = bytes                    ? "MB/s"
                            : m_unit == Unit::trials ? "trials/s"
                            : m_unit == Unit::runs   ? "runs/s"
+                           : m_unit == Unit::frames ? "frames/s"
                                                     : "x";
     const double rate = scale * done / (static_cast<double>(now_ns - m_start_ns) * 1e-9);
     if (!(total > 0.0)) {

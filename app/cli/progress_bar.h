@@ -16,6 +16,7 @@ public:
         trials,           ///< the rate is in trials a second
         runs,             ///< of a scene; the rate is in runs a second
         share,            ///< of work whose parts take unlike times: no rate is shown
+        frames,           ///< of a recording; the rate is in frames a second
     };
 
     ProgressBar(Unit unit, bool resultsOnTerminal);

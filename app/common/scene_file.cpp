@@ -45,6 +45,11 @@ core::Expected<AnyScene> readAnyScene(const std::string& pathOrName) {
     return readScene(pathOrName);
 }
 
+std::string readSceneText(const std::string& pathOrName) {
+    QFile file(placeOf(pathOrName));
+    return file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string();
+}
+
 std::vector<std::string> sceneNames() {
     std::vector<std::string> names;
     for (const QString& file : QDir(QStringLiteral(":/scenes")).entryList(QDir::Files, QDir::Name))

@@ -20,6 +20,9 @@ using AnyScene = std::variant<scene::Scene, study::StudyScene>;
 /// The same for both kinds. Failure: also as study::parseStudyScene().
 [[nodiscard]] core::Expected<AnyScene> readAnyScene(const std::string& pathOrName);
 
+/// The text of such a scene, empty when it cannot be read.
+[[nodiscard]] std::string readSceneText(const std::string& pathOrName);
+
 /// Names of the scenes that come with the programs, in alphabetical order.
 [[nodiscard]] std::vector<std::string> sceneNames();
 

@@ -6,6 +6,7 @@
 #include "backend/pipeline/contour_explorer.h"
 #include "backend/pipeline/touch_estimator.h"
 #include "backend/scene_run/frame_log.h"
+#include "backend/scene_run/scene_recording.h"
 #include "backend/scene_run/scene_settings.h"
 #include "backend/scene_run/touch_log.h"
 #include "backend/simulation/arm/simulated_arm.h"
@@ -187,6 +188,11 @@ core::Expected<SceneSummary> runArmScene(const scene::Scene& scene, const RunOpt
     core::Expected<FrameLog> skin = FrameLog::open(options.outFolder, layout.taxels());
     if (!skin)
         return core::Unexpected(skin.error());
+    core::Expected<SceneRecording> recording = SceneRecording::open(options, scene);
+    if (!recording)
+        return core::Unexpected(recording.error());
+    recording->beginArray(arm.skinDescription(), scene);
+    recording->beginArm(description);
 
     const double duration_s = options.duration_s.value_or(scene.duration_s);
     const auto samples = static_cast<std::uint64_t>(std::llround(duration_s * description.nominalRate_Hz));
@@ -199,6 +205,7 @@ core::Expected<SceneSummary> runArmScene(const scene::Scene& scene, const RunOpt
     const auto take = [&](const std::optional<pipeline::TouchRecord>& record) {
         if (!record)
             return;
+        recording->addTouch(*record);
         touches.push_back(compared(*record, arm));
         summary.events.push_back(touchEvent(touches.back()));
         if (!record->located)
@@ -219,14 +226,16 @@ core::Expected<SceneSummary> runArmScene(const scene::Scene& scene, const RunOpt
         arm.next({.drive = core::ArmDrive::program}, sample);
         sample.time_ns = std::llround(sample.sourceTime_s * 1e9);
         joints->add(sample);
+        recording->addJoints(sample);
         take(estimator.update(sample));
         if (!arm.skinFrame(values))
             continue;
         ++frames;
         skin->add(sample.sourceTime_s, values);
+        recording->addFrame(sample.sourceTime_s, values);
         take(estimator.update(reader.read(values, sample)));
     }
-    for (const core::Expected<void>& written : {joints->finish(), skin->finish()})
+    for (const core::Expected<void>& written : {joints->finish(), skin->finish(), recording->finish()})
         if (!written)
             return core::Unexpected(written.error());
     if (!options.outFolder.empty()) {

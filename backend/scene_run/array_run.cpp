@@ -5,6 +5,7 @@
 #include "backend/contact/frame_conditioner.h"
 #include "backend/scene_run/contact_errors.h"
 #include "backend/scene_run/frame_log.h"
+#include "backend/scene_run/scene_recording.h"
 #include "backend/scene_run/scene_settings.h"
 #include "backend/simulation/simulated_array.h"
 
@@ -30,6 +31,10 @@ core::Expected<SceneSummary> runArrayScene(const scene::Scene& scene, const RunO
     core::Expected<FrameLog> log = FrameLog::open(options.outFolder, layout.taxels());
     if (!log)
         return core::Unexpected(log.error());
+    core::Expected<SceneRecording> recording = SceneRecording::open(options, scene);
+    if (!recording)
+        return core::Unexpected(recording.error());
+    recording->beginArray(description, scene);
 
     const double duration_s = options.duration_s.value_or(scene.duration_s);
     const auto frames = static_cast<std::uint64_t>(std::llround(duration_s * description.nominalRate_Hz));
@@ -53,6 +58,7 @@ core::Expected<SceneSummary> runArrayScene(const scene::Scene& scene, const RunO
         }
         (*array)->next(values, false);
         log->add((*array)->time_s(), values);
+        recording->addFrame((*array)->time_s(), values);
         conditioner.apply(values, load_N, dead);
         const auto found = segmenter.segment(load_N, dead);
         if (!found.empty() && !firstContact_s)
@@ -71,9 +77,10 @@ core::Expected<SceneSummary> runArrayScene(const scene::Scene& scene, const RunO
             pressing[i] = presses;
         }
     }
-    const core::Expected<void> written = log->finish();
-    if (!written)
-        return core::Unexpected(written.error());
+    for (const core::Expected<void>& written : {log->finish(), recording->finish()}) {
+        if (!written)
+            return core::Unexpected(written.error());
+    }
 
     summary.simulated_s = (*array)->time_s();
     for (const simulation::EffectTime& effect : (*array)->effectTimes())

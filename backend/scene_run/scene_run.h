@@ -17,6 +17,7 @@ struct RunOptions {
     std::uint64_t seed = 1;
     std::optional<double> duration_s; ///< > 0; empty: the scene's own
     std::string outFolder;            ///< made when it is missing; empty: no files
+    std::string sceneText;            ///< the scene file, kept in the recording
     /// Called now and then with the simulated time; false ends the run early and completes its files.
     std::function<bool(double simulated_s, double duration_s)> goOn;
 };
@@ -24,12 +25,13 @@ struct RunOptions {
 /// Runs a scene as fast as the machine allows, through the same processing as a device's data, and compares
 /// what was estimated with what the simulated world knows. Files in outFolder:
 ///   summary.json   see SceneSummary::toJson
+///   recording.teleta   what arrays and arms delivered, to be replayed (scene_recording.h); none of a camera
 ///   frames.csv     time_s,t0,t1,...: the frames of the tactile array, as `teleta features` reads them
 ///   of an arm: joints.csv, touches.csv, contour.csv (arm_run.h)
 ///   of a servo: servo.csv, points.csv (servo_run.h)
 ///   of a camera, which has no frames.csv: contacts.csv, arm.csv, reference.png (camera_run.h)
-/// Same scene and seed: same bytes, but for the computing times. Thread: any; keeps one core busy.
-/// Error: badInput (the scene is not valid), ioFailed (a file cannot be written).
+/// Same scene and seed: same bytes, but for the computing times and the recording, which has a date. Thread:
+/// any; keeps one core busy. Error: badInput (the scene is not valid), ioFailed (a file cannot be written).
 [[nodiscard]] core::Expected<SceneSummary> runScene(const scene::Scene& scene, const RunOptions& options);
 
 } // namespace teleta::scene_run

@@ -3,6 +3,7 @@
 
 #include "backend/core/csv_writer.h"
 #include "backend/scene_run/frame_log.h"
+#include "backend/scene_run/scene_recording.h"
 #include "backend/scene_run/servo_log.h"
 #include "backend/scene_run/servo_measures.h"
 #include "backend/simulation/servo/servo_loop.h"
@@ -80,6 +81,16 @@ core::Expected<SceneSummary> runServoScene(const scene::Scene& scene, const RunO
     core::Expected<ServoLog> servoLog = ServoLog::open(options.outFolder);
     if (!servoLog)
         return core::Unexpected(servoLog.error());
+    core::Expected<SceneRecording> recording = SceneRecording::open(options, scene);
+    if (!recording)
+        return core::Unexpected(recording.error());
+    recording->beginArray(
+        {.name = scene.name,
+         .layout = scene.taxels(),
+         .unit = "N",
+         .nominalRate_Hz = std::min(scene.servo().sensor.acquisition_Hz, loop.world().rate_Hz()),
+         .simulated = true},
+        scene);
 
     const double duration_s = options.duration_s.value_or(scene.duration_s);
     const auto cycles = static_cast<std::uint64_t>(std::llround(duration_s * scene.rate_Hz));
@@ -99,11 +110,12 @@ core::Expected<SceneSummary> runServoScene(const scene::Scene& scene, const RunO
         if (loop.frameCame()) {
             ++frames;
             frameLog->add(loop.world().time_s(), loop.frame());
+            recording->addFrame(loop.world().time_s(), loop.frame());
         }
         if (loop.servoed())
             servoLog->add(loop, measures.phase(), measures.desiredForce_N());
     }
-    for (const core::Expected<void>& written : {frameLog->finish(), servoLog->finish()})
+    for (const core::Expected<void>& written : {frameLog->finish(), servoLog->finish(), recording->finish()})
         if (!written)
             return core::Unexpected(written.error());
     if (!options.outFolder.empty()) {

@@ -23,6 +23,7 @@ struct Rule {
 // A folder below another one has its own row; the longest match counts.
 const std::vector<Rule> kRules = {
     {"backend/core", {}, {"QtCore", "posix", "expected", "readerwriterqueue", "nlohmann_json"}},
+    {"backend/recording", {"backend/core"}, {"QtCore", "QtSql", "expected"}},
     // Pure parts: no Qt.
     {"backend/contact", {"backend/core"}, {"expected", "Eigen"}},
     {"backend/stiffness", {"backend/core"}, {"expected", "Eigen", "Boost.Math"}},
@@ -49,8 +50,8 @@ const std::vector<Rule> kRules = {
     {"backend/scene", {"backend/core"}, {"QtCore", "expected", "toml++"}},
     {"backend/pipeline",
      {"backend/core", "backend/contact", "backend/stiffness", "backend/contour", "backend/arm",
-      "backend/servo", "backend/pattern", "backend/playback", "backend/vision"},
-     {"QtCore", "expected", "Eigen", "OpenCV"}},
+      "backend/servo", "backend/pattern", "backend/playback", "backend/vision", "backend/recording"},
+     {"QtCore", "expected", "Eigen", "nlohmann_json", "OpenCV"}},
     {"backend/vision/contacts",
      {"backend/core", "backend/vision"},
      {"QtCore", "expected", "Eigen", "OpenCV"}},
@@ -60,7 +61,7 @@ const std::vector<Rule> kRules = {
     {"backend/scene_run",
      {"backend/core", "backend/contact", "backend/stiffness", "backend/contour", "backend/arm",
       "backend/scene", "backend/servo", "backend/simulation", "backend/pipeline", "backend/vision",
-      "backend/pattern", "backend/study"},
+      "backend/pattern", "backend/study", "backend/recording"},
      {"QtCore", "expected", "Eigen", "nlohmann_json", "OpenCV"}},
     {"backend/cost",
      {"backend/core", "backend/contact", "backend/stiffness", "backend/contour", "backend/scene",
@@ -70,7 +71,7 @@ const std::vector<Rule> kRules = {
     {"devices/camera", {"backend/core"}, {"QtCore", "posix", "expected", "OpenCV", "V4L2"}},
     {"devices/modbus", {"backend/core", "backend/scene"}, {"QtCore", "posix", "expected", "libmodbus"}},
     {"devices/mouse3d", {"backend/core"}, {"QtCore", "posix", "expected", "hidapi"}},
-    {"devices/replay", {"backend/core"}, {"QtCore", "posix", "expected"}},
+    {"devices/replay", {"backend/core", "backend/recording"}, {"QtCore", "posix", "expected"}},
     {"devices/simulated", {"backend/core"}, {"QtCore", "posix", "expected"}},
     {"devices/wts", {"backend/core"}, {"QtCore", "posix", "expected"}},
     {"devices/bracelet", {"backend/core"}, {"QtCore", "posix", "expected", "hidapi"}},

@@ -122,10 +122,11 @@ void SimulateCommand::declare(CLI::App& app) {
                                           "Simulated time in seconds; otherwise what the scene says")))
         ->type_name("S")
         ->check(positive());
-    app.add_option("--out", m_outFolder,
-                   help(QT_TRANSLATE_NOOP(
-                       "SimulateCommand",
-                       "Folder for summary.json and the recorded data as CSV; with --ablate the CSV file")))
+    app.add_option(
+           "--out", m_outFolder,
+           help(QT_TRANSLATE_NOOP(
+               "SimulateCommand",
+               "Folder for summary.json, the recording and its data as CSV; with --ablate the CSV file")))
         ->type_name("DIR");
     CLI::Option* figures =
         app.add_option("--figures", m_figures,
@@ -222,6 +223,7 @@ core::Expected<void> SimulateCommand::run() {
     options.seed = m_seed;
     options.duration_s = m_duration_s;
     options.outFolder = m_outFolder;
+    options.sceneText = app::readSceneText(m_scenePath);
     options.goOn = [&progress](double simulated_s, double duration_s) {
         progress.update(simulated_s, duration_s);
         return !interrupted();

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/contact/tactile_features.h"
+#include "backend/core/arm_device.h"
+#include "backend/core/device.h"
+#include "backend/core/error.h"
+#include "backend/pipeline/touch_record.h"
+#include "backend/pipeline/touch_snapshot.h"
+#include "backend/recording/recording_types.h"
+
+#include <array>
+#include <string>
+
+namespace teleta::pipeline {
+
+/// How the streams of the running system are recorded, and what is needed to use them as sources again.
+/// Thread: any (pure).
+
+inline constexpr std::size_t kFeatureValues = 12;
+inline constexpr std::size_t kTouchValues = 14;
+
+/// Raw frames of an array, with the settings in force for them. name: of the stream.
+[[nodiscard]] recording::StreamInfo arrayStream(const std::string& name,
+                                                const core::SourceDescription& description,
+                                                const ChannelSettings& settings);
+/// What was computed of them.
+[[nodiscard]] recording::StreamInfo featureStream(const std::string& name,
+                                                  const core::SourceDescription& description);
+/// Joint samples of an arm, and which stream its skin is.
+[[nodiscard]] recording::StreamInfo
+armStream(const std::string& name, const core::ArmDescription& description, const std::string& skinStream);
+/// Touches of an arm.
+[[nodiscard]] recording::StreamInfo touchStream(const std::string& name,
+                                                const core::ArmDescription& description);
+
+/// A frame of a stream of features; NaN where a feature is not defined.
+[[nodiscard]] std::array<double, kFeatureValues> featureValues(const contact::TactileFeatures& features);
+/// A frame of a stream of touches; NaN where nothing is known.
+[[nodiscard]] std::array<double, kTouchValues> touchValues(const TouchRecord& touch);
+
+/// An array as it was recorded; description.recorded is set.
+struct RecordedArray {
+    core::SourceDescription description;
+    ChannelSettings settings;
+};
+/// file: for errors. Error: badInput, the stream's details do not say what an array is.
+[[nodiscard]] core::Expected<RecordedArray> recordedArray(const recording::StreamInfo& stream,
+                                                          const std::string& file);
+
+/// An arm as it was recorded.
+struct RecordedArm {
+    core::ArmDescription description;
+    std::string skinStream;
+};
+[[nodiscard]] core::Expected<RecordedArm> recordedArm(const recording::StreamInfo& stream,
+                                                      const std::string& file);
+
+} // namespace teleta::pipeline

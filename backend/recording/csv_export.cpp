@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/recording/csv_export.h"
+
+#include "backend/core/csv_writer.h"
+#include "backend/core/number_text.h"
+#include "backend/recording/stream_columns.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+namespace teleta::recording {
+
+namespace {
+
+struct CsvExportText {
+    Q_DECLARE_TR_FUNCTIONS(RecordingExport)
+};
+
+/// The elbow, whose torque tells an object's stiffness.
+constexpr std::size_t kElbow = core::kArmJoints - 1;
+
+std::vector<std::string> columnNames(const StreamInfo& stream) {
+    std::vector<std::string> names{"time_s"};
+    if (stream.kind == StreamKind::camera) {
+        names.insert(names.end(), {"frame_time_s", "width_px", "height_px"});
+        return names;
+    }
+    if (stream.kind == StreamKind::joints)
+        names.insert(names.end(), {"joint_angle_rad", "joint_torque_nm"});
+    for (const Column& column : stream.columns)
+        names.push_back(column.name);
+    for (std::size_t i = 0; stream.columns.empty() && i < stream.channels(); ++i)
+        names.push_back(std::string("t").append(core::NumberText(i).view()));
+    return names;
+}
+
+template <typename Number>
+void writeNumbers(core::CsvWriter& csv, std::span<const Number> values) {
+    for (const Number value : values)
+        csv.number(value);
+}
+
+void writeFeatures(core::CsvWriter& csv, std::span<const double> values) {
+    const double type = values.front();
+    const bool known = type >= 0.0 && type < static_cast<double>(kContactTypes.size());
+    csv.text(known ? kContactTypes[static_cast<std::size_t>(type)] : "NA");
+    writeNumbers(csv, values.subspan(1));
+}
+
+void writeFrame(core::CsvWriter& csv, const StreamInfo& stream, const core::TappedFrames& block,
+                std::size_t frame) {
+    const std::size_t channels = stream.channels();
+    if (stream.kind == StreamKind::camera) {
+        csv.number(block.sourceTime_s[frame]);
+        csv.integer(block.image.width_px);
+        csv.integer(block.image.height_px);
+    } else if (stream.type == ValueType::float32) {
+        writeNumbers(csv, valuesOf<float>(block, frame, channels));
+    } else {
+        const auto values = valuesOf<double>(block, frame, channels);
+        if (stream.kind == StreamKind::joints && channels == kJointValues) {
+            csv.number(values[kElbow]);
+            csv.number(values[core::kArmJoints + kElbow]);
+        }
+        if (stream.kind == StreamKind::features && channels > 0)
+            writeFeatures(csv, values);
+        else
+            writeNumbers(csv, values);
+    }
+    csv.endRow();
+}
+
+core::Expected<ExportedFile> exportEvents(const Recording& recording, const std::string& path) {
+    constexpr std::array<std::string_view, 5> kColumns{"time_s", "utc", "event", "text", "value"};
+    auto csv = core::CsvWriter::create(path, kColumns);
+    if (!csv)
+        return core::Unexpected(csv.error());
+    for (const RecordingEvent& event : recording.events()) {
+        csv->number(recording.time_s(event.time_ns));
+        csv->text(recording.utcOf(event.time_ns).toString(Qt::ISODateWithMs).toStdString());
+        csv->text(event.kind);
+        csv->text(event.text);
+        csv->number(event.value);
+        csv->endRow();
+    }
+    if (const core::Expected<void> done = csv->finish(); !done)
+        return core::Unexpected(done.error());
+    return ExportedFile{path, recording.events().size(), 0};
+}
+
+/// Counts frames over all streams.
+class Progress {
+public:
+    Progress(const Recording& recording, const ExportOptions& options)
+        : m_options(options) {
+        for (std::size_t i = 0; options.goOn && i < recording.streams().size(); ++i) {
+            if (const auto extent = recording.extent(i); extent && *extent)
+                m_all += static_cast<double>((*extent)->frames);
+        }
+    }
+    bool add(std::size_t frames) {
+        m_done += static_cast<double>(frames);
+        return !m_options.goOn || m_options.goOn(m_done, m_all);
+    }
+
+private:
+    const ExportOptions& m_options;
+    double m_done = 0.0;
+    double m_all = 0.0;
+};
+
+core::Expected<ExportedFile> exportStream(const Recording& recording, std::size_t index,
+                                          const std::string& path, Progress& progress) {
+    const StreamInfo& stream = recording.streams()[index];
+    const std::vector<std::string> names = columnNames(stream);
+    const std::vector<std::string_view> columns(names.begin(), names.end());
+    auto csv = core::CsvWriter::create(path, columns);
+    if (!csv)
+        return core::Unexpected(csv.error());
+    ExportedFile file{path, 0, 0};
+    StreamReader reader = recording.reader(index);
+    core::TappedFrames block;
+    while (!csv->failed()) {
+        const core::Expected<bool> any = reader.next(block);
+        if (!any && any.error().kind != core::ErrorKind::badInput)
+            return core::Unexpected(any.error());
+        if (!any) {
+            // A page of the file that cannot be read ends the stream; a block that is not whole does not.
+            ++file.damagedBlocks;
+            if (!reader.canGoOn())
+                break;
+            continue;
+        }
+        if (!*any)
+            break;
+        for (std::size_t frame = 0; frame < block.frames(); ++frame) {
+            csv->number(recording.time_s(block.time_ns[frame]));
+            writeFrame(*csv, stream, block, frame);
+        }
+        file.rows += block.frames();
+        if (!progress.add(block.frames()))
+            return core::Unexpected(core::Error{core::ErrorKind::cancelled,
+                                                CsvExportText::tr("the export was stopped").toStdString(),
+                                                {},
+                                                {}});
+    }
+    if (const core::Expected<void> done = csv->finish(); !done)
+        return core::Unexpected(done.error());
+    return file;
+}
+
+/// The name of a stream as that of a file.
+std::string fileName(const std::string& stream) {
+    std::string name = stream;
+    std::ranges::replace_if(
+        name, [](char c) { return c == '/' || c == '\\' || static_cast<unsigned char>(c) < ' '; }, '_');
+    return name.empty() || name.front() == '.' ? "_" + name : name;
+}
+
+} // namespace
+
+core::Expected<std::vector<ExportedFile>> exportCsv(const Recording& recording, const std::string& folder,
+                                                    const ExportOptions& options) {
+    const QString path = QString::fromStdString(folder);
+    if (!QDir().mkpath(path) || !QFileInfo(path).isWritable())
+        return core::Unexpected(
+            core::Error{core::ErrorKind::ioFailed,
+                        CsvExportText::tr("the folder cannot be made or written to").toStdString(),
+                        {},
+                        {folder}});
+    std::vector<ExportedFile> files;
+    Progress progress(recording, options);
+    for (std::size_t i = 0; i < recording.streams().size(); ++i) {
+        auto file = exportStream(recording, i, folder + "/" + fileName(recording.streams()[i].name) + ".csv",
+                                 progress);
+        if (!file)
+            return core::Unexpected(file.error());
+        files.push_back(std::move(*file));
+    }
+    auto events = exportEvents(recording, folder + "/events.csv");
+    if (!events)
+        return core::Unexpected(events.error());
+    files.push_back(std::move(*events));
+    return files;
+}
+
+} // namespace teleta::recording

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/error.h"
+#include "backend/recording/recording.h"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace teleta::recording {
+
+/// One file that was written.
+struct ExportedFile {
+    std::string path;
+    std::uint64_t rows = 0;
+    std::uint64_t damagedBlocks = 0; ///< that were left out
+};
+
+struct ExportOptions {
+    /// Called now and then with the frames so far and of all streams; false ends the export early.
+    std::function<bool(double frames, double allFrames)> goOn;
+};
+
+/// Writes each stream as NAME.csv into a folder, which is made when it is missing, and events.csv.
+/// Times are since the start of the recording, from the steady clock.
+///   array     time_s,t0,t1,...                     as `teleta features` reads them
+///   joints    time_s,joint_angle_rad,joint_torque_nm,q1,...   the elbow first, as `teleta stiffness` reads
+///   it features  time_s,contact_type,force_n,...      as `teleta features` writes them camera
+///   time_s,frame_time_s,width_px,height_px          the pictures' times others    time_s and the stream's
+///   own columns; NA where there is no value events    time_s,utc,event,text,value
+/// Damaged blocks are left out and counted. Files appear when they are complete.
+/// Error: ioFailed; cancelled.
+[[nodiscard]] core::Expected<std::vector<ExportedFile>>
+exportCsv(const Recording& recording, const std::string& folder, const ExportOptions& options = {});
+
+} // namespace teleta::recording

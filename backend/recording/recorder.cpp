@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/recording/recorder.h"
+
+#include "backend/core/elapsed.h"
+#include "backend/core/steady_time.h"
+#include "backend/recording/recording_writer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace teleta::recording {
+
+namespace {
+
+/// Often enough that no queue fills and a transaction never waits long for its data.
+constexpr std::chrono::milliseconds kDrainPeriod{50};
+constexpr std::int64_t kCommitPeriod_ns = 200'000'000;
+
+} // namespace
+
+core::Expected<std::unique_ptr<Recorder>> Recorder::start(const std::string& path, RecordingHead head,
+                                                          RecorderOptions options) {
+    std::unique_ptr<Recorder> recorder(new Recorder(path, std::move(options)));
+    recorder->m_start_ns = head.start_ns;
+    std::promise<core::Expected<void>> begun;
+    std::future<core::Expected<void>> result = begun.get_future();
+    recorder->m_thread = std::jthread([&recorder = *recorder, head = std::move(head),
+                                       begun = std::move(begun)](const std::stop_token& stop) mutable {
+        recorder.run(std::move(head), std::move(begun), stop);
+    });
+    if (const core::Expected<void> done = result.get(); !done)
+        return core::Unexpected(done.error());
+    return recorder;
+}
+
+Recorder::Recorder(std::string path, RecorderOptions options)
+    : m_path(std::move(path))
+    , m_options(std::move(options)) {
+}
+
+Recorder::~Recorder() {
+    (void)stop();
+}
+
+std::shared_ptr<core::StreamTap> Recorder::addStream(StreamInfo info) {
+    auto tap = std::make_shared<core::StreamTap>(info.type == ValueType::grey8 ? m_options.queuePictures
+                                                                               : m_options.queueBlocks);
+    const std::scoped_lock lock(m_mutex);
+    const std::string wanted = info.name;
+    for (int number = 2; std::ranges::find(m_names, info.name) != m_names.end(); ++number)
+        info.name = wanted + "-" + std::to_string(number);
+    m_names.push_back(info.name);
+    if (m_ended)
+        tap->close();
+    else
+        m_addedStreams.push_back({std::move(info), tap});
+    return tap;
+}
+
+void Recorder::add(RecordingEvent event) {
+    const std::scoped_lock lock(m_mutex);
+    m_addedEvents.push_back(std::move(event));
+}
+
+void Recorder::mark(std::string note) {
+    add({.time_ns = core::steadyNow_ns(), .kind = kMark, .text = std::move(note)});
+}
+
+core::Expected<void> Recorder::stop() {
+    if (m_thread.joinable()) {
+        m_thread.request_stop();
+        m_thread.join();
+    }
+    const RecorderStatus status = m_status.get();
+    if (status.state == RecorderStatus::State::failed)
+        return core::Unexpected(status.error);
+    return {};
+}
+
+void Recorder::run(RecordingHead head, std::promise<core::Expected<void>> begun,
+                   const std::stop_token& stop) {
+    RecordingWriter writer(m_path, m_options.utcNow, m_options.simulatedTime);
+    const core::Expected<void> done = writer.begin(head);
+    if (done) {
+        RecorderStatus status;
+        status.bytes = writer.bytes();
+        m_status.set(status);
+    } else {
+        fail(done.error());
+    }
+    begun.set_value(done);
+    if (done)
+        write(writer, stop);
+}
+
+void Recorder::write(RecordingWriter& writer, const std::stop_token& stop) {
+    std::int64_t committed_ns = core::steadyNow_ns();
+    for (;;) {
+        const bool last = stop.stop_requested();
+        core::Expected<void> done = takeNew(writer);
+        if (last) {
+            for (const auto& tap : m_taps)
+                tap->close();
+        }
+        std::uint64_t dropped = 0;
+        for (std::size_t i = 0; i < m_taps.size(); ++i) {
+            core::TappedFrames frames;
+            while (m_taps[i]->pop(frames))
+                writer.take(i, std::move(frames));
+            writer.setDropped(i, m_taps[i]->dropped());
+            dropped += m_taps[i]->dropped();
+        }
+        const std::int64_t now_ns = core::steadyNow_ns();
+        if (last)
+            writer.take({.time_ns = m_options.simulatedTime ? writer.newest_ns() : now_ns,
+                         .kind = kStopped,
+                         .text = {}});
+        const bool due = now_ns - committed_ns >= kCommitPeriod_ns;
+        if (done && (last || due)) {
+            committed_ns = now_ns;
+            done = writer.commit();
+        }
+        if (done && last)
+            done = writer.finish();
+        RecorderStatus status = m_status.get();
+        status.duration_s =
+            core::elapsed_s(m_start_ns, m_options.simulatedTime ? writer.newest_ns() : now_ns);
+        status.bytes = writer.bytes();
+        status.frames = writer.frames();
+        status.marks = writer.marks();
+        status.dropped = dropped;
+        if (last)
+            status.state = RecorderStatus::State::stopped;
+        m_status.set(status);
+        if (!done || last) {
+            {
+                const std::scoped_lock lock(m_mutex);
+                m_ended = true;
+                for (const Added& added : m_addedStreams)
+                    added.tap->close();
+            }
+            for (const auto& tap : m_taps)
+                tap->close();
+        }
+        if (!done)
+            fail(done.error());
+        if (!done || last)
+            return;
+        std::unique_lock lock(m_mutex);
+        m_condition.wait_for(lock, stop, kDrainPeriod, [] { return false; });
+    }
+}
+
+core::Expected<void> Recorder::takeNew(RecordingWriter& writer) {
+    std::vector<Added> streams;
+    std::vector<RecordingEvent> events;
+    {
+        const std::scoped_lock lock(m_mutex);
+        streams.swap(m_addedStreams);
+        events.swap(m_addedEvents);
+    }
+    for (Added& stream : streams) {
+        if (const core::Expected<void> done = writer.addStream(stream.info); !done)
+            return done;
+        m_taps.push_back(std::move(stream.tap));
+    }
+    for (RecordingEvent& event : events)
+        writer.take(std::move(event));
+    return {};
+}
+
+void Recorder::fail(core::Error error) {
+    RecorderStatus status = m_status.get();
+    status.state = RecorderStatus::State::failed;
+    status.error = std::move(error);
+    m_status.set(std::move(status));
+}
+
+} // namespace teleta::recording

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/error.h"
+#include "backend/core/latest_copy.h"
+#include "backend/core/stream_tap.h"
+#include "backend/recording/recording_types.h"
+
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace teleta::recording {
+
+class RecordingWriter;
+
+/// What a recorder does now.
+struct RecorderStatus {
+    enum class State {
+        recording,
+        stopped, ///< by stop(): the file is complete
+        failed,  ///< by error: what was written before can be read
+    };
+    State state = State::recording;
+    core::Error error;         ///< with failed
+    double duration_s = 0.0;   ///< since the start
+    std::uint64_t bytes = 0;   ///< of the file
+    std::uint64_t frames = 0;  ///< of all streams, that are safe in the file
+    std::uint64_t dropped = 0; ///< frames that the writer could not take in time
+    std::uint64_t marks = 0;
+};
+
+struct RecorderOptions {
+    std::function<QDateTime()> utcNow = [] { return QDateTime::currentDateTimeUtc(); };
+    /// The frames' times are a simulation's, not the steady clock's.
+    bool simulatedTime = false;
+    /// Blocks that may wait for the writer, in a stream: 20 s of an array at 200 Hz.
+    std::size_t queueBlocks = 4096;
+    /// Pictures that may wait, which are large: 1.6 s at 40 Hz.
+    std::size_t queuePictures = 64;
+};
+
+/// Writes streams into one file, from a thread of its own.
+///   data thread -> StreamTap -> writer thread -> a transaction every 0.2 s
+/// A killed program loses what came after the last transaction. When a write fails (disk full) the recording
+/// ends with an error, what was written stays readable, and the data threads never notice.
+/// Thread: any.
+class Recorder {
+public:
+    /// Makes the file and starts the writer. Waits for the disk: not on the GUI's thread.
+    /// Error: as RecordingDatabase::create.
+    [[nodiscard]] static core::Expected<std::unique_ptr<Recorder>>
+    start(const std::string& path, RecordingHead head, RecorderOptions options = {});
+    /// As stop().
+    ~Recorder();
+    Recorder(const Recorder&) = delete;
+    Recorder& operator=(const Recorder&) = delete;
+
+    /// Adds a stream. A name that is taken gets a number. The tap may outlive the recorder, which then takes
+    /// nothing more. Returns at once.
+    [[nodiscard]] std::shared_ptr<core::StreamTap> addStream(StreamInfo info);
+
+    /// Adds an event; time_ns: steady clock. Returns at once.
+    void add(RecordingEvent event);
+    /// Adds a mark for now.
+    void mark(std::string note);
+
+    [[nodiscard]] RecorderStatus status() const { return m_status.get(); }
+    [[nodiscard]] const std::string& path() const { return m_path; }
+
+    /// Writes what waits, completes the file and waits for that. Idempotent. Error: why the file is not
+    /// complete.
+    core::Expected<void> stop();
+
+private:
+    struct Added {
+        StreamInfo info;
+        std::shared_ptr<core::StreamTap> tap;
+    };
+
+    Recorder(std::string path, RecorderOptions options);
+    void run(RecordingHead head, std::promise<core::Expected<void>> begun, const std::stop_token& stop);
+    void write(RecordingWriter& writer, const std::stop_token& stop);
+    [[nodiscard]] core::Expected<void> takeNew(RecordingWriter& writer);
+    void fail(core::Error error);
+
+    std::string m_path;
+    RecorderOptions m_options;
+    std::int64_t m_start_ns = 0;
+    core::LatestCopy<RecorderStatus> m_status;
+
+    std::mutex m_mutex;
+    std::condition_variable_any m_condition;
+    std::vector<Added> m_addedStreams;         ///< guarded by m_mutex
+    std::vector<RecordingEvent> m_addedEvents; ///< guarded by m_mutex
+    std::vector<std::string> m_names;          ///< guarded by m_mutex
+    bool m_ended = false;                      ///< guarded by m_mutex
+
+    std::vector<std::shared_ptr<core::StreamTap>> m_taps; ///< of the writer's thread
+    std::jthread m_thread;
+};
+
+} // namespace teleta::recording

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/recording/recording.h"
+
+#include "backend/recording/recording_database.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QSqlError>
+#include <QtEndian>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <utility>
+
+namespace teleta::recording {
+
+namespace {
+
+struct ReadingText {
+    Q_DECLARE_TR_FUNCTIONS(Recording)
+};
+
+constexpr std::array kKinds{StreamKind::array,  StreamKind::features, StreamKind::joints, StreamKind::touches,
+                            StreamKind::camera, StreamKind::contacts, StreamKind::tactors};
+constexpr std::array kTypes{ValueType::float32, ValueType::float64, ValueType::grey8};
+constexpr std::size_t kMostValues = 1U << 24U;
+constexpr int kMostPixels = 1 << 26;
+constexpr qsizetype kHeadBytes = 16;
+
+template <typename Name, std::size_t n>
+std::optional<Name> named(const std::array<Name, n>& names, const QString& text) {
+    const auto found =
+        std::ranges::find_if(names, [&](Name name) { return text == QLatin1String(toString(name)); });
+    return found == names.end() ? std::nullopt : std::optional(*found);
+}
+
+std::optional<std::vector<std::size_t>> shapeOf(const QString& text) {
+    std::vector<std::size_t> shape;
+    std::size_t values = 1;
+    for (const QString& side : text.split(QLatin1Char('x'))) {
+        bool isNumber = false;
+        const qulonglong size = side.toULongLong(&isNumber);
+        if (!isNumber || size > kMostValues || values * std::max<std::size_t>(size, 1) > kMostValues)
+            return std::nullopt;
+        values *= std::max<std::size_t>(size, 1);
+        shape.push_back(size);
+    }
+    return shape;
+}
+
+template <typename Value>
+bool copyBytes(const QByteArray& bytes, std::size_t entries, std::vector<Value>& values) {
+    if (static_cast<std::size_t>(bytes.size()) != entries * sizeof(Value))
+        return false;
+    values.resize(entries);
+    std::memcpy(values.data(), bytes.constData(), static_cast<std::size_t>(bytes.size()));
+    return true;
+}
+
+/// Times in order, the stream's own without a gap that is none.
+bool areTimes(const core::TappedFrames& block) {
+    return std::ranges::is_sorted(block.time_ns) &&
+           std::ranges::all_of(block.sourceTime_s, [](double time_s) { return std::isfinite(time_s); });
+}
+
+std::optional<core::GreyImage> imageOf(const QByteArray& deflated, int width_px, int height_px) {
+    if (width_px < 1 || height_px < 1 || width_px > kMostPixels / height_px)
+        return std::nullopt;
+    const auto pixels = static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px);
+    QByteArray withLength(4, Qt::Uninitialized);
+    qToBigEndian(static_cast<quint32>(pixels), withLength.data());
+    const QByteArray inflated = qUncompress(withLength + deflated);
+    if (static_cast<std::size_t>(inflated.size()) != pixels)
+        return std::nullopt;
+    std::shared_ptr<std::uint8_t[]> copy(new std::uint8_t[pixels]);
+    std::memcpy(copy.get(), inflated.constData(), pixels);
+    return core::GreyImage{std::shared_ptr<const std::uint8_t>(copy, copy.get()), width_px, height_px};
+}
+
+} // namespace
+
+StreamReader::StreamReader(std::shared_ptr<RecordingDatabase> database, StreamInfo info, long long key)
+    : m_database(std::move(database))
+    , m_info(std::move(info))
+    , m_key(key)
+    , m_from_ns(std::numeric_limits<std::int64_t>::min()) {
+}
+StreamReader::~StreamReader() = default;
+StreamReader::StreamReader(StreamReader&&) noexcept = default;
+StreamReader& StreamReader::operator=(StreamReader&&) noexcept = default;
+
+core::Expected<void> StreamReader::select() {
+    auto query = m_database->run(
+        QStringLiteral(
+            "SELECT key, frames, width, height, discontinuity, time_ns, source_time_s, data FROM block "
+            "WHERE stream = ? AND first_ns >= ? ORDER BY first_ns, key"),
+        {m_key, static_cast<qlonglong>(m_from_ns)});
+    if (!query)
+        return core::Unexpected(query.error());
+    m_query = std::make_unique<QSqlQuery>(std::move(*query));
+    return {};
+}
+
+core::Expected<bool> StreamReader::next(core::TappedFrames& block) {
+    if (m_query == nullptr) {
+        if (const core::Expected<void> done = select(); !done)
+            return core::Unexpected(done.error());
+    }
+    if (!m_query->next()) {
+        m_canGoOn = !m_query->lastError().isValid();
+        if (!m_canGoOn)
+            return m_database->failed(m_query->lastError());
+        return false;
+    }
+    const QString number = m_query->value(0).toString();
+    const auto frames = m_query->value(1).toLongLong();
+    block.discontinuity = m_query->value(4).toInt() != 0;
+    block.image = {};
+    block.values.clear();
+    const QByteArray data = m_query->value(7).toByteArray();
+    bool whole = frames > 0 && frames < static_cast<long long>(kMostValues);
+    const auto count = static_cast<std::size_t>(whole ? frames : 0);
+    whole = whole && copyBytes(m_query->value(5).toByteArray(), count, block.time_ns) &&
+            copyBytes(m_query->value(6).toByteArray(), count, block.sourceTime_s) && areTimes(block);
+    if (whole && m_info.type == ValueType::grey8) {
+        auto image = imageOf(data, m_query->value(2).toInt(), m_query->value(3).toInt());
+        whole = image && count == 1;
+        if (whole)
+            block.image = std::move(*image);
+    } else if (whole) {
+        whole = copyBytes(data, count * m_info.channels() * m_info.bytesPerValue(), block.values);
+    }
+    if (!whole)
+        return m_database->damaged(ReadingText::tr("block %1 of the stream \"%2\" is not whole")
+                                       .arg(number, QString::fromStdString(m_info.name)));
+    return true;
+}
+
+core::Expected<void> StreamReader::seek(std::int64_t time_ns) {
+    auto query =
+        m_database->run(QStringLiteral("SELECT first_ns FROM block WHERE stream = ? AND first_ns <= ? "
+                                       "ORDER BY first_ns DESC LIMIT 1"),
+                        {m_key, static_cast<qlonglong>(time_ns)});
+    if (!query)
+        return core::Unexpected(query.error());
+    m_from_ns = query->next() ? query->value(0).toLongLong() : std::numeric_limits<std::int64_t>::min();
+    m_query.reset();
+    return {};
+}
+
+Recording::Recording(std::shared_ptr<RecordingDatabase> database)
+    : m_database(std::move(database)) {
+}
+Recording::~Recording() = default;
+Recording::Recording(Recording&&) noexcept = default;
+Recording& Recording::operator=(Recording&&) noexcept = default;
+
+bool Recording::looksLikeOne(const std::string& path) {
+    QFile file(QString::fromStdString(path));
+    return file.open(QIODevice::ReadOnly) &&
+           file.read(kHeadBytes) == QByteArray("SQLite format 3\0", kHeadBytes);
+}
+
+core::Expected<Recording> Recording::open(const std::string& path) {
+    Recording recording(std::make_shared<RecordingDatabase>(path));
+    const core::Expected<void> opened = recording.m_database->openForReading()
+                                            .and_then([&] { return recording.readHead(); })
+                                            .and_then([&] { return recording.readAnchors(); })
+                                            .and_then([&] { return recording.readStreams(); })
+                                            .and_then([&] { return recording.readColumns(); })
+                                            .and_then([&] { return recording.readEvents(); });
+    if (!opened)
+        return core::Unexpected(opened.error());
+    return recording;
+}
+
+const std::string& Recording::path() const {
+    return m_database->path();
+}
+
+core::Expected<void> Recording::readHead() {
+    auto query = m_database->run(
+        QStringLiteral("SELECT app_version, scene, scene_text, configuration, start_ns FROM recording"));
+    if (!query)
+        return core::Unexpected(query.error());
+    if (!query->next())
+        return core::Unexpected(core::Error{core::ErrorKind::badInput,
+                                            ReadingText::tr("the recording was never begun").toStdString(),
+                                            {},
+                                            {path()}});
+    const auto text = [&](int column) { return query->value(column).toString().toStdString(); };
+    m_head = {text(0), text(1), text(2), text(3), query->value(4).toLongLong()};
+    return {};
+}
+
+core::Expected<void> Recording::readAnchors() {
+    auto query = m_database->run(QStringLiteral("SELECT time_ns, utc FROM anchor ORDER BY time_ns, rowid"));
+    if (!query)
+        return core::Unexpected(query.error());
+    while (query->next()) {
+        m_anchors.push_back({query->value(0).toLongLong(),
+                             QDateTime::fromString(query->value(1).toString(), Qt::ISODateWithMs)});
+        if (!m_anchors.back().utc.isValid())
+            return m_database->damaged(ReadingText::tr("\"%1\" is no time").arg(query->value(1).toString()));
+    }
+    return {};
+}
+
+core::Expected<void> Recording::readStreams() {
+    auto query = m_database->run(QStringLiteral(
+        "SELECT key, name, kind, type, source, shape, unit, rate_hz, details FROM stream ORDER BY key"));
+    if (!query)
+        return core::Unexpected(query.error());
+    while (query->next()) {
+        const auto text = [&](int column) { return query->value(column).toString(); };
+        const auto kind = named(kKinds, text(2));
+        const auto type = named(kTypes, text(3));
+        const auto shape = shapeOf(text(5));
+        if (!kind || !type || !shape)
+            return m_database->damaged(
+                ReadingText::tr("the stream \"%1\" is described by \"%2\"")
+                    .arg(text(1), QStringList{text(2), text(3), text(5)}.join(QLatin1Char(' '))));
+        m_keys.push_back(query->value(0).toLongLong());
+        m_streams.push_back({.name = text(1).toStdString(),
+                             .kind = *kind,
+                             .type = *type,
+                             .source = text(4).toStdString(),
+                             .shape = *shape,
+                             .unit = text(6).toStdString(),
+                             .columns = {},
+                             .nominalRate_Hz = query->value(7).toDouble(),
+                             .details = text(8).toStdString()});
+    }
+    return {};
+}
+
+core::Expected<void> Recording::readColumns() {
+    auto query = m_database->run(
+        QStringLiteral("SELECT stream, name, unit FROM stream_column ORDER BY stream, number"));
+    if (!query)
+        return core::Unexpected(query.error());
+    while (query->next()) {
+        const auto key = std::ranges::find(m_keys, query->value(0).toLongLong());
+        if (key != m_keys.end())
+            m_streams[static_cast<std::size_t>(key - m_keys.begin())].columns.push_back(
+                {query->value(1).toString().toStdString(), query->value(2).toString().toStdString()});
+    }
+    for (const StreamInfo& stream : m_streams) {
+        if (!stream.columns.empty() && stream.columns.size() != stream.channels())
+            return m_database->damaged(ReadingText::tr("the stream \"%1\" has %2 columns instead of %3")
+                                           .arg(QString::fromStdString(stream.name))
+                                           .arg(stream.columns.size())
+                                           .arg(stream.channels()));
+    }
+    return {};
+}
+
+core::Expected<void> Recording::readEvents() {
+    auto query =
+        m_database->run(QStringLiteral("SELECT time_ns, kind, text, value FROM event ORDER BY time_ns, key"));
+    if (!query)
+        return core::Unexpected(query.error());
+    while (query->next())
+        m_events.push_back({query->value(0).toLongLong(), query->value(1).toString().toStdString(),
+                            query->value(2).toString().toStdString(), query->value(3).toDouble()});
+    return {};
+}
+
+bool Recording::isComplete() const {
+    return std::ranges::any_of(m_events, [](const RecordingEvent& event) { return event.kind == kStopped; });
+}
+
+std::optional<std::size_t> Recording::first(StreamKind kind) const {
+    const auto found = std::ranges::find(m_streams, kind, &StreamInfo::kind);
+    return found == m_streams.end() ? std::nullopt
+                                    : std::optional(static_cast<std::size_t>(found - m_streams.begin()));
+}
+
+core::Expected<std::optional<Recording::Extent>> Recording::extent(std::size_t stream) const {
+    auto query = m_database->run(
+        QStringLiteral("SELECT MIN(first_ns), MAX(last_ns), SUM(frames) FROM block WHERE stream = ?"),
+        {m_keys[stream]});
+    if (!query)
+        return core::Unexpected(query.error());
+    if (!query->next() || query->value(0).isNull())
+        return std::optional<Extent>();
+    return std::optional(
+        Extent{query->value(0).toLongLong(), query->value(1).toLongLong(), query->value(2).toULongLong()});
+}
+
+StreamReader Recording::reader(std::size_t stream) const {
+    return {m_database, m_streams[stream], m_keys[stream]};
+}
+
+double Recording::time_s(std::int64_t time_ns) const {
+    return static_cast<double>(time_ns - m_head.start_ns) / 1e9;
+}
+
+QDateTime Recording::utcOf(std::int64_t time_ns) const {
+    const auto after = std::ranges::upper_bound(m_anchors, time_ns, {}, &TimeAnchor::time_ns);
+    if (m_anchors.empty())
+        return {};
+    const TimeAnchor& anchor = after == m_anchors.begin() ? m_anchors.front() : *(after - 1);
+    return anchor.utc.addMSecs((time_ns - anchor.time_ns) / 1'000'000);
+}
+
+} // namespace teleta::recording

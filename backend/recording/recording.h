@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/error.h"
+#include "backend/core/stream_tap.h"
+#include "backend/recording/recording_types.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+class QSqlQuery;
+
+namespace teleta::recording {
+
+class RecordingDatabase;
+
+/// The number values of one frame of a block.
+template <typename Number>
+[[nodiscard]] std::span<const Number> valuesOf(const core::TappedFrames& block, std::size_t frame,
+                                               std::size_t channels) {
+    return std::span(reinterpret_cast<const Number*>(block.values.data()), block.frames() * channels)
+        .subspan(frame * channels, channels);
+}
+
+/// Reads the blocks of one stream in the order of time. Ends with its Recording.
+/// Thread: the recording's.
+class StreamReader {
+public:
+    ~StreamReader();
+    StreamReader(StreamReader&&) noexcept;
+    StreamReader& operator=(StreamReader&&) noexcept;
+
+    /// The next block; false behind the last one. Error: badInput for a damaged block or file, ioFailed.
+    [[nodiscard]] core::Expected<bool> next(core::TappedFrames& block);
+
+    /// Whether next() can go on after an error.
+    [[nodiscard]] bool canGoOn() const { return m_canGoOn; }
+
+    /// The next block is the one that holds the first frame at or after a time, or the last one before it.
+    [[nodiscard]] core::Expected<void> seek(std::int64_t time_ns);
+
+private:
+    friend class Recording;
+    StreamReader(std::shared_ptr<RecordingDatabase> database, StreamInfo info, long long key);
+    [[nodiscard]] core::Expected<void> select();
+
+    std::shared_ptr<RecordingDatabase> m_database;
+    StreamInfo m_info;
+    long long m_key;
+    std::unique_ptr<QSqlQuery> m_query;
+    std::int64_t m_from_ns;
+    bool m_canGoOn = true;
+};
+
+/// A recording that is read. Thread: the one that opened it.
+class Recording {
+public:
+    /// Error: as RecordingDatabase::openForReading; badInput: the recording was never begun.
+    [[nodiscard]] static core::Expected<Recording> open(const std::string& path);
+    /// A quick look at the file's first bytes: whether open() would take it for a database.
+    [[nodiscard]] static bool looksLikeOne(const std::string& path);
+
+    ~Recording();
+    Recording(Recording&&) noexcept;
+    Recording& operator=(Recording&&) noexcept;
+
+    [[nodiscard]] const std::string& path() const;
+    [[nodiscard]] const RecordingHead& head() const { return m_head; }
+    [[nodiscard]] const std::vector<StreamInfo>& streams() const { return m_streams; }
+    [[nodiscard]] const std::vector<TimeAnchor>& anchors() const { return m_anchors; }
+    /// In order of time.
+    [[nodiscard]] const std::vector<RecordingEvent>& events() const { return m_events; }
+    /// Whether it was ended by a person, not by the end of the program or a full disk.
+    [[nodiscard]] bool isComplete() const;
+
+    /// The first stream of a kind; empty: there is none.
+    [[nodiscard]] std::optional<std::size_t> first(StreamKind kind) const;
+
+    /// From the first frame of a stream to its last one; empty: it has no frames.
+    struct Extent {
+        std::int64_t first_ns = 0;
+        std::int64_t last_ns = 0;
+        std::uint64_t frames = 0;
+    };
+    [[nodiscard]] core::Expected<std::optional<Extent>> extent(std::size_t stream) const;
+
+    [[nodiscard]] StreamReader reader(std::size_t stream) const;
+
+    /// Since the start of the recording, in s.
+    [[nodiscard]] double time_s(std::int64_t time_ns) const;
+    /// By the last anchor before, or the first one.
+    [[nodiscard]] QDateTime utcOf(std::int64_t time_ns) const;
+
+private:
+    explicit Recording(std::shared_ptr<RecordingDatabase> database);
+    [[nodiscard]] core::Expected<void> readHead();
+    [[nodiscard]] core::Expected<void> readAnchors();
+    [[nodiscard]] core::Expected<void> readStreams();
+    [[nodiscard]] core::Expected<void> readColumns();
+    [[nodiscard]] core::Expected<void> readEvents();
+
+    std::shared_ptr<RecordingDatabase> m_database;
+    RecordingHead m_head;
+    std::vector<StreamInfo> m_streams;
+    std::vector<long long> m_keys;
+    std::vector<TimeAnchor> m_anchors;
+    std::vector<RecordingEvent> m_events;
+};
+
+} // namespace teleta::recording

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/recording/recording_database.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QFileInfo>
+#include <QSqlError>
+#include <QStringList>
+#include <QUuid>
+
+#include <utility>
+#include <vector>
+
+namespace teleta::recording {
+
+namespace {
+
+struct RecordingText {
+    Q_DECLARE_TR_FUNCTIONS(Recording)
+};
+
+constexpr int kApplicationId = 0x54544C41; // "TTLA"
+constexpr int kWaitForOthers_ms = 5000;
+
+/// Step i leads from schema i to schema i + 1.
+const std::vector<QStringList>& steps() {
+    static const std::vector<QStringList> kSteps = {
+        {QStringLiteral("CREATE TABLE recording (one INTEGER PRIMARY KEY CHECK (one = 1), "
+                        "app_version TEXT NOT NULL, scene TEXT NOT NULL, scene_text TEXT NOT NULL, "
+                        "configuration TEXT NOT NULL, start_ns INTEGER NOT NULL)"),
+         QStringLiteral("CREATE TABLE anchor (time_ns INTEGER NOT NULL, utc TEXT NOT NULL)"),
+         QStringLiteral("CREATE TABLE stream (key INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE, "
+                        "kind TEXT NOT NULL, type TEXT NOT NULL, source TEXT NOT NULL, shape TEXT NOT NULL, "
+                        "unit TEXT NOT NULL, rate_hz REAL NOT NULL, details TEXT NOT NULL)"),
+         QStringLiteral("CREATE TABLE stream_column (stream INTEGER NOT NULL REFERENCES stream (key), "
+                        "number INTEGER NOT NULL, name TEXT NOT NULL, unit TEXT NOT NULL, "
+                        "PRIMARY KEY (stream, number)) WITHOUT ROWID"),
+         QStringLiteral("CREATE TABLE block (key INTEGER PRIMARY KEY, "
+                        "stream INTEGER NOT NULL REFERENCES stream (key), first_ns INTEGER NOT NULL, "
+                        "last_ns INTEGER NOT NULL, frames INTEGER NOT NULL, width INTEGER NOT NULL, "
+                        "height INTEGER NOT NULL, discontinuity INTEGER NOT NULL, time_ns BLOB NOT NULL, "
+                        "source_time_s BLOB NOT NULL, data BLOB NOT NULL)"),
+         QStringLiteral("CREATE INDEX block_by_time ON block (stream, first_ns)"),
+         QStringLiteral("CREATE TABLE event (key INTEGER PRIMARY KEY, time_ns INTEGER NOT NULL, "
+                        "kind TEXT NOT NULL, text TEXT NOT NULL, value REAL NOT NULL)")}};
+    return kSteps;
+}
+
+QString reasonOf(const QSqlError& error) {
+    return error.databaseText().isEmpty() ? error.driverText().simplified()
+                                          : error.databaseText().simplified();
+}
+
+} // namespace
+
+RecordingDatabase::RecordingDatabase(std::string path)
+    : m_path(std::move(path))
+    , m_name(QUuid::createUuid().toString())
+    , m_database(QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), m_name)) {
+}
+
+RecordingDatabase::~RecordingDatabase() {
+    close();
+    m_database = QSqlDatabase();
+    QSqlDatabase::removeDatabase(m_name);
+}
+
+int RecordingDatabase::currentSchema() {
+    return static_cast<int>(steps().size());
+}
+
+void RecordingDatabase::close() {
+    m_database.close();
+}
+
+core::Expected<void> RecordingDatabase::connect(const QString& options) {
+    close();
+    m_database.setDatabaseName(QString::fromStdString(m_path));
+    m_database.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=%1").arg(kWaitForOthers_ms) + options);
+    if (!m_database.open())
+        return failed(m_database.lastError());
+    return {};
+}
+
+core::Expected<void> RecordingDatabase::create() {
+    QFile file(QString::fromStdString(m_path));
+    // Exclusively, so that nobody's recording is written over.
+    if (!file.open(QIODevice::WriteOnly | QIODevice::NewOnly)) {
+        if (file.exists())
+            return core::Unexpected(
+                core::Error{core::ErrorKind::refused,
+                            RecordingText::tr("there is a file of this name already").toStdString(),
+                            RecordingText::tr("a new name").toStdString(),
+                            {m_path}});
+        return core::Unexpected(core::Error{
+            core::ErrorKind::ioFailed,
+            RecordingText::tr("the recording cannot be written: %1").arg(file.errorString()).toStdString(),
+            RecordingText::tr("a folder that can be written to").toStdString(),
+            {m_path}});
+    }
+    file.close();
+    // The schema is made before the write-ahead log, so that the file itself says what it is.
+    return connect({}).and_then([&] { return migrate(0); }).and_then([&]() -> core::Expected<void> {
+        for (const QString& setting :
+             {QStringLiteral("PRAGMA journal_mode = WAL"), QStringLiteral("PRAGMA synchronous = FULL")}) {
+            if (const auto done = run(setting); !done)
+                return core::Unexpected(done.error());
+        }
+        return {};
+    });
+}
+
+core::Expected<void> RecordingDatabase::checkFile() const {
+    QFile file(QString::fromStdString(m_path));
+    if (!file.exists())
+        return core::Unexpected(core::Error{core::ErrorKind::notFound,
+                                            RecordingText::tr("there is no such file").toStdString(),
+                                            {},
+                                            {m_path}});
+    if (!file.open(QIODevice::ReadOnly))
+        return core::Unexpected(
+            core::Error{core::ErrorKind::ioFailed, file.errorString().toStdString(), {}, {m_path}});
+    static const QByteArray kMagic("SQLite format 3\0", 16);
+    if (file.read(kMagic.size()) != kMagic)
+        return core::Unexpected(core::Error{core::ErrorKind::badInput,
+                                            RecordingText::tr("this is no recording").toStdString(),
+                                            RecordingText::tr("a recording of this program").toStdString(),
+                                            {m_path}});
+    return {};
+}
+
+core::Expected<void> RecordingDatabase::checkKind(int& schema) {
+    auto kind = run(QStringLiteral("PRAGMA application_id"));
+    if (!kind)
+        return core::Unexpected(kind.error());
+    if (!kind->next() || kind->value(0).toInt() != kApplicationId)
+        return core::Unexpected(
+            core::Error{core::ErrorKind::badInput,
+                        RecordingText::tr("this is an SQLite database, but no recording").toStdString(),
+                        RecordingText::tr("a recording of this program").toStdString(),
+                        {m_path}});
+    auto version = run(QStringLiteral("PRAGMA user_version"));
+    if (!version)
+        return core::Unexpected(version.error());
+    schema = version->next() ? version->value(0).toInt() : 0;
+    if (schema > currentSchema())
+        return core::Unexpected(core::Error{
+            core::ErrorKind::badInput,
+            RecordingText::tr("the recording was made by a newer version of the program (format %1)")
+                .arg(schema)
+                .toStdString(),
+            RecordingText::tr("format %1 or older").arg(currentSchema()).toStdString(),
+            {m_path}});
+    if (schema < 1)
+        return damaged(RecordingText::tr("it has no format"));
+    return {};
+}
+
+core::Expected<void> RecordingDatabase::openForReading() {
+    int schema = 0;
+    core::Expected<void> opened =
+        checkFile().and_then([&] { return connect(QStringLiteral(";QSQLITE_OPEN_READONLY")); }).and_then([&] {
+            return checkKind(schema);
+        });
+    if (!opened && opened.error().kind == core::ErrorKind::ioFailed &&
+        !QFileInfo(QFileInfo(QString::fromStdString(m_path)).path()).isWritable())
+        opened.error().expected =
+            RecordingText::tr(
+                "a folder that can be written to: the recording was cut off and has to be completed")
+                .toStdString();
+    if (!opened || schema == currentSchema())
+        return opened;
+    return connect({}).and_then([&] { return migrate(schema); });
+}
+
+core::Expected<void> RecordingDatabase::migrate(int from) {
+    auto begun = run(QStringLiteral("BEGIN IMMEDIATE"));
+    if (!begun)
+        return core::Unexpected(begun.error());
+    QStringList statements;
+    for (std::size_t step = static_cast<std::size_t>(from); step < steps().size(); ++step)
+        statements += steps()[step];
+    statements << QStringLiteral("PRAGMA application_id = %1").arg(kApplicationId)
+               << QStringLiteral("PRAGMA user_version = %1").arg(currentSchema()) << QStringLiteral("COMMIT");
+    for (const QString& statement : statements) {
+        if (const auto done = run(statement); !done) {
+            (void)run(QStringLiteral("ROLLBACK"));
+            return core::Unexpected(done.error());
+        }
+    }
+    return {};
+}
+
+core::Expected<void> RecordingDatabase::finish() {
+    const auto done = run(QStringLiteral("PRAGMA journal_mode = DELETE"));
+    close();
+    if (!done)
+        return core::Unexpected(done.error());
+    return {};
+}
+
+core::Expected<QSqlQuery> RecordingDatabase::run(const QString& sql, const QVariantList& values) {
+    QSqlQuery query(m_database);
+    query.setForwardOnly(true);
+    bool done = values.isEmpty() || query.prepare(sql);
+    for (const QVariant& value : values)
+        query.addBindValue(value);
+    done = done && (values.isEmpty() ? query.exec(sql) : query.exec());
+    if (!done)
+        return failed(query.lastError());
+    return query;
+}
+
+core::Expected<QSqlQuery> RecordingDatabase::prepare(const QString& sql) {
+    QSqlQuery query(m_database);
+    query.setForwardOnly(true);
+    if (!query.prepare(sql))
+        return failed(query.lastError());
+    return query;
+}
+
+core::Expected<void> RecordingDatabase::execute(QSqlQuery& query) {
+    if (!query.exec())
+        return failed(query.lastError());
+    return {};
+}
+
+core::Unexpected RecordingDatabase::failed(const QSqlError& error) const {
+    // SQLite's primary code says whose fault it is; extended codes have it in their low byte.
+    constexpr int kCorrupt = 11;
+    constexpr int kFull = 13;
+    constexpr int kNotADatabase = 26;
+    const int code = error.nativeErrorCode().toInt() & 0xFF;
+    if (code == kCorrupt || code == kNotADatabase)
+        return damaged(reasonOf(error));
+    if (code == kFull)
+        return core::Unexpected(core::Error{
+            core::ErrorKind::ioFailed, RecordingText::tr("the disk is full").toStdString(), {}, {m_path}});
+    return core::Unexpected(
+        core::Error{core::ErrorKind::ioFailed, reasonOf(error).toStdString(), {}, {m_path}});
+}
+
+core::Unexpected RecordingDatabase::damaged(const QString& what) const {
+    return core::Unexpected(
+        core::Error{core::ErrorKind::badInput,
+                    RecordingText::tr("the recording is damaged: %1").arg(what).toStdString(),
+                    {},
+                    {m_path}});
+}
+
+} // namespace teleta::recording

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/error.h"
+
+#include <QSqlDatabase>
+#include <QSqlQuery>
+#include <QString>
+#include <QVariant>
+
+#include <string>
+
+namespace teleta::recording {
+
+/// The SQLite file of a recording: pragma application_id says that it is one, user_version which schema it
+/// has.
+/// Thread: the one that made it.
+class RecordingDatabase {
+public:
+    explicit RecordingDatabase(std::string path);
+    ~RecordingDatabase();
+    RecordingDatabase(const RecordingDatabase&) = delete;
+    RecordingDatabase& operator=(const RecordingDatabase&) = delete;
+
+    /// Makes the file with the present schema and a write-ahead log. Error: refused when there is such a file
+    /// already; ioFailed.
+    [[nodiscard]] core::Expected<void> create();
+
+    /// Opens a file for reading, also one whose writer was killed. An older schema is brought up to date when
+    /// the file can be written. Error: notFound; badInput: no recording, damaged, or of a newer version;
+    /// ioFailed.
+    [[nodiscard]] core::Expected<void> openForReading();
+
+    /// Makes the file complete by itself: without a write-ahead log.
+    [[nodiscard]] core::Expected<void> finish();
+
+    [[nodiscard]] core::Expected<QSqlQuery> run(const QString& sql, const QVariantList& values = {});
+    /// A statement to be executed many times.
+    [[nodiscard]] core::Expected<QSqlQuery> prepare(const QString& sql);
+    [[nodiscard]] core::Expected<void> execute(QSqlQuery& query);
+
+    [[nodiscard]] const std::string& path() const { return m_path; }
+    [[nodiscard]] core::Unexpected failed(const QSqlError& error) const;
+    [[nodiscard]] core::Unexpected damaged(const QString& what) const;
+
+    /// The schema that this version of the program writes.
+    [[nodiscard]] static int currentSchema();
+
+private:
+    [[nodiscard]] core::Expected<void> connect(const QString& options);
+    [[nodiscard]] core::Expected<void> checkFile() const;
+    [[nodiscard]] core::Expected<void> checkKind(int& schema);
+    [[nodiscard]] core::Expected<void> migrate(int from);
+    void close();
+
+    std::string m_path;
+    QString m_name;
+    QSqlDatabase m_database;
+};
+
+} // namespace teleta::recording

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDateTime>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace teleta::recording {
+
+/// What the frames of a stream are; decides who reads them again.
+enum class StreamKind {
+    array,    ///< raw values of a tactile array, float32, shape rows x columns
+    features, ///< what was computed of them, float64
+    joints,   ///< angles, torques and references of an arm, float64
+    touches,  ///< touches of an arm as they were estimated, float64
+    camera,   ///< pictures, grey levels, shape height x width
+    contacts, ///< contacts in them, float64, one frame a contact
+    tactors,  ///< what was sent to a bracelet, float32
+};
+
+/// How the numbers of a stream are kept; little-endian.
+enum class ValueType {
+    float32,
+    float64,
+    grey8, ///< one byte a pixel, deflated (RFC 1950)
+};
+
+[[nodiscard]] const char* toString(StreamKind kind);
+[[nodiscard]] const char* toString(ValueType type);
+
+/// One column of a stream.
+struct Column {
+    std::string name; ///< as in the CSV files: "force_n"
+    std::string unit; ///< "N"; empty: none
+};
+
+/// Who a stream is; constant within a recording.
+struct StreamInfo {
+    std::string name; ///< unique in the recording; the name of its CSV file
+    StreamKind kind = StreamKind::array;
+    ValueType type = ValueType::float32;
+    std::string source; ///< the device, as people know it
+    std::vector<std::size_t>
+        shape;                   ///< of one frame, row-major; [height, width] of a picture, 0 where it varies
+    std::string unit;            ///< of all values; empty when the columns say it
+    std::vector<Column> columns; ///< empty: t0, t1, ...
+    double nominalRate_Hz = 0.0;
+    std::string details; ///< JSON: what is needed to use it as a source again; may be empty
+
+    /// Values of a frame; of a picture, 0.
+    [[nodiscard]] std::size_t channels() const;
+    [[nodiscard]] std::size_t bytesPerValue() const { return type == ValueType::float64 ? 8 : 4; }
+};
+
+/// What is known of a recording as a whole.
+struct RecordingHead {
+    std::string appVersion;
+    std::string scene;         ///< name of the scene; empty: no simulation
+    std::string sceneText;     ///< the scene file as it was; may be empty
+    std::string configuration; ///< JSON of the settings in force at the start; may be empty
+    std::int64_t start_ns = 0; ///< steady clock: zero of all times in exported files
+};
+
+/// What the wall clock said at a steady time. There is a new one whenever it was set.
+struct TimeAnchor {
+    std::int64_t time_ns = 0;
+    QDateTime utc;
+};
+
+/// Something that happened.
+struct RecordingEvent {
+    std::int64_t time_ns = 0;
+    std::string kind; ///< "mark", "stopped", "dropped", ...
+    std::string text; ///< the note of a mark, the name of a stream
+    double value = 0.0;
+};
+
+/// Kind of the events that a person sets.
+inline constexpr char kMark[] = "mark";
+/// Frames of a stream (text) that the writer could not take: value.
+inline constexpr char kDropped[] = "dropped";
+/// The recording was ended, not cut off.
+inline constexpr char kStopped[] = "stopped";
+
+} // namespace teleta::recording

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/error.h"
+#include "backend/core/stream_tap.h"
+#include "backend/recording/recording_database.h"
+#include "backend/recording/recording_types.h"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace teleta::recording {
+
+/// Gathers frames and events and writes them, one transaction at a time.
+/// Thread: one.
+class RecordingWriter {
+public:
+    RecordingWriter(std::string path, std::function<QDateTime()> utcNow, bool simulatedTime);
+
+    /// Makes the file and writes what is known of the recording. A file that could not be begun is removed.
+    [[nodiscard]] core::Expected<void> begin(const RecordingHead& head);
+
+    /// The next stream; they are counted from 0.
+    [[nodiscard]] core::Expected<void> addStream(const StreamInfo& info);
+    void take(std::size_t stream, core::TappedFrames&& frames);
+    /// Frames of the stream that were dropped so far. An event tells of each time that there are more.
+    void setDropped(std::size_t stream, std::uint64_t frames);
+    void take(RecordingEvent event);
+
+    /// Writes what was taken since the last time: all of it or nothing.
+    [[nodiscard]] core::Expected<void> commit();
+    /// After the last commit: makes the file complete by itself.
+    [[nodiscard]] core::Expected<void> finish();
+
+    [[nodiscard]] std::uint64_t frames() const { return m_frames; }
+    [[nodiscard]] std::uint64_t marks() const { return m_marks; }
+    /// Time of the newest frame that was taken.
+    [[nodiscard]] std::int64_t newest_ns() const { return m_newest_ns; }
+    /// On the disk, with the log.
+    [[nodiscard]] std::uint64_t bytes() const;
+
+private:
+    struct Stream {
+        StreamInfo info;
+        long long key = 0;
+        std::uint64_t dropped = 0;
+        std::vector<core::TappedFrames> blocks; ///< to be written
+    };
+
+    [[nodiscard]] core::Expected<void> writeAll();
+    [[nodiscard]] core::Expected<void> writeBlock(const Stream& stream, const core::TappedFrames& block);
+    [[nodiscard]] core::Expected<void> writeAnchor();
+
+    RecordingDatabase m_database;
+    std::function<QDateTime()> m_utcNow;
+    bool m_simulatedTime;
+    std::int64_t m_start_ns = 0;
+    std::int64_t m_newest_ns = 0;
+    std::optional<QSqlQuery> m_insertBlock;
+    std::vector<Stream> m_streams;
+    std::vector<RecordingEvent> m_events;
+    std::optional<TimeAnchor> m_anchor;
+    std::uint64_t m_frames = 0;
+    std::uint64_t m_marks = 0;
+};
+
+} // namespace teleta::recording

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/recording/stream_columns.h"
+
+#include <algorithm>
+
+namespace teleta::recording {
+
+StreamInfo jointStream(double nominalRate_Hz) {
+    StreamInfo info;
+    info.name = "joints";
+    info.kind = StreamKind::joints;
+    info.type = ValueType::float64;
+    info.shape = {kJointValues};
+    info.nominalRate_Hz = nominalRate_Hz;
+    struct Part {
+        const char* name;
+        const char* unit;
+    };
+    for (const Part& part : {Part{"q", "rad"}, Part{"tau", "Nm"}, Part{"ref", "rad"}}) {
+        for (std::size_t joint = 1; joint <= core::kArmJoints; ++joint)
+            info.columns.push_back({part.name + std::to_string(joint), part.unit});
+    }
+    return info;
+}
+
+std::array<double, kJointValues> jointValues(const core::JointSample& sample) {
+    std::array<double, kJointValues> values{};
+    auto* out = std::ranges::copy(sample.angle_rad, values.begin()).out;
+    out = std::ranges::copy(sample.torque_Nm, out).out;
+    std::ranges::copy(sample.reference_rad, out);
+    return values;
+}
+
+const std::vector<Column>& featureColumns() {
+    static const std::vector<Column> columns{
+        {"contact_type", ""},   {"force_n", "N"},     {"cop_x_m", "m"},     {"cop_y_m", "m"},
+        {"coc_x_m", "m"},       {"coc_y_m", "m"},     {"dzmp_x_m", "m"},    {"dzmp_y_m", "m"},
+        {"alpha_z_rad", "rad"}, {"lambda1_m2", "m2"}, {"lambda2_m2", "m2"}, {"active", ""}};
+    return columns;
+}
+
+const std::vector<Column>& touchColumns() {
+    static const std::vector<Column> columns{{"touch", ""},
+                                             {"start_s", "s"},
+                                             {"contact_distance_m", "m"},
+                                             {"side_rad", "rad"},
+                                             {"x_m", "m"},
+                                             {"y_m", "m"},
+                                             {"z_m", "m"},
+                                             {"delta_theta_rad", "rad"},
+                                             {"delta_torque_nm", "Nm"},
+                                             {"total_stiffness_n_per_m", "N/m"},
+                                             {"object_stiffness_n_per_m", "N/m"},
+                                             {"object_stiffness_lower_95", "N/m"},
+                                             {"object_stiffness_upper_95", "N/m"},
+                                             {"level", ""}};
+    return columns;
+}
+
+const std::vector<Column>& contactColumns() {
+    static const std::vector<Column> columns{
+        {"contact_id", ""}, {"u_px", "px"}, {"v_px", "px"}, {"x_m", "m"},  {"y_m", "m"},
+        {"z_m", "m"},       {"dx_m", "m"},  {"dy_m", "m"},  {"dz_m", "m"}, {"area_px", "px2"}};
+    return columns;
+}
+
+} // namespace teleta::recording

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/scene_run/scene_recording.h"
+
+#include "backend/pipeline/recorded_streams.h"
+#include "backend/recording/stream_columns.h"
+#include "backend/scene_run/scene_settings.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QString>
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+namespace teleta::scene_run {
+
+namespace {
+
+constexpr char kSkin[] = "frames";
+constexpr std::size_t kFramesAtOnce = 128;
+constexpr std::chrono::milliseconds kWaitForWriter{5};
+
+} // namespace
+
+template <typename Number>
+void SceneRecording::Batch<Number>::add(double at_s, std::span<const Number> frame) {
+    if (!tap)
+        return;
+    time_ns.push_back(std::llround(at_s * 1e9));
+    time_s.push_back(at_s);
+    values.insert(values.end(), frame.begin(), frame.end());
+    if (time_ns.size() == kFramesAtOnce)
+        flush();
+}
+
+template <typename Number>
+void SceneRecording::Batch<Number>::flush() {
+    if (!tap || time_ns.empty())
+        return;
+    while (!tap->tryAppend(std::span<const std::int64_t>(time_ns), std::span<const double>(time_s),
+                           std::span<const Number>(values)))
+        std::this_thread::sleep_for(kWaitForWriter);
+    time_ns.clear();
+    time_s.clear();
+    values.clear();
+}
+
+core::Expected<SceneRecording> SceneRecording::open(const RunOptions& options, const scene::Scene& scene) {
+    SceneRecording log;
+    if (options.outFolder.empty())
+        return log;
+    const std::string path = options.outFolder + "/recording.teleta";
+    for (const char* suffix : {"", "-wal", "-shm"})
+        QFile::remove(QString::fromStdString(path + suffix));
+    const nlohmann::ordered_json configuration{{"seed", options.seed},
+                                               {"duration_s", options.duration_s.value_or(scene.duration_s)}};
+    auto recorder =
+        recording::Recorder::start(path,
+                                   {.appVersion = QCoreApplication::applicationVersion().toStdString(),
+                                    .scene = options.name,
+                                    .sceneText = options.sceneText,
+                                    .configuration = configuration.dump(),
+                                    .start_ns = 0},
+                                   {.simulatedTime = true});
+    if (!recorder)
+        return core::Unexpected(recorder.error());
+    log.m_recorder = std::move(*recorder);
+    return log;
+}
+
+void SceneRecording::beginArray(const core::SourceDescription& description, const scene::Scene& scene) {
+    if (m_recorder)
+        m_frames.tap =
+            m_recorder->addStream(pipeline::arrayStream(kSkin, description, channelSettings(scene)));
+}
+
+void SceneRecording::beginArm(const core::ArmDescription& description) {
+    if (!m_recorder)
+        return;
+    m_joints.tap = m_recorder->addStream(pipeline::armStream("joints", description, kSkin));
+    m_touches.tap = m_recorder->addStream(pipeline::touchStream("touches", description));
+}
+
+void SceneRecording::addFrame(double time_s, std::span<const float> values) {
+    m_frames.add(time_s, values);
+}
+
+void SceneRecording::addJoints(const core::JointSample& sample) {
+    const auto values = recording::jointValues(sample);
+    m_joints.add(sample.sourceTime_s, std::span<const double>(values));
+}
+
+void SceneRecording::addTouch(const pipeline::TouchRecord& touch) {
+    const auto values = pipeline::touchValues(touch);
+    m_touches.add(touch.ready_s, std::span<const double>(values));
+}
+
+core::Expected<void> SceneRecording::finish() {
+    if (!m_recorder)
+        return {};
+    m_frames.flush();
+    m_joints.flush();
+    m_touches.flush();
+    return m_recorder->stop();
+}
+
+} // namespace teleta::scene_run

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/core/csv_reader.h"
+#include "backend/core/frame_file.h"
+#include "backend/recording/csv_export.h"
+#include "backend/recording/stream_columns.h"
+#include "tests/backend/recording/recorded_files.h"
+
+#include <limits>
+
+using namespace teleta;
+using namespace teleta::recording;
+using namespace teleta::test;
+
+namespace {
+
+class CsvExportTest : public testing::Test {
+protected:
+    CsvExportTest() { makeApplication(); }
+
+    std::unique_ptr<Recorder> start() {
+        return Recorder::start(m_folder.path("run.teleta"), headAt(kStart_ns), {.simulatedTime = true})
+            .value();
+    }
+    [[nodiscard]] std::vector<ExportedFile> exported() const {
+        const auto recording = Recording::open(m_folder.path("run.teleta"));
+        const auto files = exportCsv(*recording, m_folder.path("csv"));
+        EXPECT_TRUE(files) << core::describe(files.error());
+        return files.value_or(std::vector<ExportedFile>());
+    }
+
+    static constexpr std::int64_t kStart_ns = 77'000'000'000;
+    TemporaryFolder m_folder;
+};
+
+} // namespace
+
+TEST_F(CsvExportTest, anArrayIsReadBackAsFramesFromTheStartOn) {
+    {
+        auto recorder = start();
+        const auto tap = recorder->addStream(arrayInfo());
+        appendFrame(*tap, kStart_ns + 5'000'000, 0.1F);
+        appendFrame(*tap, kStart_ns + 10'000'000, std::numeric_limits<float>::quiet_NaN());
+        ASSERT_TRUE(recorder->stop());
+    }
+    const auto files = exported();
+    ASSERT_EQ(files.size(), 2U);
+    EXPECT_EQ(files[0].rows, 2U);
+    EXPECT_EQ(readAll(m_folder.path("csv/frames.csv")), "time_s,t0,t1,t2,t3,t4,t5\n"
+                                                        "0.005,0.1,0.225,0.35,0.475,0.6,0.725\n"
+                                                        "0.01,NA,NA,NA,NA,NA,NA\n");
+    auto file = core::FrameFile::open(m_folder.path("csv/frames.csv"), {.rows = 2, .columns = 3});
+    ASSERT_TRUE(file) << core::describe(file.error());
+    double time_s = 0.0;
+    std::vector<float> values(kTaxels);
+    EXPECT_TRUE(file->next(time_s, values).value());
+    EXPECT_EQ(values[5], 0.725F);
+}
+
+TEST_F(CsvExportTest, jointsHaveTheColumnsOfAStiffnessLog) {
+    {
+        auto recorder = start();
+        const auto tap = recorder->addStream(jointStream(1000.0));
+        core::JointSample sample;
+        sample.angle_rad = {0.1, 0.2, 0.3, 0.4};
+        sample.torque_Nm = {1.0, 2.0, 3.0, 4.0};
+        sample.reference_rad = {0.5, 0.6, 0.7, 0.8};
+        const auto values = jointValues(sample);
+        tap->append(kStart_ns + 1'000'000, 0.0, std::span<const double>(values));
+        ASSERT_TRUE(recorder->stop());
+    }
+    (void)exported();
+    EXPECT_EQ(readAll(m_folder.path("csv/joints.csv")),
+              "time_s,joint_angle_rad,joint_torque_nm,q1,q2,q3,q4,tau1,tau2,tau3,tau4,ref1,ref2,ref3,ref4\n"
+              "0.001,0.4,4,0.1,0.2,0.3,0.4,1,2,3,4,0.5,0.6,0.7,0.8\n");
+}
+
+TEST_F(CsvExportTest, marksAreEventsWithTheTimeOfTheWallClock) {
+    {
+        auto recorder =
+            Recorder::start(m_folder.path("run.teleta"), headAt(kStart_ns),
+                            {.utcNow = [] { return QDateTime(QDate(2030, 1, 1), QTime(12, 0), Qt::UTC); },
+                             .simulatedTime = true})
+                .value();
+        recorder->add({.time_ns = kStart_ns + 1'500'000'000, .kind = kMark, .text = "a, \"note\""});
+        ASSERT_TRUE(recorder->stop());
+    }
+    (void)exported();
+    EXPECT_EQ(readAll(m_folder.path("csv/events.csv")),
+              "time_s,utc,event,text,value\n"
+              "0,2030-01-01T12:00:00.000Z,stopped,,0\n"
+              "1.5,2030-01-01T12:00:01.500Z,mark,\"a, \"\"note\"\"\",0\n");
+}
+
+TEST_F(CsvExportTest, featuresHaveTheirWordsAndDamagedBlocksAreLeftOutAndCounted) {
+    {
+        auto recorder = start();
+        StreamInfo info;
+        info.name = "features/of the skin";
+        info.kind = StreamKind::features;
+        info.type = ValueType::float64;
+        info.columns = {{"contact_type", ""}, {"force_n", "N"}};
+        info.shape = {2};
+        const auto tap = recorder->addStream(info);
+        for (int i = 0; i < 4; ++i) {
+            const std::array<double, 2> values{static_cast<double>(i), 0.5 * i};
+            tap->append(kStart_ns + i * 1'000'000'000LL, 0.0, std::span<const double>(values), true);
+        }
+        ASSERT_TRUE(recorder->stop());
+    }
+    askFile(m_folder.path("run.teleta"), QStringLiteral("UPDATE block SET data = x'00' WHERE key = 2"));
+    const auto files = exported();
+    EXPECT_EQ(files[0].rows, 3U);
+    EXPECT_EQ(files[0].damagedBlocks, 1U);
+    EXPECT_EQ(readAll(m_folder.path("csv/features_of the skin.csv")), "time_s,contact_type,force_n\n"
+                                                                      "0,none,0\n"
+                                                                      "2,edge,1\n"
+                                                                      "3,NA,1.5\n");
+}
+
+TEST_F(CsvExportTest, anExportThatIsStoppedLeavesNoHalfFile) {
+    {
+        auto recorder = start();
+        appendFrame(*recorder->addStream(arrayInfo()), kStart_ns, 1.0F);
+        ASSERT_TRUE(recorder->stop());
+    }
+    const auto recording = Recording::open(m_folder.path("run.teleta"));
+    const auto files =
+        exportCsv(*recording, m_folder.path("csv"), {.goOn = [](double, double) { return false; }});
+    ASSERT_FALSE(files);
+    EXPECT_EQ(files.error().kind, core::ErrorKind::cancelled);
+    EXPECT_FALSE(std::filesystem::exists(m_folder.path("csv/frames.csv")));
+}

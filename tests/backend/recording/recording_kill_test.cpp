@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/backend/recording/recorded_files.h"
+
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+using namespace teleta;
+using namespace teleta::recording;
+using namespace teleta::test;
+
+namespace {
+
+/// What the killed process says last, in memory that outlives it.
+struct LastWords {
+    std::atomic<std::uint64_t> committed{0};
+    std::atomic<std::int64_t> appended_ns{0};
+};
+
+/// Records an array at 200 Hz and joints at 1 kHz until it is killed.
+[[noreturn]] void recordForever(const std::string& path, LastWords& words) {
+    makeApplication();
+    const std::int64_t start_ns = core::steadyNow_ns();
+    auto recorder = Recorder::start(path, headAt(start_ns));
+    if (!recorder)
+        _exit(1);
+    const auto array = (*recorder)->addStream(arrayInfo());
+    StreamInfo joints;
+    joints.name = "joints";
+    joints.kind = StreamKind::joints;
+    joints.type = ValueType::float64;
+    joints.shape = {12};
+    const auto arm = (*recorder)->addStream(joints);
+    const std::array<double, 12> angles{};
+    for (std::int64_t i = 0;; ++i) {
+        const std::int64_t due_ns = start_ns + i * 1'000'000;
+        std::this_thread::sleep_until(core::toTimePoint(due_ns));
+        arm->append(due_ns, static_cast<double>(i) * 1e-3, std::span<const double>(angles));
+        if (i % 5 == 0)
+            appendFrame(*array, due_ns, static_cast<float>(i / 5));
+        words.appended_ns.store(due_ns);
+        words.committed.store((*recorder)->status().frames);
+    }
+}
+
+} // namespace
+
+// Killed at random instants, a recording always opens, is intact, and has all frames up to its last
+// transaction. How far that lies back is printed.
+TEST(RecordingKill, aRecordingKilledAtRandomInstantsOpensWithAllButItsLastMoment) {
+    constexpr int kKills = 20;
+    const TemporaryFolder folder;
+    void* memory =
+        mmap(nullptr, sizeof(LastWords), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    ASSERT_NE(memory, MAP_FAILED);
+    auto* words = new (memory) LastWords;
+    std::uint32_t random = 7;
+    double longest_s = 0.0;
+    int withFrames = 0;
+    for (int kill = 0; kill < kKills; ++kill) {
+        const std::string path = folder.path("killed" + std::to_string(kill) + ".teleta");
+        words->committed = 0;
+        words->appended_ns = 0;
+        const pid_t child = fork();
+        ASSERT_GE(child, 0);
+        if (child == 0)
+            recordForever(path, *words);
+        random = random * 1664525U + 1013904223U;
+        poll(nullptr, 0, 20 + static_cast<int>(random >> 22U)); // up to 1 s
+        ::kill(child, SIGKILL);
+        int status = 0;
+        ASSERT_EQ(waitpid(child, &status, 0), child);
+        ASSERT_TRUE(WIFSIGNALED(status)) << "it ended by itself";
+
+        if (words->committed.load() == 0 && !std::filesystem::exists(path))
+            continue; // it had not come so far
+        const auto recording = Recording::open(path);
+        if (words->committed.load() == 0 && !recording) {
+            // Killed while the file was made: that is told, nothing more.
+            EXPECT_EQ(recording.error().kind, core::ErrorKind::badInput) << core::describe(recording.error());
+            continue;
+        }
+        ASSERT_TRUE(recording) << core::describe(recording.error());
+        EXPECT_FALSE(recording->isComplete());
+        EXPECT_EQ(askFile(path, QStringLiteral("PRAGMA integrity_check")), "ok");
+        std::uint64_t frames = 0;
+        std::int64_t newest_ns = 0;
+        for (std::size_t stream = 0; stream < recording->streams().size(); ++stream) {
+            const auto extent = recording->extent(stream).value();
+            frames += extent ? extent->frames : 0;
+            newest_ns = std::max(newest_ns, extent ? extent->last_ns : 0);
+        }
+        EXPECT_GE(frames, words->committed.load());
+        if (frames == 0)
+            continue;
+        ++withFrames;
+        const ReadFrames array = readAllFrames(recording->reader(0));
+        for (std::size_t i = 0; i < array.time_ns.size(); ++i)
+            ASSERT_EQ(array.values[i * kTaxels], static_cast<float>(i)) << "a frame is missing in between";
+        longest_s = std::max(longest_s, static_cast<double>(words->appended_ns.load() - newest_ns) * 1e-9);
+    }
+    std::printf("%d killed recordings with frames, at most %.3f s missing\n", withFrames, longest_s);
+    EXPECT_GT(withFrames, kKills / 3) << "it was hardly ever killed at work";
+    munmap(memory, sizeof(LastWords));
+}

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/recording/recording_database.h"
+#include "tests/backend/recording/recorded_files.h"
+
+#include <filesystem>
+#include <fstream>
+
+using namespace teleta;
+using namespace teleta::recording;
+using namespace teleta::test;
+
+namespace {
+
+constexpr std::int64_t kPeriod_ns = 5'000'000;
+
+class RecordingTest : public testing::Test {
+protected:
+    RecordingTest() { makeApplication(); }
+
+    /// 3000 frames from 1 s on, in blocks that a jump ends after each hundred.
+    std::string write() {
+        auto recorder = Recorder::start(path(), headAt(0), {.simulatedTime = true});
+        EXPECT_TRUE(recorder);
+        const auto tap = (*recorder)->addStream(arrayInfo());
+        for (int i = 0; i < 3000; ++i) {
+            const std::array<float, kTaxels> values{static_cast<float>(i)};
+            tap->append(1'000'000'000 + i * kPeriod_ns, i * 0.005, std::span<const float>(values),
+                        i % 100 == 0);
+        }
+        EXPECT_TRUE((*recorder)->stop());
+        return path();
+    }
+    [[nodiscard]] std::string path() const { return m_folder.path("run.teleta"); }
+
+    TemporaryFolder m_folder;
+};
+
+core::Error openError(const std::string& path) {
+    const auto recording = Recording::open(path);
+    EXPECT_FALSE(recording);
+    return recording ? core::Error{} : recording.error();
+}
+
+} // namespace
+
+TEST_F(RecordingTest, aSeekFindsTheBlockThatHoldsTheTime) {
+    const auto recording = Recording::open(write());
+    ASSERT_TRUE(recording) << core::describe(recording.error());
+    const auto extent = recording->extent(0).value();
+    ASSERT_TRUE(extent);
+    EXPECT_EQ(extent->first_ns, 1'000'000'000);
+    EXPECT_EQ(extent->last_ns, 1'000'000'000 + 2999 * kPeriod_ns);
+    EXPECT_EQ(extent->frames, 3000U);
+    StreamReader reader = recording->reader(0);
+    core::TappedFrames block;
+    for (const int frame : {0, 1, 99, 100, 1550, 2999}) {
+        const std::int64_t time_ns = 1'000'000'000 + frame * kPeriod_ns;
+        ASSERT_TRUE(reader.seek(time_ns));
+        ASSERT_TRUE(reader.next(block).value());
+        EXPECT_EQ(block.time_ns.front(), time_ns - frame % 100 * kPeriod_ns);
+        EXPECT_EQ(valuesOf<float>(block, static_cast<std::size_t>(frame % 100), kTaxels)[0],
+                  static_cast<float>(frame));
+    }
+    ASSERT_TRUE(reader.seek(-1)); // before all
+    ASSERT_TRUE(reader.next(block).value());
+    EXPECT_EQ(block.time_ns.front(), 1'000'000'000);
+    ASSERT_TRUE(reader.seek(std::numeric_limits<std::int64_t>::max())); // behind all
+    ASSERT_TRUE(reader.next(block).value());
+    EXPECT_EQ(block.time_ns.back(), extent->last_ns);
+    EXPECT_FALSE(reader.next(block).value());
+}
+
+TEST_F(RecordingTest, aFileThatIsNoRecordingIsToldFromOneThatIs) {
+    EXPECT_EQ(openError(m_folder.path("none.teleta")).kind, core::ErrorKind::notFound);
+
+    const std::string text = m_folder.write("text.teleta", "time_s,t0\n0,1\n");
+    EXPECT_EQ(openError(text).kind, core::ErrorKind::badInput);
+    EXPECT_EQ(openError(text).message, "this is no recording");
+    EXPECT_FALSE(Recording::looksLikeOne(text));
+    EXPECT_EQ(openError(m_folder.write("empty.teleta", "")).message, "this is no recording");
+
+    const std::string other = m_folder.path("other.sqlite");
+    askFile(other, QStringLiteral("CREATE TABLE study (one INTEGER)"));
+    EXPECT_EQ(openError(other).kind, core::ErrorKind::badInput);
+    EXPECT_EQ(openError(other).message, "this is an SQLite database, but no recording");
+
+    EXPECT_TRUE(Recording::looksLikeOne(write()));
+}
+
+TEST_F(RecordingTest, aFileOfANewerVersionIsRefusedWithBothNumbers) {
+    const std::string path = write();
+    askFile(path, QStringLiteral("PRAGMA user_version = 99"));
+    const core::Error error = openError(path);
+    EXPECT_EQ(error.kind, core::ErrorKind::badInput);
+    EXPECT_NE(error.message.find("newer version"), std::string::npos) << error.message;
+    EXPECT_NE(error.message.find("99"), std::string::npos) << error.message;
+    EXPECT_NE(error.expected.find(std::to_string(RecordingDatabase::currentSchema())), std::string::npos)
+        << error.expected;
+}
+
+TEST_F(RecordingTest, aBlockThatIsNotWholeIsToldAndTheNextOneIsRead) {
+    const std::string path = write();
+    askFile(path, QStringLiteral("UPDATE block SET data = x'00' WHERE key = 3"));
+    askFile(path, QStringLiteral("UPDATE block SET time_ns = zeroblob(8 * frames - 8) || x'ff00000000000080' "
+                                 "WHERE key = 5"));
+    askFile(path, QStringLiteral("UPDATE block SET frames = -1 WHERE key = 7"));
+    const auto recording = Recording::open(path);
+    ASSERT_TRUE(recording);
+    StreamReader reader = recording->reader(0);
+    core::TappedFrames block;
+    int whole = 0;
+    std::vector<std::string> told;
+    for (;;) {
+        const auto any = reader.next(block);
+        if (any && !*any)
+            break;
+        if (any) {
+            ++whole;
+            continue;
+        }
+        EXPECT_EQ(any.error().kind, core::ErrorKind::badInput);
+        ASSERT_TRUE(reader.canGoOn());
+        told.push_back(any.error().message);
+    }
+    EXPECT_EQ(whole, 27);
+    ASSERT_EQ(told.size(), 3U);
+    EXPECT_NE(told[0].find("block 3"), std::string::npos) << told[0];
+}
+
+TEST_F(RecordingTest, aStreamThatIsDescribedByNonsenseIsDamage) {
+    const std::string path = write();
+    for (const char* change :
+         {"UPDATE stream SET shape = '2x'", "UPDATE stream SET shape = '2x3', kind = 'smell'",
+          "UPDATE stream SET kind = 'array', shape = '99999999x99999999'",
+          "UPDATE stream SET shape = '2x3', type = 'float16'"}) {
+        askFile(path, QString::fromLatin1(change));
+        EXPECT_EQ(openError(path).kind, core::ErrorKind::badInput) << change;
+    }
+    askFile(path, QStringLiteral("UPDATE stream SET type = 'float32'"));
+    EXPECT_TRUE(Recording::open(path));
+}
+
+TEST_F(RecordingTest, bytesOverwrittenAnywhereGiveAnErrorOrFramesButNoCrash) {
+    const std::string path = write();
+    const std::string content = readAll(path);
+    std::uint32_t random = 12345;
+    const auto next = [&random] { return random = random * 1664525U + 1013904223U; };
+    int errors = 0;
+    for (int round = 0; round < 200; ++round) {
+        std::string damaged = content;
+        for (int i = 0; i < 32; ++i)
+            damaged[next() % damaged.size()] = static_cast<char>(next() >> 24U);
+        if (round % 3 == 0)
+            damaged.resize(next() % damaged.size());
+        const std::string file = m_folder.write("damaged.teleta", damaged);
+        const auto recording = Recording::open(file);
+        if (!recording) {
+            ++errors;
+            continue;
+        }
+        for (std::size_t stream = 0; stream < recording->streams().size(); ++stream) {
+            StreamReader reader = recording->reader(stream);
+            core::TappedFrames block;
+            for (int blocks = 0; blocks < 100; ++blocks) {
+                const auto any = reader.next(block);
+                errors += any ? 0 : 1;
+                if ((any && !*any) || !reader.canGoOn())
+                    break;
+            }
+        }
+    }
+    EXPECT_GT(errors, 0);
+}
