@@ -14,7 +14,8 @@ class StopSwitch {
 public:
     void engage() {
         std::int64_t running = 0;
-        m_engagedSince_ns.compare_exchange_strong(running, steadyNow_ns(), std::memory_order_acq_rel);
+        if (m_engagedSince_ns.compare_exchange_strong(running, steadyNow_ns(), std::memory_order_acq_rel))
+            m_engagements.fetch_add(1, std::memory_order_acq_rel);
     }
     void release() { m_engagedSince_ns.store(0, std::memory_order_release); }
 
@@ -24,8 +25,12 @@ public:
         return m_engagedSince_ns.load(std::memory_order_acquire);
     }
 
+    /// How often it was engaged: who looks now and then sees by it that it was engaged meanwhile.
+    [[nodiscard]] std::uint64_t engagements() const { return m_engagements.load(std::memory_order_acquire); }
+
 private:
     std::atomic<std::int64_t> m_engagedSince_ns{0};
+    std::atomic<std::uint64_t> m_engagements{0};
 };
 
 } // namespace teleta::core

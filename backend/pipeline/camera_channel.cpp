@@ -10,6 +10,8 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <string_view>
+#include <tuple>
 #include <utility>
 
 namespace teleta::pipeline {
@@ -62,6 +64,7 @@ CameraChannel::CameraChannel(std::unique_ptr<core::CameraSource> source, const v
     , m_settings(settings)
     , m_tracker(std::move(finder), settings.tracker)
     , m_rung(&vision::contactLadder().front()) {
+    setMayReact(true);
 }
 
 CameraChannel::~CameraChannel() {
@@ -82,6 +85,8 @@ void CameraChannel::stop() {
         m_thread.join();
         m_thread = {};
     }
+    if (m_maker.joinable())
+        m_maker.join();
     m_source->stop();
 }
 
@@ -95,23 +100,25 @@ void CameraChannel::renewReference() {
 }
 
 void CameraChannel::setMayReact(bool mayReact) {
-    m_mayReact.store(mayReact, std::memory_order_release);
+    // In this order, so that no STOP in between is missed.
+    const std::uint64_t engagements = m_stop.engagements();
+    m_permission.store(mayReact && !m_stop.engaged() ? engagements : kNoPermission,
+                       std::memory_order_release);
+    m_permissionAsked.store(true, std::memory_order_release);
+    m_data.notify();
 }
 
-bool CameraChannel::mayReact() {
-    if (m_stop.engaged())
-        m_mayReact.store(false, std::memory_order_release);
-    return m_mayReact.load(std::memory_order_acquire);
+bool CameraChannel::mayReact() const {
+    const std::uint64_t permission = m_permission.load(std::memory_order_acquire);
+    return !m_stop.engaged() && permission == m_stop.engagements();
 }
 
 void CameraChannel::run(const std::stop_token& stop) {
     using namespace std::chrono_literals;
     constexpr auto kIdlePeriod = 50ms;
-    const auto longestGap_ns = static_cast<std::int64_t>(kLongestGap_s * 1e9);
     while (!stop.stop_requested()) {
         m_data.waitFor(kIdlePeriod);
         takeWishes();
-        (void)mayReact(); // STOP counts also while no frames come
         core::CameraFrame frame;
         core::CameraFrame newest;
         bool any = false;
@@ -121,10 +128,12 @@ void CameraChannel::run(const std::stop_token& stop) {
             newest = std::move(frame);
             any = true;
         }
-        if (any)
+        if (any) {
             process(newest);
-        else if (m_reaction && core::steadyNow_ns() - m_newest_ns > longestGap_ns)
-            m_reaction->hold();
+        } else {
+            react(nullptr, core::steadyNow_ns());
+            publishChanges();
+        }
     }
     if (m_reaction)
         m_reaction->react({}, std::nullopt, false);
@@ -136,16 +145,49 @@ void CameraChannel::takeWishes() {
         if (m_reaction)
             m_reaction->forget();
     }
-    const std::optional<std::string> name = m_rungs.take();
-    const vision::ContactRung* rung = name ? vision::contactRung(*name) : nullptr;
-    if (rung == nullptr || rung == m_rung)
-        return;
-    auto finder = vision::makeContactFinder(*rung, m_camera, m_settings.contacts);
-    core::Expected<void> changed = finder ? m_tracker.changeFinder(std::move(*finder))
-                                          : core::Expected<void>(core::Unexpected(finder.error()));
-    m_rungProblem = changed ? std::string() : changed.error().message;
-    if (changed)
-        m_rung = rung;
+    takeRungs();
+}
+
+void CameraChannel::takeRungs() {
+    if (const std::optional<std::string> name = m_rungs.take()) {
+        if (const vision::ContactRung* rung = vision::contactRung(*name)) {
+            m_wantedRung = rung != m_rung ? rung : nullptr;
+            m_refusedRung = nullptr;
+        }
+    }
+    if (std::optional<ReadyFinder> ready = m_ready.take()) {
+        if (m_maker.joinable())
+            m_maker.join();
+        m_makingRung = nullptr;
+        // Meanwhile another one may have been asked for.
+        if (ready->rung == m_wantedRung) {
+            const core::Expected<void> changed =
+                ready->finder ? m_tracker.changeFinder(std::move(*ready->finder), ready->reference)
+                              : core::Expected<void>(core::Unexpected(ready->finder.error()));
+            if (changed) {
+                m_rung = m_wantedRung;
+            } else {
+                m_refusedRung = m_wantedRung;
+                m_whyRefused = changed.error().message;
+            }
+            m_wantedRung = nullptr;
+        }
+    }
+    if (m_wantedRung != nullptr && m_makingRung == nullptr)
+        makeReady(*m_wantedRung);
+}
+
+void CameraChannel::makeReady(const vision::ContactRung& rung) {
+    m_makingRung = &rung;
+    m_maker = std::jthread([this, &rung, reference = m_tracker.reference()] {
+        ReadyFinder ready{&rung, vision::makeContactFinder(rung, m_camera, m_settings.contacts), reference};
+        if (ready.finder && !reference.empty()) {
+            if (const auto taken = (*ready.finder)->setReference(reference); !taken)
+                ready.finder = core::Unexpected(taken.error());
+        }
+        m_ready.post(std::move(ready));
+        m_data.notify();
+    });
 }
 
 void CameraChannel::process(const core::CameraFrame& frame) {
@@ -162,7 +204,6 @@ void CameraChannel::process(const core::CameraFrame& frame) {
         if (m_reaction)
             m_reaction->forget();
     }
-    m_newest_ns = frame.time_ns;
     m_passedOver += frame.passedOver;
     m_time_s = frame.capture_s + m_offset_s;
     const std::int64_t begin_ns = core::steadyNow_ns();
@@ -173,9 +214,9 @@ void CameraChannel::process(const core::CameraFrame& frame) {
     const std::int64_t end_ns = core::steadyNow_ns();
     if (!contacts)
         contacts = std::vector<FollowedContact>();
-    const bool reacts = mayReact();
-    if (m_reaction && usable)
-        m_reaction->react(*contacts, m_tracker.bump(), reacts);
+    if (usable)
+        m_usable_ns = frame.time_ns;
+    react(usable ? &*contacts : nullptr, frame.time_ns);
     if (!hadReference && m_tracker.hasReference())
         addEvent({.kind = CameraEvent::Kind::reference, .time_s = m_time_s});
     report(*contacts);
@@ -186,32 +227,73 @@ void CameraChannel::process(const core::CameraFrame& frame) {
     m_rate.add(frame.time_ns);
     m_processed.fetch_add(1, std::memory_order_relaxed);
 
-    CameraSnapshot& snapshot = m_snapshots.back();
-    snapshot.image = m_lastImage;
-    snapshot.preview = m_lastPreview;
-    snapshot.time_ns = frame.time_ns;
-    snapshot.time_s = m_time_s;
-    snapshot.frame = frame.number;
-    snapshot.contacts = std::move(*contacts);
-    snapshot.bump = m_tracker.bump();
-    snapshot.carrier = m_reaction ? std::optional(m_reaction->report()) : std::nullopt;
-    snapshot.surface = m_camera.surface();
-    snapshot.hasReference = m_tracker.hasReference();
-    snapshot.usable = usable;
-    snapshot.problem = usable ? m_rungProblem : m_tracker.whyUnusable();
-    snapshot.rung = m_rung->name;
-    snapshot.mayReact = reacts;
-    snapshot.stage_ns = m_tracker.finder().stageTimes_ns();
-    snapshot.whole_ns = hadReference ? end_ns - begin_ns : 0;
-    snapshot.processed_Hz = m_rate.rate_Hz(frame.time_ns);
-    snapshot.processed = m_processed.load(std::memory_order_relaxed);
-    snapshot.passedOver = m_passedOver;
-    snapshot.unusable = m_tracker.unusableFrames();
+    m_now.image = m_lastImage;
+    m_now.preview = m_lastPreview;
+    m_now.time_ns = frame.time_ns;
+    m_now.time_s = m_time_s;
+    m_now.frame = frame.number;
+    m_now.contacts = std::move(*contacts);
+    m_now.bump = m_tracker.bump();
+    m_now.surface = m_camera.surface();
+    m_now.hasReference = m_tracker.hasReference();
+    m_now.usable = usable;
+    m_now.problem = usable ? std::string() : m_tracker.whyUnusable();
+    m_now.stage_ns = m_tracker.finder().stageTimes_ns();
+    m_now.whole_ns = hadReference ? end_ns - begin_ns : 0;
+    m_now.processed_Hz = m_rate.rate_Hz(frame.time_ns);
+    m_now.processed = m_processed.load(std::memory_order_relaxed);
+    m_now.passedOver = m_passedOver;
+    m_now.unusable = m_tracker.unusableFrames();
     if (usable && hadReference)
-        snapshot.arrows = m_tracker.finder().arrows(kArrows);
+        m_now.arrows = m_tracker.finder().arrows(kArrows);
     else
-        snapshot.arrows.clear();
-    locate(snapshot);
+        m_now.arrows.clear();
+    locate(m_now);
+    refresh(m_now);
+    publish();
+}
+
+void CameraChannel::react(const std::vector<FollowedContact>* contacts, std::int64_t now_ns) {
+    if (!m_reaction)
+        return;
+    if (!mayReact())
+        m_reaction->react({}, std::nullopt, false);
+    else if (contacts != nullptr)
+        m_reaction->react(*contacts, m_tracker.bump(), true);
+    else if (core::elapsed_s(m_usable_ns, now_ns) > kLongestGap_s)
+        m_reaction->hold();
+}
+
+void CameraChannel::refresh(CameraSnapshot& snapshot) const {
+    const auto nameOf = [](const vision::ContactRung* rung) {
+        return rung != nullptr ? rung->name : std::string_view();
+    };
+    snapshot.carrier = m_reaction ? std::optional(m_reaction->report()) : std::nullopt;
+    snapshot.mayReact = mayReact();
+    snapshot.rung = nameOf(m_rung);
+    snapshot.nextRung = nameOf(m_wantedRung);
+    snapshot.refusedRung = nameOf(m_refusedRung);
+    snapshot.whyRefused = m_refusedRung != nullptr ? m_whyRefused : std::string();
+}
+
+void CameraChannel::publishChanges() {
+    if (m_now.processed == 0)
+        return;
+    const auto shown = [](const CameraSnapshot& snapshot) {
+        const CarrierReport carrier = snapshot.carrier.value_or(CarrierReport());
+        return std::tuple(carrier.doing, carrier.contact, snapshot.mayReact, snapshot.rung, snapshot.nextRung,
+                          snapshot.refusedRung);
+    };
+    const auto before = shown(m_now);
+    // Who asked for a permission waits for the answer, also when it is the same as before.
+    const bool asked = m_permissionAsked.exchange(false, std::memory_order_acq_rel);
+    refresh(m_now);
+    if (asked || shown(m_now) != before)
+        publish();
+}
+
+void CameraChannel::publish() {
+    m_snapshots.back() = m_now;
     m_snapshots.publish();
 }
 
@@ -248,8 +330,10 @@ void CameraChannel::report(const std::vector<FollowedContact>& contacts) {
                            .depth_m = followed.contact.depth_m};
     };
     const auto carrier = m_reaction ? m_reaction->report() : CarrierReport();
-    const bool follows = carrier.doing == CarrierReport::Doing::follows && carrier.doing != m_doing;
-    m_doing = carrier.doing;
+    const bool isFollowing = carrier.doing == CarrierReport::Doing::follows;
+    const bool follows = isFollowing && carrier.contact != m_following;
+    if (isFollowing || carrier.doing != CarrierReport::Doing::held || carrier.contact != m_following)
+        m_following = isFollowing ? carrier.contact : 0;
     for (const FollowedContact& followed : contacts) {
         if (followed.event == ContactEvent::begins)
             addEvent(eventOf(CameraEvent::Kind::begins, followed));

@@ -21,7 +21,8 @@ namespace teleta::pipeline {
 
 /// One camera in the soft tube in the running system. Its frames are worked on by a thread of its own, since
 /// one of them takes as long as hundreds of an array's. The newest frame wins; those that were passed over
-/// are counted.
+/// are counted. A rung of the ladder is made ready by another thread: frames and STOP do not wait for it.
+/// A snapshot is published for each frame, and without one when the arm, the permission or the rung change.
 ///
 /// Three sides:
 /// - controlling thread: start(), stop();
@@ -33,7 +34,7 @@ public:
     static constexpr int kPreview_px = 820;
     static constexpr std::size_t kArrows = 600;
     static constexpr std::size_t kHistoryEvents = 1024;
-    /// Without a frame for so long, the arm is told to stand.
+    /// Without a frame that can be used for so long, the arm is told to stand.
     static constexpr double kLongestGap_s = 0.25;
 
     struct Settings {
@@ -74,24 +75,38 @@ public:
     [[nodiscard]] std::uint64_t generation() const { return m_snapshots.generation(); }
     bool popEvent(CameraEvent& event) { return m_events.pop(event); }
 
-    /// Another rung of the ladder from the next frame on; an unknown name changes nothing.
+    /// Another rung of the ladder once it is ready; an unknown name changes nothing.
     void chooseRung(const std::string& name);
     /// The next frame shows the skin untouched.
     void renewReference();
-    /// STOP takes the permission away until it is given again.
+    /// STOP takes the permission away until it is given again; while it is engaged none is given.
     void setMayReact(bool mayReact);
 
 private:
     CameraChannel(std::unique_ptr<core::CameraSource> source, const vision::CylinderCamera& camera,
                   const core::StopSwitch& stop, std::unique_ptr<CameraReaction> reaction,
                   const Settings& settings, std::unique_ptr<vision::ContactFinder> finder);
+    /// A finder that was made ready, or why it cannot be.
+    struct ReadyFinder {
+        const vision::ContactRung* rung = nullptr;
+        core::Expected<std::unique_ptr<vision::ContactFinder>> finder;
+        cv::Mat1b reference; ///< that it has taken; empty: none
+    };
     void run(const std::stop_token& stop);
     void takeWishes();
+    void takeRungs();
+    void makeReady(const vision::ContactRung& rung);
     void process(const core::CameraFrame& frame);
+    /// Lets the arm react to a frame; contacts: null when it shows none because it cannot be used.
+    void react(const std::vector<vision::FollowedContact>* contacts, std::int64_t now_ns);
+    /// What no frame changes.
+    void refresh(CameraSnapshot& snapshot) const;
+    void publishChanges();
+    void publish();
     void locate(CameraSnapshot& snapshot) const;
     void report(const std::vector<vision::FollowedContact>& contacts);
     void addEvent(CameraEvent event);
-    [[nodiscard]] bool mayReact();
+    [[nodiscard]] bool mayReact() const;
 
     std::unique_ptr<core::CameraSource> m_source;
     vision::CylinderCamera m_camera;
@@ -103,22 +118,31 @@ private:
     core::BoundedQueue<CameraEvent> m_events{kHistoryEvents};
     core::Mailbox<std::string> m_rungs;
     std::atomic<bool> m_referenceWanted{false};
-    std::atomic<bool> m_mayReact{true};
+    static constexpr std::uint64_t kNoPermission = ~std::uint64_t{0};
+    /// How often STOP had been engaged when the arm was allowed to react.
+    std::atomic<std::uint64_t> m_permission{kNoPermission};
+    std::atomic<bool> m_permissionAsked{false};
+    core::Mailbox<ReadyFinder> m_ready;
     std::atomic<std::uint64_t> m_processed{0};
 
     // The vision thread's own.
     vision::CameraTracker m_tracker;
     const vision::ContactRung* m_rung;
+    const vision::ContactRung* m_wantedRung = nullptr; ///< null: that in use
+    const vision::ContactRung* m_makingRung = nullptr; ///< by m_maker
+    const vision::ContactRung* m_refusedRung = nullptr;
+    std::string m_whyRefused;
+    CameraSnapshot m_now;
     core::RateMeter m_rate;
-    std::string m_rungProblem;
     core::GreyImage m_lastImage, m_lastPreview;
     std::int64_t m_first_ns = 0;
-    std::int64_t m_newest_ns = 0; ///< time of the newest frame
+    std::int64_t m_usable_ns = 0; ///< time of the newest frame that could be used
     double m_offset_s = 0.0;      ///< from the source's time to that of the snapshots
     double m_time_s = 0.0;
     std::uint64_t m_passedOver = 0;
-    CarrierReport::Doing m_doing = CarrierReport::Doing::stands;
+    int m_following = 0; ///< contact that the arm follows, or is held from following
 
+    std::jthread m_maker;
     std::jthread m_thread;
 };
 

@@ -67,10 +67,13 @@ struct CameraSnapshot {
     vision::CylinderSurface surface;
 
     bool hasReference = false;
-    bool usable = false;   ///< the newest frame could be used
-    std::string problem;   ///< why it could not; translated; empty when all is well
-    std::string_view rung; ///< of the ladder, in use
-    bool mayReact = false; ///< the arm is allowed to move
+    bool usable = false;          ///< the newest frame could be used
+    std::string problem;          ///< why it could not; translated; empty when all is well
+    std::string_view rung;        ///< of the ladder, in use
+    std::string_view nextRung;    ///< that is being made ready; empty: none
+    std::string_view refusedRung; ///< that was asked for and cannot be used; empty: none
+    std::string whyRefused;       ///< translated
+    bool mayReact = false;        ///< the arm is allowed to move
 
     std::array<std::int64_t, vision::kFinderStages> stage_ns{};
     std::int64_t whole_ns = 0;    ///< from the frame to its contacts

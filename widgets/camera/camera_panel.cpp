@@ -28,6 +28,10 @@ void colour(QLabel* label, const QColor& colour) {
     label->setPalette(changed);
 }
 
+QString nameOf(std::string_view rung) {
+    return QString::fromLatin1(rung.data(), static_cast<qsizetype>(rung.size()));
+}
+
 } // namespace
 
 CameraPanel::CameraPanel(QWidget* parent)
@@ -51,7 +55,7 @@ CameraPanel::CameraPanel(QWidget* parent)
     m_arrows->setChecked(true);
     m_problem->setWordWrap(true);
     for (const vision::ContactRung& rung : vision::contactLadder())
-        m_rungs->addItem(QString::fromLatin1(rung.name.data(), static_cast<qsizetype>(rung.name.size())));
+        m_rungs->addItem(nameOf(rung.name));
     m_rungName->setBuddy(m_rungs);
 
     const int margin = base::grid(this);
@@ -101,6 +105,8 @@ void CameraPanel::setSnapshot(const pipeline::CameraSnapshot* snapshot, double n
     m_armLine->setVisible(m_carrier.has_value());
     if (snapshot == nullptr) {
         m_why.clear();
+        m_whyRefused.clear();
+        m_nextRung.clear();
         m_wish.clear();
         setPaused(false);
     } else {
@@ -108,10 +114,11 @@ void CameraPanel::setSnapshot(const pipeline::CameraSnapshot* snapshot, double n
         m_hasReference = snapshot->hasReference;
         const QSignalBlocker blocked(m_mayReact);
         m_mayReact->setChecked(snapshot->mayReact);
-        const QString rung =
-            QString::fromLatin1(snapshot->rung.data(), static_cast<qsizetype>(snapshot->rung.size()));
+        const QString rung = nameOf(snapshot->rung);
+        m_whyRefused = QString::fromStdString(snapshot->whyRefused);
+        m_nextRung = nameOf(snapshot->nextRung);
         // A wish that was refused shows as what is in use again.
-        if (m_wish == rung || !m_why.isEmpty())
+        if (m_wish == rung || m_wish == nameOf(snapshot->refusedRung))
             m_wish.clear();
         if (m_wish.isEmpty() && m_rungs->currentText() != rung)
             m_rungs->setCurrentText(rung);
@@ -150,9 +157,16 @@ void CameraPanel::showTexts() {
                                   : tr("No reference yet: %1").arg(m_why);
     else if (m_hasCamera && !m_why.isEmpty())
         problem = tr("Not used: %1").arg(m_why);
+    bool isLost = !problem.isEmpty();
+    if (m_hasCamera && problem.isEmpty() && !m_whyRefused.isEmpty()) {
+        problem = tr("This finder cannot be used: %1").arg(m_whyRefused);
+        isLost = true;
+    } else if (m_hasCamera && problem.isEmpty() && !m_nextRung.isEmpty()) {
+        problem = tr("The finder %1 is being made ready.").arg(m_nextRung);
+    }
     m_problem->setText(problem);
     m_problem->setVisible(!problem.isEmpty());
-    colour(m_problem, colours.lost);
+    colour(m_problem, isLost ? colours.lost : palette().color(QPalette::WindowText));
     if (!m_carrier) {
         m_armLine->clear();
         return;

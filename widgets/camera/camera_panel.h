@@ -68,6 +68,8 @@ private:
     // Of the newest snapshot.
     bool m_hasCamera = false;
     QString m_why;
+    QString m_whyRefused; ///< the finder that was asked for
+    QString m_nextRung;   ///< that is being made ready
     bool m_hasReference = false;
     std::optional<pipeline::CarrierReport> m_carrier;
     QString m_wish; ///< rung that was asked for, and not yet in use

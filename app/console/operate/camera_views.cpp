@@ -41,6 +41,7 @@ void CameraViews::setCamera(std::shared_ptr<pipeline::CameraChannel> camera, bas
     const bool had = m_camera != nullptr;
     m_camera = std::move(camera);
     m_latency_s.reset();
+    m_shownFrames = 0;
     m_panel->setProvenance(provenance);
     m_panel->setSnapshot(nullptr);
     m_events->setProvenance(provenance);
@@ -62,8 +63,12 @@ bool CameraViews::tick() {
         m_events->append(event);
     if (!m_camera->update())
         return false;
-    show(m_camera->snapshot());
-    m_latency_s = core::elapsed_s(m_camera->snapshot().time_ns, core::steadyNow_ns());
+    const pipeline::CameraSnapshot& snapshot = m_camera->snapshot();
+    show(snapshot);
+    // One without a new frame says what the arm does.
+    if (snapshot.processed != m_shownFrames)
+        m_latency_s = core::elapsed_s(snapshot.time_ns, core::steadyNow_ns());
+    m_shownFrames = snapshot.processed;
     return true;
 }
 

@@ -52,6 +52,7 @@ private:
     camera::EventTable* m_events;
     std::shared_ptr<pipeline::CameraChannel> m_camera;
     std::optional<double> m_latency_s;
+    std::uint64_t m_shownFrames = 0;
 };
 
 } // namespace teleta::console

@@ -34,7 +34,7 @@ core::Expected<std::vector<FollowedContact>> CameraTracker::next(const cv::Mat1b
     const double period_s = m_last_s ? time_s - *m_last_s : 0.0;
     if (period_s > m_settings.longestGap_s) {
         m_finder->forget();
-        m_identities.forget();
+        m_identities.endAll();
     }
     core::Expected<std::vector<CameraContact>> found =
         frame.empty() ? refused(VisionText::tr("The frame could not be decoded.")) : m_finder->find(frame);
@@ -55,10 +55,11 @@ void CameraTracker::forget() {
     m_identities.forget();
 }
 
-core::Expected<void> CameraTracker::changeFinder(std::unique_ptr<ContactFinder> finder) {
-    if (m_hasReference) {
-        if (const auto taken = finder->setReference(m_reference); !taken)
-            return taken;
+core::Expected<void> CameraTracker::changeFinder(std::unique_ptr<ContactFinder> finder,
+                                                 const cv::Mat1b& taken) {
+    if (m_hasReference && taken.data != m_reference.data) {
+        if (auto set = finder->setReference(m_reference); !set)
+            return set;
     }
     m_finder = std::move(finder);
     return {};

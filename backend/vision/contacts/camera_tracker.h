@@ -34,11 +34,15 @@ public:
     void renewReference();
     /// The stream has jumped: all contacts of the next frame are new, the reference stays.
     void forget();
-    /// Goes on with another finder, which takes over the reference; contacts keep their identities. Error:
-    /// that of the finder; the former one then stays. finder: not null, for images of the same size.
-    [[nodiscard]] core::Expected<void> changeFinder(std::unique_ptr<ContactFinder> finder);
+    /// Goes on with another finder, which takes over the reference unless it has taken it already; contacts
+    /// keep their identities. Error: that of the finder; the former one then stays. finder: not null, for
+    /// images of the same size. taken: the frame that the finder has as its reference, from reference().
+    [[nodiscard]] core::Expected<void> changeFinder(std::unique_ptr<ContactFinder> finder,
+                                                    const cv::Mat1b& taken = {});
 
     [[nodiscard]] bool hasReference() const { return m_hasReference; }
+    /// The frame that is the reference; empty without one. Nobody writes to its pixels.
+    [[nodiscard]] cv::Mat1b reference() const { return m_hasReference ? m_reference : cv::Mat1b(); }
     /// The bump of the newest frame.
     [[nodiscard]] const std::optional<BumpDetector::Bump>& bump() const { return m_bump; }
     [[nodiscard]] std::uint64_t frames() const { return m_frames; }

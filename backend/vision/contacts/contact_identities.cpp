@@ -16,9 +16,11 @@ const std::vector<FollowedContact>& ContactIdentities::update(std::vector<Camera
         followed.seen = false;
         followed.event = ContactEvent::none;
     }
+    const bool endAll = std::exchange(m_endAll, false);
+    const std::size_t followedBefore = m_followed.size();
     std::vector<std::tuple<double, std::size_t, std::size_t>> pairs; // distance, contact, followed
     for (std::size_t i = 0; i < contacts.size(); ++i) {
-        for (std::size_t k = 0; contacts[i].located && k < m_followed.size(); ++k) {
+        for (std::size_t k = 0; contacts[i].located && !endAll && k < followedBefore; ++k) {
             const double distance_m =
                 (contacts[i].p_Sensor_Centre_m - m_followed[k].contact.p_Sensor_Centre_m).norm();
             if (distance_m <= m_settings.gate_m)
@@ -53,8 +55,9 @@ const std::vector<FollowedContact>& ContactIdentities::update(std::vector<Camera
         followed.depthRate_mPerS = framePeriod_s > 0.0 ? followed.contact.depth_m / framePeriod_s : 0.0;
         m_followed.push_back(std::move(followed));
     }
-    for (FollowedContact& followed : m_followed) {
-        if (!followed.seen && time_s - followed.seen_s > m_settings.memory_s)
+    for (std::size_t k = 0; k < followedBefore; ++k) {
+        FollowedContact& followed = m_followed[k];
+        if (!followed.seen && (endAll || time_s - followed.seen_s > m_settings.memory_s))
             followed.event = ContactEvent::ends;
     }
     return m_followed;

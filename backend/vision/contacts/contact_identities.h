@@ -44,6 +44,8 @@ public:
     /// there, and those that end with this frame, in order of identity.
     const std::vector<FollowedContact>& update(std::vector<CameraContact> contacts, double time_s,
                                                double framePeriod_s);
+    /// All that are followed end with the next frame; its contacts are new.
+    void endAll() { m_endAll = true; }
     /// The stream has jumped: all contacts are new.
     void forget() { m_followed.clear(); }
 
@@ -53,6 +55,7 @@ private:
     Settings m_settings;
     std::vector<FollowedContact> m_followed;
     int m_nextId = 1;
+    bool m_endAll = false;
 };
 
 } // namespace teleta::vision

@@ -76,11 +76,19 @@ DotContactFinder::Unrolled DotContactFinder::unrolled() const {
     return map;
 }
 
+void DotContactFinder::prepareMaps() {
+    if (!m_skinMask.empty())
+        return;
+    m_unrolled = unrolled();
+    m_skinMask = skinMask();
+}
+
 core::Expected<void> DotContactFinder::setReference(const cv::Mat1b& frame) {
     m_tracker.reset();
     if (const auto sized = checkSize(frame.cols, frame.rows, m_camera); !sized)
         return sized;
-    const Unrolled map = unrolled();
+    prepareMaps();
+    const Unrolled& map = m_unrolled;
     cv::Mat1f grey;
     frame.convertTo(grey, CV_32F);
     cv::Mat1f flat;
@@ -117,7 +125,7 @@ core::Expected<void> DotContactFinder::setReference(const cv::Mat1b& frame) {
                             samples[i].metresPerPixel;
         dots[i].neighbours = m_neighbours[i];
     }
-    DotTracker tracker(std::move(dots), skinMask(), m_settings.dotDiameter_m / window_m);
+    DotTracker tracker(std::move(dots), m_skinMask, m_settings.dotDiameter_m / window_m);
     if (tracker.setReference(frame) < kFewestDots)
         return refused(VisionText::tr("The printed dots are too faint to be followed."),
                        VisionText::tr("a frame in focus, in which nothing touches the skin"));

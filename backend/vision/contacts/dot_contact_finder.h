@@ -36,6 +36,8 @@ private:
     };
     [[nodiscard]] Unrolled unrolled() const;
     [[nodiscard]] cv::Mat1b skinMask() const;
+    /// What depends on the camera alone, once: the lens is inverted for each pixel.
+    void prepareMaps();
     void findNeighbours(const std::vector<SkinSample>& samples);
     [[nodiscard]] CameraContact contactOf(const SkinPatch& patch) const;
     void outline(const SkinPatch& patch, CameraContact& contact) const;
@@ -44,6 +46,8 @@ private:
     CylinderSurface m_skin;
     ContactSettings m_settings;
     SkinPatches m_patches;
+    Unrolled m_unrolled;
+    cv::Mat1b m_skinMask;
     std::optional<DotTracker> m_tracker;
     std::vector<SkinSample> m_samples; ///< of each dot
     std::vector<SkinNode> m_nodes;

@@ -45,13 +45,16 @@ public:
             if (damaged)
                 frame.image = {};
             frame.capture_s = m_generator->time_s();
-            frame.time_ns = m_start_ns + static_cast<std::int64_t>(frame.capture_s * 1e9);
+            frame.time_ns = m_keepsTime ? core::steadyNow_ns()
+                                        : m_start_ns + static_cast<std::int64_t>(frame.capture_s * 1e9);
             frame.number = m_number++;
             m_frames.push(std::move(frame));
         }
         m_consumer->notify();
     }
     void cut() { m_cut = true; }
+    /// From now on frames are as old as they are, and a silence counts.
+    void keepTime() { m_keepsTime = true; }
 
 private:
     std::unique_ptr<core::CameraGenerator> m_generator;
@@ -61,6 +64,7 @@ private:
     /// However slowly the test goes, no frame is late.
     std::int64_t m_start_ns = core::steadyNow_ns() + 3'600'000'000'000;
     bool m_cut = false;
+    bool m_keepsTime = false;
 };
 
 scene::Scene smallScene(const scene::Reaction& reaction, std::vector<scene::FingerKeyframe> keyframes) {
@@ -112,9 +116,16 @@ protected:
         for (int i = 0; i < 20'000 && m_channel->framesProcessed() < frames; ++i)
             std::this_thread::sleep_for(1ms);
         // The count goes up before the snapshot is there.
-        for (int i = 0; i < 20'000 && !m_channel->update() && m_channel->snapshot().processed < frames; ++i)
+        return comesTo([frames](const pipeline::CameraSnapshot& now) { return now.processed >= frames; });
+    }
+    /// Waits for a snapshot, without new frames.
+    template <typename Condition>
+    bool comesTo(Condition condition) {
+        for (int i = 0; i < 20'000 && !condition(snapshot()); ++i) {
             std::this_thread::sleep_for(1ms);
-        return m_channel->snapshot().processed >= frames;
+            m_channel->update();
+        }
+        return condition(snapshot());
     }
     [[nodiscard]] const pipeline::CameraSnapshot& snapshot() const { return m_channel->snapshot(); }
     [[nodiscard]] long eventsOf(CameraEvent::Kind kind) const {
@@ -190,6 +201,61 @@ TEST_F(LiveCamera, stopHoldsTheArmUntilItIsAllowedAgain) {
     EXPECT_NE(snapshot().carrier->X_Base_Sensor.linear(), stopped);
 }
 
+TEST_F(LiveCamera, aStopThatNoFrameSawTakesThePermissionAway) {
+    open(leadRound());
+    run(1);
+    m_stop.engage();
+    m_channel->setMayReact(true);
+    m_stop.release();
+    run(1);
+    EXPECT_FALSE(snapshot().mayReact) << "while STOP is engaged nothing is allowed";
+    m_channel->setMayReact(true);
+    run(1);
+    EXPECT_TRUE(snapshot().mayReact);
+    m_stop.engage();
+    m_stop.release();
+    run(1);
+    EXPECT_FALSE(snapshot().mayReact);
+}
+
+TEST_F(LiveCamera, aRetreatThatStopBrokeOffIsForgottenAlsoWhenNoFrameCouldBeUsedMeanwhile) {
+    open(poke());
+    for (int i = 0; i < 40 && eventsOf(CameraEvent::Kind::bumps) == 0; ++i)
+        run(1);
+    run(1);
+    ASSERT_EQ(snapshot().carrier->doing, CarrierReport::Doing::retreats);
+    m_stop.engage();
+    run(12, true, true);
+    const Eigen::Vector3d stopped_m = snapshot().carrier->X_Base_Sensor.translation();
+    EXPECT_LT(stopped_m.norm(), 0.025);
+    EXPECT_EQ(snapshot().carrier->doing, CarrierReport::Doing::held);
+    m_stop.release();
+    m_channel->setMayReact(true);
+    run(8);
+    EXPECT_EQ(snapshot().carrier->X_Base_Sensor.translation(), stopped_m);
+    EXPECT_EQ(snapshot().carrier->doing, CarrierReport::Doing::stands);
+}
+
+TEST_F(LiveCamera, withoutFramesOrWithNoneThatCanBeUsedTheArmIsHeldAndGoesOnAfterwards) {
+    open(leadRound());
+    run(40);
+    ASSERT_EQ(snapshot().carrier->doing, CarrierReport::Doing::follows);
+    run(12, false, true); // 0.3 s
+    EXPECT_EQ(snapshot().carrier->doing, CarrierReport::Doing::held);
+    run(8);
+    EXPECT_EQ(snapshot().carrier->doing, CarrierReport::Doing::follows);
+    m_source->keepTime();
+    run(1);
+    const std::uint64_t frames = snapshot().processed;
+    EXPECT_TRUE(comesTo([](const pipeline::CameraSnapshot& now) {
+        return now.carrier->doing == CarrierReport::Doing::held;
+    }));
+    EXPECT_TRUE(snapshot().mayReact);
+    m_stop.engage();
+    EXPECT_TRUE(comesTo([](const pipeline::CameraSnapshot& now) { return !now.mayReact; }));
+    EXPECT_EQ(snapshot().processed, frames) << "there was no frame";
+}
+
 TEST_F(LiveCamera, theNewestFrameWinsAndTheOthersAreCounted) {
     open(poke());
     run(1);
@@ -237,13 +303,36 @@ TEST_F(LiveCamera, anotherRungGoesOnWithTheSameContacts) {
     run(2);
     EXPECT_EQ(snapshot().rung, "dots");
     m_channel->chooseRung("fast-1");
+    EXPECT_TRUE(comesTo([](const pipeline::CameraSnapshot& now) { return now.nextRung == "fast-1"; }));
+    EXPECT_TRUE(comesTo([](const pipeline::CameraSnapshot& now) { return now.rung == "fast-1"; }));
+    EXPECT_TRUE(snapshot().nextRung.empty());
+    EXPECT_TRUE(snapshot().refusedRung.empty());
     run(2);
-    EXPECT_EQ(snapshot().rung, "fast-1");
     // Dense flow sees more than the dots do in so small an image; the contact is still the same one.
     EXPECT_TRUE(std::ranges::any_of(snapshot().contacts, [id](const vision::FollowedContact& followed) {
         return followed.contact.id == id && followed.seen;
     }));
     EXPECT_GT(snapshot().stage_ns[1], 0);
+}
+
+TEST_F(LiveCamera, aRungThatIsRefusedIsToldUntilAnotherOneIsAskedFor) {
+    scene::Scene scene = poke();
+    scene::CameraWorld& world = std::get<scene::CameraWorld>(scene.world);
+    world.reaction = scene::NoReaction{};
+    world.camera.width_px = 410;
+    world.camera.height_px = 200;
+    world.camera.focalLength_px = 147.0;
+    open(scene);
+    run(2);
+    m_channel->chooseRung("fast-3.2");
+    EXPECT_TRUE(comesTo([](const pipeline::CameraSnapshot& now) { return !now.refusedRung.empty(); }));
+    EXPECT_EQ(snapshot().rung, "dots");
+    EXPECT_NE(snapshot().whyRefused.find("too small"), std::string::npos) << snapshot().whyRefused;
+    EXPECT_TRUE(snapshot().usable);
+    EXPECT_TRUE(snapshot().problem.empty()) << "every frame is used";
+    m_channel->chooseRung("dots");
+    EXPECT_TRUE(comesTo([](const pipeline::CameraSnapshot& now) { return now.refusedRung.empty(); }));
+    EXPECT_TRUE(snapshot().whyRefused.empty());
 }
 
 TEST_F(LiveCamera, vectorsAndContactsLieOnTheSkinAndCarryAStandardDeviation) {

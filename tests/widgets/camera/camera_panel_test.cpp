@@ -132,10 +132,20 @@ private slots:
         QCOMPARE(chosen[0][0].toString(), QStringLiteral("paper"));
         panel.setSnapshot(&snapshot);
         QCOMPARE(rungs->currentText(), QStringLiteral("paper")); // asked for, not yet in use
-        snapshot.problem = "It cannot.";
+        snapshot.problem = "Too dark.";
+        panel.setSnapshot(&snapshot);
+        QCOMPARE(rungs->currentText(), QStringLiteral("paper")); // a frame's problem is not the finder's
+        QCOMPARE(panel.problemText(), QStringLiteral("Not used: Too dark."));
+        snapshot.problem.clear();
+        snapshot.nextRung = "paper";
+        panel.setSnapshot(&snapshot);
+        QCOMPARE(panel.problemText(), QStringLiteral("The finder paper is being made ready."));
+        snapshot.nextRung = {};
+        snapshot.refusedRung = "paper";
+        snapshot.whyRefused = "It cannot.";
         panel.setSnapshot(&snapshot);
         QCOMPARE(rungs->currentText(), QStringLiteral("dots"));
-        QCOMPARE(panel.problemText(), QStringLiteral("Not used: It cannot."));
+        QCOMPARE(panel.problemText(), QStringLiteral("This finder cannot be used: It cannot."));
     }
 
     void theArmIsToldInWordsAndMayBeLetReactAgain() {

@@ -23,6 +23,21 @@ CylinderCamera cameraOf(int width_px, int height_px) {
     return {*CameraModel::create(parameters), {}};
 }
 
+/// Finds nothing and counts the references that it was given.
+class CountingFinder : public ContactFinder {
+public:
+    core::Expected<void> setReference(const cv::Mat1b&) override {
+        ++m_references;
+        return {};
+    }
+    core::Expected<std::vector<CameraContact>> find(const cv::Mat1b&) override {
+        return std::vector<CameraContact>();
+    }
+    [[nodiscard]] std::vector<Arrow> arrows(std::size_t) const override { return {}; }
+
+    int m_references = 0;
+};
+
 class HardFrames : public testing::Test {
 protected:
     void SetUp() override {
@@ -176,8 +191,36 @@ TEST_F(HardFrames, thatComeAfterALongGapShowNewContacts) {
     const auto before = m_tracker->next(press(0.0012), 5 * kPeriod_s);
     const auto after = m_tracker->next(press(0.0012), 10.0);
     ASSERT_TRUE(before && after && before->size() == 1);
-    for (const FollowedContact& followed : *after)
-        EXPECT_NE(followed.contact.id, before->front().contact.id);
+    ASSERT_EQ(after->size(), 2U);
+    EXPECT_EQ(after->front().contact.id, before->front().contact.id);
+    EXPECT_EQ(after->front().event, ContactEvent::ends) << "nobody knows what became of it";
+    EXPECT_EQ(after->back().event, ContactEvent::begins);
+    const auto later = m_tracker->next(press(0.0012), 10.0 + kPeriod_s);
+    ASSERT_TRUE(later && later->size() == 1);
+    EXPECT_EQ(later->front().contact.id, after->back().contact.id);
+}
+
+TEST(CameraTracker, givesTheReferenceOnlyToAFinderThatHasNotTakenItYet) {
+    const auto finder = [] { return std::make_unique<CountingFinder>(); };
+    CameraTracker tracker(finder(), {});
+    EXPECT_TRUE(tracker.reference().empty());
+    ASSERT_TRUE(tracker.next(cv::Mat1b(4, 4, std::uint8_t{1}), 0.0));
+    const cv::Mat1b reference = tracker.reference();
+    ASSERT_FALSE(reference.empty());
+    auto prepared = finder();
+    ASSERT_TRUE(prepared->setReference(reference));
+    const int& references = prepared->m_references;
+    ASSERT_TRUE(tracker.changeFinder(std::move(prepared), reference));
+    EXPECT_EQ(references, 1);
+    // A reference of before is none.
+    tracker.renewReference();
+    EXPECT_TRUE(tracker.reference().empty());
+    ASSERT_TRUE(tracker.next(cv::Mat1b(4, 4, std::uint8_t{2}), 0.1));
+    auto late = finder();
+    ASSERT_TRUE(late->setReference(reference));
+    const int& lateReferences = late->m_references;
+    ASSERT_TRUE(tracker.changeFinder(std::move(late), reference));
+    EXPECT_EQ(lateReferences, 2);
 }
 
 TEST_F(HardFrames, asReferenceAreRefusedUntilAGoodOneComes) {
