@@ -92,7 +92,7 @@ StudyPanel::StudyPanel(QWidget* parent)
     connect(m_edit, &QPushButton::clicked, this, &StudyPanel::protocolRequested);
     const auto enrol = [this] {
         const QString id = m_id->text().trimmed();
-        if (id.isEmpty())
+        if (id.isEmpty() || m_scene.locked)
             return;
         m_id->clear();
         emit enrolRequested(id);
@@ -135,8 +135,9 @@ void StudyPanel::refresh() {
                           : tr("\u25cf On the server: %1").arg(m_scene.store));
     setTextColour(m_store, away ? status.lost : status.live);
     m_protocol->setText(m_scene.protocol);
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_list, m_new, m_open})
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_list, m_new, m_open, m_add})
         widget->setEnabled(!m_scene.locked);
+    m_id->setReadOnly(m_scene.locked); // it keeps the keyboard
     const bool real = m_scene.mode != study::Mode::simulated;
     m_id->setVisible(real);
     m_add->setVisible(real);

@@ -46,7 +46,7 @@ struct StudyScene {
     QString protocol; ///< some lines
     std::vector<ParticipantLine> participants;
     std::optional<std::pair<int, int>> chosen; ///< participant, session
-    bool locked = false;                       ///< a session runs: nothing else can be chosen
+    bool locked = false; ///< a session runs, or the store is busy: nothing else can be chosen
     friend bool operator==(const StudyScene&, const StudyScene&) = default;
 };
 

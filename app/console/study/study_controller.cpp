@@ -127,9 +127,16 @@ const SessionOverview* StudyController::chosenSession() const {
                                   : &participant->sessions[static_cast<std::size_t>(m_chosen->second)];
 }
 
-const study::StudyTask* StudyController::chosenTask() const {
+const study::PlannedSession* StudyController::plan() const {
+    if (m_plan)
+        return &*m_plan;
     const SessionOverview* session = chosenSession();
-    return session == nullptr ? nullptr : &m_overview->head.protocol.tasks[session->plan.task];
+    return session == nullptr ? nullptr : &session->plan;
+}
+
+const study::StudyTask* StudyController::task() const {
+    const study::PlannedSession* planned = plan();
+    return planned == nullptr ? nullptr : &m_overview->head.protocol.tasks[planned->task];
 }
 
 template <typename Work>
@@ -211,7 +218,7 @@ void StudyController::rehearse(const QString& folder, const study::StudyScene& s
 }
 
 void StudyController::enrol(const QString& id) {
-    if (!m_overview || isActive())
+    if (!m_overview || isActive() || isBusy())
         return;
     // The newcomer is who is looked at next.
     m_chosen.reset();
@@ -263,7 +270,8 @@ void StudyController::take(StudyOverview overview) {
 }
 
 void StudyController::choose(int participant, int session) {
-    if (!m_overview || isActive() || participant < 0 || session < 0)
+    // A session that is about to begin is the one that was chosen.
+    if (!m_overview || isActive() || isBusy() || participant < 0 || session < 0)
         return;
     const auto p = static_cast<std::size_t>(participant);
     if (p >= m_overview->participants.size() ||
@@ -368,6 +376,7 @@ void StudyController::begin() {
             }
             m_record = opened->record;
             m_participant = who;
+            m_plan = plan;
             m_claim = opened->claim;
             m_after = opened->after;
             m_round.begin({m_overview->head, who, plan, opened->record}, opened->before,
@@ -382,7 +391,7 @@ void StudyController::beginTrials(const OpenedSession& opened, const study::Plan
         m_runner.begin(output(), m_overview->head.protocol, plan, opened.kept,
                        beganAt_ns(opened, now_ns(), QDateTime::currentDateTimeUtc()));
     if (!begun) {
-        releaseClaim();
+        forgetSession();
         stopRehearsal();
         emit failed(tr("The session could not begin."), begun.error());
         return;
@@ -421,7 +430,7 @@ void StudyController::exportSession(study::Phase /*phase*/) {
 
 void StudyController::conclude() {
     m_person.leave();
-    m_round.begin({m_overview->head, m_participant, chosenSession()->plan, *m_record}, m_after,
+    m_round.begin({m_overview->head, m_participant, *m_plan, *m_record}, m_after,
                   [this, answered = !m_after.empty()] { closeSession(answered); });
 }
 
@@ -449,6 +458,7 @@ void StudyController::forgetSession() {
     m_person.leave();
     m_runner.clear();
     m_record.reset();
+    m_plan.reset();
     releaseClaim();
 }
 

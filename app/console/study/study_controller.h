@@ -42,6 +42,7 @@ public:
     /// Makes the study of a scene, or opens it where the folder has one, with the scene's participants as
     /// long as it is open.
     void rehearse(const QString& folder, const study::StudyScene& scene, std::uint64_t seed);
+    /// Both change nothing while a session is under way or the store is busy.
     void enrol(const QString& id);
     void choose(int participant, int session);
 
@@ -71,7 +72,10 @@ public:
     [[nodiscard]] std::optional<std::pair<int, int>> chosen() const { return m_chosen; }
     [[nodiscard]] const ParticipantOverview* chosenParticipant() const;
     [[nodiscard]] const SessionOverview* chosenSession() const;
-    [[nodiscard]] const study::StudyTask* chosenTask() const;
+    /// Of the session that runs; otherwise of the chosen one. Null: there is none.
+    [[nodiscard]] const study::PlannedSession* plan() const;
+    /// What is discriminated in it.
+    [[nodiscard]] const study::StudyTask* task() const;
     [[nodiscard]] std::vector<study::RunCheck> checks() const;
     /// Why the store cannot be used now, the server being away for example; empty: it can.
     [[nodiscard]] const std::optional<core::Error>& storeError() const { return m_storeError; }
@@ -138,6 +142,7 @@ private:
     std::optional<std::pair<int, int>> m_chosen;
     std::optional<study::SessionRecord> m_record;     ///< of the session that the runner has
     study::Participant m_participant;                 ///< the same
+    std::optional<study::PlannedSession> m_plan;      ///< the same
     std::vector<study::DueQuestionnaire> m_after;     ///< questionnaires of the same
     std::shared_ptr<study::ParticipantClaim> m_claim; ///< nobody else runs the participant meanwhile
     study::FolderCondition m_folder;

@@ -467,11 +467,11 @@ void StudyPage::refresh() {
     m_speed->setEnabled(!m_controller.isActive());
     // Choices change with the session only; their pictures are not cheap.
     QString session;
-    if (m_controller.chosenSession() != nullptr)
+    if (const study::PlannedSession* plan = m_controller.plan())
         session = QStringLiteral("%1 %2 %3")
                       .arg(QString::fromStdString(m_controller.overview()->store))
-                      .arg(m_controller.chosenSession()->plan.task)
-                      .arg(m_controller.chosenSession()->plan.condition);
+                      .arg(plan->task)
+                      .arg(plan->condition);
     if (session != m_choicesOf) {
         m_choicesOf = session;
         m_participant->setChoices(StudyScenes::choices(m_controller));

@@ -100,7 +100,7 @@ studyview::StudyScene StudyScenes::study(const StudyController& controller) {
     scene.mode = overview.head.mode;
     scene.protocol = protocolText(overview.head);
     scene.chosen = controller.chosen();
-    scene.locked = controller.isActive() || controller.isRehearsing();
+    scene.locked = controller.isActive() || controller.isBusy() || controller.isRehearsing();
     for (const ParticipantOverview& person : overview.participants) {
         studyview::ParticipantLine line{text(person.participant.id), {}, {}};
         QStringList order;
@@ -295,12 +295,12 @@ void StudyScenes::describeRunning(const StudyController& controller, studyview::
     if (runner.session() == nullptr)
         return;
     const study::Session& session = *runner.session();
-    const study::StudyTask& task = *controller.chosenTask();
+    const study::StudyTask& task = *controller.task();
     const bool simulated = controller.overview()->head.mode == study::Mode::simulated;
     const Phase phase = phaseNow(runner);
     scene.phase = phase == Phase::practice ? tr("Practice") : tr("Test");
     scene.done = completed(runner, phase);
-    scene.total = planned(controller.chosenSession()->plan, phase);
+    scene.total = planned(*controller.plan(), phase);
     const bool over = isOver(runner);
     scene.canAbort = !over;
     scene.canPause = !over && runner.hold() == Hold::none && !runner.pauseWanted();
@@ -418,11 +418,11 @@ studyview::ParticipantScene StudyScenes::participant(const StudyController& cont
     if (runner.session() == nullptr)
         return scene;
     const study::Session& session = *runner.session();
-    scene.title = text(controller.chosenTask()->name);
+    scene.title = text(controller.task()->name);
     scene.mode = controller.overview()->head.mode;
     scene.phase =
         session.stage() == Stage::feedback ? runner.results().back().planned.phase : phaseNow(runner);
-    scene.trials = planned(controller.chosenSession()->plan, scene.phase);
+    scene.trials = planned(*controller.plan(), scene.phase);
     scene.diagrams = session.settings(scene.phase).diagram;
     scene.answersOpen = session.deadline_ns().has_value();
     scene.canReplay = session.stage() == Stage::answering && session.replaysLeft() > 0;
@@ -472,7 +472,7 @@ studyview::ParticipantScene StudyScenes::participant(const StudyController& cont
 
 studyview::ConfusionContent StudyScenes::matrix(const StudyController& controller) {
     studyview::ConfusionContent content;
-    const study::StudyTask* task = controller.chosenTask();
+    const study::StudyTask* task = controller.task();
     if (task == nullptr) {
         content.title = tr("No session is chosen");
         return content;
@@ -483,14 +483,13 @@ studyview::ConfusionContent StudyScenes::matrix(const StudyController& controlle
     content.matrix = study::ConfusionMatrix(task->patterns.size());
     const StudyRunner& runner = controller.runner();
     if (!runner.isActive()) {
-        content.title = sessionName(controller.overview()->head.protocol, controller.chosenSession()->plan);
+        content.title = sessionName(controller.overview()->head.protocol, *controller.plan());
         return content;
     }
     const Phase phase = phaseNow(runner);
     content.matrix = runner.matrix(phase);
-    content.title =
-        (phase == Phase::practice ? tr("%1, practice") : tr("%1, test"))
-            .arg(sessionName(controller.overview()->head.protocol, controller.chosenSession()->plan));
+    content.title = (phase == Phase::practice ? tr("%1, practice") : tr("%1, test"))
+                        .arg(sessionName(controller.overview()->head.protocol, *controller.plan()));
     if (!runner.results().empty() && runner.results().back().planned.phase == phase &&
         runner.results().back().isComplete()) {
         const study::TrialResult& last = runner.results().back();
@@ -501,13 +500,13 @@ studyview::ConfusionContent StudyScenes::matrix(const StudyController& controlle
 
 std::vector<studyview::AnswerChoice> StudyScenes::choices(const StudyController& controller) {
     std::vector<studyview::AnswerChoice> choices;
-    const study::StudyTask* task = controller.chosenTask();
+    const study::StudyTask* task = controller.task();
     if (task == nullptr)
         return choices;
-    const SessionOverview& session = *controller.chosenSession();
+    const std::string& condition = task->conditions[controller.plan()->condition];
     for (const study::StudyPattern& pattern : task->patterns) {
         studyview::AnswerChoice choice{text(pattern.letter), text(pattern.name), {}};
-        const std::string id = study::stimulusId(*task, pattern, task->conditions[session.plan.condition]);
+        const std::string id = study::stimulusId(*task, pattern, condition);
         if (const pattern::Pattern* builtIn = pattern::findBuiltIn(id))
             choice.diagram = studyview::diagramOf(*builtIn, controller.overview()->head.protocol.stimulus_s);
         choices.push_back(std::move(choice));

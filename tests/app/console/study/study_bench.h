@@ -9,8 +9,11 @@
 #include "widgets/study/session_panel.h"
 
 #include <QCheckBox>
+#include <QDir>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSqlDatabase>
+#include <QSqlQuery>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
@@ -141,6 +144,20 @@ protected:
         const auto sessions = store->sessions(store->participants()->at(participant));
         return sessions->size() > session ? *store->trials(sessions->at(session))
                                           : std::vector<study::StoredTrial>{};
+    }
+    [[nodiscard]] std::vector<study::StoredNote> notes() {
+        const auto store = study::StudyStore::open(studyFolder().toStdString());
+        return *store->notes(store->sessions(store->participants()->front())->front());
+    }
+    /// A statement beside the program, on the same file.
+    void execute(const QString& sql) {
+        {
+            QSqlDatabase database = QSqlDatabase::addDatabase("QSQLITE", "beside");
+            database.setDatabaseName(QDir(studyFolder()).filePath("study.sqlite"));
+            QVERIFY(database.open());
+            QVERIFY(QSqlQuery(database).exec(sql));
+        }
+        QSqlDatabase::removeDatabase("beside");
     }
 
     void startTrial() {

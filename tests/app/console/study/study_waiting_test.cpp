@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/console/study/study_bench.h"
+#include "widgets/study/answer_button.h"
+
+#include <QFile>
+#include <QLabel>
+#include <QMessageBox>
+#include <QWindow>
+
+#include <algorithm>
+
+using namespace teleta;
+using test::kPatience_ms;
+
+namespace {
+
+constexpr char kAnotherTask[] = R"([[task]]
+id = "stiffness"
+name = "Stiffness"
+condition = [{ id = "static" }]
+pattern = [{ letter = "A", name = "soft" }, { letter = "B", name = "firm" }, { letter = "C", name = "hard" }]
+)";
+
+} // namespace
+
+/// What is done while the store has not answered yet, and what is left when it refuses.
+class StudyWaitingTest : public QObject, protected test::StudyBench {
+    Q_OBJECT
+
+    void waitUntilASessionCanBegin() {
+        controller().setNoiseConfirmed(true);
+        QTRY_VERIFY_WITH_TIMEOUT(nextButton()->isEnabled(), kPatience_ms);
+    }
+    [[nodiscard]] QLineEdit* nameField() { return m_page->findChild<QLineEdit*>("participantId"); }
+    [[nodiscard]] bool isSaid(const QString& words) {
+        const auto labels = m_page->messages().findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(),
+                           [&](const QLabel* label) { return label->text().contains(words); });
+    }
+
+private slots:
+    void init() { setUp(); }
+    void cleanup() { tearDown(); }
+
+    void noOtherSessionIsChosenWhileOneBegins() {
+        m_more = kAnotherTask;
+        openStudy();
+        waitUntilASessionCanBegin();
+        const auto begun = controller().chosen();
+        const auto patterns =
+            controller().overview()->head.protocol.tasks[controller().chosenSession()->plan.task].patterns;
+        const std::size_t other = [&] {
+            const auto& sessions = controller().overview()->participants.front().sessions;
+            std::size_t index = 0;
+            while (sessions[index].plan.task == controller().chosenSession()->plan.task)
+                ++index;
+            return index;
+        }();
+        QTest::mouseClick(nextButton(), Qt::LeftButton);
+        controller().choose(0, static_cast<int>(other));
+        QCOMPARE(controller().chosen(), begun);
+        QTRY_VERIFY_WITH_TIMEOUT(runner().isActive(), kPatience_ms);
+        QCOMPARE(window()->buttons().size(), patterns.size());
+        QCOMPARE(controller().chosen(), begun);
+        doTrial();
+    }
+
+    void nobodyIsEnrolledWhileASessionBeginsAndTheNameStays() {
+        openStudy();
+        waitUntilASessionCanBegin();
+        QTest::keyClicks(nameField(), "P02");
+        QTest::mouseClick(nextButton(), Qt::LeftButton);
+        QTest::keyClick(nameField(), Qt::Key_Return);
+        controller().enrol("P03");
+        QTRY_VERIFY_WITH_TIMEOUT(runner().isActive(), kPatience_ms);
+        QCOMPARE(nameField()->text(), QStringLiteral("P02"));
+        QVERIFY(nameField()->isReadOnly());
+        QVERIFY(!m_page->findChild<QPushButton*>("addParticipant")->isEnabled());
+        doTrial();
+        QCOMPARE(controller().overview()->participants.size(), std::size_t(1));
+    }
+};
+
+QTEST_MAIN(StudyWaitingTest)
+#include "study_waiting_test.moc"
