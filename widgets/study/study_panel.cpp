@@ -94,7 +94,6 @@ StudyPanel::StudyPanel(QWidget* parent)
         const QString id = m_id->text().trimmed();
         if (id.isEmpty() || m_scene.locked)
             return;
-        m_id->clear();
         emit enrolRequested(id);
     };
     connect(m_add, &QPushButton::clicked, this, enrol);
@@ -110,6 +109,11 @@ StudyPanel::StudyPanel(QWidget* parent)
             this, [this, index, session] { emit sessionChosen(index, session); }, Qt::QueuedConnection);
     });
     retranslate();
+}
+
+void StudyPanel::clearName(const QString& id) {
+    if (m_id->text().trimmed() == id)
+        m_id->clear();
 }
 
 void StudyPanel::setScene(const StudyScene& scene) {

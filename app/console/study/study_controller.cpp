@@ -140,11 +140,13 @@ const study::StudyTask* StudyController::task() const {
 }
 
 template <typename Work>
-void StudyController::askForOverview(const QString& what, Work work) {
+void StudyController::askForOverview(const QString& what, Work work, std::function<void()> done) {
     ++m_busy;
-    m_desk.ask(std::move(work), [this, what](core::Expected<StudyOverview> overview) {
+    m_desk.ask(std::move(work), [this, what, done = std::move(done)](core::Expected<StudyOverview> overview) {
         --m_busy;
         if (overview) {
+            if (done)
+                done();
             take(std::move(*overview));
         } else {
             stopRehearsal();
@@ -220,12 +222,17 @@ void StudyController::rehearse(const QString& folder, const study::StudyScene& s
 void StudyController::enrol(const QString& id) {
     if (!m_overview || isActive() || isBusy())
         return;
-    // The newcomer is who is looked at next.
-    m_chosen.reset();
-    askForOverview(tr("%1 could not be enrolled.", "a participant").arg(id), [id = id.toStdString()](
-                                                                                 StudyDesk::Store& store) {
-        return store->enrol(id).and_then([&](const study::Participant&) { return overviewOf(*store); });
-    });
+    askForOverview(
+        tr("%1 could not be enrolled.", "a participant").arg(id),
+        [id = id.toStdString()](StudyDesk::Store& store) {
+            return store->enrol(id).and_then([&](const study::Participant&) { return overviewOf(*store); });
+        },
+        [this, id] {
+            // The newcomer is who is looked at next, and has not heard the noise.
+            m_chosen.reset();
+            m_noiseConfirmed = false;
+            emit enrolled(id);
+        });
 }
 
 void StudyController::refresh() {

@@ -101,11 +101,13 @@ signals:
     /// Trials were kept; results that are shown are out of date.
     void resultsOutdated();
     void rehearsed();
+    void enrolled(const QString& id);
     void failed(const QString& what, const teleta::core::Error& error);
 
 private:
+    /// done: before the overview is taken, when there is one.
     template <typename Work>
-    void askForOverview(const QString& what, Work work);
+    void askForOverview(const QString& what, Work work, std::function<void()> done = {});
     [[nodiscard]] bool mayChange(const QString& what);
     void take(StudyOverview overview);
     void refresh();

@@ -254,6 +254,7 @@ void StudyPage::connectViews() {
     connect(m_study, &StudyPanel::protocolRequested, this,
             [this] { showProtocol(m_controller.overview()->head.protocol); });
     connect(m_study, &StudyPanel::enrolRequested, &m_controller, &StudyController::enrol);
+    connect(&m_controller, &StudyController::enrolled, m_study, &StudyPanel::clearName);
     connect(m_study, &StudyPanel::sessionChosen, &m_controller, &StudyController::choose);
 
     connect(m_counts, &QComboBox::currentIndexChanged, this,

@@ -79,6 +79,22 @@ private slots:
         doTrial();
         QCOMPARE(controller().overview()->participants.size(), std::size_t(1));
     }
+
+    void whoCouldNotBeEnrolledChangesNothingAndTheNameStays() {
+        openStudy();
+        const auto chosen = controller().chosen();
+        QTest::keyClicks(nameField(), "P01");
+        QTest::keyClick(nameField(), Qt::Key_Return);
+        QCOMPARE(controller().chosen(), chosen);
+        QTRY_COMPARE_WITH_TIMEOUT(m_page->messages().count(), 1, kPatience_ms);
+        QCOMPARE(controller().chosen(), chosen);
+        QCOMPARE(nameField()->text(), QStringLiteral("P01"));
+        QVERIFY(!nameField()->isReadOnly());
+        nameField()->clear();
+        enrol("P02");
+        QCOMPARE(nameField()->text(), QString());
+        QCOMPARE(controller().chosen(), std::optional(std::pair(1, 0)));
+    }
 };
 
 QTEST_MAIN(StudyWaitingTest)
