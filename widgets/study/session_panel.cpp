@@ -178,6 +178,11 @@ void SessionPanel::setScene(const SessionScene& scene) {
         return;
     const bool newChecks = scene.checks != m_scene.checks;
     const bool newOutcomes = scene.outcomes != m_scene.outcomes;
+    if (scene.questionnaire != m_scene.questionnaire) {
+        // It asked about one that is over.
+        for (auto* box : findChildren<QMessageBox*>(QStringLiteral("confirmSkip")))
+            box->close();
+    }
     m_scene = scene;
     if (newChecks)
         showChecks();
@@ -272,16 +277,16 @@ void SessionPanel::askForAbort() {
 }
 
 void SessionPanel::askForSkip() {
-    auto* box =
-        new QMessageBox(QMessageBox::Warning, tr("Leave the questionnaire out?"),
-                        tr("What is filled in is lost, and a note says that it was left out. It is asked "
-                           "again when the session is gone on with."),
-                        QMessageBox::NoButton, this);
+    auto* box = new QMessageBox(QMessageBox::Warning, tr("Leave the questionnaire out?"),
+                                tr("What is filled in is lost, and a note says that it was left out."),
+                                QMessageBox::NoButton, this);
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setObjectName(QStringLiteral("confirmSkip"));
+    box->setInformativeText(m_scene.skipConsequence);
     QPushButton* skip = box->addButton(tr("&Leave it out"), QMessageBox::DestructiveRole);
     box->setDefaultButton(box->addButton(tr("&Go on with it"), QMessageBox::RejectRole));
-    connect(skip, &QPushButton::clicked, this, &SessionPanel::skipRequested);
+    connect(skip, &QPushButton::clicked, this,
+            [this, questionnaire = m_scene.questionnaire] { emit skipRequested(questionnaire); });
     box->open();
 }
 

@@ -32,8 +32,8 @@ signals:
     void pauseRequested();
     /// After the experimenter confirmed it.
     void abortRequested();
-    /// The same for a questionnaire that is left out.
-    void skipRequested();
+    /// The same for a questionnaire that is left out: the one that SessionScene::questionnaire says.
+    void skipRequested(std::size_t questionnaire);
     void noteWritten(const QString& text);
     void noiseConfirmed(bool confirmed);
     void noisePlayRequested(bool play);

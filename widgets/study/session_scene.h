@@ -54,7 +54,9 @@ struct SessionScene {
     bool canPause = false;
     bool canAbort = false;
     bool canNote = false;
-    bool canSkip = false; ///< a questionnaire
+    bool canSkip = false;          ///< a questionnaire
+    std::size_t questionnaire = 0; ///< which one is asked; each has a number of its own
+    QString skipConsequence;       ///< whether it is asked again
     bool needsNoise = false;
     bool noiseConfirmed = false;
     bool noisePlaying = false;

@@ -37,7 +37,7 @@ void QuestionnaireRound::leave() {
     m_done = {};
     m_filledIn.clear();
     m_given.clear();
-    m_keeping = false;
+    m_keeping = m_skipping = false;
     m_problem.clear();
 }
 
@@ -69,55 +69,58 @@ void QuestionnaireRound::submit(std::vector<study::ItemAnswer> answers) {
     if (current() == nullptr || m_keeping)
         return;
     m_given = std::move(answers);
+    m_skipping = false;
+    keep();
+}
+
+void QuestionnaireRound::skip(std::size_t shown) {
+    if (current() == nullptr || m_keeping || shown != m_shown)
+        return;
+    m_timer.stop();
+    m_skipping = true;
     keep();
 }
 
 void QuestionnaireRound::retry() {
-    if (current() != nullptr && !m_keeping && !m_given.empty())
+    if (current() != nullptr && !m_keeping && !m_problem.isEmpty())
         keep();
 }
 
 void QuestionnaireRound::keep() {
+    const QDateTime now = QDateTime::currentDateTimeUtc();
+    if (m_skipping) {
+        // The words of a file: they do not depend on the language of the program.
+        askToKeep([session = m_subject.session, text = "questionnaire skipped: " + current()->id,
+                   now](StudyDesk::Store& store) { return store->keepNote(session, text, now); });
+        return;
+    }
+    askToKeep([participant = m_subject.participant, session = m_due.front().session,
+               questionnaire = *current(), answers = m_given, now](StudyDesk::Store& store) {
+        return store->keepAnswers(participant, session, questionnaire, answers, now);
+    });
+}
+
+template <typename Work>
+void QuestionnaireRound::askToKeep(Work work) {
     m_keeping = true;
     m_problem.clear();
-    m_desk.ask(
-        [participant = m_subject.participant, session = m_due.front().session, questionnaire = *current(),
-         answers = m_given, now = QDateTime::currentDateTimeUtc()](StudyDesk::Store& store) {
-            return store->keepAnswers(participant, session, questionnaire, answers, now);
-        },
-        [this, run = m_run](const core::Expected<void>& kept) {
-            if (run != m_run)
-                return;
-            m_keeping = false;
-            if (kept) {
-                next();
-                return;
-            }
-            m_problem = QString::fromStdString(core::describe(kept.error()));
-            emit changed();
-        });
+    m_desk.ask(std::move(work), [this, run = m_run](const core::Expected<void>& kept) {
+        if (run != m_run)
+            return;
+        m_keeping = false;
+        if (kept) {
+            next();
+            return;
+        }
+        m_problem = QString::fromStdString(core::describe(kept.error()));
+        emit changed();
+    });
     emit changed();
 }
 
-void QuestionnaireRound::skip() {
-    if (current() == nullptr || m_keeping)
-        return;
-    m_timer.stop();
-    // The words of a file: they do not depend on the language of the program.
-    m_desk.ask([session = m_subject.session, text = "questionnaire skipped: " + current()->id,
-                now = QDateTime::currentDateTimeUtc()](
-                   StudyDesk::Store& store) { return store->keepNote(session, text, now); },
-               [this, run = m_run](const core::Expected<void>& noted) {
-                   if (run == m_run && !noted) {
-                       m_problem = QString::fromStdString(core::describe(noted.error()));
-                       emit changed();
-                   } else if (run == m_run) {
-                       next();
-                   }
-               });
-}
-
 void QuestionnaireRound::next() {
+    ++m_run;
+    m_skipping = false;
     m_problem.clear();
     m_filledIn.clear();
     m_given.clear();

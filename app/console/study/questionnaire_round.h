@@ -38,9 +38,11 @@ public:
     /// Answers of the one that is shown. Those that do not fit are refused, and what could not be kept stays
     /// here for retry().
     void submit(std::vector<study::ItemAnswer> answers);
+    /// Does once more what problem() is about.
     void retry();
-    /// Goes on without the answers, and notes that.
-    void skip();
+    /// Goes on without the answers, and notes that. shown: the one that is meant, as shown() counts; nothing
+    /// happens to another one.
+    void skip(std::size_t shown);
     /// How much faster than real time simulated participants are.
     void setSpeed(double speed) { m_speed = speed; }
 
@@ -51,8 +53,11 @@ public:
     /// What is filled in already: a simulated participant's.
     [[nodiscard]] const std::vector<study::ItemAnswer>& filledIn() const { return m_filledIn; }
     [[nodiscard]] bool isSimulated() const;
+    /// The answers, or the note that there are none, are on their way to the store.
     [[nodiscard]] bool isKeeping() const { return m_keeping; }
-    /// Why the last answers could not be kept; empty when they could.
+    /// isKeeping() and problem() are about the note that it is left out.
+    [[nodiscard]] bool isSkipping() const { return m_skipping; }
+    /// Why the last answers, or the note, could not be kept; empty when they could.
     [[nodiscard]] const QString& problem() const { return m_problem; }
 
 signals:
@@ -61,6 +66,8 @@ signals:
 private:
     void showNext();
     void keep();
+    template <typename Work>
+    void askToKeep(Work work);
     void next();
 
     StudyDesk& m_desk;
@@ -74,6 +81,7 @@ private:
     std::size_t m_shown = 0;
     std::size_t m_run = 0; ///< tells the answers of the desk to this round from those to an earlier one
     bool m_keeping = false;
+    bool m_skipping = false;
     QString m_problem;
 };
 

@@ -260,6 +260,19 @@ void StudyScenes::describeIdle(const StudyController& controller, studyview::Ses
     }
 }
 
+QString StudyScenes::skipConsequence(study::QuestionnaireTime when) {
+    switch (when) {
+    case study::QuestionnaireTime::beforeStudy:
+        return tr("It is asked again when a session of this participant begins or is gone on with.");
+    case study::QuestionnaireTime::beforeSession:
+        return tr("It is asked again only when this session is interrupted and gone on with.");
+    case study::QuestionnaireTime::afterSession:
+    case study::QuestionnaireTime::afterStudy:
+        break;
+    }
+    return tr("The session is finished without it, and then it is not asked again.");
+}
+
 void StudyScenes::describeQuestionnaire(const StudyController& controller, studyview::SessionScene& scene) {
     const QuestionnaireRound& round = controller.round();
     const QString title = text(round.current()->title);
@@ -267,19 +280,30 @@ void StudyScenes::describeQuestionnaire(const StudyController& controller, study
     scene.canNote = true;
     scene.canPause = false;
     scene.canSkip = !round.isKeeping() && !round.isSimulated();
+    scene.questionnaire = round.shown();
+    scene.skipConsequence = skipConsequence(round.current()->when);
     scene.nextEnabled = !round.isKeeping();
     scene.tone = Tone::calm;
     scene.state = round.isSimulated() ? tr("The simulated participant fills in \u201c%1\u201d.").arg(title)
+                  : round.isSkipping() && round.isKeeping()
+                      ? tr("Noting that \u201c%1\u201d is left out \u2026").arg(title)
                   : round.isKeeping() ? tr("Keeping the answers \u2026")
                                       : tr("The participant fills in \u201c%1\u201d.").arg(title);
     switch (nextStep(controller)) {
     case NextStep::retry:
+        scene.tone = Tone::alarm;
+        if (round.isSkipping()) {
+            scene.next = tr("Try again to leave it out");
+            scene.state =
+                tr("\u201c%1\u201d could not be left out, because the note about it could not be kept. %2")
+                    .arg(title, round.problem());
+            return;
+        }
         scene.next = tr("Try again to keep the answers");
         scene.state =
             tr("The answers to \u201c%1\u201d could not be kept; they are still in the participant's "
                "window. %2")
                 .arg(title, round.problem());
-        scene.tone = Tone::alarm;
         return;
     case NextStep::stopRehearsal:
         scene.next = tr("Halt the rehearsal");
@@ -410,7 +434,7 @@ studyview::ParticipantScene StudyScenes::participant(const StudyController& cont
         scene.mode = controller.overview()->head.mode;
         scene.title = text(controller.overview()->head.protocol.name);
         scene.questionnaireLocked = round.isKeeping() || round.isSimulated();
-        if (!round.problem().isEmpty())
+        if (!round.problem().isEmpty() && !round.isSkipping())
             scene.questionnaireProblem =
                 tr("Your answers could not be kept yet. Please tell the experimenter.");
         return scene;

@@ -43,6 +43,7 @@ public:
 private:
     static void describeRunning(const StudyController& controller, studyview::SessionScene& scene);
     static void describeQuestionnaire(const StudyController& controller, studyview::SessionScene& scene);
+    [[nodiscard]] static QString skipConsequence(study::QuestionnaireTime when);
     static void describeIdle(const StudyController& controller, studyview::SessionScene& scene);
     [[nodiscard]] static QString protocolText(const study::StudyHead& head);
 };

@@ -6,6 +6,7 @@
 #include <QAbstractButton>
 #include <QFile>
 #include <QMessageBox>
+#include <QPointer>
 
 using namespace teleta;
 using study::Mode;
@@ -43,6 +44,18 @@ question = "Which hand?"
 choice = [{ id = "l", text = "Left" }, { id = "r", text = "Right" }]
 )";
 
+constexpr char kAlsoBefore[] = R"(
+[[questionnaire]]
+id = "mood"
+title = "Mood"
+when = "before_session"
+[[questionnaire.item]]
+id = "awake"
+kind = "likert"
+question = "How awake are you?"
+points = 5
+)";
+
 } // namespace
 
 /// Questionnaires before the first session, after each and after the last one, as the protocol says.
@@ -69,9 +82,26 @@ class StudyQuestionnairesTest : public QObject, protected test::StudyBench {
     }
     void fillIn(Qt::Key key) {
         QTRY_COMPARE_WITH_TIMEOUT(window()->scene().state, State::questionnaire, kPatience_ms);
-        form().focusFirst();
         QTest::keyClick(window()->focusWidget(), key);
         QTest::mouseClick(form().doneButton(), Qt::LeftButton);
+    }
+    /// Whatever was asked of the store before is answered when this returns.
+    void waitForTheStore() {
+        const std::size_t before = notes().size();
+        controller().keepNote(QStringLiteral("later"));
+        QTRY_COMPARE_WITH_TIMEOUT(notes().size(), before + 1, kPatience_ms);
+        QTest::qWait(0);
+    }
+    [[nodiscard]] QMessageBox* askToSkip() {
+        QTest::mouseClick(m_page->findChild<QPushButton*>("skip"), Qt::LeftButton);
+        return m_page->findChild<QMessageBox*>("confirmSkip");
+    }
+    static void confirm(QMessageBox& box) {
+        const auto buttons = box.buttons();
+        for (QAbstractButton* button : buttons) {
+            if (box.buttonRole(button) == QMessageBox::DestructiveRole)
+                QTest::mouseClick(button, Qt::LeftButton);
+        }
     }
     void doTrials() {
         finishPractice();
@@ -168,22 +198,79 @@ private slots:
     void theExperimenterCanLeaveAQuestionnaireOutAndANoteSaysSo() {
         openStudy();
         begin();
-        auto* skip = m_page->findChild<QPushButton*>("skip");
-        QVERIFY(skip->isVisible());
-        QTest::mouseClick(skip, Qt::LeftButton);
-        auto* box = m_page->findChild<QMessageBox*>("confirmSkip");
+        QVERIFY(m_page->findChild<QPushButton*>("skip")->isVisible());
+        auto* box = askToSkip();
         QVERIFY(box != nullptr);
         QCOMPARE(asked(), std::string("person"));
-        for (QAbstractButton* button : box->buttons()) {
-            if (box->buttonRole(button) == QMessageBox::DestructiveRole)
-                QTest::mouseClick(button, Qt::LeftButton);
-        }
+        confirm(*box);
         QTRY_VERIFY_WITH_TIMEOUT(runner().isActive(), kPatience_ms);
         QVERIFY(answers().empty());
-        const auto store = study::StudyStore::open(studyFolder().toStdString());
-        const auto notes = *store->notes(store->sessions(store->participants()->front())->front());
-        QCOMPARE(notes.size(), std::size_t(1));
-        QCOMPARE(notes[0].text, std::string("questionnaire skipped: person"));
+        QCOMPARE(notes().size(), std::size_t(1));
+        QCOMPARE(notes()[0].text, std::string("questionnaire skipped: person"));
+    }
+
+    void aQuestionnaireIsLeftOutOnceAndTheNextOneStays() {
+        m_more += kAlsoBefore;
+        openStudy();
+        begin();
+        QCOMPARE(asked(), std::string("person"));
+        confirm(*askToSkip());
+        QVERIFY2(controller().round().isKeeping(), "the note is on its way");
+        // The participant is done at the same moment, and somebody confirms once more.
+        emit window()->questionnaireAnswered({{"age", "9"}});
+        controller().round().skip(controller().round().shown());
+        QTRY_COMPARE_WITH_TIMEOUT(asked(), std::string("mood"), kPatience_ms);
+        waitForTheStore();
+        QCOMPARE(asked(), std::string("mood"));
+        QVERIFY(answers().empty());
+        QCOMPARE(notes().size(), std::size_t(2));
+        fillIn(Qt::Key_4);
+        QTRY_VERIFY_WITH_TIMEOUT(runner().isActive(), kPatience_ms);
+        QCOMPARE(answers().size(), std::size_t(1));
+    }
+
+    void aQuestionnaireThatCouldNotBeLeftOutIsSaidAndTriedAgain() {
+        openStudy();
+        begin();
+        execute("ALTER TABLE note RENAME TO hidden");
+        confirm(*askToSkip());
+        QTRY_VERIFY_WITH_TIMEOUT(!controller().round().problem().isEmpty(), kPatience_ms);
+        const auto& scene = m_page->sessionPanel().scene();
+        QVERIFY2(scene.state.contains(QStringLiteral("could not be left out")), qPrintable(scene.state));
+        QCOMPARE(nextButton()->text(), QStringLiteral("Try again to leave it out"));
+        QVERIFY2(window()->scene().questionnaireProblem.isEmpty(), "the participant's answers are not lost");
+        QTest::mouseClick(nextButton(), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(!controller().round().problem().isEmpty(), kPatience_ms);
+        execute("ALTER TABLE hidden RENAME TO note");
+        QTest::mouseClick(nextButton(), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(runner().isActive(), kPatience_ms);
+        QCOMPARE(notes().size(), std::size_t(1));
+        QCOMPARE(notes()[0].text, std::string("questionnaire skipped: person"));
+        QVERIFY(answers().empty());
+    }
+
+    void theQuestionWhetherToLeaveOneOutIsAboutThatOne() {
+        m_more += kAlsoBefore;
+        openStudy();
+        begin();
+        QPointer<QMessageBox> box = askToSkip();
+        QVERIFY2(box->informativeText().contains(QStringLiteral("asked again")),
+                 qPrintable(box->informativeText()));
+        fillIn(Qt::Key_9);
+        QTRY_COMPARE_WITH_TIMEOUT(asked(), std::string("mood"), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(box.isNull(), kPatience_ms);
+        emit m_page->sessionPanel().skipRequested(controller().round().shown() - 1);
+        waitForTheStore();
+        QCOMPARE(asked(), std::string("mood"));
+        fillIn(Qt::Key_2);
+        QTRY_VERIFY_WITH_TIMEOUT(runner().isActive(), kPatience_ms);
+        doTrials();
+        QTRY_COMPARE_WITH_TIMEOUT(asked(), std::string("effort"), kPatience_ms);
+        box = askToSkip();
+        QVERIFY2(box->informativeText().contains(QStringLiteral("finished without it")),
+                 qPrintable(box->informativeText()));
+        confirm(*box);
+        QTRY_VERIFY_WITH_TIMEOUT(controller().chosenSession()->isFinished(), kPatience_ms);
     }
 
     void simulatedParticipantsAnswerAsInARehearsalWithoutAScreen() {
