@@ -134,9 +134,11 @@ StudyPage::StudyPage(BraceletStation& station, core::StopSwitch& stop, StudyCont
     , m_speed(new QComboBox(this))
     , m_speedRow(new QWidget(this))
     , m_speedLabel(new QLabel(this))
-    , m_participant(new studyview::ParticipantWindow([this] { return m_controller.now_ns(); }, this))
+    // A window of nobody's: a dialog of the experimenter would block one of the console's.
+    , m_participant(std::make_unique<studyview::ParticipantWindow>([this] { return m_controller.now_ns(); }))
     , m_placement(*m_participant, *this)
     , m_results(new studyview::ResultsView(this)) {
+    m_participant->setAttribute(Qt::WA_QuitOnClose, false); // it does not keep the program open
     build();
     connectViews();
     retranslate();
@@ -206,16 +208,16 @@ void StudyPage::build() {
 void StudyPage::connectViews() {
     StudyRunner& runner = m_controller.runner();
     using studyview::ParticipantWindow;
-    connect(m_participant, &ParticipantWindow::nextRequested, &runner, &StudyRunner::next);
-    connect(m_participant, &ParticipantWindow::replayRequested, &runner, &StudyRunner::replay);
-    connect(m_participant, &ParticipantWindow::pressed, &runner, &StudyRunner::press);
-    connect(m_participant, &ParticipantWindow::released, &runner,
+    connect(m_participant.get(), &ParticipantWindow::nextRequested, &runner, &StudyRunner::next);
+    connect(m_participant.get(), &ParticipantWindow::replayRequested, &runner, &StudyRunner::replay);
+    connect(m_participant.get(), &ParticipantWindow::pressed, &runner, &StudyRunner::press);
+    connect(m_participant.get(), &ParticipantWindow::released, &runner,
             [&runner](const QString& device, const QString& key) {
                 runner.release(device.toStdString(), key.toStdString());
             });
-    connect(m_participant, &ParticipantWindow::questionnaireAnswered, &m_controller.round(),
+    connect(m_participant.get(), &ParticipantWindow::questionnaireAnswered, &m_controller.round(),
             &QuestionnaireRound::submit);
-    connect(m_participant, &ParticipantWindow::left, &runner, &StudyRunner::pause);
+    connect(m_participant.get(), &ParticipantWindow::left, &runner, &StudyRunner::pause);
 
     connect(&m_placement, &ParticipantPlacement::screenLost, this, [this] {
         m_controller.runner().pause();
@@ -513,7 +515,7 @@ void StudyPage::bringForward(const QString& view) {
 }
 
 QWidget* StudyPage::forwardWindow() const {
-    return m_participant->isVisible() ? m_participant : nullptr;
+    return m_participant->isVisible() ? m_participant.get() : nullptr;
 }
 
 /// Computes the results anew when they are looked at and there is something new.

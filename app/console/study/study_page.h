@@ -11,6 +11,8 @@
 #include <QStringList>
 #include <QWidget>
 
+#include <memory>
+
 class QComboBox;
 class QLabel;
 class QStackedWidget;
@@ -99,7 +101,7 @@ private:
     QComboBox* m_speed;
     QWidget* m_speedRow;
     QLabel* m_speedLabel;
-    studyview::ParticipantWindow* m_participant;
+    std::unique_ptr<studyview::ParticipantWindow> m_participant;
     ParticipantPlacement m_placement;
     studyview::ResultsView* m_results;
     bool m_outdated = true;   ///< there are trials that the results do not have

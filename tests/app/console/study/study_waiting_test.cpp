@@ -95,6 +95,29 @@ private slots:
         QCOMPARE(nameField()->text(), QString());
         QCOMPARE(controller().chosen(), std::optional(std::pair(1, 0)));
     }
+
+    void aDialogOfTheExperimenterKeepsNothingFromTheParticipant() {
+        openStudy();
+        beginSession();
+        startTrial();
+        QTest::mouseClick(m_page->findChild<QPushButton*>("abort"), Qt::LeftButton);
+        QVERIFY(m_page->findChild<QMessageBox*>("confirmAbort")->isVisible());
+        const std::size_t stimulus = current().stimulus;
+        // Through the window of the system, which dialogs may block, not to the widget.
+        QTest::mouseClick(window()->windowHandle(), Qt::LeftButton, {},
+                          window()->buttons()[stimulus]->geometry().center());
+        QTRY_COMPARE_WITH_TIMEOUT(kept().size(), std::size_t(1), kPatience_ms);
+        QCOMPARE(kept().front().result.response, std::optional(stimulus));
+        QTRY_VERIFY_WITH_TIMEOUT(!runner().isKeeping(), kPatience_ms);
+        QTest::keyClick(window()->windowHandle(), Qt::Key_Space);
+        QTRY_VERIFY_WITH_TIMEOUT(stage() == Stage::stimulus || stage() == Stage::answering, kPatience_ms);
+    }
+
+    void theParticipantsWindowDoesNotKeepTheProgramOpen() {
+        openStudy();
+        QVERIFY(window()->isWindow());
+        QVERIFY(!window()->testAttribute(Qt::WA_QuitOnClose));
+    }
 };
 
 QTEST_MAIN(StudyWaitingTest)
