@@ -91,19 +91,23 @@ void ParticipantWindow::setQuestionnaire(const study::Questionnaire& questionnai
     m_questionnaire->setQuestionnaire(questionnaire, answers);
     refresh();
     if (m_scene.state == State::questionnaire)
-        m_questionnaire->focusFirst();
+        m_questionnaire->takeKeyboard();
 }
 
 void ParticipantWindow::setScene(const ParticipantScene& scene) {
     if (scene == m_scene)
         return;
     const bool wasQuestionnaire = m_scene.state == State::questionnaire;
+    const bool wasLocked = m_scene.questionnaireLocked;
     m_scene = scene;
     refresh();
     if (m_scene.state == State::questionnaire && !wasQuestionnaire) {
         // Releases would go to the questions.
         releaseAll();
-        m_questionnaire->focusFirst();
+        m_questionnaire->takeKeyboard();
+    } else if (m_scene.state == State::questionnaire && wasLocked && !m_scene.questionnaireLocked) {
+        // What was locked lost the keyboard.
+        m_questionnaire->takeKeyboard();
     } else if (wasQuestionnaire && m_scene.state != State::questionnaire) {
         setFocus();
     }

@@ -97,9 +97,8 @@ void QuestionnaireForm::setProblem(const QString& problem) {
     setTextColour(m_problem, base::statusColours(palette()).lost);
 }
 
-void QuestionnaireForm::focusFirst() {
-    if (!m_items.empty())
-        m_items.front()->focusAnswer();
+void QuestionnaireForm::takeKeyboard() {
+    setFocus(Qt::OtherFocusReason);
 }
 
 std::vector<study::ItemAnswer> QuestionnaireForm::answers() const {
@@ -135,10 +134,22 @@ void QuestionnaireForm::showCount() {
 
 void QuestionnaireForm::keyPressEvent(QKeyEvent* event) {
     const bool isReturn = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-    if (isReturn && event->modifiers().testFlag(Qt::ControlModifier) && m_done->isEnabled())
+    const bool isLocked = !m_done->isEnabled();
+    if (isReturn && event->modifiers().testFlag(Qt::ControlModifier) && !event->isAutoRepeat() && !isLocked) {
         submit();
-    else
+        return;
+    }
+    const bool isFirst =
+        hasFocus() && !isLocked && !event->isAutoRepeat() && !m_items.empty() && !m_items.front()->value();
+    if (!isFirst || !m_items.front()->takeFirstKey(*event))
         QWidget::keyPressEvent(event);
+}
+
+bool QuestionnaireForm::focusNextPrevChild(bool next) {
+    if (!hasFocus() || !next || m_items.empty() || !m_items.front()->isEnabled())
+        return QWidget::focusNextPrevChild(next);
+    m_items.front()->focusAnswer();
+    return true;
 }
 
 void QuestionnaireForm::retranslate() {

@@ -29,7 +29,10 @@ public:
     void setLocked(bool locked);
     /// Why the answers could not be kept.
     void setProblem(const QString& problem);
-    void focusFirst();
+    /// Takes the keyboard: the first key that is typed goes to the first question, as long as that has no
+    /// answer, and Tab goes there. A key that is held down since before and Space, the key of the trials,
+    /// fill nothing in.
+    void takeKeyboard();
     /// One an item, in their order.
     [[nodiscard]] std::vector<study::ItemAnswer> answers() const;
     [[nodiscard]] const std::vector<QuestionnaireItemView*>& items() const { return m_items; }
@@ -41,6 +44,7 @@ signals:
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
+    bool focusNextPrevChild(bool next) override;
     void changeEvent(QEvent* event) override;
 
 private:

@@ -5,6 +5,7 @@
 #include "widgets/study/answer_keys.h"
 #include "widgets/study/text_colour.h"
 
+#include <QCoreApplication>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -31,6 +32,10 @@ public:
 protected:
     [[nodiscard]] bool hitButton(const QPoint& at) const override { return rect().contains(at); }
 };
+
+bool isPlain(const QKeyEvent& event) {
+    return !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
+}
 
 QLabel* textLabel(const std::string& text, QWidget* parent) {
     auto* label = new QLabel(QString::fromStdString(text), parent);
@@ -166,16 +171,30 @@ void QuestionnaireItemView::focusAnswer() {
     (chosen == m_buttons.end() ? m_buttons.front() : *chosen)->setFocus(Qt::TabFocusReason);
 }
 
+bool QuestionnaireItemView::takeFirstKey(QKeyEvent& key) {
+    if (m_text == nullptr)
+        return choose(key);
+    if (key.text().trimmed().isEmpty() || !isPlain(key))
+        return false;
+    focusAnswer();
+    QCoreApplication::sendEvent(m_text, &key);
+    return true;
+}
+
+bool QuestionnaireItemView::choose(const QKeyEvent& event) {
+    const std::optional<PhysicalKey> key = physicalKey(event);
+    if (!key || !isPlain(event) || key->number < 1 || key->number > m_buttons.size() ||
+        m_values[key->number - 1].empty())
+        return false;
+    m_buttons[key->number - 1]->setChecked(true);
+    m_buttons[key->number - 1]->setFocus(Qt::TabFocusReason);
+    return true;
+}
+
 void QuestionnaireItemView::keyPressEvent(QKeyEvent* event) {
-    const std::optional<PhysicalKey> key = physicalKey(*event);
-    const bool isPlain = !(event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
-    if (key && isPlain && key->number >= 1 && key->number <= m_buttons.size() &&
-        !m_values[key->number - 1].empty()) {
-        m_buttons[key->number - 1]->setChecked(true);
-        m_buttons[key->number - 1]->setFocus(Qt::TabFocusReason);
-        return;
-    }
-    QWidget::keyPressEvent(event);
+    // A digit that is held down may be that of the last trial.
+    if (event->isAutoRepeat() || !choose(*event))
+        QWidget::keyPressEvent(event);
 }
 
 /// A number that was chosen has to be seen from afar.

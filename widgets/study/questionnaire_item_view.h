@@ -31,6 +31,9 @@ public:
     /// Why the answer cannot be taken; empty: nothing is wrong.
     void setProblem(const QString& problem);
     void focusAnswer();
+    /// Answers with a key that was typed before the item had the keyboard: a digit, or the first letter of a
+    /// text. False: this is none.
+    bool takeFirstKey(QKeyEvent& key);
     /// The points of a scale, or the choices; the last one of an optional item leaves it out.
     [[nodiscard]] const std::vector<QAbstractButton*>& buttons() const { return m_buttons; }
 
@@ -42,6 +45,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    bool choose(const QKeyEvent& event);
     void buildScale(QVBoxLayout* column);
     void buildChoices(QVBoxLayout* column);
     void addButton(QAbstractButton* button, std::string value);

@@ -104,6 +104,48 @@ private slots:
         QCOMPARE(m_presses, 0);
     }
 
+    void keysOfTheLastTrialFillNothingIn() {
+        m_window->setScene({.state = State::answering, .answersOpen = true});
+        QTest::keyPress(focused(), Qt::Key_2);
+        m_window->setScene({.state = State::questionnaire});
+        QKeyEvent held(QEvent::KeyPress, Qt::Key_2, Qt::NoModifier, QStringLiteral("2"), true);
+        QApplication::sendEvent(focused(), &held);
+        QTest::keyRelease(focused(), Qt::Key_2);
+        QTest::keyClick(focused(), Qt::Key_Space);
+        QVERIFY(!item(0).value());
+        QTest::keyClick(focused(), Qt::Key_Tab);
+        QVERIFY(item(0).isAncestorOf(focused()));
+        QApplication::sendEvent(focused(), &held);
+        QVERIFY(!item(0).value());
+
+        study::Questionnaire text = effort();
+        std::swap(text.items.front(), text.items.back());
+        m_window->setQuestionnaire(text);
+        QApplication::sendEvent(focused(), &held);
+        QTest::keyClick(focused(), Qt::Key_Space);
+        QVERIFY(!item(0).value());
+        QTest::keyClicks(focused(), QStringLiteral("4"));
+        QTest::keyClicks(focused(), QStringLiteral(" 2"));
+        QCOMPARE(item(0).value(), std::optional<std::string>("4 2"));
+    }
+
+    void theNextQuestionnaireTakesTheKeyboard() {
+        m_window->setScene({.state = State::questionnaire, .questionnaireLocked = true});
+        study::Questionnaire next = effort();
+        next.items.resize(1);
+        m_window->setQuestionnaire(next);
+        m_window->setScene({.state = State::questionnaire});
+        QTest::keyClick(focused(), Qt::Key_3);
+        QCOMPARE(item(0).value(), std::optional<std::string>("3"));
+        m_window->setScene({.state = State::questionnaire, .questionnaireLocked = true});
+        m_window->setScene({.state = State::questionnaire});
+        QTest::keyClick(focused(), Qt::Key_5);
+        QCOMPARE(item(0).value(), std::optional<std::string>("3"));
+        QTest::keyClick(focused(), Qt::Key_Tab);
+        QTest::keyClick(focused(), Qt::Key_5);
+        QCOMPARE(item(0).value(), std::optional<std::string>("5"));
+    }
+
     void isFilledInByTouch() {
         const auto touch = [&](QWidget* target) {
             QTest::touchEvent(target, touchScreen()).press(0, target->rect().center(), target);

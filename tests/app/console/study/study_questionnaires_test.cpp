@@ -82,6 +82,8 @@ class StudyQuestionnairesTest : public QObject, protected test::StudyBench {
     }
     void fillIn(Qt::Key key) {
         QTRY_COMPARE_WITH_TIMEOUT(window()->scene().state, State::questionnaire, kPatience_ms);
+        window()->activateWindow(); // the participant's hand; a dialog may have had the keyboard
+        QVERIFY(QTest::qWaitForWindowActive(window()));
         QTest::keyClick(window()->focusWidget(), key);
         QTest::mouseClick(form().doneButton(), Qt::LeftButton);
     }
