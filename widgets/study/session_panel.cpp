@@ -191,6 +191,10 @@ void SessionPanel::setScene(const SessionScene& scene) {
     refresh();
 }
 
+void SessionPanel::restoreNote(const QString& text) {
+    m_note->setText(m_note->text().isEmpty() ? text : text + QLatin1Char(' ') + m_note->text());
+}
+
 void SessionPanel::refresh() {
     m_title->setText(m_scene.title);
     m_subtitle->setText(m_scene.subtitle);

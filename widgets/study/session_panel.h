@@ -24,6 +24,8 @@ public:
     explicit SessionPanel(QWidget* parent = nullptr);
 
     void setScene(const SessionScene& scene);
+    /// Puts a note that could not be kept back into its field, before what was written since.
+    void restoreNote(const QString& text);
     [[nodiscard]] const SessionScene& scene() const { return m_scene; }
     [[nodiscard]] QPushButton* nextButton() const { return m_next; }
 

@@ -494,16 +494,26 @@ void StudyController::releaseClaim() {
 void StudyController::keepNote(const QString& text) {
     if (!m_record)
         return;
+    struct Written {
+        core::Expected<void> kept;
+        core::Expected<void> exported;
+    };
     m_desk.ask(
         [who = m_participant, record = *m_record, text = text.toStdString(),
-         now = QDateTime::currentDateTimeUtc()](StudyDesk::Store& store) -> core::Expected<void> {
-            if (const core::Expected<void> kept = store->keepNote(record, text, now); !kept)
-                return kept;
-            return study::exportNotes(*store, who, study::ExportFormat::psychds);
+         now = QDateTime::currentDateTimeUtc()](StudyDesk::Store& store) {
+            Written written{store->keepNote(record, text, now), {}};
+            if (written.kept)
+                written.exported = study::exportNotes(*store, who, study::ExportFormat::psychds);
+            return written;
         },
-        [this](const core::Expected<void>& kept) {
-            if (!kept)
-                emit failed(tr("The note could not be kept."), kept.error());
+        [this, text](const Written& written) {
+            if (!written.kept) {
+                emit noteNotKept(text);
+                emit failed(tr("The note could not be kept."), written.kept.error());
+            } else if (!written.exported) {
+                emit failed(tr("The note is safe in the study, but could not be exported."),
+                            written.exported.error());
+            }
         });
 }
 

@@ -102,6 +102,7 @@ signals:
     void resultsOutdated();
     void rehearsed();
     void enrolled(const QString& id);
+    void noteNotKept(const QString& text);
     void failed(const QString& what, const teleta::core::Error& error);
 
 private:

@@ -234,6 +234,7 @@ void StudyPage::connectViews() {
     connect(m_session, &SessionPanel::abortRequested, &m_controller, &StudyController::abort);
     connect(m_session, &SessionPanel::skipRequested, &m_controller.round(), &QuestionnaireRound::skip);
     connect(m_session, &SessionPanel::noteWritten, &m_controller, &StudyController::keepNote);
+    connect(&m_controller, &StudyController::noteNotKept, m_session, &SessionPanel::restoreNote);
     connect(m_session, &SessionPanel::noiseConfirmed, &m_controller, &StudyController::setNoiseConfirmed);
     connect(m_session, &SessionPanel::noisePlayRequested, &m_noise, &NoisePlayer::setPlaying);
     connect(&m_noise, &NoisePlayer::changed, this, [this] {

@@ -118,6 +118,37 @@ private slots:
         QVERIFY(window()->isWindow());
         QVERIFY(!window()->testAttribute(Qt::WA_QuitOnClose));
     }
+
+    void aNoteThatCouldNotBeKeptIsStillThere() {
+        openStudy();
+        beginSession();
+        execute("ALTER TABLE note RENAME TO hidden");
+        auto* note = m_page->findChild<QLineEdit*>("note");
+        QTest::keyClicks(note, "too loud");
+        QTest::keyClick(note, Qt::Key_Return);
+        QTRY_COMPARE_WITH_TIMEOUT(m_page->messages().count(), 1, kPatience_ms);
+        QVERIFY(isSaid("The note could not be kept."));
+        QCOMPARE(note->text(), QStringLiteral("too loud"));
+        execute("ALTER TABLE hidden RENAME TO note");
+        QTest::keyClick(note, Qt::Key_Return);
+        QTRY_COMPARE_WITH_TIMEOUT(notes().size(), std::size_t(1), kPatience_ms);
+        QCOMPARE(notes().front().text, std::string("too loud"));
+        QVERIFY(note->text().isEmpty());
+    }
+
+    void aNoteThatIsKeptButNotExportedIsSaidToBeSafe() {
+        openStudy();
+        beginSession();
+        QFile inTheWay(studyFolder() + "/data");
+        QVERIFY(inTheWay.open(QIODevice::WriteOnly));
+        auto* note = m_page->findChild<QLineEdit*>("note");
+        QTest::keyClicks(note, "too loud");
+        QTest::keyClick(note, Qt::Key_Return);
+        QTRY_COMPARE_WITH_TIMEOUT(m_page->messages().count(), 1, kPatience_ms);
+        QVERIFY(isSaid("The note is safe in the study"));
+        QCOMPARE(notes().size(), std::size_t(1));
+        QVERIFY(note->text().isEmpty());
+    }
 };
 
 QTEST_MAIN(StudyWaitingTest)
