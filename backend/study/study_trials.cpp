@@ -16,6 +16,29 @@ struct TrialsText {
     Q_DECLARE_TR_FUNCTIONS(StudyStore)
 };
 
+/// What of a questionnaire's answers is kept.
+enum class KeptAnswers { none, same, other };
+
+KeptAnswers compare(const std::vector<StoredAnswer>& all, const std::optional<SessionRecord>& session,
+                    const std::string& questionnaire, const std::vector<ItemAnswer>& answers) {
+    std::size_t kept = 0;
+    std::size_t same = 0;
+    for (const StoredAnswer& stored : all) {
+        if (stored.questionnaire != questionnaire || stored.session.has_value() != session.has_value() ||
+            (session && *stored.session != session->key))
+            continue;
+        ++kept;
+        same += static_cast<std::size_t>(
+            std::count_if(answers.begin(), answers.end(), [&](const ItemAnswer& answer) {
+                return answer.item == stored.item &&
+                       answer.value.value_or(std::string()) == stored.value.value_or(std::string());
+            }));
+    }
+    if (kept == 0)
+        return KeptAnswers::none;
+    return same == kept && kept == answers.size() ? KeptAnswers::same : KeptAnswers::other;
+}
+
 bool isSameTrial(const PlannedTrial& a, const PlannedTrial& b) {
     return a.phase == b.phase && a.trial == b.trial && a.attempt == b.attempt;
 }
@@ -238,10 +261,22 @@ core::Expected<void> StudyStore::keepAnswers(const Participant& participant,
         }
         return {};
     });
-    if (!kept && kept.error().kind == core::ErrorKind::refused)
-        return m_connection->refused(TrialsText::tr("this questionnaire was answered already"),
-                                     TrialsText::tr("each questionnaire once"));
-    return kept;
+    if (kept || kept.error().kind != core::ErrorKind::refused)
+        return kept;
+    // A server that goes away in a commit does not say whether it has them.
+    const auto stored = this->answers(participant);
+    if (!stored)
+        return core::Unexpected(stored.error());
+    switch (compare(*stored, session, questionnaire.id, answers)) {
+    case KeptAnswers::same:
+        return {};
+    case KeptAnswers::none:
+        return kept;
+    case KeptAnswers::other:
+        break;
+    }
+    return m_connection->refused(TrialsText::tr("this questionnaire was answered already"),
+                                 TrialsText::tr("each questionnaire once"));
 }
 
 core::Expected<std::vector<StoredAnswer>> StudyStore::answers(const Participant& participant) const {

@@ -317,6 +317,12 @@ TEST_F(StudyStoreTest, keepsAnswersOfAQuestionnaireTogetherAndOnce) {
     ASSERT_TRUE(store.keepAnswers(participant, first, effort, {{"hard", "7"}}, kNow));
     ASSERT_TRUE(store.keepAnswers(participant, second, effort, {{"hard", "2"}}, kNow));
     EXPECT_FALSE(store.keepAnswers(participant, first, effort, {{"hard", "1"}}, kNow));
+    // Nobody may have heard that they were kept.
+    const QDateTime later = kNow.addSecs(60);
+    EXPECT_TRUE(
+        store.keepAnswers(participant, {}, person, {{"name", "O'Neil, \"参\""}, {"more", {}}}, later));
+    EXPECT_TRUE(store.keepAnswers(participant, second, effort, {{"hard", "2"}}, later));
+    EXPECT_FALSE(store.keepAnswers(participant, second, effort, {{"hard", "7"}}, later));
     EXPECT_FALSE(store.keepAnswers(participant, {}, effort, {{"hard", "1"}}, kNow));
     EXPECT_FALSE(store.keepAnswers(store.enrol("P08").value(), {}, person, {{"name", "x"}}, kNow));
     const auto answers = StudyStore::open(folder())->answers(participant).value();
