@@ -191,14 +191,12 @@ core::Expected<void> StudyConnection::chooseSchema(Purpose purpose) {
 core::Expected<void> StudyConnection::reconnect() {
     m_database.close();
     ++m_reconnections;
-    if (const core::Expected<void> opened = connect().and_then([&] { return chooseSchema(Purpose::open); });
-        !opened)
-        return opened;
-    core::Expected<void> locked = lockAgain();
-    // Closed, so that the next statement has to ask for the locks once more.
-    if (!locked)
+    core::Expected<void> back =
+        connect().and_then([&] { return chooseSchema(Purpose::open); }).and_then([&] { return lockAgain(); });
+    // Closed, so that the next statement chooses the schema and asks for the locks once more.
+    if (!back)
         m_database.close();
-    return locked;
+    return back;
 }
 
 core::Expected<void> StudyConnection::lockAgain() {

@@ -352,6 +352,20 @@ TEST_F(StudyServerTest, keepsNothingOfAParticipantThatAnotherStationTookWhileThe
     EXPECT_FALSE(store.runner(participant).value());
 }
 
+TEST_F(StudyServerTest, aConnectionThatCameBackIncompletelyIsMadeOnceMore) {
+    StudyStore store = create();
+    const Participant participant = store.enrol("P07").value();
+    s_server->kill();
+    s_server->start();
+    s_server->sql("ALTER SCHEMA " + m_study + " RENAME TO hidden_" + m_study);
+    for (int attempt = 0; attempt < 2; ++attempt)
+        EXPECT_EQ(store.participants().error().kind, core::ErrorKind::notFound);
+    s_server->sql("ALTER SCHEMA hidden_" + m_study + " RENAME TO " + m_study);
+    const auto participants = store.participants();
+    ASSERT_TRUE(participants) << core::describe(participants.error());
+    EXPECT_EQ(participants->size(), 1U);
+}
+
 TEST_F(StudyServerTest, aParticipantOfAnotherDatabaseDoesNotCount) {
     StudyStore store = create();
     const Participant participant = store.enrol("P07").value();
