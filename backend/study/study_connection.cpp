@@ -104,9 +104,13 @@ core::Expected<void> StudyConnection::configureServer() {
                 return badUrl(ConnectionText::tr("the address has the port \"%1\"").arg(value),
                               ConnectionText::tr("a whole number from 1 to 65535"));
             m_database.setPort(port);
-        } else if (passedOptions().contains(key) && !value.contains(QLatin1Char(';')))
+        } else if (passedOptions().contains(key)) {
+            // Qt separates the options by it.
+            if (value.contains(QLatin1Char(';')))
+                return badUrl(ConnectionText::tr("the option \"%1\" of the address has a semicolon").arg(key),
+                              ConnectionText::tr("a value without semicolons"));
             options << key + QLatin1Char('=') + quotedForServer(value);
-        else
+        } else
             return badUrl(ConnectionText::tr("the address has the unknown option \"%1\"").arg(key),
                           QStringLiteral("study, host, port, ") + passedOptions().join(QStringLiteral(", ")));
     }

@@ -417,6 +417,11 @@ TEST_F(StudyServerTest, errorsNeverShowAPassword) {
         EXPECT_EQ(bad.error().kind, core::ErrorKind::badInput) << core::describe(bad.error());
         EXPECT_EQ(core::describe(bad.error()).find("wr0ng"), std::string::npos);
     }
+    const auto semicolon =
+        StudyStore::open({m_folder.path("here"), "postgresql://console:wr0ng-pass@host/db?sslcert=/a;b"});
+    ASSERT_FALSE(semicolon);
+    EXPECT_NE(semicolon.error().message.find("\"sslcert\" of the address has a semicolon"), std::string::npos)
+        << semicolon.error().message;
     EXPECT_EQ(shownServer("postgresql://me:wr0ng@host/db?study=a&password=wr0ng"),
               "postgresql://me@host/db?study=a");
 }
