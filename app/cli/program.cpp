@@ -11,6 +11,7 @@
 #include "app/cli/commands/features_command.h"
 #include "app/cli/commands/locate_command.h"
 #include "app/cli/commands/pattern_command.h"
+#include "app/cli/commands/replay_command.h"
 #include "app/cli/commands/simulate_command.h"
 #include "app/cli/commands/stiffness_command.h"
 #include "app/cli/commands/study_command.h"
@@ -40,6 +41,7 @@ std::vector<std::unique_ptr<Command>> makeCommands() {
     commands.push_back(std::make_unique<LocateCommand>());
     commands.push_back(std::make_unique<TrackCommand>());
     commands.push_back(std::make_unique<SimulateCommand>());
+    commands.push_back(std::make_unique<ReplayCommand>());
     commands.push_back(std::make_unique<ExportCommand>());
     commands.push_back(std::make_unique<PatternCommand>());
     commands.push_back(std::make_unique<StudyCommand>());

@@ -9,9 +9,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace teleta::pipeline {
 
@@ -264,6 +266,40 @@ core::Expected<RecordedArm> recordedArm(const recording::StreamInfo& stream, con
     if (reader.error())
         return badDetails(stream, file, core::describe(*reader.error()));
     return arm;
+}
+
+core::Expected<std::vector<RecordedSource>> recordedSources(const recording::Recording& recording) {
+    std::vector<RecordedSource> sources;
+    const std::vector<recording::StreamInfo>& streams = recording.streams();
+    for (std::size_t i = 0; i < streams.size(); ++i) {
+        if (streams[i].kind != recording::StreamKind::array)
+            continue;
+        auto array = recordedArray(streams[i], recording.path());
+        if (!array)
+            return core::Unexpected(array.error());
+        sources.push_back({.arrayStream = i, .array = std::move(*array), .jointStream = {}, .arm = {}});
+    }
+    for (std::size_t i = 0; i < streams.size(); ++i) {
+        if (streams[i].kind != recording::StreamKind::joints)
+            continue;
+        auto arm = recordedArm(streams[i], recording.path());
+        if (!arm)
+            return core::Unexpected(arm.error());
+        const auto skin = std::ranges::find_if(sources, [&](const RecordedSource& source) {
+            return streams[source.arrayStream].name == arm->skinStream;
+        });
+        if (skin != sources.end()) {
+            skin->jointStream = i;
+            skin->arm = std::move(arm->description);
+        }
+    }
+    if (sources.empty())
+        return core::Unexpected(
+            core::Error{core::ErrorKind::refused,
+                        RecordedStreamText::tr("the recording has no tactile array").toStdString(),
+                        RecordedStreamText::tr("a recording of an array or an arm").toStdString(),
+                        {recording.path()}});
+    return sources;
 }
 
 } // namespace teleta::pipeline

@@ -7,10 +7,14 @@
 #include "backend/core/error.h"
 #include "backend/pipeline/touch_record.h"
 #include "backend/pipeline/touch_snapshot.h"
+#include "backend/recording/recording.h"
 #include "backend/recording/recording_types.h"
 
 #include <array>
+#include <cstddef>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace teleta::pipeline {
 
@@ -55,5 +59,16 @@ struct RecordedArm {
 };
 [[nodiscard]] core::Expected<RecordedArm> recordedArm(const recording::StreamInfo& stream,
                                                       const std::string& file);
+
+/// What can be played of a recording: an array, and the arm that wears it.
+struct RecordedSource {
+    std::size_t arrayStream = 0;
+    RecordedArray array;
+    std::optional<std::size_t> jointStream; ///< empty: the array was on its own
+    core::ArmDescription arm;
+};
+/// Every array of a recording, in its order. Error: as above; refused: it has none.
+[[nodiscard]] core::Expected<std::vector<RecordedSource>>
+recordedSources(const recording::Recording& recording);
 
 } // namespace teleta::pipeline

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/bounded_queue.h"
+#include "backend/core/device.h"
+#include "backend/core/latest_copy.h"
+#include "backend/core/source_outlet.h"
+#include "backend/recording/recording.h"
+#include "devices/replay/recorded_config.h"
+#include "devices/replay/recorded_track.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+namespace teleta::replay {
+
+/// Plays the array of a recording, and the joints of the arm that wears it, in step.
+///   due = anchor + (time of the frame - time at the anchor) / speed
+/// A frame's time_ns is when it was due, so that frames keep their order and distance; its source time is
+/// that since the recording's start.
+/// Thread: run() is the worker's, open() before it; wake() and position() from any; the commands from one
+/// controlling thread.
+class RecordedWorker {
+public:
+    RecordedWorker(RecordedConfig config, const recording::Recording::Extent& extent, std::int64_t start_ns);
+
+    void open(core::Wakeup& consumer);
+    void run(const std::stop_token& stop);
+    void wake();
+
+    void play();
+    void pause();
+    void step(int frames);
+    void setSpeed(double factor);
+    void seek(double time_s);
+    void setLoop(bool loop);
+    [[nodiscard]] core::PlaybackPosition position() const;
+
+    [[nodiscard]] core::SourceOutlet& outlet() { return m_outlet; }
+    [[nodiscard]] const core::SourceOutlet& outlet() const { return m_outlet; }
+    [[nodiscard]] core::BoundedQueue<core::JointSample>& joints() { return m_joints; }
+    [[nodiscard]] core::DeviceStatus jointStatus() const;
+    [[nodiscard]] const RecordedConfig& config() const { return m_config; }
+
+private:
+    struct Commands {
+        bool playing = true;
+        bool loop = false;
+        double speed = 1.0;
+        std::optional<double> seek_s;
+    };
+
+    template <typename Change>
+    void command(const Change& change);
+    [[nodiscard]] Commands takeCommands();
+    void waitUntil(std::int64_t deadline_ns, const std::stop_token& stop);
+    void play(RecordedTrack& array, RecordedTrack* joints, const std::stop_token& stop);
+    [[nodiscard]] core::Expected<void> seekTo(RecordedTrack& array, RecordedTrack* joints, double time_s,
+                                              const std::stop_token& stop);
+    [[nodiscard]] core::Expected<void> playDue(RecordedTrack& array, RecordedTrack* joints,
+                                               const std::stop_token& stop);
+    void deliver(core::SampleBlock& block, const std::stop_token& stop);
+    void deliver(const RecordedTrack& joints, const std::stop_token& stop);
+    void append(core::SampleBlock& block, const RecordedTrack& array);
+    void endAs(core::DeviceState state, std::string message = {});
+    void anchorAt(std::int64_t time_ns);
+    [[nodiscard]] std::int64_t due_ns(std::int64_t time_ns) const;
+    [[nodiscard]] double period_ns() const;
+    [[nodiscard]] std::int64_t now_ns() const { return m_config.clock->now_ns(); }
+
+    RecordedConfig m_config;
+    recording::Recording::Extent m_extent; ///< of the array
+    std::int64_t m_start_ns;               ///< of the recording
+    core::SourceOutlet m_outlet;
+    core::BoundedQueue<core::JointSample> m_joints;
+    core::LatestCopy<std::int64_t> m_shown_ns; ///< time of the newest frame
+
+    mutable std::mutex m_mutex;
+    std::condition_variable m_condition;
+    Commands m_commands;      ///< guarded by m_mutex
+    bool m_commanded = false; ///< guarded by m_mutex: there is a command that was not taken
+
+    // The worker's own.
+    core::Wakeup* m_consumer = nullptr;
+    Commands m_active;
+    bool m_jumped = true; ///< before the next block
+    bool m_jointsJumped = true;
+    std::int64_t m_anchor_ns = 0;
+    std::int64_t m_anchorTime_ns = 0;
+    std::atomic<std::uint64_t> m_jointsRead{0};
+    std::uint64_t m_jointOverflowAtOpen = 0;
+};
+
+} // namespace teleta::replay

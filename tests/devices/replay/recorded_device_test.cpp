@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/recording/stream_columns.h"
+#include "devices/replay/recorded_device.h"
+#include "tests/backend/recording/recorded_files.h"
+#include "tests/devices/manual_clock.h"
+
+#include <limits>
+
+using namespace teleta;
+using namespace teleta::recording;
+using namespace teleta::test;
+
+namespace {
+
+constexpr std::int64_t kStart_ns = 5'000'000'000;
+constexpr std::int64_t kTenth_ns = 100'000'000;
+constexpr double kUnpacedSpeed = std::numeric_limits<double>::infinity();
+
+/// A recording of an array at 10 Hz, whose first taxel is the number of the frame, and of joints at 100 Hz,
+/// whose first angle is the number of the sample; both begin 1 s after the recording.
+class RecordedDeviceTest : public testing::Test {
+protected:
+    RecordedDeviceTest() { makeApplication(); }
+    ~RecordedDeviceTest() override {
+        m_array.reset();
+        m_arm.reset();
+    }
+
+    void write(int frames) {
+        auto recorder = Recorder::start(path(), headAt(kStart_ns), {.simulatedTime = true}).value();
+        const auto array = recorder->addStream(arrayInfo());
+        const auto joints = recorder->addStream(jointStream(100.0));
+        const std::int64_t first_ns = kStart_ns + 1'000'000'000;
+        for (int i = 0; i < frames; ++i) {
+            appendFrame(*array, first_ns + i * kTenth_ns, static_cast<float>(i));
+            for (int k = 0; k < 10 && i + 1 < frames; ++k) {
+                core::JointSample sample;
+                sample.angle_rad[0] = 10 * i + k;
+                sample.torque_Nm[3] = 0.5;
+                const auto values = jointValues(sample);
+                joints->append(first_ns + i * kTenth_ns + k * kTenth_ns / 10, 0.0,
+                               std::span<const double>(values));
+            }
+        }
+        ASSERT_TRUE(recorder->stop());
+    }
+
+    void open(bool arm = false, double speed = 1.0) {
+        replay::RecordedConfig config;
+        config.speed = speed;
+        config.path = path();
+        config.array.layout = {.rows = 2, .columns = 3, .pitch_m = 0.01};
+        config.clock = m_clock;
+        if (arm)
+            config.jointStream = 1;
+        auto player = replay::RecordedPlayer::open(std::move(config));
+        ASSERT_TRUE(player) << core::describe(player.error());
+        m_array = std::make_unique<replay::RecordedArray>(*player);
+        m_arm = std::make_unique<replay::RecordedArm>(*player);
+        m_array->start(m_wakeup);
+        m_arm->start(m_wakeup);
+        m_clock->settle();
+    }
+
+    std::vector<float> received() {
+        std::vector<float> values;
+        core::SampleBlock block;
+        while (m_array->blocks().pop(block)) {
+            m_jumps += block.discontinuity ? 1 : 0;
+            for (std::size_t i = 0; i < block.frames(); ++i) {
+                values.push_back(block.frame(i)[0]);
+                m_time_ns.push_back(block.time_ns[i]);
+                m_sourceTime_s.push_back(block.sourceTime_s[i]);
+            }
+        }
+        return values;
+    }
+
+    /// Waits for so many frames.
+    std::vector<float> take(std::size_t count) {
+        std::vector<float> values;
+        EXPECT_TRUE(eventually(m_wakeup, [&] {
+            const std::vector<float> more = received();
+            values.insert(values.end(), more.begin(), more.end());
+            return values.size() >= count;
+        }));
+        return values;
+    }
+
+    bool comesTo(core::DeviceState state) {
+        return eventually(m_wakeup, [&] { return m_array->status().state == state; });
+    }
+
+    [[nodiscard]] std::string path() const { return m_folder.path("run.teleta"); }
+
+    TemporaryFolder m_folder;
+    std::shared_ptr<ManualClock> m_clock = std::make_shared<ManualClock>();
+    core::Wakeup m_wakeup;
+    std::unique_ptr<replay::RecordedArray> m_array;
+    std::unique_ptr<replay::RecordedArm> m_arm;
+    int m_jumps = 0;
+    std::vector<std::int64_t> m_time_ns;
+    std::vector<double> m_sourceTime_s;
+};
+
+using Values = std::vector<float>;
+
+} // namespace
+
+TEST_F(RecordedDeviceTest, framesComeWhenTheyAreDueAndTheEndIsTold) {
+    write(4);
+    open();
+    EXPECT_EQ(received(), Values{0.0F});
+    m_clock->advance(kTenth_ns - 1);
+    EXPECT_EQ(received(), Values{});
+    m_clock->advance(1);
+    EXPECT_EQ(received(), Values{1.0F});
+    EXPECT_EQ(m_array->status().state, core::DeviceState::live);
+    m_clock->advance(2 * kTenth_ns);
+    EXPECT_EQ(received(), (Values{2.0F, 3.0F}));
+    EXPECT_TRUE(comesTo(core::DeviceState::finished));
+    EXPECT_EQ(m_array->status().framesRead, 4U);
+    EXPECT_EQ(m_jumps, 1) << "the beginning";
+    EXPECT_EQ(m_time_ns[3] - m_time_ns[2], kTenth_ns) << "as they were due";
+    EXPECT_DOUBLE_EQ(m_sourceTime_s[0], 1.0) << "since the recording's start";
+    EXPECT_DOUBLE_EQ(m_sourceTime_s[3], 1.3);
+}
+
+TEST_F(RecordedDeviceTest, anArmIsPlayedInStepWithItsSkin) {
+    write(4);
+    open(true);
+    m_clock->advance(kTenth_ns);
+    core::JointSample sample;
+    std::vector<double> angles;
+    std::int64_t last_ns = 0;
+    while (m_arm->joints().pop(sample)) {
+        angles.push_back(sample.angle_rad[0]);
+        EXPECT_EQ(sample.discontinuity, angles.size() == 1);
+        EXPECT_EQ(sample.torque_Nm[3], 0.5);
+        last_ns = sample.time_ns;
+    }
+    ASSERT_EQ(angles.size(), 11U);
+    EXPECT_EQ(angles.back(), 10.0);
+    EXPECT_EQ(received(), (Values{0.0F, 1.0F}));
+    EXPECT_EQ(last_ns, m_time_ns.back()) << "the sample and the frame of the same instant";
+    EXPECT_EQ(m_arm->status().framesRead, 11U);
+}
+
+TEST_F(RecordedDeviceTest, speedPauseSeekStepAndLoopAreControlled) {
+    write(10);
+    open(false, 2.0);
+    m_clock->advance(kTenth_ns); // twice as fast: two frames
+    EXPECT_EQ(received(), (Values{0.0F, 1.0F, 2.0F}));
+    m_array->pause();
+    ASSERT_TRUE(comesTo(core::DeviceState::paused));
+    m_clock->advance(10 * kTenth_ns);
+    EXPECT_EQ(received(), Values{});
+    m_array->seek(0.65);
+    EXPECT_EQ(take(1), Values{7.0F});
+    EXPECT_NEAR(m_array->position().time_s, 0.7, 1e-9);
+    EXPECT_NEAR(m_array->position().duration_s, 0.9, 1e-9);
+    EXPECT_EQ(m_array->position().frame, 7U);
+    EXPECT_EQ(m_array->position().frames, 10U);
+    m_array->step(-2);
+    EXPECT_EQ(take(1), Values{5.0F});
+    m_array->step(1);
+    EXPECT_EQ(take(1), Values{6.0F});
+    m_array->seek(100.0);
+    EXPECT_EQ(take(1), Values{9.0F});
+    m_array->setLoop(true);
+    m_array->setSpeed(1.0);
+    m_array->play();
+    ASSERT_TRUE(comesTo(core::DeviceState::live));
+    m_clock->advance(kTenth_ns); // the seam is a period long
+    EXPECT_EQ(take(1), Values{0.0F});
+    m_clock->advance(kTenth_ns);
+    EXPECT_EQ(take(1), Values{1.0F});
+    EXPECT_EQ(received(), Values{});
+}
+
+TEST_F(RecordedDeviceTest, anUnpacedPlaybackWaitsForItsConsumerAndLosesNothing) {
+    write(500);
+    replay::RecordedConfig config;
+    config.speed = kUnpacedSpeed;
+    config.queueBlocks = 2;
+    config.path = path();
+    config.array.layout = {.rows = 2, .columns = 3, .pitch_m = 0.01};
+    config.clock = std::make_shared<core::PacingClock>();
+    auto player = replay::RecordedPlayer::open(config);
+    ASSERT_TRUE(player);
+    m_array = std::make_unique<replay::RecordedArray>(*player);
+    m_array->start(m_wakeup);
+    Values all;
+    while (all.size() < 500 && m_array->status().state != core::DeviceState::lost) {
+        const Values some = received();
+        all.insert(all.end(), some.begin(), some.end());
+        std::this_thread::yield();
+    }
+    for (std::size_t i = 0; i < all.size(); ++i)
+        ASSERT_EQ(all[i], static_cast<float>(i));
+    EXPECT_EQ(m_array->status().framesLost, 0U);
+}
+
+TEST_F(RecordedDeviceTest, aDamagedBlockIsPassedOver) {
+    write(10);
+    askFile(path(), QStringLiteral("UPDATE block SET data = x'00' WHERE stream = 2"));
+    open(true);
+    for (int i = 0; i < 9; ++i)
+        m_clock->advance(kTenth_ns);
+    EXPECT_TRUE(comesTo(core::DeviceState::finished));
+    EXPECT_EQ(received().size(), 10U);
+    EXPECT_EQ(m_arm->status().framesRead, 0U);
+}
+
+TEST_F(RecordedDeviceTest, aRecordingWithoutFramesIsRefused) {
+    {
+        auto recorder = Recorder::start(path(), headAt(kStart_ns), {.simulatedTime = true}).value();
+        (void)recorder->addStream(arrayInfo());
+        ASSERT_TRUE(recorder->stop());
+    }
+    replay::RecordedConfig config;
+    config.path = path();
+    const auto player = replay::RecordedPlayer::open(config);
+    ASSERT_FALSE(player);
+    EXPECT_EQ(player.error().kind, core::ErrorKind::refused);
+}
