@@ -77,6 +77,8 @@ private:
     }
 
     void checkForm(const Ring& ring) {
+        if (ring.turns <= 0)
+            return; // plays nothing
         const double turn_s = ring.duration_s / ring.turns;
         const double possible = std::floor(ring.duration_s / kShortestTurn_s + kRounding);
         if (turn_s < kShortestTurn_s - kRounding) {

@@ -161,7 +161,7 @@ double onsetOf_s(const Sweep& sweep) {
 }
 
 double onsetOf_s(const Ring& ring) {
-    return ring.duration_s / (static_cast<double>(kRing) * ring.turns);
+    return ring.turns > 0 ? ring.duration_s / (static_cast<double>(kRing) * ring.turns) : 0.0;
 }
 
 double burstOf_s(const Ring& ring) {

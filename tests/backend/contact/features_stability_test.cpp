@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/contact/tactile_features.h"
 #include "tests/backend/contact/contact_frames.h"
-#include "tests/support/floating_point_traps.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
@@ -13,7 +12,6 @@
 using namespace teleta::contact;
 using namespace teleta::contact::test;
 using teleta::core::ArrayLayout;
-using teleta::test::FloatingPointTraps;
 
 namespace {
 
@@ -215,7 +213,6 @@ TEST(FeaturesStability, followAMirrorAndAQuarterTurn) {
 
 TEST(FeaturesStability, scaleFromTinyToHugeLoads) {
     std::mt19937 random(36);
-    FloatingPointTraps traps;
     for (FeatureSettings settings : allSettings()) {
         for (int trial = 0; trial < 50; ++trial) {
             const Frame frame = randomFrame(random, kPaperArray, 0.3);
@@ -239,7 +236,6 @@ TEST(FeaturesStability, scaleFromTinyToHugeLoads) {
 }
 
 TEST(FeaturesStability, theAngleIsInItsRangeForEveryPairOfTaxels) {
-    FloatingPointTraps traps;
     for (const OrientationMode mode : {OrientationMode::binarised, OrientationMode::weighted}) {
         for (std::size_t i = 0; i < 84; ++i) {
             for (std::size_t j = i + 1; j < 84; ++j) {
@@ -265,7 +261,6 @@ TEST(FeaturesStability, theAngleIsInItsRangeForEveryPairOfTaxels) {
 }
 
 TEST(FeaturesStability, arraysOfOneTaxelAndOf256By256HaveTheirClosedForms) {
-    FloatingPointTraps traps;
     const TactileFeatures one = featuresOf(block({1, 1, 0.001}, 0, 0, 0, 0, 1.0F));
     EXPECT_EQ(one.type, ContactType::point);
     EXPECT_EQ(*one.copX_m, 0.0);
@@ -293,7 +288,6 @@ TEST(FeaturesStability, arraysOfOneTaxelAndOf256By256HaveTheirClosedForms) {
 TEST(FeaturesStability, oneTaxelThatOutweighsAllOthersCancelsNowhere) {
     // Loads 1e12 and two of 1: covariance about the heavy taxel; closed form to first order in 1e-12:
     // denominator F - sum f^2/F = 2 w (1 + ...) with w = 2 the light loads together, so 4.
-    FloatingPointTraps traps;
     Frame frame;
     frame.at(2, 6) = 1e12F;
     frame.at(2, 8) = 1.0F;

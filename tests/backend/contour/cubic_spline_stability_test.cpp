@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/contour/cubic_spline.h"
 #include "tests/backend/contour/contour_points.h"
-#include "tests/support/floating_point_traps.h"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +26,6 @@ double largestCurvature_perM(const CubicSpline& spline) {
 } // namespace
 
 TEST(CubicSplineStability, refusesNoPointsAndCoordinatesThatAreNotFinite) {
-    const test::FloatingPointTraps traps;
     for (const auto kind : kKinds)
         for (const bool closed : {false, true}) {
             EXPECT_FALSE(CubicSpline::fit({}, kind, closed).has_value());
@@ -39,7 +37,6 @@ TEST(CubicSplineStability, refusesNoPointsAndCoordinatesThatAreNotFinite) {
 }
 
 TEST(CubicSplineStability, onePointIsACurveThatStaysThere) {
-    const test::FloatingPointTraps traps;
     const Points points = {{0.3, -0.2}};
     for (const auto kind : kKinds)
         for (const bool closed : {false, true}) {
@@ -53,7 +50,6 @@ TEST(CubicSplineStability, onePointIsACurveThatStaysThere) {
 }
 
 TEST(CubicSplineStability, twoPointsAreASegmentAndClosedTheSegmentThereAndBack) {
-    const test::FloatingPointTraps traps;
     const Points points = {{0.0, 0.0}, {0.3, 0.4}};
     for (const auto kind : kKinds) {
         const auto open = CubicSpline::fit(points, kind, false);
@@ -66,7 +62,6 @@ TEST(CubicSplineStability, twoPointsAreASegmentAndClosedTheSegmentThereAndBack) 
 }
 
 TEST(CubicSplineStability, threePointsOfAClosedCurveSolveTheCyclicSystem) {
-    const test::FloatingPointTraps traps;
     // The circulant (1 4 1)/6 of three points on a circle scales them by 3/(2 + cos 120 deg) = 2.
     const Points points = circlePoints(3, 0.04);
     const auto spline = CubicSpline::fit(points, SplineKind::interpolating, true);
@@ -75,7 +70,6 @@ TEST(CubicSplineStability, threePointsOfAClosedCurveSolveTheCyclicSystem) {
 }
 
 TEST(CubicSplineStability, pointsThatRepeatHaveNoCurvatureWhereTheCurveStandsStill) {
-    const test::FloatingPointTraps traps;
     for (const auto kind : kKinds) {
         const Points same(5, Point(0.1, 0.2));
         const auto standing = CubicSpline::fit(same, kind, true);
@@ -94,7 +88,6 @@ TEST(CubicSplineStability, pointsThatRepeatHaveNoCurvatureWhereTheCurveStandsSti
 }
 
 TEST(CubicSplineStability, collinearPointsHaveNoCurvatureInAnyDirectionAtAnyScale) {
-    const test::FloatingPointTraps traps;
     std::mt19937_64 engine(11);
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
     for (const double scale : {1e-12, 1e-9, 1e-3, 1.0, 1e3, 1e12})
@@ -113,7 +106,6 @@ TEST(CubicSplineStability, collinearPointsHaveNoCurvatureInAnyDirectionAtAnyScal
 }
 
 TEST(CubicSplineStability, aCuspHasCurvatureZeroAndALength) {
-    const test::FloatingPointTraps traps;
     // Symmetric about the y axis; with u = v = 1/2 the derivative (c2 - c0)/8 + 3(c2 - c1)/4 + ... vanishes
     // when c3 - c0 = -5 (c2 - c1): the middle of the segment is a cusp.
     const Points control = {{5.0, 0.0}, {-1.0, 1.0}, {1.0, 1.0}, {-5.0, 0.0}};
@@ -135,7 +127,6 @@ TEST(CubicSplineStability, aCuspHasCurvatureZeroAndALength) {
 }
 
 TEST(CubicSplineStability, pointsANanometreAndAKilometreApartInOneContourGiveFiniteCurves) {
-    const test::FloatingPointTraps traps;
     const Points mixed = {{0.0, 0.0},   {1e-9, 0.0},         {1e-9, 1e-9},
                           {1e3, 0.5e3}, {1e3, 0.5e3 + 1e-9}, {0.0, 1e3}};
     for (const auto kind : kKinds)
@@ -151,7 +142,6 @@ TEST(CubicSplineStability, pointsANanometreAndAKilometreApartInOneContourGiveFin
 }
 
 TEST(CubicSplineStability, resultsScaleFrom1e12ToItsInverse) {
-    const test::FloatingPointTraps traps;
     for (const double scale : {1e-12, 1e-9, 1e-6, 1e-3, 1.0, 1e3, 1e6, 1e12})
         for (const auto kind : kKinds) {
             const auto unit = CubicSpline::fit(circlePoints(24), kind, true);
@@ -165,7 +155,6 @@ TEST(CubicSplineStability, resultsScaleFrom1e12ToItsInverse) {
 }
 
 TEST(CubicSplineStability, curvatureFarFromTheOriginLosesOnlyWhatTheCoordinatesLost) {
-    const test::FloatingPointTraps traps;
     // Shifted by s the coordinates keep s * eps; second differences of points 2 pi R/24 apart see it as
     // s * eps / (R (2 pi/24)^2) of the curvature.
     for (double shift_m = 1.0; shift_m < 1e9; shift_m *= 10.0) {
@@ -178,7 +167,6 @@ TEST(CubicSplineStability, curvatureFarFromTheOriginLosesOnlyWhatTheCoordinatesL
 }
 
 TEST(CubicSplineStability, movesAndTurnsWithItsPointsAndKeepsItsCurvature) {
-    const test::FloatingPointTraps traps;
     const Points points = {{0.0, 0.0}, {0.02, 0.01}, {0.03, 0.04}, {0.01, 0.05}, {-0.02, 0.02}};
     const Points turned = moved(points, 1.0, 0.7, {0.3, -0.1});
     for (const auto kind : kKinds)
@@ -197,7 +185,6 @@ TEST(CubicSplineStability, movesAndTurnsWithItsPointsAndKeepsItsCurvature) {
 }
 
 TEST(CubicSplineStability, aClosedCurveDoesNotDependOnWhereItsPointsBegin) {
-    const test::FloatingPointTraps traps;
     Points points = {{0.0, 0.0}, {0.02, 0.01}, {0.03, 0.04}, {0.01, 0.05}, {-0.02, 0.02}};
     for (const auto kind : kKinds) {
         const auto one = CubicSpline::fit(points, kind, true);
@@ -217,7 +204,6 @@ TEST(CubicSplineStability, aClosedCurveDoesNotDependOnWhereItsPointsBegin) {
 }
 
 TEST(CubicSplineStability, aContourTraversedTwiceIsTheSameCurveTwice) {
-    const test::FloatingPointTraps traps;
     const Points once = circlePoints(16, 0.03);
     Points twice = once;
     twice.insert(twice.end(), once.begin(), once.end());
@@ -231,7 +217,6 @@ TEST(CubicSplineStability, aContourTraversedTwiceIsTheSameCurveTwice) {
 }
 
 TEST(CubicSplineStability, aMillionRandomPointsAreInterpolatedToRounding) {
-    const test::FloatingPointTraps traps;
     std::mt19937_64 engine(12);
     std::uniform_real_distribution<double> coordinate(-1.0, 1.0);
     Points points(1'000'000);

@@ -2,7 +2,6 @@
 #include "backend/contour/polygon.h"
 #include "backend/contour/shape_recogniser.h"
 #include "tests/backend/contour/random_shapes.h"
-#include "tests/support/floating_point_traps.h"
 
 #include <gtest/gtest.h>
 
@@ -50,7 +49,6 @@ std::vector<Named> examples(double noise_m = 0.0005) {
 } // namespace
 
 TEST(ShapeRecogniserStability, noneToThreePointsHaveDefinedAnswers) {
-    const test::FloatingPointTraps traps;
     const auto none = recogniseShape({});
     EXPECT_EQ(none->shape, Shape::unknown);
     EXPECT_EQ(none->confidence, 0.0);
@@ -73,7 +71,6 @@ TEST(ShapeRecogniserStability, noneToThreePointsHaveDefinedAnswers) {
 }
 
 TEST(ShapeRecogniserStability, pointsThatRepeatAreAPointOrTheShapeOfThePlaces) {
-    const test::FloatingPointTraps traps;
     for (const std::size_t count : {2U, 3U, 7U, 500U}) {
         const auto same = recogniseShape(Points(count, Point(-0.3, 0.2)));
         EXPECT_EQ(same->shape, Shape::point);
@@ -92,7 +89,6 @@ TEST(ShapeRecogniserStability, pointsThatRepeatAreAPointOrTheShapeOfThePlaces) {
 }
 
 TEST(ShapeRecogniserStability, aClusterWithAFarPointIsAPointWithAnOutlier) {
-    const test::FloatingPointTraps traps;
     Points points(8, Point(0.1, 0.1));
     points[3] = {0.6, 0.1};
     const auto exact = recogniseShape(points);
@@ -104,7 +100,6 @@ TEST(ShapeRecogniserStability, aClusterWithAFarPointIsAPointWithAnOutlier) {
 }
 
 TEST(ShapeRecogniserStability, coordinatesThatAreNotFiniteAreRefused) {
-    const test::FloatingPointTraps traps;
     for (const double bad :
          {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), -1e200}) {
         Points points = circlePoints(12, 0.05);
@@ -116,7 +111,6 @@ TEST(ShapeRecogniserStability, coordinatesThatAreNotFiniteAreRefused) {
 }
 
 TEST(ShapeRecogniserStability, collinearPointsAreALineInEveryDirectionAndSpacing) {
-    const test::FloatingPointTraps traps;
     std::mt19937_64 engine(31);
     std::uniform_real_distribution<double> uniform(0.0, 1.0);
     for (int repeat = 0; repeat < 50; ++repeat) {
@@ -134,7 +128,6 @@ TEST(ShapeRecogniserStability, collinearPointsAreALineInEveryDirectionAndSpacing
 }
 
 TEST(ShapeRecogniserStability, shapesScaleWithTheResolutionFrom1e12ToItsInverse) {
-    const test::FloatingPointTraps traps;
     for (const Named& example : examples()) {
         const auto unit = recogniseShape(example.points);
         ASSERT_EQ(unit->shape, example.shape);
@@ -150,7 +143,6 @@ TEST(ShapeRecogniserStability, shapesScaleWithTheResolutionFrom1e12ToItsInverse)
 }
 
 TEST(ShapeRecogniserStability, shapesTurnAndMoveWithTheirPoints) {
-    const test::FloatingPointTraps traps;
     for (const Named& example : examples()) {
         const auto here = recogniseShape(example.points);
         for (const double angle_rad : {0.4, 1.6, 3.0, 5.5}) {
@@ -170,7 +162,6 @@ TEST(ShapeRecogniserStability, shapesTurnAndMoveWithTheirPoints) {
 }
 
 TEST(ShapeRecogniserStability, theStartAndTheDirectionOfExplorationDoNotMatter) {
-    const test::FloatingPointTraps traps;
     for (const Named& example : examples()) {
         const bool open = example.shape == Shape::arc || example.shape == Shape::line;
         const auto usual = recogniseShape(example.points);
@@ -190,7 +181,6 @@ TEST(ShapeRecogniserStability, theStartAndTheDirectionOfExplorationDoNotMatter) 
 }
 
 TEST(ShapeRecogniserStability, aContourTraversedTwiceOrBackAndForthIsTheSameShape) {
-    const test::FloatingPointTraps traps;
     for (const Named& example : examples()) {
         const Points again = noisy(example.points, 0.0005, 77);
         Points twice = example.points;
@@ -205,7 +195,6 @@ TEST(ShapeRecogniserStability, aContourTraversedTwiceOrBackAndForthIsTheSameShap
 }
 
 TEST(ShapeRecogniserStability, anOutlierDoesNotChangeTheShape) {
-    const test::FloatingPointTraps traps;
     for (const Named& example : examples())
         for (const double distance_m : {0.03, 0.1, 1.0, 1e3})
             for (const std::size_t place : {0U, 4U, 13U}) {
@@ -218,7 +207,6 @@ TEST(ShapeRecogniserStability, anOutlierDoesNotChangeTheShape) {
 }
 
 TEST(ShapeRecogniserStability, noiseOfFivePercentLeavesTheShapesOfDenseContours) {
-    const test::FloatingPointTraps traps;
     const std::vector<Named> dense = {
         {Shape::circle, noisy(circlePoints(60, 0.05), 0.005, 1)},
         {Shape::rectangle, noisy(evenly({{0, 0}, {0.1, 0}, {0.1, 0.07}, {0, 0.07}}, true, 60), 0.005, 2)},
@@ -230,7 +218,6 @@ TEST(ShapeRecogniserStability, noiseOfFivePercentLeavesTheShapesOfDenseContours)
 }
 
 TEST(ShapeRecogniserStability, pointsANanometreOrAKilometreApartHaveAShape) {
-    const test::FloatingPointTraps traps;
     RecognitionSettings nanometre;
     nanometre.resolution_m = 1e-10;
     EXPECT_EQ(recogniseShape(circlePoints(24, 4e-9), nanometre)->shape, Shape::circle);
@@ -246,7 +233,6 @@ TEST(ShapeRecogniserStability, pointsANanometreOrAKilometreApartHaveAShape) {
 }
 
 TEST(ShapeRecogniserStability, theCurvatureOfAnArcMayVanishOverTwelveDecades) {
-    const test::FloatingPointTraps traps;
     // 0.1 m of a circle of growing radius: first an arc, then a line, never anything else. The radius is
     // found as long as the sagitta is above the rounding of the coordinates.
     bool line = false;
@@ -271,14 +257,12 @@ TEST(ShapeRecogniserStability, theCurvatureOfAnArcMayVanishOverTwelveDecades) {
 }
 
 TEST(ShapeRecogniserStability, manyPointsAreThinnedAndRecognised) {
-    const test::FloatingPointTraps traps;
     EXPECT_EQ(recogniseShape(circlePoints(100'000, 0.05))->shape, Shape::circle);
     EXPECT_EQ(recogniseShape(evenly({{0, 0}, {0.08, 0}, {0.08, 0.05}, {0, 0.05}}, true, 20'000))->shape,
               Shape::rectangle);
 }
 
 TEST(ShapeRecogniserStability, randomCloudsRaiseNoFloatingPointException) {
-    const test::FloatingPointTraps traps;
     std::mt19937_64 engine(41);
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
     for (int repeat = 0; repeat < 300; ++repeat) {

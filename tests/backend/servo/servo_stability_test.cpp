@@ -36,7 +36,6 @@ struct Press {
 } // namespace
 
 TEST(ServoHardCases, anEmptyFrameMovesOnlyTheFreeMotion) {
-    const teleta::test::FloatingPointTraps traps;
     Bed bed;
     ServoController free = controllerOf(freeMotion(0.01));
     const ServoOutput down = free.step(inputOf(bed.features()));
@@ -49,7 +48,6 @@ TEST(ServoHardCases, anEmptyFrameMovesOnlyTheFreeMotion) {
 }
 
 TEST(ServoHardCases, oneActiveTaxelHasAPlaceAndAForceButNoDirection) {
-    const teleta::test::FloatingPointTraps traps;
     Bed bed;
     bed.at(4, 9) = 1.0F;
     const auto f = bed.features();
@@ -62,7 +60,6 @@ TEST(ServoHardCases, oneActiveTaxelHasAPlaceAndAForceButNoDirection) {
 }
 
 TEST(ServoHardCases, anIsotropicBlobIsNotTurned) {
-    const teleta::test::FloatingPointTraps traps;
     Bed bed;
     const auto f = bed.ball(5.0, 2, 6);
     ASSERT_FALSE(f.alphaZ_rad.has_value());
@@ -139,6 +136,7 @@ TEST(ServoHardCases, aSecondWithoutAFrameCountsAsTheLongestStep) {
 }
 
 TEST(ServoHardCases, numbersThatAreNoneMoveNothing) {
+    const teleta::test::WithoutFloatingPointTraps noNumbers;
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinity = std::numeric_limits<double>::infinity();
     const auto good = feel(ContactType::edge, 4.0, 0.0, 0.0, 0.0, 0.0);

@@ -3,7 +3,6 @@
 #include "backend/stiffness/contact_detector.h"
 #include "backend/stiffness/stiffness_estimator.h"
 #include "tests/backend/stiffness/simulated_touch.h"
-#include "tests/support/floating_point_traps.h"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +29,6 @@ TouchSettings at(double contactDistance_m, Method method) {
 
 tl::expected<TouchStiffness, Refusal> estimate(const std::vector<JointSample>& log,
                                                const TouchSettings& settings) {
-    const teleta::test::FloatingPointTraps traps;
     return estimateStiffness(log, settings);
 }
 
@@ -374,7 +372,6 @@ TEST(StiffnessStability, aMillionSamplesLoseNoDigits) {
 }
 
 TEST(ContactDetectorStability, tenMillionSamplesOfNoiseAreNoContact) {
-    const teleta::test::FloatingPointTraps traps;
     ContactDetector detector;
     std::mt19937_64 random(1);
     std::uint64_t contacts = 0;
@@ -387,7 +384,6 @@ TEST(ContactDetectorStability, tenMillionSamplesOfNoiseAreNoContact) {
 }
 
 TEST(ContactDetectorStability, nonFiniteReadingsRaiseNothingAndChangeNothing) {
-    const teleta::test::FloatingPointTraps traps;
     const double infinity = std::numeric_limits<double>::infinity();
     const double nan = std::numeric_limits<double>::quiet_NaN();
     ContactDetector detector({.threshold_Nm = nan, .noiseFloor_Nm = nan, .capacity = 10});
@@ -398,7 +394,6 @@ TEST(ContactDetectorStability, nonFiniteReadingsRaiseNothingAndChangeNothing) {
 }
 
 TEST(MaterialStability, anyNumberHasAClass) {
-    const teleta::test::FloatingPointTraps traps;
     EXPECT_EQ(classify(std::numeric_limits<double>::quiet_NaN()), Material::metal);
     EXPECT_EQ(classify(std::numeric_limits<double>::infinity()), Material::metal);
     EXPECT_EQ(classify(std::numeric_limits<double>::denorm_min()), Material::sponge);

@@ -37,7 +37,7 @@ double mean(const std::vector<double>& values) {
     double sum = 0.0;
     for (const double value : values)
         sum += value;
-    return sum / static_cast<double>(values.size());
+    return values.empty() ? std::nan("") : sum / static_cast<double>(values.size());
 }
 
 /// Fingers of 6 to 14 mm radius, 0.6 to 1.6 mm deep, anywhere from 5 mm to 95 mm, that drag the skin a
