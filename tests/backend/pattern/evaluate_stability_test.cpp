@@ -117,7 +117,10 @@ TEST(EvaluateStability, objectsWithoutTimeOrTactorsAreOff) {
 TEST(EvaluateStability, ringsWithoutTurnsAreOffAndWithManyTurnsAreOn) {
     expectOff(withObject(Ring{0.0, 1.0, 0, 0, true, std::nullopt, 1.0}), 0.5);
     expectOff(withObject(Ring{0.0, 1.0, -3, 0, true, std::nullopt, 1.0}), 0.5);
-    expectOff(withObject(Ring{0.0, 1.0, 3, 0, true, kNan, 1.0}), 0.5);
+    {
+        const teleta::test::WithoutFloatingPointTraps noNumber;
+        expectOff(withObject(Ring{0.0, 1.0, 3, 0, true, kNan, 1.0}), 0.5);
+    }
     expectOff(withObject(Ring{0.0, 1.0, 3, 0, true, -1.0, 1.0}), 0.5);
     const teleta::core::Intensities most =
         evaluate(withObject(Ring{0.0, 1.0, std::numeric_limits<int>::max(), 0, true, 1e-3, 1.0}), 0.01);
