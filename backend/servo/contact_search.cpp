@@ -12,6 +12,10 @@ constexpr double kSliding_mPerS = 1e-4;
 /// The sensor is at its target.
 constexpr double kThere_m = 1e-6;
 constexpr double kTurn_radPerS = 0.2;
+/// A target that is not reached within so many times the time of the way there, and so much longer, is out of
+/// reach.
+constexpr double kPatience = 2.0;
+constexpr double kPatience_s = 0.5;
 
 } // namespace
 
@@ -42,6 +46,7 @@ void ContactSearch::begin() {
     m_running = true;
     m_stage = Stage::retreat;
     m_probe = 0;
+    m_left_s.reset();
 }
 
 void ContactSearch::reset() {
@@ -75,14 +80,15 @@ void ContactSearch::advance(const SearchSettings& settings) {
 Twist ContactSearch::step(const Eigen::Isometry3d& X_Base_Sensor_commanded, double dt_s,
                           const SearchSettings& settings) {
     Twist difference = poseDifference(X_Base_Sensor_commanded, target(settings));
-    if (!exhausted() && difference.head<3>().norm() < kThere_m) {
+    if (!exhausted() && (difference.head<3>().norm() < kThere_m || m_left_s.value_or(dt_s) <= 0.0)) {
         advance(settings);
+        m_left_s.reset();
         difference = poseDifference(X_Base_Sensor_commanded, target(settings));
     }
-    const double way_m = difference.head<3>().norm();
-    const double turn_rad = difference.tail<3>().norm();
-    const double needed_s = std::max({way_m / settings.speed_mPerS, turn_rad / kTurn_radPerS, dt_s});
-    return difference / needed_s;
+    const double way_s = std::max(difference.head<3>().norm() / settings.speed_mPerS,
+                                  difference.tail<3>().norm() / kTurn_radPerS);
+    m_left_s = m_left_s.value_or(kPatience * way_s + kPatience_s) - dt_s;
+    return difference / std::max(way_s, dt_s);
 }
 
 } // namespace teleta::servo

@@ -4,6 +4,7 @@
 #include "backend/servo/servo_task.h"
 
 #include <cstddef>
+#include <optional>
 
 namespace teleta::servo {
 
@@ -20,7 +21,9 @@ enum class ContactState {
 /// Retreat and bounded search after a contact was lost.
 /// Remembers the last measured pose with contact and the direction of the way. The sensor backs off from that
 /// pose along its own -z, goes forward to depth_m beyond it, back, one step back along the way, and so on; it
-/// never leaves the box that these bounds span. Thread: one; nothing allocates.
+/// never leaves the box that these bounds span. A place that limits keep it from, such as the end of a joint,
+/// is given up after twice the time of the way there and half a second, so every search ends. Thread: one;
+/// nothing allocates.
 class ContactSearch {
 public:
     /// Every frame with contact. X_Base_Sensor: measured; slide_Base: velocity of the sensor.
@@ -49,7 +52,8 @@ private:
     Eigen::Isometry3d m_X_Base_Last = Eigen::Isometry3d::Identity();
     Eigen::Vector3d m_back_Last = -Eigen::Vector3d::UnitX(); ///< against the way, in the surface
     Stage m_stage = Stage::retreat;
-    int m_probe = 0; ///< -1: all made
+    int m_probe = 0;                ///< -1: all made
+    std::optional<double> m_left_s; ///< for the current target; empty: it is new
 };
 
 } // namespace teleta::servo

@@ -7,6 +7,7 @@
 #include "backend/servo/cycle_times.h"
 #include "backend/servo/lwr_kinematics.h"
 #include "backend/servo/servo_controller.h"
+#include "backend/servo/servo_step.h"
 #include "backend/servo/servo_tuning.h"
 
 #include <array>
@@ -26,24 +27,24 @@ struct ServoReport {
     std::array<Eigen::Vector3d, kLwrJoints> p_Base_Joint{};
     double normalCompliance_mPerN = 1.0;       ///< of the running task: force is d_z over it
     ServoTuning tuning;                        ///< in use
+    TuningBounds bounds;                       ///< of what an operator may wish
     bool stopped = false;                      ///< STOP is engaged
     std::array<TaskKind, kLongestPlan> plan{}; ///< the tasks
     std::size_t tasks = 0;                     ///< how many of them there are
     CycleTimes times;                          ///< of a simulated servo since its start; no cycles: not known
     double rate_Hz = 0.0;                      ///< of the control cycles
-    std::uint64_t restarts = 0;                ///< of the world; what was explored before is of another run
+    std::uint64_t restarts = 0;                ///< of the world; the runs before this one
 };
 
 /// What the servo of a source and its operator tell each other.
-/// Thread: reports.back/publish, contacts.push, tuning.take and task.take by the source's worker;
-/// reports.update/front, contacts.pop, tuning.post and task.post by one operator (the GUI).
+/// Thread: reports.back/publish, steps.push, tuning.take and task.take by the source's worker;
+/// reports.update/front, steps.pop, tuning.post and task.post by one operator (the GUI).
 struct ServoLink {
-    static constexpr std::size_t kContacts = 8192;
+    static constexpr std::size_t kSteps = 16384;
 
     core::LatestExchange<ServoReport> reports;
-    /// Centre of contact of each servo step in which an edge was followed, in the base; what does not fit is
-    /// counted.
-    core::BoundedQueue<Eigen::Vector3d> contacts{kContacts};
+    /// Every servo step: at 100 Hz those of 160 s; what does not fit is counted.
+    core::BoundedQueue<ServoStep> steps{kSteps};
     core::Mailbox<ServoTuning> tuning;
     core::Mailbox<std::size_t> task; ///< begin this task of the plan now
 };

@@ -88,7 +88,8 @@ struct ServoTask {
     FeedForward feedForward;
     ServoLimits limits;
     /// Compliance from a commanded displacement along z to the force: arm and skin in series. With it d_z is
-    /// the way that the command has to go, and the gain of z is a bandwidth.
+    /// the way that the command has to go, and the gain of z is a bandwidth. As it is here: an arm of
+    /// 1000 N/m and 14 taxels of 1200 N/m.
     double normalCompliance_mPerN = 1.0 / 1000.0 + 1.0 / 16800.0;
     bool needsContact = true;      ///< without contact the sensor searches for it
     bool turnsAboutContact = true; ///< turns leave the contact where it is; false: about the sensor's centre

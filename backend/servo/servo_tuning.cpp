@@ -18,12 +18,20 @@ bool turnsByMoment(const ServoTask& task) {
 
 } // namespace
 
-ServoTuning clamped(const ServoTuning& tuning) {
+TuningBounds boundsOf(const ServoPlan& plan) {
+    const ServoTuning own = tuningOf(plan);
+    TuningBounds bounds;
+    bounds.leastForce_N = std::min(bounds.leastForce_N, own.force_N);
+    bounds.highestForce_N = std::max(bounds.highestForce_N, own.force_N);
+    bounds.highestSlide_mPerS = std::max(bounds.highestSlide_mPerS, own.slide_mPerS);
+    return bounds;
+}
+
+ServoTuning clamped(const ServoTuning& tuning, const TuningBounds& bounds) {
     const ServoTuning usual;
     ServoTuning result = tuning;
-    result.force_N =
-        within(tuning.force_N, ServoTuning::kLeastForce_N, ServoTuning::kHighestForce_N, usual.force_N);
-    result.slide_mPerS = within(tuning.slide_mPerS, 0.0, ServoTuning::kHighestSlide_mPerS, usual.slide_mPerS);
+    result.force_N = within(tuning.force_N, bounds.leastForce_N, bounds.highestForce_N, usual.force_N);
+    result.slide_mPerS = within(tuning.slide_mPerS, 0.0, bounds.highestSlide_mPerS, usual.slide_mPerS);
     result.gain = within(tuning.gain, ServoTuning::kLeastGain, ServoTuning::kHighestGain, usual.gain);
     return result;
 }
@@ -42,7 +50,7 @@ ServoTuning tuningOf(const ServoPlan& plan) {
 }
 
 ServoPlan tuned(const ServoPlan& plan, const ServoTuning& tuning) {
-    const ServoTuning wanted = clamped(tuning);
+    const ServoTuning wanted = clamped(tuning, boundsOf(plan));
     ServoPlan result = plan;
     const Vector6 highest = highestGain();
     const bool explores = std::any_of(plan.tasks.begin(), plan.tasks.end(),

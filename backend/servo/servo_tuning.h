@@ -21,15 +21,25 @@ struct ServoTuning {
     bool operator==(const ServoTuning&) const = default;
 };
 
-/// Within the bounds above; what is not finite becomes the default.
-[[nodiscard]] ServoTuning clamped(const ServoTuning& tuning);
+/// How far an operator may go with a plan: the usual bounds, and what the plan itself wants beyond them.
+struct TuningBounds {
+    double leastForce_N = ServoTuning::kLeastForce_N;
+    double highestForce_N = ServoTuning::kHighestForce_N;
+    double highestSlide_mPerS = ServoTuning::kHighestSlide_mPerS;
+
+    bool operator==(const TuningBounds&) const = default;
+};
+[[nodiscard]] TuningBounds boundsOf(const ServoPlan& plan);
+
+/// Within the bounds; what is not finite becomes the default.
+[[nodiscard]] ServoTuning clamped(const ServoTuning& tuning, const TuningBounds& bounds = {});
 
 /// What a plan is tuned to as it comes.
 [[nodiscard]] ServoTuning tuningOf(const ServoPlan& plan);
 
-/// A plan with other forces, sliding speed and gains; it stays good for check() when it was. The gain of a
-/// slide is that of its speed and not multiplied. Gains stop at highestGain(). Tasks without contact keep
-/// everything.
+/// A plan with other forces, sliding speed and gains, within its bounds; it stays good for check() when it
+/// was. The gain of a slide is that of its speed and not multiplied. Gains stop at highestGain(). Tasks
+/// without contact keep everything.
 [[nodiscard]] ServoPlan tuned(const ServoPlan& plan, const ServoTuning& tuning);
 
 } // namespace teleta::servo

@@ -38,6 +38,10 @@ core::Unexpected writeError(const QString& path, const QString& reason) {
 }
 
 void paintSvg(const Figure& figure, QIODevice& device) {
+    if (!figure.svg.isEmpty()) {
+        device.write(figure.svg);
+        return;
+    }
     QSvgGenerator svg;
     svg.setOutputDevice(&device);
     svg.setResolution(kScreen_dpi);

@@ -3,6 +3,7 @@
 
 #include "backend/core/error.h"
 
+#include <QByteArray>
 #include <QObject>
 #include <QSizeF>
 #include <QString>
@@ -22,6 +23,7 @@ struct Figure {
     QSizeF size_px;                       ///< at 96 dots per inch
     std::function<void(QPainter&)> paint; ///< vector drawing as far as it goes
     std::function<QString()> csv;         ///< header line and rows, C locale; empty when there are no data
+    QByteArray svg = {};                  ///< a whole SVG of the same picture; empty: what paint draws
 };
 
 /// Writes a figure. The file is complete or it is not there (written beside and renamed).

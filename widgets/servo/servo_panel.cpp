@@ -145,7 +145,7 @@ void ServoPanel::setReport(const std::optional<ServoReport>& report) {
     if (m_wish && same(*m_wish, report->tuning))
         m_wish.reset();
     if (!m_wish)
-        showTuning(report->tuning);
+        showTuning(report->tuning, report->bounds);
 }
 
 void ServoPanel::showTexts() {
@@ -197,11 +197,13 @@ void ServoPanel::showTasks() {
         m_tasks->setCurrentIndex(static_cast<int>(m_report->output.phase));
 }
 
-void ServoPanel::showTuning(const ServoTuning& tuning) {
+void ServoPanel::showTuning(const ServoTuning& tuning, const TuningBounds& bounds) {
     const QSignalBlocker force(m_force);
     const QSignalBlocker slide(m_slide);
     const QSignalBlocker gain(m_gain);
     const QSignalBlocker moment(m_moment);
+    m_force->setRange(bounds.leastForce_N, bounds.highestForce_N);
+    m_slide->setRange(0.0, 1e3 * bounds.highestSlide_mPerS);
     // Setting a value would take away what is being typed.
     if (!m_force->hasFocus())
         m_force->setValue(tuning.force_N);

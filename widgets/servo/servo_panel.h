@@ -51,7 +51,7 @@ private:
     void retranslate();
     void showTexts();
     void showTasks();
-    void showTuning(const ServoTuning& tuning);
+    void showTuning(const ServoTuning& tuning, const TuningBounds& bounds);
 
     QLabel* m_provenance;
     QLabel* m_task;

@@ -89,6 +89,15 @@ QString ServoTexts::cost(const CycleTimes& times, double rate_Hz) {
              share(CyclePart::control), share(CyclePart::dynamics));
 }
 
+QString ServoTexts::run(const QString& source, int number, bool unbalanced, bool balanced) {
+    const QString name =
+        number > 1 ? tr("%1, run %2", "a source, and which of its runs").arg(source).arg(number) : source;
+    if (!unbalanced)
+        return name;
+    return balanced ? tr("%1, partly without DZMP", "a run").arg(name)
+                    : tr("%1, without DZMP", "a run").arg(name);
+}
+
 QString ServoTexts::feature(int row, bool edge) {
     switch (row) {
     case kX:

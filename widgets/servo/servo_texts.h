@@ -21,6 +21,9 @@ public:
     [[nodiscard]] static QString limits(const ActiveLimits& limits);
     /// What a simulated cycle takes and on what it is spent; empty when no cycle was timed.
     [[nodiscard]] static QString cost(const CycleTimes& times, double rate_Hz);
+    /// Name of a run in a chart. number: among those of the same source. unbalanced, balanced: whether an
+    /// edge was explored without and with the moment.
+    [[nodiscard]] static QString run(const QString& source, int number, bool unbalanced, bool balanced);
     /// What row 0..5 of the features is, for an edge or a point.
     [[nodiscard]] static QString feature(int row, bool edge);
 };

@@ -16,11 +16,11 @@ namespace teleta::console {
 namespace {
 
 /// Version of the layouts: stored ones of another version are not restored.
-constexpr qint32 kLayoutVersion = 4;
+constexpr qint32 kLayoutVersion = 5;
 
 constexpr std::array<const char*, OperateDocks::kDocks> kNames{
     "heatmap", "reconstruction", "charts",  "processing", "stiffness", "bracelet", "joints", "touches",
-    "jog",     "feedback",       "contour", "servo",      "camera",    "events"};
+    "jog",     "feedback",       "contour", "servo",      "runs",      "camera",   "events"};
 
 } // namespace
 
@@ -75,7 +75,7 @@ bool OperateDocks::belongs(Kind kind, std::size_t dock) {
         return true;
     if (dock == camera || dock == events)
         return false;
-    return kind == (dock == servo ? Kind::servo : Kind::arm);
+    return kind == (dock == servo || dock == runs ? Kind::servo : Kind::arm);
 }
 
 QStringList OperateDocks::names() {
@@ -172,9 +172,11 @@ void OperateDocks::arrange() {
     if (m_kind == Kind::servo) {
         splitDockWidget(m_docks[heatmap], m_docks[charts], Qt::Vertical);
         splitDockWidget(m_docks[heatmap], m_docks[reconstruction], Qt::Horizontal);
+        tabifyDockWidget(m_docks[charts], m_docks[runs]);
         addDockWidget(Qt::RightDockWidgetArea, m_docks[servo]);
         tabifyDockWidget(m_docks[servo], m_docks[processing]);
-        show({heatmap, charts, reconstruction, servo, processing});
+        show({heatmap, charts, runs, reconstruction, servo, processing});
+        m_docks[charts]->raise();
         m_docks[servo]->raise();
         return;
     }
@@ -235,7 +237,7 @@ void OperateDocks::retranslate() {
                                              tr("Processing"), tr("Stiffness"),      tr("Bracelet"),
                                              tr("Joints"),     tr("Touches"),        tr("Jog"),
                                              tr("Feedback"),   tr("Contour"),        tr("Servo"),
-                                             tr("Camera"),     tr("Events")};
+                                             tr("Servo runs"), tr("Camera"),         tr("Events")};
     for (std::size_t i = 0; i < kDocks; ++i)
         m_docks[i]->setWindowTitle(titles[i]);
 }

@@ -37,10 +37,11 @@ public:
         feedback,
         contour,
         servo,
+        runs,
         camera,
         events
     };
-    static constexpr std::size_t kDocks = 14;
+    static constexpr std::size_t kDocks = 15;
     /// Whether a kind of source shows a dock.
     [[nodiscard]] static bool belongs(Kind kind, std::size_t dock);
 

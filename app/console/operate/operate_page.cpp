@@ -150,6 +150,7 @@ OperatePage::OperatePage(SourceManager& sources, core::StopSwitch& stop, QWidget
     connect(m_scene, &view3d::Scene3dView::failed, this, report);
     connect(m_arm, &ArmViews::exportFailed, this, report);
     connect(m_camera, &CameraViews::exportFailed, this, report);
+    connect(m_servo, &ServoViews::failed, this, report);
     connect(&m_arm->feedbackPanel(), &FeedbackPanel::failed, this, report);
     connect(m_bracelet, &BraceletStation::failed, this, &OperatePage::onBraceletFailed);
     connectPlayback();
@@ -268,7 +269,9 @@ void OperatePage::onActiveChanged() {
     // Before the arm, whose surface is to stay.
     const std::shared_ptr<servo::ServoLink> servo = item != nullptr ? item->servo : nullptr;
     if (servo != m_servo->servo())
-        m_servo->setServo(servo, servo ? provenanceOf(item->channel->description()) : base::Provenance::live);
+        m_servo->setServo(servo,
+                          servo ? QString::fromStdString(item->channel->description().name) : QString(),
+                          servo ? provenanceOf(item->channel->description()) : base::Provenance::live);
     const std::shared_ptr<pipeline::ArmChannel> arm = item != nullptr ? item->arm : nullptr;
     if (arm != m_arm->arm()) {
         m_arm->setArm(arm, arm ? provenanceOf(item->channel->description()) : base::Provenance::live);

@@ -2,6 +2,7 @@
 #include "app/console/operate/servo_views.h"
 
 #include "widgets/servo/servo_panel.h"
+#include "widgets/servo/servo_runs_view.h"
 #include "widgets/view3d/scene3d_view.h"
 
 #include <QScrollArea>
@@ -36,7 +37,9 @@ view3d::ArmLink between(const Eigen::Vector3d& from_m, const Eigen::Vector3d& to
 ServoViews::ServoViews(view3d::Scene3dView& scene, QWidget* parent)
     : QObject(parent)
     , m_scene(scene)
-    , m_panel(new servo::ServoPanel(parent)) {
+    , m_panel(new servo::ServoPanel(parent))
+    , m_runs(new servo::ServoRunsView(parent)) {
+    connect(m_runs, &servo::ServoRunsView::failed, this, &ServoViews::failed);
     connect(m_panel, &servo::ServoPanel::tuningChanged, this, [this](const servo::ServoTuning& tuning) {
         if (m_servo)
             m_servo->tuning.post(tuning);
@@ -54,17 +57,21 @@ void ServoViews::addTo(OperateDocks& docks) {
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setWidget(m_panel);
     docks.add(OperateDocks::servo, scroll);
+    docks.add(OperateDocks::runs, m_runs);
 }
 
-void ServoViews::setServo(std::shared_ptr<servo::ServoLink> servo, base::Provenance provenance) {
+void ServoViews::setServo(std::shared_ptr<servo::ServoLink> servo, const QString& name,
+                          base::Provenance provenance) {
     const bool had = m_servo != nullptr;
     m_servo = std::move(servo);
+    m_runs->setSource(name.toStdString(), m_servo.get());
     m_panel->setProvenance(provenance);
     m_panel->setReport(std::nullopt);
     if (!had && !m_servo)
         return;
-    m_edge_m.clear();
+    forgetEdge();
     m_edgeChanged = false;
+    m_run = 0;
     m_scene.setContour({}, {}, {}, {});
     m_scene.setArmLinks({});
     m_scene.setSensorPose(Eigen::Isometry3d::Identity());
@@ -74,12 +81,9 @@ void ServoViews::setServo(std::shared_ptr<servo::ServoLink> servo, base::Provena
 void ServoViews::tick() {
     if (!m_servo)
         return;
+    takeSteps();
+    m_runs->refresh();
     const bool news = m_servo->reports.update();
-    if (news && m_servo->reports.front().restarts != m_restarts) {
-        m_restarts = m_servo->reports.front().restarts;
-        forgetEdge();
-    }
-    takeContacts();
     if (!news)
         return;
     const servo::ServoReport& report = m_servo->reports.front();
@@ -87,24 +91,37 @@ void ServoViews::tick() {
     showArm(report);
 }
 
-void ServoViews::forgetEdge() {
-    Eigen::Vector3d old;
-    while (m_servo->contacts.pop(old)) {
-    }
-    m_edge_m.clear();
-    m_edgeChanged = true;
-}
-
-void ServoViews::takeContacts() {
-    Eigen::Vector3d p_Base_Contact;
-    while (m_servo->contacts.pop(p_Base_Contact)) {
-        if (!m_edge_m.empty() && (p_Base_Contact - m_edge_m.back()).norm() < kSpacing_m)
-            continue;
-        m_edge_m.push_back(p_Base_Contact);
-        m_edgeChanged = true;
+void ServoViews::takeSteps() {
+    servo::ServoStep step;
+    while (m_servo->steps.pop(step)) {
+        m_runs->append(step);
+        if (std::exchange(m_run, step.run) != step.run)
+            forgetEdge();
+        if (step.p_Base_Contact.allFinite())
+            addToEdge(step.p_Base_Contact);
     }
     if (std::exchange(m_edgeChanged, false))
         m_scene.setContour(m_edge_m, m_edge_m, {}, {});
+}
+
+void ServoViews::forgetEdge() {
+    m_edgeChanged = m_edgeChanged || !m_edge_m.empty();
+    m_edge_m.clear();
+    m_spacing_m = kSpacing_m;
+}
+
+void ServoViews::addToEdge(const Eigen::Vector3d& p_Base_Contact) {
+    if (!m_edge_m.empty() && (p_Base_Contact - m_edge_m.back()).norm() < m_spacing_m)
+        return;
+    m_edge_m.push_back(p_Base_Contact);
+    m_edgeChanged = true;
+    if (m_edge_m.size() <= kMostPoints)
+        return;
+    m_spacing_m *= 2.0;
+    const std::size_t left = (m_edge_m.size() + 1) / 2;
+    for (std::size_t i = 0; i < left; ++i)
+        m_edge_m[i] = m_edge_m[2 * i];
+    m_edge_m.resize(left);
 }
 
 void ServoViews::showArm(const servo::ServoReport& report) {

@@ -9,13 +9,15 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
 namespace teleta::servo {
 class ServoPanel;
-}
+class ServoRunsView;
+} // namespace teleta::servo
 namespace teleta::view3d {
 class Scene3dView;
 }
@@ -30,30 +32,40 @@ class ServoViews : public QObject {
 public:
     /// Points of the edge that lie nearer to the one before are not kept.
     static constexpr double kSpacing_m = 0.001;
+    /// With more points every second one is kept, and points lie twice as far apart from then on.
+    static constexpr std::size_t kMostPoints = 4000;
 
     ServoViews(view3d::Scene3dView& scene, QWidget* parent);
 
     void addTo(OperateDocks& docks);
     /// The servo that is shown from now on; null: none.
-    void setServo(std::shared_ptr<servo::ServoLink> servo, base::Provenance provenance);
+    void setServo(std::shared_ptr<servo::ServoLink> servo, const QString& name, base::Provenance provenance);
     [[nodiscard]] const std::shared_ptr<servo::ServoLink>& servo() const { return m_servo; }
     /// Shows what came since the last tick.
     void tick();
 
     [[nodiscard]] servo::ServoPanel& panel() { return *m_panel; }
+    [[nodiscard]] servo::ServoRunsView& runs() { return *m_runs; }
     [[nodiscard]] const std::vector<Eigen::Vector3d>& edge_m() const { return m_edge_m; }
 
+signals:
+    /// Something could not be saved or read.
+    void failed(const QString& message);
+
 private:
+    void takeSteps();
     void forgetEdge();
-    void takeContacts();
+    void addToEdge(const Eigen::Vector3d& p_Base_Contact);
     void showArm(const servo::ServoReport& report);
 
     view3d::Scene3dView& m_scene;
     servo::ServoPanel* m_panel;
+    servo::ServoRunsView* m_runs;
     std::shared_ptr<servo::ServoLink> m_servo;
     std::vector<Eigen::Vector3d> m_edge_m; ///< in the base
+    double m_spacing_m = kSpacing_m;
     bool m_edgeChanged = false;
-    std::uint64_t m_restarts = 0;
+    std::uint64_t m_run = 0; ///< whose edge it is
 };
 
 } // namespace teleta::console

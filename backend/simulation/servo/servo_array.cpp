@@ -17,6 +17,7 @@ public:
         : m_loop(std::move(loop))
         , m_link(std::move(link))
         , m_plan(m_loop->controller().plan())
+        , m_bounds(servo::boundsOf(m_plan))
         , m_tuning(servo::tuningOf(m_plan))
         , m_description{.name = scene.name,
                         .layout = m_loop->world().layout(),
@@ -54,7 +55,7 @@ private:
     }
 
     void tune(const servo::ServoTuning& wish) {
-        const servo::ServoTuning tuning = servo::clamped(wish);
+        const servo::ServoTuning tuning = servo::clamped(wish, m_bounds);
         const servo::ServoPlan plan = servo::tuned(m_plan, tuning);
         if (!servo::check(plan))
             return;
@@ -66,12 +67,7 @@ private:
     void report(bool stopped) {
         const servo::ServoOutput& output = m_loop->output();
         const Eigen::Isometry3d& X_Base_Sensor = m_loop->world().arm().X_Base_Sensor();
-        const contact::TactileFeatures& features = m_loop->features();
-        if (!stopped && output.kind == servo::TaskKind::explore && features.active > 0) {
-            Eigen::Vector3d p_Base_Contact =
-                X_Base_Sensor * Eigen::Vector3d(*features.cocX_m, *features.cocY_m, 0.0);
-            m_link->contacts.push(std::move(p_Base_Contact));
-        }
+        m_link->steps.push(step(stopped));
         servo::ServoReport& report = m_link->reports.back();
         report.time_s = m_loop->world().time_s();
         report.output = output;
@@ -79,6 +75,7 @@ private:
         report.p_Base_Joint = m_loop->world().arm().posture().p_Base_Joint;
         report.normalCompliance_mPerN = m_plan.tasks[output.phase].normalCompliance_mPerN;
         report.tuning = m_tuning;
+        report.bounds = m_bounds;
         report.stopped = stopped;
         report.tasks = std::min(m_plan.tasks.size(), report.plan.size());
         for (std::size_t i = 0; i < report.tasks; ++i)
@@ -89,9 +86,37 @@ private:
         m_link->reports.publish();
     }
 
+    [[nodiscard]] servo::ServoStep step(bool stopped) const {
+        constexpr double kNone = servo::ServoStep::kNone;
+        const servo::ServoOutput& output = m_loop->output();
+        const Eigen::Isometry3d& X_Base_Sensor = m_loop->world().arm().X_Base_Sensor();
+        const contact::TactileFeatures& features = m_loop->features();
+        const ArrayLoads& loads = m_loop->world().frameTruth().loads;
+        servo::ServoStep step;
+        step.run = m_restarts;
+        step.time_s = m_loop->world().time_s();
+        step.task = output.kind;
+        step.touching = output.contact == servo::ContactState::touching;
+        step.moment = m_tuning.moment;
+        step.force_N = m_loop->world().truth().force_N;
+        step.desired_N = m_tuning.force_N;
+        step.copY_m = features.copY_m.value_or(kNone);
+        step.copYDesired_m = output.desired[servo::kY];
+        step.cocX_m = features.cocX_m.value_or(kNone);
+        step.dzmpY_m = features.dzmpY_m.value_or(kNone);
+        step.dzmpYTrue_m = loads.force_N > 0.0 ? loads.copX_m - loads.cocX_m : kNone;
+        step.alphaZ_rad = features.alphaZ_rad.value_or(kNone);
+        step.alphaZDesired_rad = output.desired[servo::kWz];
+        step.p_Base_Sensor = X_Base_Sensor.translation();
+        if (!stopped && output.kind == servo::TaskKind::explore && features.active > 0)
+            step.p_Base_Contact = X_Base_Sensor * Eigen::Vector3d(*features.cocX_m, *features.cocY_m, 0.0);
+        return step;
+    }
+
     std::unique_ptr<ServoLoop> m_loop;
     std::shared_ptr<servo::ServoLink> m_link;
     servo::ServoPlan m_plan; ///< as the scene has it
+    servo::TuningBounds m_bounds;
     servo::ServoTuning m_tuning;
     core::SourceDescription m_description;
     std::uint64_t m_restarts = 0;

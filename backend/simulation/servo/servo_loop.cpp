@@ -37,7 +37,11 @@ servo::ServoPlan servoPlan(const scene::Scene& scene) {
     // make it bounce again.
     plan.search.lostAfter_s = kBounce_s;
     plan.search.speed_mPerS = task.approach_mPerS;
+    const scene::ArraySensor& array = scene.servo().sensor.array;
+    const double compliance_mPerN =
+        1.0 / scene.servo().arm.stiffness_NPerM + 1.0 / (array.layout.columns * array.stiffness_NPerM);
     for (servo::ServoTask& each : plan.tasks) {
+        each.normalCompliance_mPerN = compliance_mPerN;
         each.desired.copY_m = task.copY_m;
         each.limits.saturation_N =
             each.limits.saturation_N ? std::optional(scene.fullScale_N()) : std::nullopt;

@@ -14,7 +14,8 @@
 
 namespace teleta::simulation {
 
-/// The plan of tasks that a scene's task stands for.
+/// The plan of tasks that a scene's task stands for. The compliance of its tasks is that of the scene's arm
+/// and of a row of its array in series.
 [[nodiscard]] servo::ServoPlan servoPlan(const scene::Scene& scene);
 
 /// How the frames of a servo scene become features: a taxel that has not fired is noise, so features run over

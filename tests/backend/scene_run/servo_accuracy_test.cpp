@@ -95,7 +95,7 @@ TEST(ServoAccuracy, theBentBarIsFollowedAt5NWithoutLosingContact) {
          {Runs("servo-bent-bar"), Runs("servo-bent-bar-baseline", {"dzmp = false", "dzmp = true"})}) {
         EXPECT_LT(runs.largest("force_rms_error_n"), 0.5);
         EXPECT_EQ(runs.largest("contact_lost_s"), 0.0);
-        EXPECT_GT(runs.smallest("path_length_m"), 0.09);
+        EXPECT_GT(runs.smallest("path_length_m"), 0.085);
         (void)runs.largest("force_max_error_n");
         EXPECT_LT(runs.largest("reconstruction_rms_m"), 1e-3);
     }

@@ -266,6 +266,41 @@ TEST(ServoHardCases, aLostContactIsSearchedWithinTheBoundAndThenReported) {
     EXPECT_NEAR(longest_s, search.lostAfter_s + way_m / search.speed_mPerS, 0.2);
 }
 
+TEST(ServoHardCases, aSearchWhoseTargetIsOutOfReachEndsAndSaysSo) {
+    // The joints are at their ends: whatever the search wants, the arm stays where it is.
+    const LwrKinematics arm;
+    LwrVector q_rad;
+    q_rad << 0.1, 0.6, 0.1, -1.4, 0.1, 0.9, 0.1;
+    ArmGuard guard{arm, {}};
+    guard.inverse.limits.lowest_rad = q_rad;
+    guard.inverse.limits.highest_rad = q_rad;
+    const ServoTask task = exploreTask(5.0, 0.005);
+    ServoController controller = *ServoController::create(planOf(task), guard);
+    const SearchSettings search = planOf(task).search;
+    const Isometry3d X = arm.X_Base_Tool(q_rad);
+    const auto step = [&](const teleta::contact::TactileFeatures& features) {
+        ServoInput input = inputOf(features, 0.01, X);
+        input.q_rad = q_rad;
+        return controller.step(input);
+    };
+    for (int i = 0; i < 20; ++i)
+        step(feel(ContactType::edge, 5.0, 0.0, 0.0, 0.0, 0.0));
+    // Each of the targets, four a probe, is given up after twice the way to it and half a second; the longest
+    // way is that to the depth of the last probe.
+    const double way_m = std::hypot(search.depth_m + search.retreat_m, search.probes * search.probeStep_m);
+    const double longest_s = 4.0 * search.probes * (2.0 * way_m / search.speed_mPerS + 0.5);
+    ServoOutput out;
+    bool stuck = false;
+    int steps = 0;
+    do {
+        out = step(nothing());
+        stuck = stuck || out.limits.has(Limit::jointEnd);
+    } while (out.contact != ContactState::lost && ++steps < static_cast<int>(100.0 * longest_s));
+    EXPECT_EQ(out.contact, ContactState::lost);
+    EXPECT_TRUE(stuck);
+    EXPECT_LE((out.X_Base_Sensor.translation() - X.translation()).norm(), 1e-3);
+}
+
 TEST(ServoHardCases, aContactThatIsFoundAgainGoesOnWithAlignment) {
     ServoPlan plan = explorePlan();
     plan.start = 3;

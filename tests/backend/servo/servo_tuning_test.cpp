@@ -37,6 +37,23 @@ TEST(ServoTuning, forceSpeedGainAndMomentReachTheTasks) {
     EXPECT_TRUE(other.tasks[1].projection.wy) << "phase II aligns without it";
 }
 
+TEST(ServoTuning, aPlanMayGoBeyondTheUsualBoundsAndIsNotCutBackByAnotherWish) {
+    const ServoPlan plan = explorePlan(25.0, 0.08);
+    const TuningBounds bounds = boundsOf(plan);
+    EXPECT_EQ(bounds.highestForce_N, 25.0);
+    EXPECT_DOUBLE_EQ(bounds.highestSlide_mPerS, 0.08);
+    EXPECT_EQ(bounds.leastForce_N, ServoTuning::kLeastForce_N);
+    ServoTuning wish = tuningOf(plan);
+    wish.gain = 0.5;
+    const ServoPlan softer = tuned(plan, wish);
+    EXPECT_EQ(softer.tasks[3].desired.force_N, 25.0);
+    EXPECT_DOUBLE_EQ(softer.tasks[3].gains.proportional[kX] * softer.tasks[3].desired.copX_m, 0.08);
+    wish.force_N = 28.0;
+    EXPECT_EQ(tuned(plan, wish).tasks[3].desired.force_N, 25.0);
+    EXPECT_EQ(boundsOf(pointPlan(0.3)).leastForce_N, 0.3);
+    EXPECT_EQ(boundsOf(explorePlan()), TuningBounds{});
+}
+
 TEST(ServoTuning, whateverIsWishedStaysGood) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinity = std::numeric_limits<double>::infinity();

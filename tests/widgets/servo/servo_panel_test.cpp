@@ -201,6 +201,21 @@ private slots:
         QCOMPARE(spy.front().front().value<std::size_t>(), std::size_t{2});
     }
 
+    void aSceneThatWantsMoreThanUsualIsShownAsItIs() {
+        ServoPanel panel;
+        ServoReport report = exploring();
+        const ServoPlan plan = explorePlan(25.0, 0.08);
+        report.tuning = tuningOf(plan);
+        report.bounds = boundsOf(plan);
+        panel.setReport(report);
+        QCOMPARE(panel.tuning().force_N, 25.0);
+        QCOMPARE(panel.tuning().slide_mPerS, 0.08);
+        QSignalSpy spy(&panel, &ServoPanel::tuningChanged);
+        panel.findChild<QCheckBox*>(QStringLiteral("servoMoment"))->click();
+        QCOMPARE(spy.count(), 1);
+        QCOMPARE(spy.front().front().value<ServoTuning>().force_N, 25.0);
+    }
+
     void thePictureShowsOtherMatricesForAPointThanForAnEdge() {
         ServoPicture picture;
         const QImage empty = pictureOf(picture);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/operate/servo_views.h"
 #include "widgets/servo/servo_panel.h"
+#include "widgets/servo/servo_runs_view.h"
 #include "widgets/view3d/scene3d_view.h"
 
 #include <QCheckBox>
@@ -12,15 +13,26 @@ using console::ServoViews;
 
 namespace {
 
-void publish(servo::ServoLink& link, servo::TaskKind kind, std::uint64_t restarts = 0) {
+void publish(servo::ServoLink& link, servo::TaskKind kind) {
     servo::ServoReport& report = link.reports.back();
     report = {};
     report.output.kind = kind;
-    report.restarts = restarts;
     for (std::size_t i = 0; i < report.p_Base_Joint.size(); ++i)
         report.p_Base_Joint[i] = Eigen::Vector3d(0.0, 0.0, 0.15 * static_cast<double>(i));
     report.X_Base_Sensor.translation() = Eigen::Vector3d(0.0, 0.0, 1.1);
     link.reports.publish();
+}
+
+void explore(servo::ServoLink& link, double time_s, double x_m, std::uint64_t run = 0, bool moment = true) {
+    servo::ServoStep step;
+    step.run = run;
+    step.time_s = time_s;
+    step.task = servo::TaskKind::explore;
+    step.touching = true;
+    step.moment = moment;
+    step.force_N = 5.0;
+    step.p_Base_Contact = Eigen::Vector3d(x_m, 0.0, 0.4);
+    link.steps.push(std::move(step));
 }
 
 } // namespace
@@ -35,7 +47,7 @@ private slots:
         view3d::Scene3dView scene(&parent);
         ServoViews views(scene, &parent);
         auto link = std::make_shared<servo::ServoLink>();
-        views.setServo(link, base::Provenance::simulated);
+        views.setServo(link, QStringLiteral("bar"), base::Provenance::simulated);
         QVERIFY(!views.panel().isEnabled());
         publish(*link, servo::TaskKind::explore);
         views.tick();
@@ -48,7 +60,7 @@ private slots:
         QVERIFY(!wish->moment);
         emit views.panel().taskRequested(2);
         QCOMPARE(link->task.take(), std::optional<std::size_t>(2));
-        views.setServo(nullptr, base::Provenance::live);
+        views.setServo(nullptr, {}, base::Provenance::live);
         QVERIFY(!views.panel().isEnabled());
         emit views.panel().taskRequested(1);
         QVERIFY(!link->task.take().has_value());
@@ -59,18 +71,61 @@ private slots:
         view3d::Scene3dView scene(&parent);
         ServoViews views(scene, &parent);
         auto link = std::make_shared<servo::ServoLink>();
-        views.setServo(link, base::Provenance::simulated);
+        views.setServo(link, QStringLiteral("bar"), base::Provenance::simulated);
         // 100 mm in steps of 0.05 mm.
         for (int i = 0; i <= 2000; ++i)
-            link->contacts.push(Eigen::Vector3d(5e-5 * i, 0.0, 0.4));
+            explore(*link, 0.01 * i, 5e-5 * i);
         views.tick();
         QVERIFY(views.edge_m().size() > 90);
         QVERIFY(views.edge_m().size() <= 101);
         for (std::size_t i = 1; i < views.edge_m().size(); ++i)
             QVERIFY((views.edge_m()[i] - views.edge_m()[i - 1]).norm() >= ServoViews::kSpacing_m);
-        publish(*link, servo::TaskKind::freeMotion, 1);
+        explore(*link, 0.01, 0.3, 1);
         views.tick();
-        QVERIFY(views.edge_m().empty());
+        QCOMPARE(views.edge_m().size(), std::size_t{1});
+        QCOMPARE(views.edge_m().front().x(), 0.3);
+    }
+
+    void anEdgeThatIsFollowedForHoursIsBounded() {
+        QWidget parent;
+        view3d::Scene3dView scene(&parent);
+        ServoViews views(scene, &parent);
+        auto link = std::make_shared<servo::ServoLink>();
+        views.setServo(link, QStringLiteral("bar"), base::Provenance::simulated);
+        constexpr int kSteps = 3 * static_cast<int>(ServoViews::kMostPoints);
+        for (int i = 0; i <= kSteps; ++i) {
+            explore(*link, 0.01 * i, 0.0011 * i);
+            if (i % 1000 == 0)
+                views.tick();
+        }
+        views.tick();
+        QVERIFY(views.edge_m().size() <= ServoViews::kMostPoints);
+        QVERIFY(views.edge_m().size() > ServoViews::kMostPoints / 4);
+        QCOMPARE(views.edge_m().front().x(), 0.0);
+        QVERIFY(views.edge_m().back().x() > 0.0011 * kSteps - 0.01);
+    }
+
+    void runsOfTwoSourcesAreComparedAndOneGoesOnWhenItIsShownAgain() {
+        QWidget parent;
+        view3d::Scene3dView scene(&parent);
+        ServoViews views(scene, &parent);
+        auto dzmp = std::make_shared<servo::ServoLink>();
+        auto baseline = std::make_shared<servo::ServoLink>();
+        views.setServo(baseline, QStringLiteral("bar"), base::Provenance::simulated);
+        explore(*baseline, 1.0, 0.001, 0, false);
+        explore(*baseline, 2.0, 0.002, 0, false);
+        views.tick();
+        views.setServo(dzmp, QStringLiteral("bar"), base::Provenance::simulated);
+        explore(*dzmp, 1.0, 0.001);
+        views.tick();
+        views.setServo(baseline, QStringLiteral("bar"), base::Provenance::simulated);
+        explore(*baseline, 2.1, 0.003, 0, false);
+        views.tick();
+        const auto runs = views.runs().runs().runs();
+        QCOMPARE(runs.size(), std::size_t{2});
+        QCOMPARE(QString::fromStdString(runs[0].name), QStringLiteral("bar, without DZMP"));
+        QCOMPARE(QString::fromStdString(runs[1].name), QStringLiteral("bar, run 2"));
+        QCOMPARE(runs[0].time_s.back(), 2.1);
     }
 
     void eachKindOfSourceHasItsOwnDocks() {
@@ -80,6 +135,7 @@ private slots:
             QVERIFY(OperateDocks::belongs(kind, OperateDocks::processing));
             QCOMPARE(OperateDocks::belongs(kind, OperateDocks::stiffness), kind == Kind::arm);
             QCOMPARE(OperateDocks::belongs(kind, OperateDocks::servo), kind == Kind::servo);
+            QCOMPARE(OperateDocks::belongs(kind, OperateDocks::runs), kind == Kind::servo);
             QVERIFY(!OperateDocks::belongs(kind, OperateDocks::camera));
         }
         for (const auto dock : {OperateDocks::camera, OperateDocks::events, OperateDocks::reconstruction})

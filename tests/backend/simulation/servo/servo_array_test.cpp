@@ -53,12 +53,19 @@ TEST_F(ServoArrayTest, theServoReportsItsTaskAndTheEdgeThatItFollows) {
     const servo::ServoReport& report = run(8.0);
     EXPECT_EQ(report.output.kind, servo::TaskKind::explore);
     EXPECT_EQ(report.tasks, 5U);
-    Eigen::Vector3d first;
-    ASSERT_TRUE(m_link->contacts.pop(first));
-    Eigen::Vector3d last = first;
-    while (m_link->contacts.pop(last)) {
+    std::vector<Eigen::Vector3d> edge_m;
+    int steps = 0;
+    double force_N = 0.0;
+    for (servo::ServoStep step; m_link->steps.pop(step); ++steps) {
+        if (step.p_Base_Contact.allFinite())
+            edge_m.push_back(step.p_Base_Contact);
+        EXPECT_EQ(step.run, 0U);
+        force_N = step.force_N;
     }
-    EXPECT_GT((last - first).norm(), 0.005);
+    EXPECT_NEAR(steps, 810, 1) << "100 a second";
+    EXPECT_NEAR(force_N, 10.0, 2.0);
+    ASSERT_FALSE(edge_m.empty());
+    EXPECT_GT((edge_m.back() - edge_m.front()).norm(), 0.005);
 }
 
 TEST_F(ServoArrayTest, stopHoldsTheCommandAndTheArmComesToRest) {
@@ -100,6 +107,10 @@ TEST_F(ServoArrayTest, aRestartBeginsAnewAndSaysSo) {
     const servo::ServoReport& report = run(0.05);
     EXPECT_LT(report.time_s, before_s);
     EXPECT_EQ(report.restarts, 1U);
+    servo::ServoStep step;
+    while (m_link->steps.pop(step)) {
+    }
+    EXPECT_EQ(step.run, 1U);
     EXPECT_EQ(report.output.kind, servo::TaskKind::freeMotion);
 }
 

@@ -34,6 +34,16 @@ TEST(ServoLoop, servoesAtItsRateOnFramesOfTheirs) {
     EXPECT_EQ(servo, 200);
 }
 
+TEST(ServoLoop, theComplianceOfItsTasksIsThatOfTheScenesArmAndARowOfItsArray) {
+    auto scene = scene::readScene(TELETA_SOURCE_DIR "/resources/scenes/servo-straight-bar.toml");
+    ASSERT_TRUE(scene) << describe(scene.error());
+    auto& world = scene->servo();
+    world.arm.stiffness_NPerM = 4000.0;
+    world.sensor.array.stiffness_NPerM = 2000.0;
+    for (const servo::ServoTask& task : servoPlan(*scene).tasks)
+        EXPECT_DOUBLE_EQ(task.normalCompliance_mPerN, 1.0 / 4000.0 + 1.0 / (14 * 2000.0));
+}
+
 TEST(ServoLoop, allocatesNothingWhileItRuns) {
     for (const char* name : {"servo-straight-bar", "servo-bent-bar", "servo-comanipulation", "servo-roll"}) {
         const auto loop = loopOf(name);

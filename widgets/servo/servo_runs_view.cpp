@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/servo/servo_runs_view.h"
+
+#include "backend/servo_figure/servo_figure.h"
+#include "widgets/base/background.h"
+#include "widgets/base/colour_maps.h"
+#include "widgets/base/theme.h"
+
+#include <QContextMenuEvent>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QMenu>
+#include <QPainter>
+#include <QSvgRenderer>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+namespace teleta::servo {
+
+namespace {
+
+/// Text of a figure is made for a line of so many px.
+constexpr double kFigureEm_px = 16.0;
+constexpr double kLeastFigure_px = 400.0;
+
+figure::SvgColours coloursOf(const QPalette& palette) {
+    const QColor paper = palette.color(QPalette::Base);
+    const QColor ink = palette.color(QPalette::Text);
+    figure::SvgColours colours;
+    colours.paper = paper.name();
+    colours.ink = ink.name();
+    colours.soft = base::mixed(ink, paper, 0.3).name();
+    colours.grid = base::mixed(ink, paper, 0.82).name();
+    for (std::size_t i = 0; i < colours.series.size(); ++i)
+        colours.series[i] = base::identityColour(static_cast<int>(i) + 1, base::isDark(palette)).name();
+    return colours;
+}
+
+} // namespace
+
+ServoRunsView::ServoRunsView(QWidget* parent)
+    : QWidget(parent)
+    , m_export(new base::FigureExport(this, [this] { return figure(); }))
+    , m_add(new QToolButton(this))
+    , m_forget(new QToolButton(this))
+    , m_menu(new QToolButton(this)) {
+    setFocusPolicy(Qt::StrongFocus);
+    setAutoFillBackground(true);
+    setBackgroundRole(QPalette::Base);
+    auto* tools = new QHBoxLayout;
+    for (QToolButton* button : {m_add, m_forget, m_menu}) {
+        button->setAutoRaise(true);
+        tools->addWidget(button);
+    }
+    tools->addStretch(1);
+    auto* layout = new QVBoxLayout(this);
+    const int margin = base::grid(this) / 2;
+    layout->setContentsMargins(margin, margin, margin, margin);
+    layout->addLayout(tools);
+    layout->addStretch(1);
+    auto* menu = new QMenu(this);
+    connect(menu, &QMenu::aboutToShow, this, [this, menu] {
+        menu->clear();
+        m_export->addActions(*menu);
+    });
+    m_menu->setMenu(menu);
+    m_menu->setPopupMode(QToolButton::InstantPopup);
+    connect(m_add, &QToolButton::clicked, this, &ServoRunsView::askForRecording);
+    connect(m_forget, &QToolButton::clicked, this, &ServoRunsView::forgetOthers);
+    connect(m_export, &base::FigureExport::saved, this, &ServoRunsView::exported);
+    connect(m_export, &base::FigureExport::failed, this, &ServoRunsView::failed);
+    retranslate();
+}
+
+void ServoRunsView::retranslate() {
+    m_add->setText(tr("&Add Recorded Run…"));
+    m_add->setToolTip(tr("A run that teleta simulate --out has written: its servo.csv"));
+    m_forget->setText(tr("&Forget Other Runs"));
+    m_forget->setToolTip(tr("Keeps only the run that goes on"));
+    m_menu->setText(tr("&Picture"));
+    m_menu->setToolTip(tr("Copies or saves the chart or its data"));
+    setAccessibleName(tr("Servo runs"));
+    setWhatsThis(
+        tr("<p>Servo runs in one chart: the running one, those before its source was restarted or another "
+           "source was shown, and recorded ones.</p>"
+           "<p>To see what the moment is for, restart the scene with and without “Balance the moment”.</p>"));
+    m_dirty = true;
+}
+
+void ServoRunsView::setSource(std::string name, const void* source) {
+    m_runs.setSource(std::move(name), source);
+}
+
+void ServoRunsView::append(const ServoStep& step) {
+    m_runs.add(step);
+    m_dirty = true;
+}
+
+void ServoRunsView::addRecorded(const QString& path) {
+    base::runInBackground(
+        this, [file = path.toStdString()] { return readServoCurves(file); },
+        [this, path](core::Expected<ServoCurves> run) {
+            if (!run) {
+                emit failed(QString::fromStdString(core::describe(run.error())));
+                return;
+            }
+            m_runs.addRecorded(std::move(*run));
+            m_dirty = true;
+            m_drawn.invalidate();
+            emit added(path);
+        });
+}
+
+void ServoRunsView::askForRecording() {
+    auto* dialog = new QFileDialog(this, tr("Add Recorded Run"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    dialog->setNameFilters({tr("Servo runs (servo.csv)"), tr("Comma-separated values (*.csv)")});
+    connect(dialog, &QFileDialog::fileSelected, this, &ServoRunsView::addRecorded);
+    dialog->open();
+}
+
+void ServoRunsView::forgetOthers() {
+    m_runs.forgetOthers();
+    m_dirty = true;
+    m_drawn.invalidate();
+    refresh();
+}
+
+QRect ServoRunsView::chartRect() const {
+    return rect().adjusted(1, m_add->geometry().bottom() + 2, -1, -1);
+}
+
+void ServoRunsView::refresh() {
+    if (!m_dirty || !isVisible() || (m_drawn.isValid() && !m_drawn.hasExpired(kBetweenDrawings_ms)))
+        return;
+    draw();
+    update();
+}
+
+void ServoRunsView::draw() {
+    m_dirty = false;
+    m_drawn.start();
+    m_forget->setEnabled(m_runs.runs().size() > 1);
+    const QSizeF size = chartRect().size();
+    if (m_runs.runs().empty() || size.isEmpty()) {
+        m_chart = {};
+        return;
+    }
+    // What is too small for its text is drawn larger and shrunk.
+    const double scale = std::min(
+        {base::em(this, 1) / kFigureEm_px, size.width() / kLeastFigure_px, size.height() / kLeastFigure_px});
+    const std::string svg = servoFigure(m_runs.runs(), size.width() / scale, size.height() / scale)
+                                .standalone(coloursOf(palette()));
+    QSvgRenderer renderer(QByteArray::fromStdString(svg));
+    m_chart = QPixmap((size * devicePixelRatioF()).toSize());
+    m_chart.setDevicePixelRatio(devicePixelRatioF());
+    m_chart.fill(palette().color(QPalette::Base));
+    QPainter painter(&m_chart);
+    painter.setRenderHint(QPainter::Antialiasing);
+    renderer.render(&painter, QRectF(QPointF(), size));
+}
+
+base::Figure ServoRunsView::figure() const {
+    base::Figure figure;
+    figure.name = tr("servo-runs", "name of a file");
+    figure.size_px = QSizeF(kServoFigureWidth, kServoFigureHeight);
+    figure.svg = QByteArray::fromStdString(servoFigure(m_runs.runs()).standalone());
+    const auto renderer = std::make_shared<QSvgRenderer>(figure.svg);
+    figure.paint = [renderer, size = figure.size_px](QPainter& painter) {
+        renderer->render(&painter, QRectF(QPointF(), size));
+    };
+    figure.csv = [runs = m_runs] { return runs.csv(); };
+    return figure;
+}
+
+void ServoRunsView::populateMenu(QMenu& menu) {
+    menu.addAction(m_add->text(), this, &ServoRunsView::askForRecording);
+    menu.addAction(m_forget->text(), this, &ServoRunsView::forgetOthers)
+        ->setEnabled(m_runs.runs().size() > 1);
+    menu.addSeparator();
+    m_export->addActions(menu);
+}
+
+QSize ServoRunsView::sizeHint() const {
+    return {base::em(this, 40), base::em(this, 26)};
+}
+
+QSize ServoRunsView::minimumSizeHint() const {
+    return {base::em(this, 16), base::em(this, 12)};
+}
+
+void ServoRunsView::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    const QRect chart = chartRect();
+    if (m_runs.runs().empty()) {
+        painter.setPen(palette().color(QPalette::PlaceholderText));
+        painter.drawText(chart, Qt::AlignCenter | Qt::TextWordWrap,
+                         tr("No run yet. Runs of servos are drawn here, one over the other."));
+    } else {
+        painter.drawPixmap(chart.topLeft(), m_chart);
+    }
+    if (hasFocus()) {
+        painter.setPen(QPen(palette().color(QPalette::Highlight), 1.0));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(rect().adjusted(0, 0, -1, -1));
+    }
+}
+
+void ServoRunsView::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    m_dirty = true;
+    m_drawn.invalidate();
+}
+
+void ServoRunsView::keyPressEvent(QKeyEvent* event) {
+    if (event->matches(QKeySequence::Copy))
+        base::copyPicture(figure());
+    else
+        QWidget::keyPressEvent(event);
+}
+
+void ServoRunsView::contextMenuEvent(QContextMenuEvent* event) {
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    populateMenu(*menu);
+    menu->popup(event->globalPos());
+}
+
+void ServoRunsView::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    else if (event->type() != QEvent::PaletteChange && event->type() != QEvent::FontChange)
+        return;
+    m_dirty = true;
+    m_drawn.invalidate();
+}
+
+} // namespace teleta::servo
