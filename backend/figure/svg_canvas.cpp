@@ -76,7 +76,8 @@ QString SvgCanvas::style(const SvgColours& colours) {
                        "line.dashed{stroke:%2;stroke-width:1.5;stroke-dasharray:6 4}"
                        "path.dashed{fill:none;stroke:%2;stroke-width:1.2;stroke-dasharray:6 4}"
                        "path.dotted{fill:none;stroke:%1;stroke-width:1.2;stroke-dasharray:2 3}"
-                       "line.bar{stroke-width:2}.faint{fill-opacity:0.35}.hollow{fill:none;stroke-width:2}")
+                       "line.bar{stroke-width:2}.faint{fill-opacity:0.35}.hollow{fill:none;stroke-width:2}"
+                       ".thin{stroke-width:1.4}")
             .arg(colours.ink, colours.soft, colours.grid);
     for (std::size_t i = 0; i < kSeries; ++i)
         style += QStringLiteral("line.series%1,.hollow.series%1{stroke:%2}.series%1{fill:%2}"

@@ -44,7 +44,7 @@ public:
     void diamond(double x, double y, double radius, const QString& attributes);
 
     /// A line through points. attributes: its class and others; "hollow series0" draws it in that colour,
-    /// "dashed" and "dotted" as a reference.
+    /// "thin" narrower, "dashed" and "dotted" as a reference.
     void path(const std::vector<std::pair<double, double>>& points, const QString& attributes);
 
     /// Writes a word across the picture, such as SIMULATED; empty: nothing.

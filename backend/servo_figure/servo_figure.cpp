@@ -22,8 +22,9 @@ constexpr double kBetweenLanes = 18.0;
 constexpr double kRight = 22.0;
 constexpr double kBottom = 46.0;
 constexpr double kLeastSize = 400.0;
-constexpr double kLetter = 7.0;     ///< about the width of one in small text
-constexpr double kSwatch = 22.0;    ///< length of a line in the legend
+constexpr double kWide = 1.4;    ///< a picture that is so much wider than high has its lanes in two columns
+constexpr double kLetter = 7.0;  ///< about the width of one in small text
+constexpr double kSwatch = 22.0; ///< length of a line in the legend
 constexpr double kPxPerTick = 22.0; ///< about so far apart are those of a lane
 constexpr double kPxPerTimeTick = 90.0;
 
@@ -106,8 +107,7 @@ QString tickText(double value, double step) {
 }
 
 QString lineOf(std::size_t series) {
-    return QStringLiteral("class=\"hollow series%1\" style=\"stroke-width:1.4\"")
-        .arg(series % figure::SvgCanvas::kSeries);
+    return QStringLiteral("class=\"hollow thin series%1\"").arg(series % figure::SvgCanvas::kSeries);
 }
 
 QString dashes() {
@@ -133,11 +133,13 @@ public:
         , m_lanes(lanesFor(runs.size() == 1))
         , m_width(std::max(width, kLeastSize))
         , m_height(std::max(height, kLeastSize))
+        , m_columns(m_width > kWide * m_height ? 2 : 1)
         , m_legend(legend())
         , m_canvas(m_width, m_height, FigureText::tr("Tactile servoing: force and features over time")) {
-        const auto count = static_cast<double>(m_lanes.size());
+        m_rows = (m_lanes.size() + m_columns - 1) / m_columns;
         m_plotTop = m_legend.back().y + 34.0;
-        m_laneHeight = std::max(24.0, (m_height - m_plotTop - kBottom) / count - kBetweenLanes);
+        m_laneHeight =
+            std::max(24.0, (m_height - m_plotTop - kBottom) / static_cast<double>(m_rows) - kBetweenLanes);
         m_time_s = 1e-3;
         for (const ServoCurves& run : runs)
             m_time_s = run.time_s.empty() ? m_time_s : std::max(m_time_s, run.time_s.back());
@@ -145,20 +147,27 @@ public:
 
     figure::SvgCanvas drawn() {
         drawLegend();
-        drawPhases();
-        for (std::size_t i = 0; i < m_lanes.size(); ++i)
-            drawLane(i);
-        drawTime();
+        for (std::size_t column = 0; column < m_columns; ++column) {
+            m_left = kPlotLeft + static_cast<double>(column) * (plotWidth() + kRight + kPlotLeft);
+            drawPhases();
+            const std::size_t first = column * m_rows;
+            for (std::size_t i = first; i < std::min(first + m_rows, m_lanes.size()); ++i)
+                drawLane(m_lanes[i], top(i - first));
+            drawTime();
+        }
         return m_canvas;
     }
 
 private:
-    [[nodiscard]] double plotWidth() const { return m_width - kPlotLeft - kRight; }
-    [[nodiscard]] double top(std::size_t lane) const {
-        return m_plotTop + static_cast<double>(lane) * (m_laneHeight + kBetweenLanes);
+    [[nodiscard]] double plotWidth() const {
+        return m_width / static_cast<double>(m_columns) - kPlotLeft - kRight;
     }
-    [[nodiscard]] double bottom() const { return top(m_lanes.size() - 1) + m_laneHeight; }
-    [[nodiscard]] double x(double time_s) const { return kPlotLeft + plotWidth() * time_s / m_time_s; }
+    [[nodiscard]] double right() const { return m_left + plotWidth(); }
+    [[nodiscard]] double top(std::size_t row) const {
+        return m_plotTop + static_cast<double>(row) * (m_laneHeight + kBetweenLanes);
+    }
+    [[nodiscard]] double bottom() const { return top(m_rows - 1) + m_laneHeight; }
+    [[nodiscard]] double x(double time_s) const { return m_left + plotWidth() * time_s / m_time_s; }
 
     /// Entries in as many rows as they need.
     [[nodiscard]] std::vector<Entry> legend() const {
@@ -172,7 +181,7 @@ private:
         double row = kLegendTop;
         for (Entry& entry : entries) {
             const double needed = kSwatch + 30.0 + kLetter * static_cast<double>(entry.name.size());
-            if (at > kPlotLeft && at + needed > kPlotLeft + plotWidth()) {
+            if (at > kPlotLeft && at + needed > m_width - kRight) {
                 at = kPlotLeft;
                 row += kLegendRow;
             }
@@ -199,7 +208,7 @@ private:
     void drawPhases() {
         if (m_runs.empty())
             return;
-        double room = kPlotLeft + plotWidth();
+        double room = right();
         for (auto phase = m_runs.front().phases.rbegin(); phase != m_runs.front().phases.rend(); ++phase) {
             const double at = x(phase->first);
             m_canvas.line(at, m_plotTop - 6.0, at, bottom(), QStringLiteral("soft"));
@@ -231,22 +240,22 @@ private:
         return axisOf(low, high, lane.leastSpan, m_laneHeight / kPxPerTick);
     }
 
-    void drawLane(std::size_t index) {
-        const Lane& lane = m_lanes[index];
+    void drawLane(const Lane& lane, double upper) {
         const Axis axis = axisOfLane(lane);
-        const double upper = top(index);
         const auto y = [&](double value) {
             return upper + m_laneHeight * (axis.high - lane.factor * value) / (axis.high - axis.low);
         };
         for (double tick = axis.low; tick < axis.high + 0.5 * axis.step; tick += axis.step) {
             const double at = y(tick / lane.factor);
-            m_canvas.line(kPlotLeft, at, kPlotLeft + plotWidth(), at, QStringLiteral("soft"));
-            m_canvas.text(kPlotLeft - 8.0, at + 4.0, tickText(tick, axis.step),
+            m_canvas.line(m_left, at, right(), at, QStringLiteral("soft"));
+            m_canvas.text(m_left - 8.0, at + 4.0, tickText(tick, axis.step),
                           QStringLiteral("soft small end"));
         }
         const double middle = upper + 0.5 * m_laneHeight;
-        m_canvas.text(20.0, middle, lane.name, QStringLiteral("ink small middle"),
-                      QStringLiteral("transform=\"rotate(-90 20 %1)\"").arg(figure::svgNumber(middle)));
+        const double nameAt = m_left - kPlotLeft + 20.0;
+        m_canvas.text(nameAt, middle, lane.name, QStringLiteral("ink small middle"),
+                      QStringLiteral("transform=\"rotate(-90 %1 %2)\"")
+                          .arg(figure::svgNumber(nameAt), figure::svgNumber(middle)));
         if (m_runs.empty())
             return;
         if (lane.desired != nullptr)
@@ -258,17 +267,17 @@ private:
             curve(m_runs.front(), m_runs.front().*lane.truth, y, dots());
         for (std::size_t k = 0; k < lane.lines.size(); ++k)
             if (!lane.lines[k].name.isEmpty())
-                m_canvas.text(kPlotLeft + plotWidth() + 5.0, upper + 12.0 + 14.0 * static_cast<double>(k),
-                              lane.lines[k].name, QStringLiteral("small series%1").arg(k));
+                m_canvas.text(right() + 5.0, upper + 12.0 + 14.0 * static_cast<double>(k), lane.lines[k].name,
+                              QStringLiteral("small series%1").arg(k));
     }
 
     void drawTime() {
-        m_canvas.line(kPlotLeft, bottom(), kPlotLeft + plotWidth(), bottom(), QStringLiteral("ink"));
+        m_canvas.line(m_left, bottom(), right(), bottom(), QStringLiteral("ink"));
         const double step_s = roundStep(m_time_s, plotWidth() / kPxPerTimeTick);
         for (double tick_s = 0.0; tick_s < m_time_s * (1.0 + 1e-9); tick_s += step_s)
             m_canvas.text(x(tick_s), bottom() + 18.0, tickText(tick_s, step_s),
                           QStringLiteral("soft small middle"));
-        m_canvas.text(kPlotLeft + 0.5 * plotWidth(), bottom() + 36.0, FigureText::tr("time, s"),
+        m_canvas.text(m_left + 0.5 * plotWidth(), bottom() + 36.0, FigureText::tr("time, s"),
                       QStringLiteral("ink small middle"));
     }
 
@@ -308,8 +317,11 @@ private:
     std::vector<Lane> m_lanes;
     double m_width;
     double m_height;
+    std::size_t m_columns;
     std::vector<Entry> m_legend;
     figure::SvgCanvas m_canvas;
+    std::size_t m_rows = 0;
+    double m_left = kPlotLeft; ///< of the plot of the column that is drawn
     double m_plotTop = 0.0;
     double m_laneHeight = 0.0;
     double m_time_s = 0.0;

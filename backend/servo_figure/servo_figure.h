@@ -15,7 +15,8 @@ inline constexpr double kServoFigureHeight = 860.0;
 /// Runs in one chart: force, CoP_y, CoC_x, DZMP_y, alpha_z and the array's way over time, what was desired as
 /// dashes, and where the phases of the first run begin. One run alone has its way in x, y and z, and beside
 /// the felt DZMP_y the true one. The axes hold all runs. Redraws Fig. 10, 12 and 14 of the paper, depending
-/// on the runs. runs: the first kSeries are drawn. width, height: px, not below 400.
+/// on the runs. A wide picture has its lanes in two columns. runs: the first kSeries are drawn. width,
+/// height: px, not below 400.
 [[nodiscard]] figure::SvgCanvas servoFigure(std::span<const ServoCurves> runs,
                                             double width = kServoFigureWidth,
                                             double height = kServoFigureHeight);

@@ -4,6 +4,7 @@
 #include "backend/servo_figure/servo_figure.h"
 #include "widgets/base/background.h"
 #include "widgets/base/colour_maps.h"
+#include "widgets/base/focus_frame.h"
 #include "widgets/base/theme.h"
 
 #include <QContextMenuEvent>
@@ -205,11 +206,7 @@ void ServoRunsView::paintEvent(QPaintEvent*) {
     } else {
         painter.drawPixmap(chart.topLeft(), m_chart);
     }
-    if (hasFocus()) {
-        painter.setPen(QPen(palette().color(QPalette::Highlight), 1.0));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawRect(rect().adjusted(0, 0, -1, -1));
-    }
+    base::paintFocusFrame(painter, *this);
 }
 
 void ServoRunsView::resizeEvent(QResizeEvent* event) {

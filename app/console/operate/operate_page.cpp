@@ -269,8 +269,7 @@ void OperatePage::onActiveChanged() {
     // Before the arm, whose surface is to stay.
     const std::shared_ptr<servo::ServoLink> servo = item != nullptr ? item->servo : nullptr;
     if (servo != m_servo->servo())
-        m_servo->setServo(servo,
-                          servo ? QString::fromStdString(item->channel->description().name) : QString(),
+        m_servo->setServo(servo, servo ? item->name : QString(),
                           servo ? provenanceOf(item->channel->description()) : base::Provenance::live);
     const std::shared_ptr<pipeline::ArmChannel> arm = item != nullptr ? item->arm : nullptr;
     if (arm != m_arm->arm()) {

@@ -95,8 +95,8 @@ TEST_F(ServoFigure, twoRunsAreInOneChartAndAGapIsNoLine) {
     EXPECT_NE(svg.find("with &lt;DZMP&gt;"), std::string::npos);
     EXPECT_NE(svg.find("baseline"), std::string::npos);
     // The legend's line; force, CoP, CoC and way in one piece, DZMP in two, alpha none.
-    EXPECT_EQ(count(svg, "class=\"hollow series0\""), 1 + 4 + 2);
-    EXPECT_EQ(count(svg, "class=\"hollow series1\""), 1 + 4 + 2);
+    EXPECT_EQ(count(svg, "class=\"hollow thin series0\""), 1 + 4 + 2);
+    EXPECT_EQ(count(svg, "class=\"hollow thin series1\""), 1 + 4 + 2);
     EXPECT_EQ(count(svg, "class=\"dashed\""), 1 + 1) << "the legend's and the desired force";
     EXPECT_EQ(count(svg, "class=\"dotted\""), 0);
     EXPECT_TRUE(hasOnlyNumbers(svg));
@@ -105,8 +105,8 @@ TEST_F(ServoFigure, twoRunsAreInOneChartAndAGapIsNoLine) {
 TEST_F(ServoFigure, aRunAloneHasItsThreeCoordinatesAndTheTrueMoment) {
     const std::array runs{nineSteps("alone")};
     const std::string svg = servoFigure(runs).standalone();
-    EXPECT_EQ(count(svg, "class=\"hollow series1\""), 1) << "y";
-    EXPECT_EQ(count(svg, "class=\"hollow series2\""), 1) << "z";
+    EXPECT_EQ(count(svg, "class=\"hollow thin series1\""), 1) << "y";
+    EXPECT_EQ(count(svg, "class=\"hollow thin series2\""), 1) << "z";
     EXPECT_EQ(count(svg, "class=\"dotted\""), 1 + 1) << "the legend's and the moment";
     EXPECT_NE(svg.find(">edge control<"), std::string::npos);
 }
@@ -118,8 +118,8 @@ TEST_F(ServoFigure, aCurveRunsThroughTheHighestPointOfItsAxis) {
     const std::string svg = servoFigure(runs, 820.0, 860.0).standalone();
     // The force's lane is the first: its upper edge is the y of the first grid line of its highest tick.
     const QString text = QString::fromStdString(svg);
-    const QString force =
-        text.section(QStringLiteral("class=\"hollow series0\""), 1, 1).section(QStringLiteral("d=\"M"), -1);
+    const QString force = text.section(QStringLiteral("class=\"hollow thin series0\""), 1, 1)
+                              .section(QStringLiteral("d=\"M"), -1);
     const QStringList points = force.section(QLatin1Char('"'), 0, 0).split(QLatin1Char('L'));
     ASSERT_EQ(points.size(), 9);
     const auto y = [&](int i) { return points[i].section(QLatin1Char(' '), 1).toDouble(); };
@@ -127,6 +127,15 @@ TEST_F(ServoFigure, aCurveRunsThroughTheHighestPointOfItsAxis) {
     EXPECT_NEAR(y(1), 0.5 * (y(0) + y(4)), 0.02) << "5 N lies half way between 0 and 10";
     EXPECT_LT(y(4), y(0));
     EXPECT_NEAR(x(4), 0.5 * (x(0) + x(8)), 0.02);
+}
+
+TEST_F(ServoFigure, aWidePictureHasItsLanesInTwoColumns) {
+    const std::array runs{nineSteps("one"), nineSteps("other")};
+    const std::string tall = servoFigure(runs, 800.0, 800.0).standalone();
+    const std::string wide = servoFigure(runs, 1400.0, 400.0).standalone();
+    EXPECT_EQ(count(tall, ">time, s<"), 1);
+    EXPECT_EQ(count(wide, ">time, s<"), 2);
+    EXPECT_EQ(count(wide, "class=\"hollow thin series1\""), count(tall, "class=\"hollow thin series1\""));
 }
 
 TEST_F(ServoFigure, aThinnedRunKeepsItsLengthAndPhases) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/test_registry.h"
+#include "widgets/base/colour_maps.h"
 #include "widgets/base/theme.h"
 #include "widgets/servo/servo_runs.h"
 #include "widgets/servo/servo_runs_view.h"
@@ -145,11 +146,15 @@ private slots:
         QVERIFY(chart != empty);
         const QColor paper = view.palette().color(QPalette::Base);
         QCOMPARE(chart.pixelColor(chart.width() - 8, chart.height() - 4), paper);
-        int inked = 0;
+        const QColor curve = teleta::base::identityColour(1, true);
+        int coloured = 0;
         for (int y = 60; y < chart.height(); ++y)
             for (int x = 60; x < chart.width(); ++x)
-                inked += chart.pixelColor(x, y) != paper ? 1 : 0;
-        QVERIFY(inked > 1000);
+                coloured += teleta::base::contrast(chart.pixelColor(x, y), curve) < 1.2 &&
+                                    chart.pixelColor(x, y).hsvSaturation() > curve.hsvSaturation() / 2
+                                ? 1
+                                : 0;
+        QVERIFY2(coloured > 300, "the force's curve goes through half of the picture");
 
         QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("runs.svg"));
