@@ -22,6 +22,7 @@ touch=(--scene "$root/resources/scenes/teleta-touch.toml" --after 15)
 touches=(--scene "$root/resources/scenes/teleta-touch.toml" --after 34)
 camera=(--scene "$root/resources/scenes/vtacarm-multicontact.toml" --after 4)
 contour=(--scene "$root/resources/scenes/teleta-contour-triangle.toml" --after 250)
+servo=(--scene "$root/resources/scenes/servo-bent-bar.toml" --dock runs --after 12)
 bar=(--scene "$root/resources/scenes/tactile-indenter.toml" --after 14)
 
 studies=$(mktemp -d)
@@ -43,6 +44,7 @@ take() {
 take operate-touch-dark "${touch[@]}" --theme dark
 take operate-contour-light "${contour[@]}" --dock contour --theme light
 take operate-camera-dark "${camera[@]}" --theme dark
+take operate-servo-light "${servo[@]}" --theme light
 take operate-touches-dark "${touches[@]}" --dock touches --theme dark
 take patterns-light --page patterns --after 4 --theme light
 take study-session-light "${session[@]}" --theme light
