@@ -151,7 +151,8 @@ void FeltPanel::refresh() {
     m_trouble->setText(!m_ready
                            ? tr("The bracelet cannot play now: it is not connected, STOP is engaged, or a "
                                 "study uses it.")
-                           : tr("Now and then nothing is played. Answer yes only when you are sure."));
+                       : start ? tr("Now and then nothing is played. Answer yes only when you are sure.")
+                               : tr("Guess when you are not sure."));
     m_play->setEnabled(m_ready && !done);
     for (QPushButton* button : {m_yes, m_no})
         button->setEnabled(m_ready && m_presented && !done);

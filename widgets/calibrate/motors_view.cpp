@@ -217,15 +217,21 @@ void MotorsView::setFacts(const BraceletFacts& facts) {
         refresh();
 }
 
-void MotorsView::setCalibration(const motors::MotorCalibration& calibration, bool saved) {
+void MotorsView::setCalibration(const motors::MotorCalibration& calibration) {
     m_evidence = {};
     m_verdict->clear();
     m_felt->end(); // its answers are of the motors before
     m_undo->clear();
-    if (!saved)
-        m_undo->resetClean();
+    m_undo->setClean(); // clearing an empty stack leaves it as it is
     m_calibration = calibration;
     m_table->setCalibration(calibration);
+    refresh();
+}
+
+void MotorsView::takeProfile(const motors::MotorCalibration& profile) {
+    m_felt->end();
+    m_verdict->clear();
+    edit(profile, tr("loading"));
     refresh();
 }
 
@@ -254,12 +260,12 @@ void MotorsView::take(const motors::MotorCalibration& calibration) {
 void MotorsView::undo() {
     if (m_felt->task() != nullptr)
         m_felt->undoAnswer();
-    else if (!m_measuring)
+    else if (!m_measuring && !m_facts.reserved)
         m_undo->undo();
 }
 
 void MotorsView::redo() {
-    if (m_felt->task() == nullptr && !m_measuring)
+    if (m_felt->task() == nullptr && !m_measuring && !m_facts.reserved)
         m_undo->redo();
 }
 
@@ -342,6 +348,8 @@ void MotorsView::refresh() {
                     : !measured              ? tr("not calibrated: motors are assumed")
                     : isSaved()              ? tr("calibrated, saved")
                                              : tr("calibrated, not saved");
+    if (m_facts.reserved)
+        state += QStringLiteral(" \u00b7 ") + tr("a study uses the bracelet: its motors stay as they are");
     if (m_facts.simulated)
         state = tr("SIMULATED") + QStringLiteral(" \u00b7 ") + state;
     m_state->setText(state);
@@ -356,11 +364,13 @@ void MotorsView::refresh() {
     m_table->setEnabled(idle);
     const auto enable = [this](const char* name, bool on) { button(name)->setEnabled(on); };
     const bool known = !m_facts.serial.isEmpty();
-    enable("undo", m_felt->task() != nullptr || (idle && m_undo->canUndo()));
-    enable("redo", idle && m_undo->canRedo());
-    enable("load", idle && known);
+    const bool editable = idle && !m_facts.reserved;
+    enable("undo", m_felt->task() != nullptr || (editable && m_undo->canUndo()));
+    enable("redo", editable && m_undo->canRedo());
+    enable("load", editable && known);
     enable("copy", idle && measured);
-    enable("reset", idle && measured);
+    enable("reset", editable && measured);
+    enable("recording", editable);
     enable("save", idle && known && !isSaved());
     enable("measure", m_facts.ready && m_facts.hasSensor);
     enable("measureAll", m_facts.ready && m_facts.hasSensor);
@@ -370,7 +380,7 @@ void MotorsView::refresh() {
         std::ranges::count_if(m_calibration.motors, [](const motors::CalibratedMotor& known_) {
             return known_.lagFrom != Origin::assumed;
         });
-    enable("curves", hasCurve > 1);
+    enable("curves", editable && hasCurve > 1);
     button("measure")->setToolTip(
         m_facts.hasSensor ? tr("Drive the motor up and down and record it with the bracelet's sensor")
                           : tr("This bracelet has no sensor: open a recording, or answer by feel"));

@@ -31,6 +31,7 @@ struct BraceletFacts {
     QString name;
     QString serial; ///< empty: there is none, and nothing can be saved
     bool ready = false;
+    bool reserved = false; ///< by a study: its motors stay as they are
     bool simulated = false;
     bool hasSensor = false;
     std::optional<core::Intensities> speeds_Hz; ///< by its sensor, now
@@ -49,8 +50,10 @@ public:
     ~MotorsView() override;
 
     void setFacts(const BraceletFacts& facts);
-    /// Of another bracelet, or from a file: nothing is left to undo or to answer. saved: as its file has it.
-    void setCalibration(const motors::MotorCalibration& calibration, bool saved);
+    /// Of another bracelet, as its file has it: nothing is left to undo or to answer.
+    void setCalibration(const motors::MotorCalibration& calibration);
+    /// A profile of this bracelet from a file, in place of what was known; can be undone.
+    void takeProfile(const motors::MotorCalibration& profile);
     [[nodiscard]] const motors::MotorCalibration& calibration() const { return m_calibration; }
     [[nodiscard]] bool isSaved() const;
     void markSaved();

@@ -125,9 +125,14 @@ void BraceletStation::seek(double time_s) {
 
 void BraceletStation::setCalibration(const motors::MotorCalibration& calibration) {
     m_calibration = calibration;
-    if (m_session)
-        m_session->player().setRanges(playback::rangesOf(calibration.profiles()));
+    if (!m_reserved)
+        applyCalibration();
     emit calibrationChanged(m_calibration);
+}
+
+void BraceletStation::applyCalibration() {
+    if (m_session)
+        m_session->player().setRanges(playback::rangesOf(m_calibration.profiles()));
 }
 
 void BraceletStation::stopPlaying() {
@@ -162,6 +167,8 @@ void BraceletStation::reserve(bool reserved) {
     m_held.reset();
     m_reserved = reserved;
     m_slot->set(reserved ? nullptr : m_session);
+    if (!reserved)
+        applyCalibration();
 }
 
 void BraceletStation::repeatHold() {

@@ -46,7 +46,7 @@ public:
 
     /// What is known of the motors of the bracelet; of none, assumed ones.
     [[nodiscard]] const motors::MotorCalibration& calibration() const { return m_calibration; }
-    /// Takes effect with the next frame. Writes no file.
+    /// Takes effect with the next frame; of a reserved bracelet, when it is given back. Writes no file.
     void setCalibration(const motors::MotorCalibration& calibration);
 
     /// For the arm whose touches are to be felt. It goes on telling what would be played without a bracelet.
@@ -108,6 +108,7 @@ private:
     void letGo();
     void close(std::shared_ptr<BraceletSession> session);
     void takeOpened();
+    void applyCalibration();
     void repeatHold();
 
     core::StopSwitch& m_stop;

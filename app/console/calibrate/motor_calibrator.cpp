@@ -64,14 +64,16 @@ MotorCalibrator::MotorCalibrator(BraceletStation& station, QWidget* parent)
 }
 
 MotorCalibrator::~MotorCalibrator() {
-    cancel();
+    // The view may have ended already: its parent is another one.
+    if (m_run)
+        m_run->stop.request_stop();
     for (const std::shared_ptr<Run>& run : m_runs)
         run->end.wait();
 }
 
 void MotorCalibrator::onSession() {
     cancel();
-    m_view->setCalibration(m_station.calibration(), true);
+    m_view->setCalibration(m_station.calibration());
     tick();
 }
 
@@ -83,6 +85,7 @@ void MotorCalibrator::tick() {
         facts.serial = QString::fromStdString(description.serial);
         facts.simulated = description.simulated;
         facts.ready = m_station.isFree();
+        facts.reserved = m_station.isReserved();
         const auto speeds = session->source().motorSpeeds();
         facts.hasSensor = speeds.has_value();
         if (speeds && m_view->isVisible())
@@ -183,8 +186,7 @@ void MotorCalibrator::load(const QString& path) {
                         .arg(QString::fromStdString(read->bracelet), QString::fromStdString(serial)));
                 return;
             }
-            m_view->setCalibration(*read, false);
-            m_station.setCalibration(*read);
+            m_view->takeProfile(*read);
         });
 }
 

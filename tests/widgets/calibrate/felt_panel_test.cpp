@@ -3,6 +3,7 @@
 #include "widgets/calibrate/felt_panel.h"
 
 #include <QApplication>
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
@@ -141,6 +142,21 @@ private slots:
             QVERIFY2(std::abs(desk.result->motors[i].profile.fullDrive - expected) < 0.06,
                      qPrintable(QString::number(desk.result->motors[i].profile.fullDrive)));
         }
+    }
+
+    void saysWhenSilenceMayBePlayedAndOnlyThen() {
+        Desk desk;
+        const auto says = [&](const char* words) {
+            return std::ranges::any_of(desk.panel.findChildren<QLabel*>(), [&](const QLabel* label) {
+                return label->text().contains(QLatin1String(words));
+            });
+        };
+        desk.panel.begin(FeltTask::start({}, 0));
+        QVERIFY(says("nothing is played"));
+        desk.panel.begin(FeltTask::balance({}));
+        QVERIFY(!says("nothing is played"));
+        QVERIFY(!says("only when you are sure"));
+        QVERIFY(says("Guess when you are not sure"));
     }
 
     void givingUpLeavesTheMotorsAsTheyWere() {

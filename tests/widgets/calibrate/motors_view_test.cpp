@@ -36,7 +36,7 @@ struct Desk {
         active = QTest::qWaitForWindowActive(&view);
         MotorCalibration assumed;
         assumed.bracelet = "simulated";
-        view.setCalibration(assumed, true);
+        view.setCalibration(assumed);
         view.setFacts(simulatedOne());
         QObject::connect(&view, &MotorsView::calibrationChanged,
                          [this](const MotorCalibration& calibration) { changes.push_back(calibration); });
@@ -157,7 +157,7 @@ private slots:
         QTest::keyClick(panel, Qt::Key_Y);
         MotorCalibration other;
         other.bracelet = "TB-0042";
-        desk.view.setCalibration(other, true);
+        desk.view.setCalibration(other);
         QVERIFY(panel->task() == nullptr);
         QVERIFY(!panel->isVisible());
         QVERIFY(desk.view.table()->isEnabled());
@@ -179,6 +179,52 @@ private slots:
         QCOMPARE(desk.view.calibration().bracelet, std::string("simulated"));
         desk.view.undo();
         QVERIFY(desk.view.calibration().measured());
+    }
+
+    void aProfileThatIsLoadedCanBeUndoneAndIsNotSavedAsTheBracelets() {
+        Desk desk;
+        desk.fit(3);
+        const MotorCalibration measured = desk.view.calibration();
+        MotorCalibration loaded = measured;
+        loaded.motors[3].profile.startDrive = 0.31;
+        desk.view.takeProfile(loaded);
+        QCOMPARE(desk.changes.back(), loaded);
+        QVERIFY(desk.says("not saved"));
+        QTest::mouseClick(desk.view.button("undo"), Qt::LeftButton);
+        QCOMPARE(desk.changes.back(), measured);
+    }
+
+    void anotherBraceletIsAsItsFileHasItWhateverWasLoadedBefore() {
+        Desk desk;
+        MotorCalibration loaded;
+        loaded.bracelet = "simulated";
+        loaded.motors[0].startFrom = motors::CalibratedMotor::Origin::answers;
+        desk.view.takeProfile(loaded);
+        QVERIFY(!desk.view.isSaved());
+        desk.view.setCalibration(MotorCalibration{}); // none is connected
+        desk.view.setCalibration(loaded);             // as read from its file
+        QVERIFY(desk.view.isSaved());
+        QVERIFY(desk.says("calibrated, saved"));
+    }
+
+    void changesNoMotorOfABraceletThatAStudyUses() {
+        Desk desk;
+        desk.fit(0);
+        desk.fit(1);
+        const std::size_t before = desk.changes.size();
+        BraceletFacts reserved = simulatedOne();
+        reserved.ready = false;
+        reserved.reserved = true;
+        desk.view.setFacts(reserved);
+        for (const char* name : {"undo", "redo", "load", "reset", "recording", "curves", "measure", "feel"})
+            QVERIFY2(!desk.view.button(name)->isEnabled(), name);
+        QVERIFY(desk.says("a study uses the bracelet"));
+        QTest::keyClick(desk.view.table(), Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(desk.changes.size(), before);
+        // What is known may still be kept.
+        QVERIFY(desk.view.button("save")->isEnabled());
+        desk.view.setFacts(simulatedOne());
+        QVERIFY(desk.view.button("reset")->isEnabled());
     }
 
     void locksTheStepsWhileItMeasures() {

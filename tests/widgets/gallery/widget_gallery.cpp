@@ -215,7 +215,7 @@ std::unique_ptr<QWidget> motorsView(bool asking) {
     auto view = std::make_unique<calibrate::MotorsView>();
     motors::MotorCalibration assumed;
     assumed.bracelet = "simulated";
-    view->setCalibration(assumed, true);
+    view->setCalibration(assumed);
     view->setFacts({.name = QStringLiteral("Simulated bracelet"),
                     .serial = QStringLiteral("simulated"),
                     .ready = true,

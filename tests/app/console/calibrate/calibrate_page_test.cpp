@@ -101,6 +101,32 @@ private slots:
         QTRY_VERIFY(view().button("measure")->isEnabled());
     }
 
+    void aChangedProfileReachesAReservedBraceletOnlyWhenItIsGivenBack() {
+        m_station->reserve(true);
+        motors::MotorCalibration full = m_station->calibration();
+        for (motors::CalibratedMotor& motor : full.motors) {
+            motor.profile.startDrive = 0.95;
+            motor.profile.fullDrive = 1.0;
+            motor.profile.rangeAssumed = false;
+        }
+        m_station->setCalibration(full);
+        const auto speed_Hz = [&] { return m_station->session()->source().motorSpeeds()->speeds_Hz[0]; };
+        m_station->session()->player().play(
+            {.evaluate = [](double) { return core::Intensities{0.4}; }, .duration_s = 600.0});
+        QTRY_VERIFY(speed_Hz() > 5.0);
+        QTRY_VERIFY(m_station->playingPosition_s().value_or(0.0) > 0.3);
+        QVERIFY(speed_Hz() < 0.5 * simulated::unequalMotors()[0].fullSpeed_Hz);
+        m_station->reserve(false);
+        QTRY_VERIFY(speed_Hz() > 0.9 * simulated::unequalMotors()[0].fullSpeed_Hz);
+    }
+
+    void aPageThatIsClosedEndsItsMeasurement() {
+        QTest::mouseClick(view().button("measureAll"), Qt::LeftButton);
+        QTRY_VERIFY(m_station->playingPosition_s().value_or(0.0) > 0.1);
+        m_page.reset();
+        QTRY_VERIFY(!m_station->playingPosition_s());
+    }
+
     void anotherBraceletEndsAMeasurement() {
         QTest::mouseClick(view().button("measure"), Qt::LeftButton);
         QTRY_VERIFY(m_station->playingPosition_s().has_value());
