@@ -94,7 +94,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     m_rail->addPage(QLatin1String(kStudy), base::Icon::study, tr("Study"),
                     tr("User studies: from the first practice trial to confusion matrices and ANOVA"));
     m_rail->addPage(QLatin1String(kCalibrate), base::Icon::calibrate, tr("Calibrate"),
-                    tr("What has to be measured: the motors of the bracelet"));
+                    tr("What has to be measured: the motors of the bracelet, the camera in the tube"));
     m_pages->addWidget(m_operate);
     m_pages->addWidget(m_patterns);
     m_pages->addWidget(m_study);
@@ -573,7 +573,7 @@ void MainWindow::changeEvent(QEvent* event) {
         m_rail->setTitle(QLatin1String(kStudy), tr("Study"),
                          tr("User studies: from the first practice trial to confusion matrices and ANOVA"));
         m_rail->setTitle(QLatin1String(kCalibrate), tr("Calibrate"),
-                         tr("What has to be measured: the motors of the bracelet"));
+                         tr("What has to be measured: the motors of the bracelet, the camera in the tube"));
         fillDemos();
         buildMenus();
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/calibrate/motor_chart.h"
 
-#include "backend/core/number_text.h"
+#include "widgets/base/quantity_text.h"
 #include "widgets/base/theme.h"
 
 #include <qcustomplot.h>
@@ -26,12 +26,7 @@ QString row(std::initializer_list<double> values) {
     for (const double value : values) {
         if (!text.isEmpty())
             text += QLatin1Char(',');
-        if (std::isnan(value)) {
-            text += QLatin1String("NA");
-            continue;
-        }
-        const core::NumberText number(value);
-        text += QString::fromUtf8(number.view().data(), static_cast<qsizetype>(number.view().size()));
+        text += base::csvNumber(value);
     }
     return text + QLatin1Char('\n');
 }

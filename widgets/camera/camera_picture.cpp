@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/camera/camera_picture.h"
 
-#include "backend/core/number_text.h"
 #include "widgets/base/colour_maps.h"
-#include "widgets/base/number_format.h"
+#include "widgets/base/quantity_text.h"
 #include "widgets/base/theme.h"
 
 #include <QFontMetricsF>
@@ -37,10 +36,6 @@ void paintHalo(QPainter& painter, const QPointF& at, const QString& text, const 
     path.addText(at, painter.font(), text);
     painter.strokePath(path, QPen(kRim, 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.fillPath(path, colour);
-}
-
-QString millimetres(double length_m) {
-    return base::withUnit(base::threeDigits(1e3 * length_m).trimmed(), QStringLiteral("mm"));
 }
 
 } // namespace
@@ -102,15 +97,15 @@ QString CameraPicture::wordsFor(const FollowedContact& followed) const {
     if (contact.located) {
         const Eigen::Vector3d& p = contact.p_Sensor_Centre_m;
         text += QLatin1Char('\n') + tr("at %1 along the tube, %2\u00b0 around it")
-                                        .arg(millimetres(p.z()))
+                                        .arg(base::millimetres(p.z()))
                                         .arg(std::lround(std::atan2(p.y(), p.x()) * 180.0 / M_PI));
         if (std::isfinite(contact.sd_m))
-            text += QLatin1Char('\n') + tr("standard deviation %1").arg(millimetres(contact.sd_m));
+            text += QLatin1Char('\n') + tr("standard deviation %1").arg(base::millimetres(contact.sd_m));
         text += QLatin1Char('\n') +
-                tr("moved %1 since it began").arg(millimetres(followed.displacement_m().norm()));
+                tr("moved %1 since it began").arg(base::millimetres(followed.displacement_m().norm()));
     }
     if (std::isfinite(contact.depth_m))
-        text += QLatin1Char('\n') + tr("%1 deep").arg(millimetres(contact.depth_m));
+        text += QLatin1Char('\n') + tr("%1 deep").arg(base::millimetres(contact.depth_m));
     return text;
 }
 
@@ -247,13 +242,7 @@ void CameraPicture::paintState(QPainter& painter, const QSizeF& size, const QPal
 QString CameraPicture::csv() const {
     QString text =
         QStringLiteral("frame,time_s,contact_id,u_px,v_px,x_m,y_m,z_m,dx_m,dy_m,dz_m,area_px,sd_m\n");
-    const auto put = [&](double value, QChar separator) {
-        const core::NumberText number(value);
-        text += std::isfinite(value)
-                    ? QString::fromLatin1(number.view().data(), static_cast<qsizetype>(number.view().size()))
-                    : QStringLiteral("NA");
-        text += separator;
-    };
+    const auto put = [&](double value, QChar separator) { text += base::csvNumber(value) + separator; };
     for (const FollowedContact& followed : shown.contacts) {
         const vision::CameraContact& contact = followed.contact;
         text += QString::number(shown.frame) + QLatin1Char(',');

@@ -52,7 +52,7 @@ public:
     [[nodiscard]] QString wordsFor(const vision::FollowedContact& followed) const;
 
     void paint(QPainter& painter, const QSizeF& size, const QPalette& palette) const;
-    /// One row a contact: kContactColumns without event. C locale.
+    /// One row a contact: kContactColumns without event, and sd_m. C locale, NA where unknown.
     [[nodiscard]] QString csv() const;
 
 private:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/camera/event_model.h"
 
-#include "backend/core/number_text.h"
 #include "widgets/base/number_format.h"
+#include "widgets/base/quantity_text.h"
 #include "widgets/base/theme.h"
 
 #include <QFont>
@@ -10,6 +10,7 @@
 #include <QPalette>
 
 #include <cmath>
+#include <optional>
 
 namespace teleta::camera {
 
@@ -65,11 +66,7 @@ void EventModel::retranslate() {
 QString EventModel::csv() const {
     QString text = QStringLiteral("time_s,event,contact_id,x_m,y_m,z_m,depth_m\n");
     const auto put = [&](double value, bool known, QChar separator) {
-        const core::NumberText number(value);
-        text += known && std::isfinite(value)
-                    ? QString::fromLatin1(number.view().data(), static_cast<qsizetype>(number.view().size()))
-                    : QStringLiteral("NA");
-        text += separator;
+        text += base::csvNumber(known ? std::optional(value) : std::nullopt) + separator;
     };
     for (auto happened = m_events.rbegin(); happened != m_events.rend(); ++happened) {
         put(happened->time_s, true, u',');
@@ -111,7 +108,7 @@ QVariant EventModel::data(const QModelIndex& index, int role) const {
     const Eigen::Vector3d& p = happened.p_Sensor_m;
     switch (index.column()) {
     case time:
-        return base::withUnit(base::threeDigits(happened.time_s), QStringLiteral("s"));
+        return base::withUnit(base::fixedDigits(happened.time_s, 3), QStringLiteral("s"));
     case event:
         switch (happened.kind) {
         case Kind::begins:

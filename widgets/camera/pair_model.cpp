@@ -2,13 +2,19 @@
 #include "widgets/camera/pair_model.h"
 
 #include "widgets/base/number_format.h"
+#include "widgets/base/quantity_text.h"
 
 namespace teleta::camera {
 
 namespace {
 
-QString digits(double value) {
-    return base::threeDigits(value).trimmed();
+/// Neighbouring pairs are told apart, and the numbers of a column stand below each other.
+QString pixelText(double value_px) {
+    return base::fixedDigits(value_px, 1);
+}
+
+QString lengthText(double length_m) {
+    return base::fixedDigits(1e3 * length_m, 2);
 }
 
 } // namespace
@@ -18,13 +24,20 @@ PairModel::PairModel(QObject* parent)
 }
 
 void PairModel::setPairs(const CalibratedPairs& pairs) {
-    if (pairs.pairs.size() != m_pairs.pairs.size()) {
-        beginResetModel();
+    // Rows come and go at the end, so that a table keeps its place while pairs are collected.
+    const int before = rowCount();
+    const int after = static_cast<int>(pairs.pairs.size());
+    if (after > before) {
+        beginInsertRows({}, before, after - 1);
         m_pairs = pairs;
-        endResetModel();
-        return;
+        endInsertRows();
+    } else if (after < before) {
+        beginRemoveRows({}, after, before - 1);
+        m_pairs = pairs;
+        endRemoveRows();
+    } else {
+        m_pairs = pairs;
     }
-    m_pairs = pairs;
     if (rowCount() > 0)
         emit dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
 }
@@ -51,11 +64,10 @@ QString PairModel::text(std::size_t pair, int column) const {
     case number:
         return QString::number(pair + 1);
     case pixel:
-        return QStringLiteral("%1, %2").arg(digits(p.pixel.x()), digits(p.pixel.y()));
+        return QStringLiteral("%1, %2").arg(pixelText(p.pixel.x()), pixelText(p.pixel.y()));
     case point:
         return QStringLiteral("%1, %2, %3")
-            .arg(digits(1e3 * p.p_Sensor_m.x()), digits(1e3 * p.p_Sensor_m.y()),
-                 digits(1e3 * p.p_Sensor_m.z()));
+            .arg(lengthText(p.p_Sensor_m.x()), lengthText(p.p_Sensor_m.y()), lengthText(p.p_Sensor_m.z()));
     case imageError:
         return base::threeDigits(residual.error_px ? std::optional(residual.error_px->norm()) : std::nullopt)
             .trimmed();

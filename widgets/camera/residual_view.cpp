@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/camera/residual_view.h"
 
-#include "backend/core/number_text.h"
 #include "widgets/base/focus_frame.h"
 #include "widgets/base/number_format.h"
+#include "widgets/base/quantity_text.h"
 #include "widgets/base/theme.h"
 
 #include <QContextMenuEvent>
@@ -21,10 +21,7 @@ namespace {
 QString csvOf(const CalibratedPairs& shown) {
     QString text = QStringLiteral("u_px,v_px,x_m,y_m,z_m,used,kept,du_px,dv_px,error_m\n");
     const auto put = [&](std::optional<double> value, QChar separator) {
-        text += value ? QString::fromLatin1(core::NumberText(*value).view().data(),
-                                            static_cast<qsizetype>(core::NumberText(*value).view().size()))
-                      : QStringLiteral("NA");
-        text += separator;
+        text += base::csvNumber(value) + separator;
     };
     const vision::PairResidual none;
     for (std::size_t i = 0; i < shown.pairs.size(); ++i) {
@@ -108,10 +105,8 @@ QString ResidualView::wordsFor(std::size_t pair) const {
                     .arg(base::withUnit(base::threeDigits(residual.error_px->norm()).trimmed(),
                                         QStringLiteral("px")));
     if (residual.error_m)
-        text += QStringLiteral("\n") +
-                tr("off by %1 on the cylinder")
-                    .arg(base::withUnit(base::threeDigits(1e3 * *residual.error_m).trimmed(),
-                                        QStringLiteral("mm")));
+        text +=
+            QStringLiteral("\n") + tr("off by %1 on the cylinder").arg(base::millimetres(*residual.error_m));
     return text;
 }
 

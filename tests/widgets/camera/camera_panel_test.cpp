@@ -251,6 +251,10 @@ private slots:
                  QStringLiteral("time_s,event,contact_id,x_m,y_m,z_m,depth_m\n"
                                 "0,reference,NA,NA,NA,NA,NA\n"
                                 "0.475,bump,2,0.025,0,0.04,0.002"));
+        table.append({.kind = CameraEvent::Kind::begins, .time_s = 123.41, .contact = 3});
+        table.append({.kind = CameraEvent::Kind::bumps, .time_s = 123.46, .contact = 3});
+        QCOMPARE(model.index(1, EventModel::time).data().toString(), QStringLiteral("123.410\u00a0s"));
+        QCOMPARE(model.index(0, EventModel::time).data().toString(), QStringLiteral("123.460\u00a0s"));
         for (std::size_t i = 0; i < EventModel::kCapacity + 10; ++i)
             table.append({.time_s = static_cast<double>(i), .contact = 1});
         QCOMPARE(model.rowCount(), static_cast<int>(EventModel::kCapacity));

@@ -130,6 +130,26 @@ private slots:
         QCOMPARE(lines[3], QStringLiteral("820,1000,0,-0.025,0.08,0,0,NA,NA,NA"));
     }
 
+    void theTableGrowsAndShrinksAtItsEnd() {
+        PairModel model;
+        CalibratedPairs pairs = threePairs();
+        model.setPairs(pairs);
+        QSignalSpy reset(&model, &PairModel::modelReset);
+        QSignalSpy added(&model, &PairModel::rowsInserted);
+        pairs.pairs.push_back({{1.5, 2.5}, {0.0, 0.025, 0.01}});
+        pairs.used.push_back(true);
+        pairs.residuals.emplace_back();
+        model.setPairs(pairs);
+        QCOMPARE(added.count(), 1);
+        QCOMPARE(model.index(3, PairModel::pixel).data().toString(), QStringLiteral("1.5, 2.5"));
+        pairs = threePairs();
+        pairs.pairs[0].pixel.x() = 7.0;
+        model.setPairs(pairs);
+        QCOMPARE(model.rowCount(), 3);
+        QCOMPARE(model.index(0, PairModel::pixel).data().toString(), QStringLiteral("7.0, 300.0"));
+        QCOMPARE(reset.count(), 0);
+    }
+
     void theTableTellsStatesAndAsksForUse() {
         PairModel model;
         model.setPairs(threePairs());
@@ -138,6 +158,9 @@ private slots:
         QCOMPARE(state(0), QStringLiteral("kept"));
         QCOMPARE(state(1), QStringLiteral("wrong"));
         QCOMPARE(state(2), QStringLiteral("excluded"));
+        QCOMPARE(model.index(1, PairModel::pixel).data().toString(), QStringLiteral("1200.0, 300.0"));
+        QCOMPARE(model.index(2, PairModel::point).data().toString(),
+                 QStringLiteral("0.00, \u221225.00, 80.00"));
         QSignalSpy asked(&model, &PairModel::useRequested);
         const QModelIndex tick = model.index(2, PairModel::number);
         QCOMPARE(tick.data(Qt::CheckStateRole).toInt(), static_cast<int>(Qt::Unchecked));

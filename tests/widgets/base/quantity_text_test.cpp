@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/widgets/test_registry.h"
+#include "widgets/base/quantity_text.h"
+
+#include <QLocale>
+#include <QTest>
+
+#include <limits>
+
+using namespace teleta;
+using namespace teleta::base;
+
+/// Numbers in columns, sentences and files.
+class QuantityTextTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() { QLocale::setDefault(QLocale::c()); }
+    void cleanup() { QLocale::setDefault(QLocale::c()); }
+
+    void fixedDigitsTellNeighboursApartHoweverLargeTheyAre() {
+        QCOMPARE(fixedDigits(123.41, 3), QStringLiteral("123.410"));
+        QCOMPARE(fixedDigits(12345.6, 1), QStringLiteral("12345.6"));
+        QCOMPARE(fixedDigits(-0.26, 1), QStringLiteral("\u22120.3"));
+        QCOMPARE(fixedDigits(-0.04, 1), QStringLiteral("0.0"));
+        QLocale::setDefault(QLocale(QLocale::French, QLocale::France));
+        QCOMPARE(fixedDigits(12345.6, 1), QStringLiteral("12345,6"));
+    }
+
+    void whatIsUndefinedIsADashOnTheScreenAndNAInAFile() {
+        for (const double value :
+             {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+            QCOMPARE(fixedDigits(value, 2), QStringLiteral("\u2014"));
+            QCOMPARE(csvNumber(value), QStringLiteral("NA"));
+        }
+        QCOMPARE(csvNumber(std::nullopt), QStringLiteral("NA"));
+    }
+
+    void aFileHasTheFewestDigitsInTheCLocale() {
+        QLocale::setDefault(QLocale(QLocale::French, QLocale::France));
+        QCOMPARE(csvNumber(0.1), QStringLiteral("0.1"));
+        QCOMPARE(csvNumber(-1234567.0), QStringLiteral("-1234567"));
+        QCOMPARE(millimetres(0.0123), QStringLiteral("12,3\u00a0mm"));
+    }
+};
+
+namespace {
+const test::Registration<QuantityTextTest> registration;
+}
+#include "quantity_text_test.moc"

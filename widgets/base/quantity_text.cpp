@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/base/quantity_text.h"
+
+#include "backend/core/number_text.h"
+#include "widgets/base/number_format.h"
+
+#include <QLocale>
+
+#include <cmath>
+
+namespace teleta::base {
+
+QString fixedDigits(std::optional<double> value, int decimals) {
+    if (!value || !std::isfinite(*value))
+        return QString(QChar(0x2014));
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    const bool zero = std::round(std::abs(*value) * std::pow(10.0, decimals)) == 0.0;
+    const QString digits = locale.toString(std::abs(*value), 'f', decimals);
+    return *value < 0.0 && !zero ? QChar(0x2212) + digits : digits;
+}
+
+QString millimetres(double length_m) {
+    return withUnit(threeDigits(1e3 * length_m).trimmed(), QStringLiteral("mm"));
+}
+
+QString csvNumber(std::optional<double> value) {
+    if (!value || !std::isfinite(*value))
+        return QStringLiteral("NA");
+    const core::NumberText text(*value);
+    return QString::fromLatin1(text.view().data(), static_cast<qsizetype>(text.view().size()));
+}
+
+} // namespace teleta::base
