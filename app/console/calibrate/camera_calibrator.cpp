@@ -2,8 +2,11 @@
 #include "app/console/calibrate/camera_calibrator.h"
 
 #include "app/console/background.h"
+#include "app/console/calibrate/pair_entry.h"
+#include "app/console/calibrate/tube_fields.h"
 #include "backend/vision/camera_file.h"
 #include "widgets/base/number_format.h"
+#include "widgets/base/quantity_text.h"
 #include "widgets/base/theme.h"
 #include "widgets/camera/pair_model.h"
 #include "widgets/camera/residual_view.h"
@@ -13,6 +16,8 @@
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QFontMetrics>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QMimeData>
@@ -35,65 +40,28 @@ namespace {
 using vision::CalibrationMethod;
 using vision::CalibrationPair;
 
-QString millimetres(double length_m) {
-    return base::withUnit(base::threeDigits(1e3 * length_m).trimmed(), QStringLiteral("mm"));
-}
-
 QString pixels(double value_px) {
     return base::withUnit(base::threeDigits(value_px).trimmed(), QStringLiteral("px"));
 }
 
-/// Spreads the residuals over all pairs and adds those of the excluded ones.
-void spreadResiduals(vision::Calibration& calibration, const std::vector<CalibrationPair>& pairs,
-                     const std::vector<bool>& used) {
-    std::vector<vision::PairResidual> all;
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        all.push_back(used[i] ? calibration.residuals[next++]
-                              : vision::residualOf(calibration.camera, pairs[i]));
-    }
-    calibration.residuals = std::move(all);
-}
-
-CameraCalibrator::Answers fitAll(const std::vector<CalibrationPair>& pairs, const std::vector<bool>& used,
-                                 const vision::CalibrationSettings& settings) {
-    std::vector<CalibrationPair> chosen;
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        if (used[i])
-            chosen.push_back(pairs[i]);
-    }
-    CameraCalibrator::Answers answers;
-    for (std::size_t i = 0; i < answers.size(); ++i) {
-        auto calibration = vision::calibrate(chosen, settings, vision::kCalibrationMethods[i]);
-        if (!calibration) {
-            const core::Error error = vision::describe(calibration.error(), chosen.size());
-            answers[i].refusal = QString::fromStdString(error.message);
-            continue;
-        }
-        spreadResiduals(*calibration, pairs, used);
-        answers[i].calibration = std::move(*calibration);
-    }
-    return answers;
-}
-
 } // namespace
 
-/// Uses pairs or leaves them out.
-class UseCommand : public QUndoCommand {
+/// From one state of the work to another.
+class CameraCalibrator::Edit : public QUndoCommand {
 public:
-    UseCommand(CameraCalibrator& calibrator, std::vector<std::size_t> pairs, bool used, const QString& text)
+    Edit(CameraCalibrator& calibrator, Work after, const QString& text)
         : QUndoCommand(text)
         , m_calibrator(calibrator)
-        , m_pairs(std::move(pairs))
-        , m_used(used) {}
+        , m_before(calibrator.m_work)
+        , m_after(std::move(after)) {}
 
-    void redo() override { m_calibrator.applyUsed(m_pairs, m_used); }
-    void undo() override { m_calibrator.applyUsed(m_pairs, !m_used); }
+    void redo() override { m_calibrator.apply(m_after); }
+    void undo() override { m_calibrator.apply(m_before); }
 
 private:
     CameraCalibrator& m_calibrator;
-    std::vector<std::size_t> m_pairs;
-    bool m_used;
+    Work m_before;
+    Work m_after;
 };
 
 CameraCalibrator::CameraCalibrator(QWidget* parent)
@@ -109,9 +77,10 @@ CameraCalibrator::~CameraCalibrator() = default;
 void CameraCalibrator::buildTools() {
     m_tools = new QToolBar;
     m_tools->setToolButtonStyle(Qt::ToolButtonTextOnly);
-    m_load = m_tools->addAction(QString(), this, [this] { askForFile(false); });
+    m_load = m_tools->addAction(QString(), this, [this] { askForFile(File::pairs, false); });
     m_load->setShortcut(QKeySequence::Open);
-    m_save = m_tools->addAction(QString(), this, [this] { askForFile(true); });
+    m_savePairs = m_tools->addAction(QString(), this, [this] { askForFile(File::pairs, true); });
+    m_save = m_tools->addAction(QString(), this, [this] { askForFile(File::camera, true); });
     m_save->setShortcut(QKeySequence::Save);
     m_tools->addSeparator();
     m_methodLabel = new QLabel;
@@ -134,6 +103,67 @@ void CameraCalibrator::buildTools() {
     for (QAction* action : {m_load, m_save, m_undoAction, m_redoAction})
         action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     addActions({m_load, m_save, m_undoAction, m_redoAction});
+    m_tube = new TubeFields;
+    connect(m_tube, &TubeFields::changed, this, &CameraCalibrator::setSettings);
+}
+
+QWidget* CameraCalibrator::buildTables() {
+    m_comparison = new QTableWidget(static_cast<int>(vision::kCalibrationMethods.size()), 6);
+    m_comparison->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_comparison->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_comparison->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_comparison->verticalHeader()->hide();
+    m_comparison->horizontalHeader()->setStretchLastSection(true);
+    connect(m_comparison, &QTableWidget::cellClicked, this, [this](int row, int) {
+        chooseMethod(vision::kCalibrationMethods[static_cast<std::size_t>(row)]);
+    });
+
+    m_model = new camera::PairModel(this);
+    connect(m_model, &camera::PairModel::useRequested, this,
+            [this](std::size_t pair, bool use) { setUsed({pair}, use); });
+    auto* sorted = new QSortFilterProxyModel(this);
+    sorted->setSourceModel(m_model);
+    sorted->setSortRole(camera::PairModel::kSortRole);
+    m_table = new QTableView;
+    m_table->setObjectName(QStringLiteral("pairs"));
+    m_table->setModel(sorted);
+    m_table->setSortingEnabled(true);
+    m_table->sortByColumn(camera::PairModel::number, Qt::AscendingOrder);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->verticalHeader()->hide();
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->setWordWrap(false);
+    m_toggle = new QAction(m_table);
+    connect(m_toggle, &QAction::triggered, this, [this] {
+        const std::vector<std::size_t> pairs = selectedPairs();
+        if (!pairs.empty())
+            setUsed(pairs, !m_work.used[pairs.front()]);
+    });
+    m_remove = new QAction(m_table);
+    m_remove->setShortcut(QKeySequence::Delete);
+    m_remove->setShortcutContext(Qt::WidgetShortcut);
+    connect(m_remove, &QAction::triggered, this, [this] { removePairs(selectedPairs()); });
+    m_table->addActions({m_toggle, m_remove});
+    m_table->setContextMenuPolicy(Qt::ActionsContextMenu);
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            [this, sorted](const QModelIndex& current) {
+                if (current.isValid())
+                    selectPair(static_cast<std::size_t>(sorted->mapToSource(current).row()));
+            });
+
+    m_entry = new PairEntry;
+    connect(m_entry, &PairEntry::entered, this, &CameraCalibrator::addPair);
+    auto* tables = new QSplitter(Qt::Vertical);
+    tables->addWidget(m_comparison);
+    tables->addWidget(m_table);
+    tables->setStretchFactor(0, 1);
+    tables->setStretchFactor(1, 3);
+    auto* all = new QWidget;
+    auto* layout = new QVBoxLayout(all);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(tables, 1);
+    layout->addWidget(m_entry);
+    return all;
 }
 
 void CameraCalibrator::build() {
@@ -152,51 +182,21 @@ void CameraCalibrator::build() {
         connect(view, &camera::ResidualView::exportFailed, this,
                 [this](const QString& text) { emit message(text, true); });
     }
-    m_comparison = new QTableWidget(static_cast<int>(vision::kCalibrationMethods.size()), 6);
-    m_comparison->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_comparison->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_comparison->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_comparison->verticalHeader()->hide();
-    m_comparison->horizontalHeader()->setStretchLastSection(true);
-    connect(m_comparison, &QTableWidget::cellClicked, this, [this](int row, int) {
-        chooseMethod(vision::kCalibrationMethods[static_cast<std::size_t>(row)]);
-    });
-
-    m_model = new camera::PairModel(this);
-    connect(m_model, &camera::PairModel::useRequested, this,
-            [this](std::size_t pair, bool use) { setUsed({pair}, use); });
-    auto* sorted = new QSortFilterProxyModel(this);
-    sorted->setSourceModel(m_model);
-    sorted->setSortRole(camera::PairModel::kSortRole);
-    m_table = new QTableView;
-    m_table->setModel(sorted);
-    m_table->setSortingEnabled(true);
-    m_table->sortByColumn(camera::PairModel::number, Qt::AscendingOrder);
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->verticalHeader()->hide();
-    m_table->horizontalHeader()->setStretchLastSection(true);
-    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
-            [this, sorted](const QModelIndex& current) {
-                if (current.isValid())
-                    selectPair(static_cast<std::size_t>(sorted->mapToSource(current).row()));
-            });
-
     auto* pictures = new QSplitter(Qt::Vertical);
     pictures->addWidget(m_image);
     pictures->addWidget(m_cylinder);
-    auto* tables = new QSplitter(Qt::Vertical);
-    tables->addWidget(m_comparison);
-    tables->addWidget(m_table);
-    tables->setStretchFactor(0, 1);
-    tables->setStretchFactor(1, 3);
     auto* halves = new QSplitter;
     halves->addWidget(pictures);
-    halves->addWidget(tables);
+    halves->addWidget(buildTables());
     halves->setStretchFactor(0, 3);
     halves->setStretchFactor(1, 2);
     auto* layout = new QVBoxLayout(this);
+    auto* head = new QHBoxLayout;
+    head->setContentsMargins(base::grid(this), 0, base::grid(this), 0);
+    head->addWidget(m_verdict, 1);
+    head->addWidget(m_tube);
     layout->addWidget(m_tools);
-    layout->addWidget(m_verdict);
+    layout->addLayout(head);
     layout->addWidget(halves, 1);
 }
 
@@ -204,6 +204,8 @@ void CameraCalibrator::retranslate() {
     setWindowTitle(tr("Cylinder camera"));
     m_load->setText(tr("&Load pairs..."));
     m_load->setToolTip(tr("Pairs of pixels and points: CSV with u_px,v_px,x_m,y_m,z_m"));
+    m_savePairs->setText(tr("Save pai&rs..."));
+    m_savePairs->setToolTip(tr("All pairs, those that are left out too, as they are loaded"));
     m_save->setText(tr("&Save camera..."));
     m_save->setToolTip(tr("The camera of the chosen method, for teleta locate and the camera view"));
     m_methodLabel->setText(tr("&Method:"));
@@ -218,11 +220,17 @@ void CameraCalibrator::retranslate() {
     m_comparison->setHorizontalHeaderLabels(
         {tr("Method"), tr("Kept"), tr("Image, mean"), tr("Surface, mean"), tr("Uncertainty"), tr("Remark")});
     m_table->setAccessibleName(tr("Pairs"));
+    m_toggle->setText(tr("&Exclude, or use again"));
+    m_remove->setText(tr("&Remove"));
     m_model->retranslate();
-    setWhatsThis(
-        tr("<p>Finds the camera inside the tactile cylinder from pairs: a pixel and the point of the surface "
-           "that was probed there.</p><p>Load a CSV file or drop it here. Wrong pairs are found and "
-           "left out; you may exclude more, and take every step back.</p>"));
+    m_tube->retranslate();
+    m_entry->retranslate();
+    sizeColumns();
+    setWhatsThis(tr(
+        "<p>Finds the camera inside the tactile cylinder from pairs: a pixel and the point of the surface "
+        "that was probed there.</p><p>Load a CSV file or drop it here, or type pairs in. Wrong pairs are "
+        "found and left out; you may exclude more or remove them (Delete in the table), and take every step "
+        "back.</p>"));
     showComparison();
     m_verdict->setText(verdict());
 }
@@ -244,80 +252,160 @@ void CameraCalibrator::dropEvent(QDropEvent* event) {
     open(event->mimeData()->urls().front().toLocalFile());
 }
 
-void CameraCalibrator::askForFile(bool save) {
-    auto* dialog = new QFileDialog(this, save ? tr("Save the camera") : tr("Load pairs"), m_file,
-                                   save ? tr("Cameras (*.json)") : tr("Pairs (*.csv);;All files (*)"));
+void CameraCalibrator::askForFile(File file, bool save) {
+    const bool camera = file == File::camera;
+    auto* dialog =
+        new QFileDialog(this,
+                        camera ? tr("Save the camera")
+                        : save ? tr("Save the pairs")
+                               : tr("Load pairs"),
+                        m_file, camera ? tr("Cameras (*.json)") : tr("Pairs (*.csv);;All files (*)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(save ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
     dialog->setFileMode(save ? QFileDialog::AnyFile : QFileDialog::ExistingFile);
     if (save)
-        dialog->setDefaultSuffix(QStringLiteral("json"));
+        dialog->setDefaultSuffix(camera ? QStringLiteral("json") : QStringLiteral("csv"));
     connect(dialog, &QFileDialog::fileSelected, this,
-            save ? &CameraCalibrator::save : &CameraCalibrator::open);
+            camera ? &CameraCalibrator::save
+            : save ? &CameraCalibrator::savePairs
+                   : &CameraCalibrator::open);
     dialog->open();
 }
 
 void CameraCalibrator::open(const QString& path) {
     runInBackground(
         this, [path] { return vision::readPairs(path.toStdString()); },
-        [this, path](core::Expected<std::vector<CalibrationPair>> pairs) {
+        [this, path, number = ++m_opened](core::Expected<std::vector<CalibrationPair>> pairs) {
             if (!pairs) {
                 emit message(QString::fromStdString(core::describe(pairs.error())), true);
                 return;
             }
+            // The file that was asked for last, however long each one took.
+            if (number != m_opened)
+                return;
             m_file = QFileInfo(path).absolutePath();
             setPairs(std::move(*pairs));
         });
 }
 
+void CameraCalibrator::write(const QString& path, std::function<core::Expected<void>()> writer) {
+    runInBackground(this, std::move(writer), [this, path](core::Expected<void> written) {
+        if (written)
+            emit message(tr("Saved %1").arg(path), false);
+        else
+            emit message(QString::fromStdString(core::describe(written.error())), true);
+    });
+}
+
 void CameraCalibrator::save(const QString& path) {
     const Answer* chosen = answer();
-    if (chosen == nullptr || !chosen->calibration)
+    if (m_fitting || chosen == nullptr || !chosen->calibration)
         return;
-    vision::CameraFile file{chosen->calibration->camera, vision::summaryOf(*chosen->calibration)};
-    runInBackground(
-        this, [file = std::move(file), path] { return vision::writeCamera(file, path.toStdString()); },
-        [this, path](core::Expected<void> written) {
-            if (written)
-                emit message(tr("Saved %1").arg(path), false);
-            else
-                emit message(QString::fromStdString(core::describe(written.error())), true);
-        });
+    write(path,
+          [file = vision::CameraFile{chosen->calibration->camera, vision::summaryOf(*chosen->calibration)},
+           path] { return vision::writeCamera(file, path.toStdString()); });
+}
+
+void CameraCalibrator::savePairs(const QString& path) {
+    write(path, [pairs = m_work.pairs, path] { return vision::writePairs(pairs, path.toStdString()); });
+}
+
+void CameraCalibrator::edit(Work after, const QString& text) {
+    m_undo->push(new Edit(*this, std::move(after), text));
+}
+
+void CameraCalibrator::apply(const Work& work) {
+    const Work before = std::exchange(m_work, work);
+    if (m_answers)
+        takeAnswers(std::move(*m_answers), before);
+    m_tube->setSettings(m_work.settings);
+    fit();
+    refresh();
+}
+
+void CameraCalibrator::takeAnswers(Answers answers, const Work& fitted) {
+    m_answers.reset();
+    for (Answer& one : answers) {
+        if (!one.calibration)
+            continue;
+        one.calibration->residuals = carriedOver(*one.calibration, fitted.pairs, m_work.pairs);
+        if (one.calibration->residuals.empty())
+            return;
+    }
+    m_answers = std::move(answers);
 }
 
 void CameraCalibrator::setPairs(std::vector<CalibrationPair> pairs) {
-    m_undo->clear();
-    m_shown = {};
-    m_shown.used.assign(pairs.size(), true);
-    m_shown.pairs = std::move(pairs);
-    m_answers.reset();
-    refresh();
-    fit();
+    Work after{{}, std::vector<bool>(pairs.size(), true), m_work.settings};
+    after.pairs = std::move(pairs);
+    edit(std::move(after), tr("loading"));
+    sizeColumns();
+}
+
+void CameraCalibrator::addPair(const CalibrationPair& pair) {
+    Work after = m_work;
+    after.pairs.push_back(pair);
+    after.used.push_back(true);
+    edit(std::move(after), tr("added pair"));
+    selectPair(m_work.pairs.size() - 1);
+}
+
+void CameraCalibrator::removePairs(const std::vector<std::size_t>& pairs) {
+    Work after{{}, {}, m_work.settings};
+    for (std::size_t i = 0; i < m_work.pairs.size(); ++i) {
+        if (std::ranges::find(pairs, i) != pairs.end())
+            continue;
+        after.pairs.push_back(m_work.pairs[i]);
+        after.used.push_back(m_work.used[i]);
+    }
+    const auto count = static_cast<int>(m_work.pairs.size() - after.pairs.size());
+    if (count > 0)
+        edit(std::move(after), tr("removal of %n pair(s)", nullptr, count));
 }
 
 void CameraCalibrator::setUsed(const std::vector<std::size_t>& pairs, bool used) {
-    std::vector<std::size_t> changed;
+    Work after = m_work;
+    int count = 0;
     for (const std::size_t pair : pairs) {
-        if (pair < m_shown.used.size() && m_shown.used[pair] != used)
-            changed.push_back(pair);
+        if (pair >= after.used.size() || after.used[pair] == used)
+            continue;
+        after.used[pair] = used;
+        ++count;
     }
-    if (changed.empty())
-        return;
-    const auto count = static_cast<int>(changed.size());
-    m_undo->push(new UseCommand(*this, std::move(changed), used,
-                                used ? tr("use of %n pair(s)", nullptr, count)
-                                     : tr("exclusion of %n pair(s)", nullptr, count)));
+    if (count > 0)
+        edit(std::move(after),
+             used ? tr("use of %n pair(s)", nullptr, count) : tr("exclusion of %n pair(s)", nullptr, count));
 }
 
-void CameraCalibrator::applyUsed(const std::vector<std::size_t>& pairs, bool used) {
-    for (const std::size_t pair : pairs)
-        m_shown.used[pair] = used;
-    refresh();
-    fit();
+void CameraCalibrator::setSettings(const vision::CalibrationSettings& settings) {
+    Work after = m_work;
+    after.settings = settings;
+    edit(std::move(after), tr("image and cylinder"));
+}
+
+std::vector<std::size_t> CameraCalibrator::selectedPairs() const {
+    const auto* sorted = static_cast<const QSortFilterProxyModel*>(m_table->model());
+    std::vector<std::size_t> pairs;
+    for (const QModelIndex& row : m_table->selectionModel()->selectedRows())
+        pairs.push_back(static_cast<std::size_t>(sorted->mapToSource(row).row()));
+    return pairs;
+}
+
+void CameraCalibrator::sizeColumns() {
+    m_table->resizeColumnsToContents();
+    // Room for what may come: pairs are added one by one.
+    const QFontMetrics metrics(m_table->font());
+    const auto atLeast = [&](int column, const char* text) {
+        const int width = metrics.horizontalAdvance(QLatin1String(text)) + base::em(this, 1);
+        m_table->setColumnWidth(column, std::max(m_table->columnWidth(column), width));
+    };
+    atLeast(camera::PairModel::number, "[x] 8888");
+    atLeast(camera::PairModel::pixel, "8888.8, 8888.8");
+    atLeast(camera::PairModel::point, "-88.88, -88.88, 888.88");
 }
 
 void CameraCalibrator::toggle(std::size_t pair) {
-    setUsed({pair}, !m_shown.used[pair]);
+    setUsed({pair}, !m_work.used[pair]);
 }
 
 void CameraCalibrator::excludeOutliers() {
@@ -335,27 +423,24 @@ void CameraCalibrator::chooseMethod(CalibrationMethod method) {
 }
 
 void CameraCalibrator::fit() {
-    if (m_fitting) {
-        m_again = true;
+    m_again = m_fitting;
+    if (m_fitting)
+        return;
+    if (m_work.pairs.empty()) {
+        m_answers.reset();
         return;
     }
     m_fitting = true;
-    m_again = false;
-    m_verdict->setText(verdict());
     runInBackground(
-        this,
-        [pairs = m_shown.pairs, used = m_shown.used, settings = m_settings] {
-            return fitAll(pairs, used, settings);
-        },
-        [this](Answers answers) {
+        this, [work = m_work] { return std::pair(fitAll(work.pairs, work.used, work.settings), work); },
+        [this](std::pair<Answers, Work> fitted) {
             m_fitting = false;
-            if (m_again) {
+            takeAnswers(std::move(fitted.first), fitted.second);
+            if (m_again)
                 fit();
-                return;
-            }
-            m_answers = std::move(answers);
             refresh();
-            emit calibrated();
+            if (!m_fitting)
+                emit calibrated();
         });
 }
 
@@ -371,7 +456,7 @@ const CameraCalibrator::Answer* CameraCalibrator::answer() const {
 
 QString CameraCalibrator::verdict() const {
     if (m_shown.pairs.empty())
-        return tr("Load pairs of pixels and probed points, or drop their file here.");
+        return tr("Load pairs of pixels and probed points, drop their file here, or type them in below.");
     const Answer* chosen = answer();
     if (m_fitting || chosen == nullptr)
         return tr("Calibrating...");
@@ -380,8 +465,8 @@ QString CameraCalibrator::verdict() const {
     const vision::Calibration& found = *chosen->calibration;
     const auto used = static_cast<int>(std::count(m_shown.used.begin(), m_shown.used.end(), true));
     QString text = tr("%1 of %n pair(s) kept; ", nullptr, used).arg(found.kept);
-    text += tr("points are located with %1 on average, and the camera leaves them uncertain by %2. ")
-                .arg(millimetres(found.mean_error_m), millimetres(found.uncertainty_m));
+    text += tr("their points are located to within %1 on average, and the camera is sure to within %2. ")
+                .arg(base::millimetres(found.mean_error_m), base::millimetres(found.uncertainty_m));
     if (m_method == CalibrationMethod::dlt || m_method == CalibrationMethod::paper)
         text += tr("This method knows no lens: use it to compare only.");
     else if (found.isStructured())
@@ -394,11 +479,13 @@ QString CameraCalibrator::verdict() const {
 }
 
 void CameraCalibrator::refresh() {
-    m_shown.residuals.clear();
-    m_shown.camera.reset();
-    m_shown.surface = m_settings.surface;
-    m_shown.width_px = m_settings.width_px;
-    m_shown.height_px = m_settings.height_px;
+    m_shown = {m_work.pairs,
+               m_work.used,
+               {},
+               {},
+               m_work.settings.surface,
+               m_work.settings.width_px,
+               m_work.settings.height_px};
     const Answer* chosen = answer();
     const bool found = chosen != nullptr && chosen->calibration;
     if (found) {
@@ -414,9 +501,11 @@ void CameraCalibrator::refresh() {
             m_comparison->selectRow(static_cast<int>(i));
         }
     }
-    m_save->setEnabled(found);
+    const bool settled = found && !m_fitting;
+    m_save->setEnabled(settled);
+    m_savePairs->setEnabled(!m_work.pairs.empty());
     const auto used = static_cast<std::size_t>(std::count(m_shown.used.begin(), m_shown.used.end(), true));
-    m_exclude->setEnabled(found && chosen->calibration->kept < used);
+    m_exclude->setEnabled(settled && chosen->calibration->kept < used);
     m_verdict->setText(verdict());
     showComparison();
 }
@@ -427,8 +516,9 @@ void CameraCalibrator::showComparison() {
         const Answer* found = m_answers ? &(*m_answers)[static_cast<std::size_t>(row)] : nullptr;
         if (found != nullptr && found->calibration) {
             const vision::Calibration& c = *found->calibration;
-            cells << QString::number(c.kept) << pixels(c.mean_px) << millimetres(c.mean_error_m)
-                  << millimetres(c.uncertainty_m) << (c.isStructured() ? tr("has a pattern") : QString());
+            cells << QString::number(c.kept) << pixels(c.mean_px) << base::millimetres(c.mean_error_m)
+                  << base::millimetres(c.uncertainty_m)
+                  << (c.isStructured() ? tr("has a pattern") : QString());
         } else {
             const QString none = QStringLiteral("\u2014");
             cells << none << none << none << none << (found != nullptr ? found->refusal : QString());

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/vision/camera_calibration.h"
+#include "app/console/calibrate/camera_fits.h"
+#include "backend/core/error.h"
 #include "widgets/camera/residual_picture.h"
 
 #include <QString>
 #include <QWidget>
 
-#include <array>
-#include <memory>
+#include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -27,33 +28,46 @@ class ResidualView;
 
 namespace teleta::console {
 
-/// Calibration of the cylinder camera: pairs from a file, four methods side by side, their residuals on the
-/// image and on the unrolled cylinder, pairs excluded and taken back with undo, the camera saved. Files and
-/// fits run on pool threads; while one runs, later changes wait for the next. Thread: GUI.
+class PairEntry;
+class TubeFields;
+
+/// Calibration of the cylinder camera: pairs from a file or typed in, four methods side by side, their
+/// residuals on the image and on the unrolled cylinder, pairs excluded, removed and taken back with undo,
+/// pairs and camera saved. Files and fits run on pool threads; while one runs, later changes wait for the
+/// next. Thread: GUI.
 class CameraCalibrator : public QWidget {
     Q_OBJECT
 
 public:
-    /// What one method makes of the pairs.
-    struct Answer {
-        std::optional<vision::Calibration> calibration; ///< residuals of all pairs, also of excluded ones
-        QString refusal;                                ///< why there is none
+    using Answer = CameraAnswer;
+    using Answers = CameraAnswers;
+    /// What is fitted; every change of it can be undone.
+    struct Work {
+        std::vector<vision::CalibrationPair> pairs;
+        std::vector<bool> used; ///< one a pair
+        vision::CalibrationSettings settings;
     };
-    using Answers = std::array<Answer, vision::kCalibrationMethods.size()>;
 
     explicit CameraCalibrator(QWidget* parent = nullptr);
     ~CameraCalibrator() override;
 
     /// Reads pairs from a CSV file and calibrates.
     void open(const QString& path);
-    /// Writes the camera of the chosen method.
+    /// Writes the camera of the chosen method; ignored while a fit runs.
     void save(const QString& path);
+    /// Writes all pairs, those that are left out too.
+    void savePairs(const QString& path);
+    /// In place of the present ones.
     void setPairs(std::vector<vision::CalibrationPair> pairs);
-    /// Uses pairs or leaves them out; can be undone.
+    void addPair(const vision::CalibrationPair& pair);
+    void removePairs(const std::vector<std::size_t>& pairs);
+    /// Uses pairs or leaves them out.
     void setUsed(const std::vector<std::size_t>& pairs, bool used);
+    void setSettings(const vision::CalibrationSettings& settings);
     void chooseMethod(vision::CalibrationMethod method);
 
     [[nodiscard]] QUndoStack& undoStack() { return *m_undo; }
+    [[nodiscard]] const Work& work() const { return m_work; }
     [[nodiscard]] const camera::CalibratedPairs& shown() const { return m_shown; }
     /// Of the chosen method; empty while nothing was fitted.
     [[nodiscard]] const Answer* answer() const;
@@ -72,9 +86,14 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
-    friend class UseCommand;
-    void applyUsed(const std::vector<std::size_t>& pairs, bool used);
+    class Edit;
+    enum class File { pairs, camera };
+
+    void edit(Work after, const QString& text);
+    void apply(const Work& work);
+    void takeAnswers(Answers answers, const Work& fitted);
     void build();
+    QWidget* buildTables();
     void buildTools();
     void fit();
     void refresh();
@@ -83,21 +102,28 @@ private:
     void selectPair(std::size_t pair);
     void excludeOutliers();
     void toggle(std::size_t pair);
-    void askForFile(bool save);
+    [[nodiscard]] std::vector<std::size_t> selectedPairs() const;
+    void sizeColumns();
+    void askForFile(File file, bool save);
+    void write(const QString& path, std::function<core::Expected<void>()> writer);
 
-    vision::CalibrationSettings m_settings;
+    Work m_work;
     vision::CalibrationMethod m_method = vision::CalibrationMethod::robust;
     camera::CalibratedPairs m_shown;
     std::optional<Answers> m_answers;
     bool m_fitting = false;
     bool m_again = false;
+    int m_opened = 0; ///< number of the newest file that was asked for
     QString m_file;
 
     QUndoStack* m_undo;
     QToolBar* m_tools;
     QAction* m_load;
+    QAction* m_savePairs;
     QAction* m_save;
     QAction* m_exclude;
+    QAction* m_toggle;
+    QAction* m_remove;
     QAction* m_undoAction;
     QAction* m_redoAction;
     QLabel* m_methodLabel;
@@ -108,6 +134,8 @@ private:
     camera::ResidualView* m_cylinder;
     camera::PairModel* m_model;
     QTableView* m_table;
+    TubeFields* m_tube;
+    PairEntry* m_entry;
 };
 
 } // namespace teleta::console

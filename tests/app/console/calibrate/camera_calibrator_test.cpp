@@ -1,13 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/calibrate/camera_calibrator.h"
+#include "app/console/calibrate/pair_entry.h"
+#include "app/console/calibrate/tube_fields.h"
 #include "backend/vision/camera_file.h"
 #include "tests/backend/vision/simulated_pairs.h"
 
+#include <QAction>
+#include <QCoreApplication>
+#include <QDoubleSpinBox>
 #include <QFile>
+#include <QPushButton>
 #include <QSignalSpy>
+#include <QSpinBox>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QThreadPool>
 #include <QUndoStack>
+
+#include <array>
 
 using namespace teleta;
 using console::CameraCalibrator;
@@ -20,6 +31,13 @@ class CameraCalibratorTest : public QObject {
     static vision::SimulatedPairs simulated() {
         vision::CameraLottery lottery(5);
         return vision::simulatePairs(vision::paperCamera(), {0.5, 0.1}, lottery);
+    }
+
+    static QAction* action(const CameraCalibrator& calibrator, const char* text) {
+        for (QAction* one : calibrator.findChildren<QAction*>())
+            if (one->text().remove(u'&').contains(QLatin1String(text)))
+                return one;
+        return nullptr;
     }
 
     static void calibrate(CameraCalibrator& calibrator) {
@@ -57,14 +75,14 @@ private slots:
         QCOMPARE(calibrator.shown().state(3), camera::CalibratedPairs::State::excluded);
         // What the camera makes of an excluded pair is still shown.
         QVERIFY(calibrator.shown().residuals[3].error_px.has_value());
-        QCOMPARE(calibrator.undoStack().count(), 1);
+        QCOMPARE(calibrator.undoStack().count(), 2); // after the loading
         calibrator.undoStack().undo();
         QVERIFY(done.wait(60'000));
         QVERIFY(calibrator.shown().used[3]);
         calibrator.undoStack().redo();
         QVERIFY(!calibrator.shown().used[3]);
         calibrator.setUsed({3}, false);
-        QCOMPARE(calibrator.undoStack().count(), 1);
+        QCOMPARE(calibrator.undoStack().count(), 2);
         QVERIFY(done.wait(60'000));
     }
 
@@ -80,6 +98,155 @@ private slots:
         QVERIFY(!calibrator.isBusy());
         QVERIFY(!calibrator.shown().residuals[0].kept);
         QVERIFY(!calibrator.shown().residuals[1].kept);
+    }
+
+    void savesNoCameraOfAnEarlierFit() {
+        const QTemporaryDir folder;
+        CameraCalibrator calibrator;
+        calibrate(calibrator);
+        QAction* save = action(calibrator, "Save camera");
+        QVERIFY(save->isEnabled());
+        QSignalSpy told(&calibrator, &CameraCalibrator::message);
+        QSignalSpy done(&calibrator, &CameraCalibrator::calibrated);
+        calibrator.setUsed({0, 1, 2}, false);
+        QVERIFY(calibrator.isBusy());
+        QVERIFY(!save->isEnabled());
+        QVERIFY(!action(calibrator, "Exclude wrong")->isEnabled());
+        calibrator.save(folder.filePath("early.json"));
+        QVERIFY(done.wait(60'000));
+        QVERIFY(save->isEnabled());
+        calibrator.save(folder.filePath("camera.json"));
+        QVERIFY(told.wait(60'000));
+        QCOMPARE(told.count(), 1);
+        QVERIFY(!QFile::exists(folder.filePath("early.json")));
+        const auto camera = vision::readCamera(folder.filePath("camera.json").toStdString());
+        QVERIFY(camera.has_value());
+        QCOMPARE(camera->summary.pairs, simulated().pairs.size());
+        QVERIFY(camera->summary.kept <= simulated().pairs.size() - 3);
+    }
+
+    void ofTwoFilesTheOneThatWasAskedForLastIsShown() {
+        const QTemporaryDir folder;
+        // The first one takes longer to read.
+        const std::vector<vision::CalibrationPair> few = simulated().pairs;
+        std::vector<vision::CalibrationPair> many;
+        for (int i = 0; i < 400; ++i)
+            many.insert(many.end(), few.begin(), few.end());
+        QVERIFY(vision::writePairs(many, folder.filePath("many.csv").toStdString()));
+        QVERIFY(vision::writePairs(few, folder.filePath("few.csv").toStdString()));
+        CameraCalibrator calibrator;
+        QSignalSpy done(&calibrator, &CameraCalibrator::calibrated);
+        calibrator.open(folder.filePath("many.csv"));
+        calibrator.open(folder.filePath("few.csv"));
+        QVERIFY(done.wait(60'000));
+        QThreadPool::globalInstance()->waitForDone();
+        QCoreApplication::processEvents();
+        QCOMPARE(calibrator.shown().pairs.size(), few.size());
+    }
+
+    void aPairIsTypedInRemovedAndBroughtBack() {
+        CameraCalibrator calibrator;
+        calibrator.resize(1400, 900);
+        calibrator.show();
+        QVERIFY(QTest::qWaitForWindowActive(&calibrator));
+        auto* entry = calibrator.findChild<console::PairEntry*>();
+        const std::array<const char*, 5> texts{"812.5", "300.25", "-12.5", "21.65", "40"};
+        for (std::size_t i = 0; i < texts.size(); ++i) {
+            entry->field(i)->setFocus();
+            entry->field(i)->selectAll();
+            QTest::keyClicks(entry->field(i), texts[i]);
+        }
+        QTest::keyClick(entry->field(4), Qt::Key_Return);
+        QCOMPARE(calibrator.work().pairs.size(), std::size_t(1));
+        const vision::CalibrationPair& pair = calibrator.work().pairs[0];
+        QCOMPARE(pair.pixel, Eigen::Vector2d(812.5, 300.25));
+        QVERIFY((pair.p_Sensor_m - Eigen::Vector3d(-0.0125, 0.02165, 0.04)).norm() < 1e-9);
+        QTest::mouseClick(entry->addButton(), Qt::LeftButton);
+        QCOMPARE(calibrator.work().pairs.size(), std::size_t(2));
+        auto* table = calibrator.findChild<QTableView*>("pairs");
+        table->setFocus();
+        table->selectRow(0);
+        QTest::keyClick(table, Qt::Key_Delete);
+        QCOMPARE(calibrator.work().pairs.size(), std::size_t(1));
+        QTest::keyClick(table, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(calibrator.work().pairs.size(), std::size_t(2));
+        QTest::keyClick(table, Qt::Key_Z, Qt::ControlModifier);
+        QTest::keyClick(table, Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(calibrator.work().pairs.empty());
+        QTRY_VERIFY_WITH_TIMEOUT(!calibrator.isBusy(), 60'000);
+        QVERIFY(calibrator.answer() == nullptr);
+    }
+
+    void anotherRemovalKeepsWhatIsKnownOfTheOthersUntilTheNextFit() {
+        CameraCalibrator calibrator;
+        calibrate(calibrator);
+        const auto before = calibrator.shown().residuals;
+        calibrator.removePairs({0, 7});
+        QCOMPARE(calibrator.shown().residuals.size(), before.size() - 2);
+        QCOMPARE(*calibrator.shown().residuals[0].error_px, *before[1].error_px);
+        QCOMPARE(*calibrator.shown().residuals[6].error_px, *before[8].error_px);
+        calibrator.undoStack().undo();
+        QCOMPARE(calibrator.shown().residuals.size(), before.size());
+        QCOMPARE(*calibrator.shown().residuals[7].error_px, *before[7].error_px);
+        // A loading can be undone too.
+        calibrator.undoStack().undo();
+        QVERIFY(calibrator.shown().pairs.empty());
+        QVERIFY(calibrator.shown().residuals.empty());
+        QTRY_VERIFY_WITH_TIMEOUT(!calibrator.isBusy(), 60'000);
+    }
+
+    void calibratesAnotherTubeWithAnotherCamera() {
+        // Half the image and half the tube: the same camera, its pixels and points halved.
+        std::vector<vision::CalibrationPair> half = simulated().pairs;
+        for (vision::CalibrationPair& pair : half) {
+            pair.pixel *= 0.5;
+            pair.p_Sensor_m *= 0.5;
+        }
+        CameraCalibrator calibrator;
+        calibrator.resize(1400, 900);
+        calibrator.show();
+        QVERIFY(QTest::qWaitForWindowActive(&calibrator));
+        auto* tube = calibrator.findChild<console::TubeFields*>();
+        const auto type = [](QAbstractSpinBox* box, const char* text) {
+            box->setFocus();
+            box->selectAll();
+            QTest::keyClicks(box, text);
+            QTest::keyClick(box, Qt::Key_Tab);
+        };
+        type(tube->width(), "820");
+        type(tube->height(), "616");
+        type(tube->radius(), "12.5");
+        type(tube->length(), "50");
+        QCOMPARE(calibrator.undoStack().count(), 4);
+        QSignalSpy done(&calibrator, &CameraCalibrator::calibrated);
+        calibrator.setPairs(half);
+        QVERIFY(done.wait(60'000));
+        const auto* answer = calibrator.answer();
+        QVERIFY(answer != nullptr && answer->calibration);
+        QCOMPARE(answer->calibration->camera.camera().parameters().width_px, 820);
+        QCOMPARE(answer->calibration->camera.surface().radius_m, 0.0125);
+        QVERIFY(answer->calibration->mean_error_m < 0.1e-3);
+        // Undone and redone with what they were fitted with.
+        for (int i = 0; i < 5; ++i)
+            calibrator.undoStack().undo();
+        QCOMPARE(tube->width()->value(), 1640);
+        QCOMPARE(tube->radius()->value(), 25.0);
+        QTRY_VERIFY_WITH_TIMEOUT(!calibrator.isBusy(), 60'000);
+    }
+
+    void pairsAreSavedAsTheyAreLoaded() {
+        const QTemporaryDir folder;
+        CameraCalibrator calibrator;
+        QVERIFY(!action(calibrator, "Save pairs")->isEnabled());
+        calibrate(calibrator);
+        QVERIFY(action(calibrator, "Save pairs")->isEnabled());
+        QSignalSpy told(&calibrator, &CameraCalibrator::message);
+        calibrator.savePairs(folder.filePath("pairs.csv"));
+        QVERIFY(told.wait(60'000));
+        const auto read = vision::readPairs(folder.filePath("pairs.csv").toStdString());
+        QVERIFY(read.has_value());
+        QCOMPARE(read->size(), simulated().pairs.size());
+        QCOMPARE(read->back().pixel, simulated().pairs.back().pixel);
     }
 
     void tooFewPairsAreRefusedInWords() {

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/vision/camera_calibration.h"
+
+#include <QString>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace teleta::console {
+
+/// What one method makes of pairs.
+struct CameraAnswer {
+    std::optional<vision::Calibration> calibration; ///< residuals of all pairs, also of excluded ones
+    QString refusal;                                ///< why there is none
+};
+/// One a method, in the order of vision::kCalibrationMethods.
+using CameraAnswers = std::array<CameraAnswer, vision::kCalibrationMethods.size()>;
+
+/// Asks all methods. used: one a pair. Thread: any (pure).
+[[nodiscard]] CameraAnswers fitAll(const std::vector<vision::CalibrationPair>& pairs,
+                                   const std::vector<bool>& used,
+                                   const vision::CalibrationSettings& settings);
+
+/// What a camera that was found for one state makes of the pairs of another: nothing says that a pair that
+/// was not there is wrong. Empty when no pair was there. Thread: any (pure).
+[[nodiscard]] std::vector<vision::PairResidual>
+carriedOver(const vision::Calibration& calibration, const std::vector<vision::CalibrationPair>& fitted,
+            const std::vector<vision::CalibrationPair>& pairs);
+
+} // namespace teleta::console
