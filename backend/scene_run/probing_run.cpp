@@ -2,11 +2,8 @@
 #include "backend/scene_run/probing_run.h"
 
 #include "backend/scene_run/camera_image.h"
-#include "backend/simulation/camera/simulated_tube.h"
+#include "backend/scene_run/simulated_probing.h"
 #include "backend/vision/camera_file.h"
-#include "backend/vision/contacts/contact_ladder.h"
-#include "backend/vision/contacts/pair_collector.h"
-#include "backend/vision/nominal_camera.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +15,7 @@ namespace {
 
 constexpr std::uint64_t kProbingFramesBetweenReports = 8;
 
-struct TakenPair {
-    vision::CalibrationPair pair;
-    std::size_t hole = 0;
-};
+using TakenPair = SimulatedProbing::Taken;
 
 /// Points all over the skin: where the calibrated camera locates what the true one sees of them.
 std::vector<double> surfaceErrors_m(const vision::CylinderCamera& truth,
@@ -101,54 +95,31 @@ core::Expected<void> writeFiles(const std::string& folder, const std::vector<vis
 } // namespace
 
 core::Expected<SceneSummary> runProbingScene(const scene::Scene& scene, const RunOptions& options) {
-    auto made = simulation::SimulatedTube::make(scene, options.seed);
+    auto made = SimulatedProbing::make(scene, options.seed);
     if (!made)
         return core::Unexpected(made.error());
-    simulation::SimulatedTube& tube = **made;
-    const simulation::ProbingPlan& plan = *tube.probing();
+    SimulatedProbing& probing = **made;
+    simulation::SimulatedTube& tube = probing.tube();
+    const simulation::ProbingPlan& plan = probing.plan();
     const vision::CylinderCamera& truth = tube.camera();
-    const vision::CameraParameters& image = truth.camera().parameters();
-    cv::Mat1b frame;
-    tube.untouched(frame);
     if (!options.outFolder.empty()) {
-        if (auto written = writeImage(options.outFolder + "/reference.png", frame); !written)
+        if (auto written = writeImage(options.outFolder + "/reference.png", probing.reference()); !written)
             return core::Unexpected(written.error());
     }
-    auto finder =
-        vision::makeContactFinder(vision::contactLadder().front(),
-                                  vision::nominalCamera(image.width_px, image.height_px, truth.surface()));
-    if (!finder)
-        return core::Unexpected(finder.error());
-    if (auto taken = (*finder)->setReference(frame); !taken)
-        return core::Unexpected(taken.error());
 
     SceneSummary summary;
-    vision::PairCollector collector;
     std::vector<TakenPair> taken;
     const double duration_s = options.duration_s.value_or(std::min(scene.duration_s, plan.duration_s()));
     const auto frames = static_cast<std::uint64_t>(std::llround(duration_s * scene.rate_Hz));
     std::uint64_t done = 0;
-    std::uint64_t unusable = 0;
     for (; done < frames; ++done) {
         if (done % kProbingFramesBetweenReports == 0 && options.goOn &&
             !options.goOn(tube.time_s(), duration_s)) {
             summary.interrupted = true;
             break;
         }
-        tube.next({}, frame);
-        // Each frame by itself: with a camera that is only about right some dots at the far end are taken for
-        // others, and would wander off from frame to frame.
-        (*finder)->forget();
-        const auto contacts = (*finder)->find(frame);
-        if (!contacts) {
-            collector.skip();
-            ++unusable;
-            continue;
-        }
-        if (const auto pixel = collector.next(*contacts, tube.time_s())) {
-            const std::size_t hole = plan.holeAt(tube.time_s());
-            taken.push_back({{*pixel, plan.holes()[hole].p_Sensor_Noted_m}, hole});
-        }
+        if (const auto one = probing.next())
+            taken.push_back(*one);
     }
     summary.simulated_s = tube.time_s();
     for (const simulation::EffectTime& effect : tube.effectTimes())
@@ -164,8 +135,7 @@ core::Expected<SceneSummary> runProbingScene(const scene::Scene& scene, const Ru
     summary.measures["pairs"] = pairs.size();
     summary.measures["pairs_mistaken"] = mistaken;
     summary.measures["pixel_error_mean_px"] = jsonNumber(meanPixelError_px(taken, truth, plan));
-    const auto calibration = vision::calibrate(pairs, {image.width_px, image.height_px, truth.surface()},
-                                               vision::CalibrationMethod::robust);
+    const auto calibration = vision::calibrate(pairs, probing.settings(), vision::CalibrationMethod::robust);
     if (calibration) {
         report(taken, truth, plan, *calibration, summary.measures);
     } else {
@@ -174,7 +144,7 @@ core::Expected<SceneSummary> runProbingScene(const scene::Scene& scene, const Ru
         summary.measures["refusal"] = vision::toString(calibration.error());
     }
     summary.measures["frames"] = done;
-    summary.measures["frames_lost"] = unusable;
+    summary.measures["frames_lost"] = probing.unusable();
     if (auto written = writeFiles(options.outFolder, pairs, calibration ? &*calibration : nullptr); !written)
         return core::Unexpected(written.error());
     return summary;

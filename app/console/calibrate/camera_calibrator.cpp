@@ -2,7 +2,9 @@
 #include "app/console/calibrate/camera_calibrator.h"
 
 #include "app/console/background.h"
+#include "app/console/calibrate/camera_probing.h"
 #include "app/console/calibrate/pair_entry.h"
+#include "app/console/calibrate/probing_strip.h"
 #include "app/console/calibrate/tube_fields.h"
 #include "backend/vision/camera_file.h"
 #include "widgets/base/number_format.h"
@@ -49,17 +51,29 @@ QString pixels(double value_px) {
 /// From one state of the work to another.
 class CameraCalibrator::Edit : public QUndoCommand {
 public:
-    Edit(CameraCalibrator& calibrator, Work after, const QString& text)
+    Edit(CameraCalibrator& calibrator, Work after, const QString& text, int run)
         : QUndoCommand(text)
         , m_calibrator(calibrator)
+        , m_run(run)
         , m_before(calibrator.m_work)
         , m_after(std::move(after)) {}
 
     void redo() override { m_calibrator.apply(m_after); }
-    void undo() override { m_calibrator.apply(m_before); }
+    void undo() override {
+        // Nothing is added any more to what is taken back.
+        if (m_run != 0)
+            m_calibrator.m_probing->cancel();
+        m_calibrator.apply(m_before);
+    }
+    [[nodiscard]] int id() const override { return m_run == 0 ? -1 : m_run; }
+    bool mergeWith(const QUndoCommand* next) override {
+        m_after = static_cast<const Edit*>(next)->m_after;
+        return true;
+    }
 
 private:
     CameraCalibrator& m_calibrator;
+    int m_run;
     Work m_before;
     Work m_after;
 };
@@ -82,6 +96,7 @@ void CameraCalibrator::buildTools() {
     m_savePairs = m_tools->addAction(QString(), this, [this] { askForFile(File::pairs, true); });
     m_save = m_tools->addAction(QString(), this, [this] { askForFile(File::camera, true); });
     m_save->setShortcut(QKeySequence::Save);
+    m_probe = m_tools->addAction(QString(), this, [this] { probe(); });
     m_tools->addSeparator();
     m_methodLabel = new QLabel;
     m_methods = new QComboBox;
@@ -169,6 +184,8 @@ QWidget* CameraCalibrator::buildTables() {
 void CameraCalibrator::build() {
     setAcceptDrops(true);
     buildTools();
+    buildProbing();
+    m_origin = new QLabel;
     m_verdict = new QLabel;
     m_verdict->setWordWrap(true);
     m_verdict->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
@@ -193,10 +210,12 @@ void CameraCalibrator::build() {
     auto* layout = new QVBoxLayout(this);
     auto* head = new QHBoxLayout;
     head->setContentsMargins(base::grid(this), 0, base::grid(this), 0);
+    head->addWidget(m_origin);
     head->addWidget(m_verdict, 1);
     head->addWidget(m_tube);
     layout->addWidget(m_tools);
     layout->addLayout(head);
+    layout->addWidget(m_strip);
     layout->addWidget(halves, 1);
 }
 
@@ -208,6 +227,11 @@ void CameraCalibrator::retranslate() {
     m_savePairs->setToolTip(tr("All pairs, those that are left out too, as they are loaded"));
     m_save->setText(tr("&Save camera..."));
     m_save->setToolTip(tr("The camera of the chosen method, for teleta locate and the camera view"));
+    m_probe->setText(tr("&Probe the simulated tube"));
+    m_probe->setToolTip(
+        tr("Collect pairs: a simulated person presses a stick on the marked places of a simulated "
+           "tube, and takes one in ten for its neighbour"));
+    m_strip->retranslate();
     m_methodLabel->setText(tr("&Method:"));
     m_methods->setAccessibleName(tr("Method of calibration"));
     const std::array<QString, vision::kCalibrationMethods.size()> names{
@@ -239,6 +263,8 @@ void CameraCalibrator::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange)
         retranslate();
+    else if (event->type() == QEvent::PaletteChange)
+        refresh();
 }
 
 void CameraCalibrator::dragEnterEvent(QDragEnterEvent* event) {
@@ -310,8 +336,28 @@ void CameraCalibrator::savePairs(const QString& path) {
     write(path, [pairs = m_work.pairs, path] { return vision::writePairs(pairs, path.toStdString()); });
 }
 
-void CameraCalibrator::edit(Work after, const QString& text) {
-    m_undo->push(new Edit(*this, std::move(after), text));
+void CameraCalibrator::edit(Work after, const QString& text, int run) {
+    m_undo->push(new Edit(*this, std::move(after), text, run));
+}
+
+void CameraCalibrator::buildProbing() {
+    m_probing = new CameraProbing(this);
+    m_strip = new ProbingStrip(*m_probing);
+    connect(m_probing, &CameraProbing::begun, this, [this](const vision::CalibrationSettings& settings) {
+        edit({{}, {}, settings, true}, tr("probing"), ++m_probingRun);
+    });
+    connect(m_probing, &CameraProbing::taken, this, [this](const CalibrationPair& pair) {
+        Work after = m_work;
+        after.add(pair);
+        edit(std::move(after), tr("probing"), m_probingRun);
+    });
+    connect(m_probing, &CameraProbing::failed, this,
+            [this](const QString& trouble) { emit message(trouble, true); });
+    connect(m_probing, &CameraProbing::runningChanged, this, &CameraCalibrator::refresh);
+}
+
+void CameraCalibrator::probe(std::uint64_t seed) {
+    m_probing->start(seed);
 }
 
 void CameraCalibrator::apply(const Work& work) {
@@ -336,7 +382,8 @@ void CameraCalibrator::takeAnswers(Answers answers, const Work& fitted) {
 }
 
 void CameraCalibrator::setPairs(std::vector<CalibrationPair> pairs) {
-    Work after{{}, std::vector<bool>(pairs.size(), true), m_work.settings};
+    m_probing->cancel();
+    Work after{{}, std::vector<bool>(pairs.size(), true), m_work.settings, false};
     after.pairs = std::move(pairs);
     edit(std::move(after), tr("loading"));
     sizeColumns();
@@ -344,35 +391,20 @@ void CameraCalibrator::setPairs(std::vector<CalibrationPair> pairs) {
 
 void CameraCalibrator::addPair(const CalibrationPair& pair) {
     Work after = m_work;
-    after.pairs.push_back(pair);
-    after.used.push_back(true);
+    after.add(pair);
     edit(std::move(after), tr("added pair"));
     selectPair(m_work.pairs.size() - 1);
 }
 
 void CameraCalibrator::removePairs(const std::vector<std::size_t>& pairs) {
-    Work after{{}, {}, m_work.settings};
-    for (std::size_t i = 0; i < m_work.pairs.size(); ++i) {
-        if (std::ranges::find(pairs, i) != pairs.end())
-            continue;
-        after.pairs.push_back(m_work.pairs[i]);
-        after.used.push_back(m_work.used[i]);
-    }
-    const auto count = static_cast<int>(m_work.pairs.size() - after.pairs.size());
-    if (count > 0)
+    Work after = m_work;
+    if (const int count = after.remove(pairs); count > 0)
         edit(std::move(after), tr("removal of %n pair(s)", nullptr, count));
 }
 
 void CameraCalibrator::setUsed(const std::vector<std::size_t>& pairs, bool used) {
     Work after = m_work;
-    int count = 0;
-    for (const std::size_t pair : pairs) {
-        if (pair >= after.used.size() || after.used[pair] == used)
-            continue;
-        after.used[pair] = used;
-        ++count;
-    }
-    if (count > 0)
+    if (const int count = after.setUsed(pairs, used); count > 0)
         edit(std::move(after),
              used ? tr("use of %n pair(s)", nullptr, count) : tr("exclusion of %n pair(s)", nullptr, count));
 }
@@ -456,7 +488,10 @@ const CameraCalibrator::Answer* CameraCalibrator::answer() const {
 
 QString CameraCalibrator::verdict() const {
     if (m_shown.pairs.empty())
-        return tr("Load pairs of pixels and probed points, drop their file here, or type them in below.");
+        return m_probing->isRunning()
+                   ? tr("The first touch is awaited.")
+                   : tr("Load pairs of pixels and probed points, drop their file here, type them in "
+                        "below, or let a simulated tube be probed.");
     const Answer* chosen = answer();
     if (m_fitting || chosen == nullptr)
         return tr("Calibrating...");
@@ -504,6 +539,12 @@ void CameraCalibrator::refresh() {
     const bool settled = found && !m_fitting;
     m_save->setEnabled(settled);
     m_savePairs->setEnabled(!m_work.pairs.empty());
+    m_probe->setEnabled(!m_probing->isRunning());
+    m_origin->setVisible(m_work.simulated);
+    m_origin->setText(tr("SIMULATED"));
+    QPalette colours = palette();
+    colours.setColor(QPalette::WindowText, base::statusColours(palette()).simulated);
+    m_origin->setPalette(colours);
     const auto used = static_cast<std::size_t>(std::count(m_shown.used.begin(), m_shown.used.end(), true));
     m_exclude->setEnabled(settled && chosen->calibration->kept < used);
     m_verdict->setText(verdict());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/console/calibrate/calibration_work.h"
 #include "app/console/calibrate/camera_fits.h"
 #include "backend/core/error.h"
 #include "widgets/camera/residual_picture.h"
@@ -9,6 +10,7 @@
 #include <QWidget>
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -28,13 +30,15 @@ class ResidualView;
 
 namespace teleta::console {
 
+class CameraProbing;
 class PairEntry;
+class ProbingStrip;
 class TubeFields;
 
-/// Calibration of the cylinder camera: pairs from a file or typed in, four methods side by side, their
-/// residuals on the image and on the unrolled cylinder, pairs excluded, removed and taken back with undo,
-/// pairs and camera saved. Files and fits run on pool threads; while one runs, later changes wait for the
-/// next. Thread: GUI.
+/// Calibration of the cylinder camera: pairs from a file, from a simulated tube or typed in, four methods
+/// side by side, their residuals on the image and on the unrolled cylinder, pairs excluded, removed and taken
+/// back with undo, pairs and camera saved. Files and fits run on pool threads; while one runs, later changes
+/// wait for the next. Thread: GUI.
 class CameraCalibrator : public QWidget {
     Q_OBJECT
 
@@ -42,11 +46,7 @@ public:
     using Answer = CameraAnswer;
     using Answers = CameraAnswers;
     /// What is fitted; every change of it can be undone.
-    struct Work {
-        std::vector<vision::CalibrationPair> pairs;
-        std::vector<bool> used; ///< one a pair
-        vision::CalibrationSettings settings;
-    };
+    using Work = CalibrationWork;
 
     explicit CameraCalibrator(QWidget* parent = nullptr);
     ~CameraCalibrator() override;
@@ -64,6 +64,9 @@ public:
     /// Uses pairs or leaves them out.
     void setUsed(const std::vector<std::size_t>& pairs, bool used);
     void setSettings(const vision::CalibrationSettings& settings);
+    /// Collects pairs from a simulated tube, in place of the present ones.
+    void probe(std::uint64_t seed = 1);
+    [[nodiscard]] CameraProbing& probing() { return *m_probing; }
     void chooseMethod(vision::CalibrationMethod method);
 
     [[nodiscard]] QUndoStack& undoStack() { return *m_undo; }
@@ -89,7 +92,9 @@ private:
     class Edit;
     enum class File { pairs, camera };
 
-    void edit(Work after, const QString& text);
+    /// run: edits of the same one are undone together; 0: by itself.
+    void edit(Work after, const QString& text, int run = 0);
+    void buildProbing();
     void apply(const Work& work);
     void takeAnswers(Answers answers, const Work& fitted);
     void build();
@@ -134,6 +139,11 @@ private:
     camera::ResidualView* m_cylinder;
     camera::PairModel* m_model;
     QTableView* m_table;
+    CameraProbing* m_probing;
+    int m_probingRun = 0; ///< number of the newest probing
+    QAction* m_probe;
+    ProbingStrip* m_strip;
+    QLabel* m_origin; ///< that the pairs are simulated
     TubeFields* m_tube;
     PairEntry* m_entry;
 };

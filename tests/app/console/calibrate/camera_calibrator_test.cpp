@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/calibrate/camera_calibrator.h"
 #include "app/console/calibrate/pair_entry.h"
+#include "app/console/calibrate/probing_strip.h"
 #include "app/console/calibrate/tube_fields.h"
 #include "backend/vision/camera_file.h"
 #include "tests/backend/vision/simulated_pairs.h"
@@ -9,6 +10,8 @@
 #include <QCoreApplication>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QLabel>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
@@ -18,6 +21,7 @@
 #include <QThreadPool>
 #include <QUndoStack>
 
+#include <algorithm>
 #include <array>
 
 using namespace teleta;
@@ -232,6 +236,59 @@ private slots:
         QCOMPARE(tube->width()->value(), 1640);
         QCOMPARE(tube->radius()->value(), 25.0);
         QTRY_VERIFY_WITH_TIMEOUT(!calibrator.isBusy(), 60'000);
+    }
+
+    void probingTheSimulatedTubeBringsPairsOneByOneAndStoppingKeepsThem() {
+        CameraCalibrator calibrator;
+        calibrator.resize(1400, 900);
+        calibrator.show();
+        QVERIFY(QTest::qWaitForWindowActive(&calibrator));
+        calibrator.addPair({{100.0, 200.0}, {0.025, 0.0, 0.05}});
+        const auto simulatedLabel = [&] {
+            const auto labels = calibrator.findChildren<QLabel*>();
+            return std::ranges::any_of(labels, [](const QLabel* label) {
+                return label->isVisible() && label->text() == QLatin1String("SIMULATED");
+            });
+        };
+        QVERIFY(!simulatedLabel());
+        auto* strip = calibrator.findChild<console::ProbingStrip*>();
+        QVERIFY(!strip->isVisible());
+        action(calibrator, "Probe the simulated")->trigger();
+        QVERIFY(strip->isVisible());
+        QVERIFY(!action(calibrator, "Probe the simulated")->isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(calibrator.work().simulated && calibrator.work().pairs.size() >= 2, 240'000);
+        QVERIFY(simulatedLabel());
+        QVERIFY(strip->progress()->value() > 0);
+        QTest::mouseClick(strip->stopButton(), Qt::LeftButton);
+        QVERIFY(!calibrator.probing().isRunning());
+        QVERIFY(!strip->isVisible());
+        const std::vector<vision::CalibrationPair> pairs = calibrator.work().pairs;
+        QVERIFY(pairs.size() >= 2);
+        for (const vision::CalibrationPair& pair : pairs) {
+            // The marked places are on the tube, and what is seen of them is in the image.
+            QVERIFY(std::abs(pair.p_Sensor_m.head<2>().norm() - 0.025) < 1e-9);
+            QVERIFY(pair.pixel.x() > 0.0 && pair.pixel.x() < 1640.0);
+            QVERIFY(pair.pixel.y() > 0.0 && pair.pixel.y() < 1232.0);
+        }
+        // All of it is one step back.
+        QTest::keyClick(&calibrator, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(calibrator.work().pairs.size(), std::size_t(1));
+        QCOMPARE(calibrator.work().pairs[0].pixel, Eigen::Vector2d(100.0, 200.0));
+        QVERIFY(!simulatedLabel());
+        calibrator.undoStack().redo();
+        QCOMPARE(calibrator.work().pairs.size(), pairs.size());
+        QTRY_VERIFY_WITH_TIMEOUT(!calibrator.isBusy(), 60'000);
+    }
+
+    void aProbingEndsWithWhatItWasFor() {
+        CameraCalibrator calibrator;
+        calibrator.probe();
+        calibrator.setPairs(simulated().pairs);
+        QVERIFY(!calibrator.probing().isRunning());
+        QVERIFY(!calibrator.work().simulated);
+        calibrator.probe();
+        QVERIFY(calibrator.probing().isRunning());
+        // And with its page, at the end of this test.
     }
 
     void pairsAreSavedAsTheyAreLoaded() {

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/calibrate/calibration_work.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace teleta::console {
+
+void CalibrationWork::add(const vision::CalibrationPair& pair) {
+    pairs.push_back(pair);
+    used.push_back(true);
+}
+
+int CalibrationWork::remove(const std::vector<std::size_t>& numbers) {
+    CalibrationWork left{{}, {}, settings, simulated};
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (std::ranges::find(numbers, i) != numbers.end())
+            continue;
+        left.pairs.push_back(pairs[i]);
+        left.used.push_back(used[i]);
+    }
+    const auto count = static_cast<int>(pairs.size() - left.pairs.size());
+    *this = std::move(left);
+    return count;
+}
+
+int CalibrationWork::setUsed(const std::vector<std::size_t>& numbers, bool use) {
+    int count = 0;
+    for (const std::size_t pair : numbers) {
+        if (pair >= used.size() || used[pair] == use)
+            continue;
+        used[pair] = use;
+        ++count;
+    }
+    return count;
+}
+
+} // namespace teleta::console

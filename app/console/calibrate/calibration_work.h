@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/vision/camera_calibration.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace teleta::console {
+
+/// Pairs and what they are calibrated with. Thread: one.
+struct CalibrationWork {
+    std::vector<vision::CalibrationPair> pairs;
+    std::vector<bool> used; ///< one a pair
+    vision::CalibrationSettings settings;
+    bool simulated = false; ///< pairs of a simulated tube
+
+    void add(const vision::CalibrationPair& pair);
+    /// Returns how many there were; pairs that do not exist are ignored.
+    int remove(const std::vector<std::size_t>& numbers);
+    /// Returns how many it changed.
+    int setUsed(const std::vector<std::size_t>& numbers, bool use);
+};
+
+} // namespace teleta::console
