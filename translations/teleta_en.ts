@@ -35,6 +35,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>removal of %n pair(s)</source>
+        <translation>
+            <numerusform>removal of %n pair</numerusform>
+            <numerusform>removal of %n pairs</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%1 of %n pair(s) kept; </source>
         <translation>
             <numerusform>%1 of %n pair kept; </numerusform>
