@@ -100,14 +100,20 @@ core::Expected<void> RecordingDatabase::create() {
     }
     file.close();
     // The schema is made before the write-ahead log, so that the file itself says what it is.
-    return connect({}).and_then([&] { return migrate(0); }).and_then([&]() -> core::Expected<void> {
-        for (const QString& setting :
-             {QStringLiteral("PRAGMA journal_mode = WAL"), QStringLiteral("PRAGMA synchronous = FULL")}) {
-            if (const auto done = run(setting); !done)
-                return core::Unexpected(done.error());
-        }
-        return {};
-    });
+    core::Expected<void> made =
+        connect({}).and_then([&] { return migrate(0); }).and_then([&]() -> core::Expected<void> {
+            for (const QString& setting :
+                 {QStringLiteral("PRAGMA journal_mode = WAL"), QStringLiteral("PRAGMA synchronous = FULL")}) {
+                if (const auto done = run(setting); !done)
+                    return core::Unexpected(done.error());
+            }
+            return {};
+        });
+    if (!made) {
+        close();
+        QFile::remove(QString::fromStdString(m_path));
+    }
+    return made;
 }
 
 core::Expected<void> RecordingDatabase::checkFile() const {

@@ -23,7 +23,7 @@ public:
     RecordingDatabase& operator=(const RecordingDatabase&) = delete;
 
     /// Makes the file with the present schema and a write-ahead log. Error: refused when there is such a file
-    /// already; ioFailed.
+    /// already; ioFailed, and then there is no file.
     [[nodiscard]] core::Expected<void> create();
 
     /// Opens a file for reading, also one whose writer was killed. An older schema is brought up to date when

@@ -71,6 +71,21 @@ TEST_F(RecorderFaults, aReadOnlyFolderIsAnErrorAndARecordingInItCanBeRead) {
     EXPECT_FALSE(fs::exists(m_folder.path("other.teleta")));
 }
 
+TEST_F(RecorderFaults, aDiskThatIsFullAtTheStartIsAnErrorAndLeavesNoFile) {
+    const auto ignored = std::signal(SIGXFSZ, SIG_IGN);
+    rlimit before{};
+    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+    rlimit full = before;
+    full.rlim_cur = 0;
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &full), 0);
+    const auto recorder = start(path());
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+    std::signal(SIGXFSZ, ignored);
+    ASSERT_FALSE(recorder);
+    EXPECT_EQ(recorder.error().kind, core::ErrorKind::ioFailed);
+    EXPECT_EQ(m_folder.entries(), 0U);
+}
+
 // A limit on the size of files stands for a disk that is full: the write-ahead log cannot grow.
 TEST_F(RecorderFaults, aFullDiskEndsTheRecordingWithAMessageAndLeavesWhatWasWritten) {
     auto recorder = start(path()).value();
