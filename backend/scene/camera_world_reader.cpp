@@ -5,6 +5,7 @@
 #include <QString>
 
 #include <array>
+#include <cmath>
 #include <string_view>
 
 namespace teleta::scene {
@@ -25,7 +26,7 @@ void readSize(TomlTable& table, std::string_view key, double& value) {
     value = table.number(key, NumberRange::positive(), value);
 }
 
-TubeCamera readCamera(TomlTable& table) {
+TubeCamera readCamera(TomlTable& table, const CameraSkin& skin) {
     TubeCamera camera;
     camera.width_px = static_cast<int>(table.integer("width_px", 1, kLargestImageSide_px, camera.width_px));
     camera.height_px =
@@ -34,6 +35,11 @@ TubeCamera readCamera(TomlTable& table) {
     readSize(table, "behind_m", camera.behind_m);
     camera.offsetX_m = table.number("offset_x_m", NumberRange::any(), 0.0);
     camera.offsetY_m = table.number("offset_y_m", NumberRange::any(), 0.0);
+    const double farthest_m = 0.5 * skin.radius_m;
+    if (std::hypot(camera.offsetX_m, camera.offsetY_m) >= farthest_m)
+        table.fail(std::abs(camera.offsetX_m) > std::abs(camera.offsetY_m) ? "offset_x_m" : "offset_y_m",
+                   CameraWorldReader::tr("the camera is too far from the tube's axis").toStdString(),
+                   CameraWorldReader::tr("less than %1 m").arg(farthest_m).toStdString());
     table.finish();
     return camera;
 }
@@ -50,11 +56,28 @@ CameraSkin readCameraSkin(TomlTable& table) {
     if (skin.dotDiameter_m >= skin.dotPitch_m)
         table.fail("dot_diameter_m", CameraWorldReader::tr("the dots touch each other").toStdString(),
                    CameraWorldReader::tr("less than the pitch of %1 m").arg(skin.dotPitch_m).toStdString());
+    const double least_m = skin.length_m / kMostDotRings;
+    if (skin.dotPitch_m >= skin.radius_m || skin.dotPitch_m <= least_m)
+        table.fail("dot_pitch_m",
+                   CameraWorldReader::tr("there would be too few or too many dots").toStdString(),
+                   CameraWorldReader::tr("more than %1 m and less than the radius of %2 m")
+                       .arg(least_m)
+                       .arg(skin.radius_m)
+                       .toStdString());
     table.finish();
     return skin;
 }
 
-Finger readFinger(TomlTable& table) {
+double readPressDepth(TomlTable& table, const NumberRange& range, const CameraSkin& skin) {
+    const double depth_m = table.number("depth_m", range);
+    const double deepest_m = 0.5 * skin.radius_m;
+    if (depth_m >= deepest_m)
+        table.fail("depth_m", CameraWorldReader::tr("this is deeper than the skin gives way").toStdString(),
+                   CameraWorldReader::tr("less than %1 m").arg(deepest_m).toStdString());
+    return depth_m;
+}
+
+Finger readFinger(TomlTable& table, const CameraSkin& skin) {
     Finger finger;
     finger.name = table.text("name");
     finger.radius_m = table.number("radius_m", NumberRange::positive());
@@ -63,7 +86,7 @@ Finger readFinger(TomlTable& table) {
         frame.time_s = entry.number("time_s", NumberRange::notNegative());
         frame.angle_rad = entry.number("angle_rad", NumberRange::any());
         frame.z_m = entry.number("z_m", NumberRange::any());
-        frame.depth_m = entry.number("depth_m", NumberRange::any());
+        frame.depth_m = readPressDepth(entry, NumberRange::any(), skin);
         entry.finish();
         if (!finger.keyframes.empty() && frame.time_s <= finger.keyframes.back().time_s)
             entry.fail(
@@ -83,7 +106,7 @@ Probing readProbing(TomlTable& table, const CameraSkin& skin) {
     probing.first_z_m = table.number("first_z_m", NumberRange::any());
     probing.last_z_m = table.number("last_z_m", NumberRange::any());
     readSize(table, "stick_radius_m", probing.stickRadius_m);
-    probing.depth_m = table.number("depth_m", {.low = 0.0, .high = 0.5 * skin.radius_m, .lowOpen = true});
+    probing.depth_m = readPressDepth(table, NumberRange::positive(), skin);
     readSize(table, "hole_s", probing.hole_s);
     probing.play_m = table.number("play_m", NumberRange::notNegative(), 0.0);
     probing.wrongShare = table.number("wrong_share", NumberRange::between(0.0, 1.0), 0.0);
@@ -138,10 +161,10 @@ CameraTables::CameraTables(TomlTable& root)
 
 CameraWorld readCameraWorld(CameraTables& tables) {
     CameraWorld world;
-    world.camera = readCamera(tables.camera);
     world.skin = readCameraSkin(tables.skin);
+    world.camera = readCamera(tables.camera, world.skin);
     for (TomlTable& finger : tables.fingers)
-        world.fingers.push_back(readFinger(finger));
+        world.fingers.push_back(readFinger(finger, world.skin));
     if (tables.probing)
         world.probing = readProbing(*tables.probing, world.skin);
     if (tables.reaction)

@@ -65,6 +65,16 @@ TEST(CameraScene, saysWhereAndWhatIsWrong) {
     expectFault(kHead + "[camera]\nfocal_length = 500.0\n[skin]\n", 6, "focal_length_px");
     expectFault(kHead + "[camera]\nwidth_px = 0\n[skin]\n", 6, "width_px");
     expectFault(kHead + "[camera]\n[skin]\ndot_diameter_m = 0.005\n", 7, "dots touch");
+    expectFault(kHead + "[camera]\n[skin]\ndot_pitch_m = 0.03\n", 7, "too few or too many");
+    expectFault(kHead + "[camera]\n[skin]\ndot_pitch_m = 0.0001\ndot_diameter_m = 0.00005\n", 7, "dots");
+    expectFault(kHead + "[camera]\noffset_y_m = -0.013\n[skin]\n", 6, "axis");
+    expectFault(kHead + kCamera +
+                    "[probing]\nfirst_z_m = 0.0\nlast_z_m = 0.1\ndepth_m = 0.01\nwrong_share = 0.1\n",
+                12, "deeper than");
+    expectFault(kHead + kCamera +
+                    "[[finger]]\nname = \"f\"\nradius_m = 0.01\n"
+                    "keyframes = [{ time_s = 0.0, angle_rad = 1.0, z_m = 0.05, depth_m = 0.01 }]\n",
+                12, "deeper than");
     expectFault(kHead + kCamera + "[[effects]]\nname = \"crosstalk\"\nwhy = \"w\"\n", 10, "crosstalk");
     expectFault(kHead + kCamera + "[[finger]]\nname = \"f\"\nradius_m = 0.01\nkeyframes = []\n", 12,
                 "keyframes");
