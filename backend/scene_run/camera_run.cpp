@@ -57,6 +57,9 @@ public:
         m_arm->endRow();
     }
 
+    /// A disk that is full is told at once, not at the end of a long run.
+    [[nodiscard]] bool failed() const { return m_contacts && (m_contacts->failed() || m_arm->failed()); }
+
     [[nodiscard]] core::Expected<void> finish() {
         if (!m_contacts)
             return {};
@@ -115,9 +118,12 @@ public:
         measures["contact_error_mean_m"] = errors.mean;
         measures["contact_error_p95_m"] = errors.p95;
         measures["contacts_missed"] = m_missed;
-        if (std::holds_alternative<scene::BumpReaction>(m_world.reaction))
-            measures["bump_to_stop_s"] =
-                m_bump_s && m_stop_s ? jsonNumber(*m_stop_s - *m_bump_s) : nlohmann::ordered_json(nullptr);
+        if (std::holds_alternative<scene::BumpReaction>(m_world.reaction)) {
+            const bool early = m_stop_s && (!m_bump_s || *m_stop_s <= *m_bump_s);
+            measures["bump_to_stop_s"] = m_bump_s && m_stop_s && !early ? jsonNumber(*m_stop_s - *m_bump_s)
+                                                                        : nlohmann::ordered_json(nullptr);
+            measures["stopped_without_bump"] = early ? 1 : 0;
+        }
         if (std::holds_alternative<scene::FollowReaction>(m_world.reaction)) {
             measures["follow_angle_error_rad"] =
                 m_touched ? jsonNumber(std::abs(m_angleError_rad)) : nlohmann::ordered_json(nullptr);
@@ -183,7 +189,7 @@ core::Expected<SceneSummary> runCameraScene(const scene::Scene& scene, const Run
     const double duration_s = options.duration_s.value_or(scene.duration_s);
     const auto frames = static_cast<std::uint64_t>(std::llround(duration_s * scene.rate_Hz));
     CameraMeasures measures(world, 1.0 / scene.rate_Hz);
-    ReactingArm reaction(world);
+    ReactingArm reaction(world, 1.0 / scene.rate_Hz);
     simulation::TubeVelocity asked;
     std::optional<double> firstContact_s;
     std::uint64_t done = 0;
@@ -217,6 +223,8 @@ core::Expected<SceneSummary> runCameraScene(const scene::Scene& scene, const Run
         measures.add(time_s, tube.truth(), *contacts, tube.arm().pose());
         log->add(done + 1, time_s, *contacts, tracker.bump() ? tracker.bump()->contact : 0,
                  tube.arm().pose());
+        if (log->failed())
+            break;
     }
     if (auto written = log->finish(); !written)
         return core::Unexpected(written.error());

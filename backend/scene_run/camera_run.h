@@ -12,7 +12,8 @@ namespace teleta::scene_run {
 ///   reference.png  the tube with nothing touching it
 /// Measures: contact_error_mean_m and contact_error_p95_m, distance on the skin from each true contact that
 /// is deeper than 0.6 mm to the nearest one that was found, and contacts_missed without any; bump_to_stop_s,
-/// from the last frame before the true contact passes the thresholds to the command that stops the arm;
+/// from the last frame before the true contact passes the thresholds to the command that stops the arm, null
+/// when the arm did not stop or stopped before: stopped_without_bump is then 1;
 /// follow_angle_error_rad and follow_axial_error_m, between the first finger's way since its contact began
 /// and the arm's, when it last touches.
 [[nodiscard]] core::Expected<SceneSummary> runCameraScene(const scene::Scene& scene,

@@ -17,9 +17,13 @@ constexpr std::uint64_t kProbingFramesBetweenReports = 8;
 
 using TakenPair = SimulatedProbing::Taken;
 
+struct SurfaceErrors {
+    std::vector<double> errors_m;
+    std::size_t notLocated = 0;
+};
+
 /// Points all over the skin: where the calibrated camera locates what the true one sees of them.
-std::vector<double> surfaceErrors_m(const vision::CylinderCamera& truth,
-                                    const vision::CylinderCamera& calibrated) {
+SurfaceErrors surfaceErrors(const vision::CylinderCamera& truth, const vision::CylinderCamera& calibrated) {
     // The cylinder goes on beyond its ends, so that a point near an end may be found a little beyond it.
     constexpr double kBeyond_m = 0.01;
     constexpr int kAround = 36;
@@ -29,7 +33,7 @@ std::vector<double> surfaceErrors_m(const vision::CylinderCamera& truth,
     longer.highest_z_m += kBeyond_m;
     const vision::CylinderCamera wide(calibrated.camera(), longer);
     const vision::CylinderSurface& skin = truth.surface();
-    std::vector<double> errors_m;
+    SurfaceErrors found;
     for (int i = 0; i < kAround; ++i) {
         for (int k = 0; k <= kAlong; ++k) {
             const double angle_rad = 2.0 * std::numbers::pi * (i + 0.5) / kAround;
@@ -40,10 +44,12 @@ std::vector<double> surfaceErrors_m(const vision::CylinderCamera& truth,
             if (!pixel || !truth.camera().sees(*pixel))
                 continue;
             if (const auto located_m = wide.locate_m(*pixel))
-                errors_m.push_back((*located_m - point_m).norm());
+                found.errors_m.push_back((*located_m - point_m).norm());
+            else
+                ++found.notLocated;
         }
     }
-    return errors_m;
+    return found;
 }
 
 void report(const std::vector<TakenPair>& taken, const vision::CylinderCamera& truth,
@@ -56,10 +62,11 @@ void report(const std::vector<TakenPair>& taken, const vision::CylinderCamera& t
         mistakenKept += mistaken && calibration.residuals[i].kept ? 1 : 0;
         rightDropped += !mistaken && !calibration.residuals[i].kept ? 1 : 0;
     }
-    std::vector<double> errors_m = surfaceErrors_m(truth, calibration.camera);
-    const ErrorStatistics errors = errorStatistics(errors_m);
+    SurfaceErrors surface = surfaceErrors(truth, calibration.camera);
+    const ErrorStatistics errors = errorStatistics(surface.errors_m);
     measures["contact_error_mean_m"] = errors.mean;
     measures["contact_error_p95_m"] = errors.p95;
+    measures["not_located"] = surface.notLocated;
     measures["uncertainty_m"] = jsonNumber(calibration.uncertainty_m);
     measures["pairs_kept"] = calibration.kept;
     measures["mistaken_kept"] = mistakenKept;
@@ -139,7 +146,8 @@ core::Expected<SceneSummary> runProbingScene(const scene::Scene& scene, const Ru
     if (calibration) {
         report(taken, truth, plan, *calibration, summary.measures);
     } else {
-        for (const char* name : {"contact_error_mean_m", "contact_error_p95_m"})
+        for (const char* name : {"contact_error_mean_m", "contact_error_p95_m", "not_located",
+                                 "uncertainty_m", "pairs_kept", "mistaken_kept", "right_dropped"})
             summary.measures[name] = nullptr;
         summary.measures["refusal"] = vision::toString(calibration.error());
     }

@@ -11,10 +11,10 @@ namespace teleta::scene_run {
 ///   pairs.csv, camera.json, residuals.csv   as `teleta calibrate` reads and writes them
 ///   reference.png                           the tube with nothing touching it
 /// Measures: contact_error_mean_m and contact_error_p95_m, distance from true points all over the skin to
-/// where the calibrated camera locates their pixels; holes; pairs; pairs_mistaken, taken in another hole than
-/// the noted one; mistaken_kept and right_dropped by the calibration; pixel_error_mean_px of the right pairs;
-/// uncertainty_m, what the calibration itself expects. Without a calibration its measures are null and
-/// `refusal` says why.
+/// where the calibrated camera locates their pixels; not_located, those of them for which it has no place;
+/// holes; pairs; pairs_mistaken, taken in another hole than the noted one; mistaken_kept and right_dropped by
+/// the calibration; pixel_error_mean_px of the right pairs; uncertainty_m, what the calibration itself
+/// expects. Without a calibration its measures are null and `refusal` says why.
 [[nodiscard]] core::Expected<SceneSummary> runProbingScene(const scene::Scene& scene,
                                                            const RunOptions& options);
 

@@ -18,10 +18,13 @@ simulation::TubeVelocity ReactingArm::decide(const std::vector<vision::FollowedC
         if (m_retreat) {
             const double left_m =
                 reaction->retreat_m - (pose.aside_m - m_retreat->from_m).dot(m_retreat->direction);
-            // As fast as it can still brake.
-            const double speed_mPerS = std::min(
-                m_world.limits.speed_mPerS,
-                std::sqrt(std::max(0.0, 1.6 * m_world.limits.acceleration_mPerS2 * std::max(left_m, 0.0))));
+            // As fast as it can still brake after another period: v^2 / 2a + v T = left, with some of its
+            // acceleration to spare.
+            const double brake_mPerS2 = 0.8 * m_world.limits.acceleration_mPerS2;
+            const double speed_mPerS =
+                std::min(m_world.limits.speed_mPerS, std::sqrt(std::pow(brake_mPerS2 * m_period_s, 2) +
+                                                               2.0 * brake_mPerS2 * std::max(left_m, 0.0)) -
+                                                         brake_mPerS2 * m_period_s);
             asked.aside_mPerS = m_retreat->direction * speed_mPerS;
         }
     }

@@ -13,8 +13,10 @@ namespace teleta::scene_run {
 /// contact. Thread: one.
 class ReactingArm {
 public:
-    explicit ReactingArm(const scene::CameraWorld& world)
-        : m_world(world) {}
+    /// period_s: between two frames, > 0; a command acts for so long before the next one.
+    ReactingArm(const scene::CameraWorld& world, double period_s)
+        : m_world(world)
+        , m_period_s(period_s) {}
 
     /// The velocity for the time until the next frame. pose: of the arm as its encoders say.
     [[nodiscard]] simulation::TubeVelocity decide(const std::vector<vision::FollowedContact>& contacts,
@@ -32,6 +34,7 @@ private:
         Eigen::Vector2d from_m;
     };
     const scene::CameraWorld& m_world;
+    double m_period_s;
     std::optional<Retreat> m_retreat;
     int m_followed = 0;                                  ///< identity of the contact that is followed
     Eigen::Vector3d m_grasp_m = Eigen::Vector3d::Zero(); ///< where on the skin it is to stay

@@ -15,14 +15,16 @@ constexpr double kStill_mPerS = 1e-4;
 
 } // namespace
 
-SceneReaction::SceneReaction(const scene::CameraWorld& world, std::shared_ptr<simulation::CarrierLink> link)
+SceneReaction::SceneReaction(const scene::CameraWorld& world, double period_s,
+                             std::shared_ptr<simulation::CarrierLink> link)
     : m_world(world)
+    , m_period_s(period_s)
     , m_link(std::move(link)) {
     forget();
 }
 
 void SceneReaction::forget() {
-    m_arm.emplace(m_world);
+    m_arm.emplace(m_world, m_period_s);
     m_doing = Doing::stands;
     m_contact = 0;
 }

@@ -14,8 +14,9 @@ namespace teleta::scene_run {
 /// Lets the simulated arm of a scene react as the scene says, over its link. Thread: one.
 class SceneReaction : public pipeline::CameraReaction {
 public:
-    /// link: not null.
-    SceneReaction(const scene::CameraWorld& world, std::shared_ptr<simulation::CarrierLink> link);
+    /// period_s: between two frames, > 0. link: not null.
+    SceneReaction(const scene::CameraWorld& world, double period_s,
+                  std::shared_ptr<simulation::CarrierLink> link);
 
     void react(const std::vector<vision::FollowedContact>& contacts,
                const std::optional<vision::BumpDetector::Bump>& bump, bool allowed) override;
@@ -25,6 +26,7 @@ public:
 
 private:
     scene::CameraWorld m_world;
+    double m_period_s;
     std::shared_ptr<simulation::CarrierLink> m_link;
     std::optional<ReactingArm> m_arm;
     pipeline::CarrierReport::Doing m_doing = pipeline::CarrierReport::Doing::stands;

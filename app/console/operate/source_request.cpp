@@ -149,7 +149,7 @@ core::Expected<pipeline::OpenedSource> openTube(const scene::Scene& scene, std::
     const scene::CameraWorld& world = scene.camera();
     std::unique_ptr<pipeline::CameraReaction> reaction;
     if (!std::holds_alternative<scene::NoReaction>(world.reaction))
-        reaction = std::make_unique<scene_run::SceneReaction>(world, link);
+        reaction = std::make_unique<scene_run::SceneReaction>(world, 1.0 / scene.rate_Hz, link);
     auto channel = pipeline::CameraChannel::make(
         std::make_unique<simulated::SimulatedCameraDevice>(std::move(made->generator), stop), made->camera,
         stop, std::move(reaction), {.tracker = scene_run::trackerSettings(world), .contacts = {}});

@@ -32,6 +32,7 @@ TEST_P(CameraRun, stopsWithinTwoFramesOfABump) {
     const auto run = measures("vtacarm-bump");
     ASSERT_TRUE(run["bump_to_stop_s"].is_number());
     EXPECT_LE(run["bump_to_stop_s"].get<double>(), 2.0 / 40.0 + 1e-9);
+    EXPECT_EQ(run["stopped_without_bump"], 0);
     EXPECT_EQ(run["frames_lost"], 0);
 }
 
@@ -62,8 +63,19 @@ TEST_P(CameraRun, calibratesTheCameraFromWhatAPersonProbes) {
     EXPECT_GE(run["pairs"].get<int>(), 80);
     EXPECT_GT(run["pairs_mistaken"].get<int>(), 0);
     EXPECT_EQ(run["mistaken_kept"], 0);
+    EXPECT_EQ(run["not_located"], 0);
     EXPECT_LT(run["contact_error_mean_m"].get<double>(), 0.001);
     EXPECT_EQ(run["frames_lost"], 0);
+}
+
+TEST_P(CameraRun, withoutACalibrationHasNoneOfItsMeasuresAndSaysWhy) {
+    RunOptions options;
+    options.duration_s = 3.0;
+    const auto run = measures("vtacarm-calibration", options);
+    for (const char* name : {"contact_error_mean_m", "contact_error_p95_m", "not_located", "uncertainty_m",
+                             "pairs_kept", "mistaken_kept", "right_dropped"})
+        EXPECT_TRUE(run.contains(name) && run[name].is_null()) << name;
+    EXPECT_FALSE(run["refusal"].get<std::string>().empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, CameraRun, testing::Values(1));

@@ -93,7 +93,7 @@ protected:
         m_source = source.get();
         std::unique_ptr<pipeline::CameraReaction> reaction;
         if (!std::holds_alternative<scene::NoReaction>(world.reaction))
-            reaction = std::make_unique<scene_run::SceneReaction>(world, m_link);
+            reaction = std::make_unique<scene_run::SceneReaction>(world, 1.0 / scene.rate_Hz, m_link);
         auto channel = CameraChannel::make(std::move(source), made->camera, m_stop, std::move(reaction),
                                            {.tracker = scene_run::trackerSettings(world), .contacts = {}});
         ASSERT_TRUE(channel);
@@ -163,9 +163,7 @@ TEST_F(LiveCamera, drawsBackFromABumpByTheSceneSWayAlongTheInwardNormal) {
     EXPECT_EQ(eventsOf(CameraEvent::Kind::bumps), 1);
     ASSERT_TRUE(snapshot().carrier);
     const Eigen::Vector3d way_m = snapshot().carrier->X_Base_Sensor.translation();
-    // At least as far as asked, and no more than what one frame at full speed adds: 0.25 m/s / 40 Hz.
-    EXPECT_GE(way_m.norm(), 0.030);
-    EXPECT_LE(way_m.norm(), 0.030 + 0.25 / 40.0);
+    EXPECT_NEAR(way_m.norm(), 0.030, 0.0003);
     // Away from the tool, which comes from 0.8 rad.
     EXPECT_LT(std::abs(std::remainder(std::atan2(way_m.y(), way_m.x()) - (0.8 + std::numbers::pi),
                                       2.0 * std::numbers::pi)),
