@@ -65,7 +65,7 @@ const std::vector<Rule> kRules = {
      {"QtCore", "expected", "Eigen", "nlohmann_json", "OpenCV"}},
     {"backend/cost",
      {"backend/core", "backend/contact", "backend/stiffness", "backend/contour", "backend/scene",
-      "backend/simulation", "backend/vision", "backend/study", "backend/figure"},
+      "backend/arm", "backend/simulation", "backend/vision", "backend/study", "backend/figure"},
      {"QtCore", "posix", "expected", "Eigen", "OpenCV"}},
 
     {"devices/camera", {"backend/core"}, {"QtCore", "posix", "expected", "OpenCV", "V4L2"}},

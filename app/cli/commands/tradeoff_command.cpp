@@ -75,7 +75,8 @@ void TradeoffCommand::declare(CLI::App& app) {
         ->type_name("NAME");
     app.add_flag("--list", m_list, help(QT_TRANSLATE_NOOP("TradeoffCommand", "List the ladders")));
     app.add_option("--out", m_outFolder,
-                   help(QT_TRANSLATE_NOOP("TradeoffCommand", "Folder for tradeoff.csv")))
+                   help(QT_TRANSLATE_NOOP("TradeoffCommand",
+                                          "Folder for tradeoff.csv and a picture of each ladder (SVG)")))
         ->type_name("DIR");
     app.add_option(
            "--largest-spread", m_largestSpread_percent,

@@ -4,6 +4,7 @@
 #include "app/cli/command_io.h"
 #include "backend/core/csv_writer.h"
 #include "backend/core/output_file.h"
+#include "backend/cost/cost_figure.h"
 #include "backend/cost/cost_file.h"
 
 #include <QCoreApplication>
@@ -137,9 +138,20 @@ core::Expected<void> makeTradeoffFolder(const std::string& folder) {
                                         {folder, 0, 0}});
 }
 
-core::Expected<void> writeTradeoff(const cost::Measurement& measured, std::span<const cost::Ladder>,
+core::Expected<void> writeTradeoff(const cost::Measurement& measured, std::span<const cost::Ladder> ladders,
                                    const std::string& folder) {
-    return cost::writeCostFile(measured.ladders, folder + "/tradeoff.csv");
+    if (const auto written = cost::writeCostFile(measured.ladders, folder + "/tradeoff.csv"); !written)
+        return written;
+    for (const cost::LadderCost& ladder : measured.ladders) {
+        core::Expected<core::OutputFile> picture =
+            core::OutputFile::create(folder + "/" + ladder.ladder + ".svg");
+        if (!picture)
+            return core::Unexpected(picture.error());
+        picture->write(cost::costSvg(ladder, titleOf(ladders, ladder.ladder).toStdString()));
+        if (const auto written = picture->finish(); !written)
+            return written;
+    }
+    return {};
 }
 
 core::Expected<void> printTradeoff(const cost::Measurement& measured, std::span<const cost::Ladder> ladders,

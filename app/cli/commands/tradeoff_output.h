@@ -13,7 +13,7 @@ namespace teleta::cli {
 /// Makes the folder for writeTradeoff(). Error: ioFailed.
 [[nodiscard]] core::Expected<void> makeTradeoffFolder(const std::string& folder);
 
-/// tradeoff.csv (cost_file.h). Error: ioFailed.
+/// tradeoff.csv (cost_file.h), and LADDER.svg of each ladder (cost_figure.h). Error: ioFailed.
 [[nodiscard]] core::Expected<void> writeTradeoff(const cost::Measurement& measured,
                                                  std::span<const cost::Ladder> ladders,
                                                  const std::string& folder);

@@ -4,7 +4,9 @@
 namespace teleta::cost {
 
 std::vector<Ladder> allLadders() {
-    return {contourLadder(), stiffnessLadder(), tactileFeaturesLadder()};
+    return {contactFlowLadder(),    cameraCalibrationLadder(), undistortionLadder(),
+            contourLadder(),        stiffnessLadder(),         tactileFeaturesLadder(),
+            simulationStepLadder(), sceneEffectsLadder(),      statisticsLadder()};
 }
 
 } // namespace teleta::cost

@@ -7,6 +7,17 @@
 
 namespace teleta::cost {
 
+/// Contacts in frames of the camera in the soft tube: all rungs of vision::contactLadder(). Frames are
+/// rendered, the contacts are where the ball was put.
+[[nodiscard]] Ladder contactFlowLadder();
+
+/// Camera from pairs, every tenth wrong: all of vision::kCalibrationMethods. Cameras are drawn, pixels are
+/// projected by a formula of the ladder's own.
+[[nodiscard]] Ladder cameraCalibrationLadder();
+
+/// Direction in which a pixel looks: fixed iterations, Newton, tables.
+[[nodiscard]] Ladder undistortionLadder();
+
 /// Stiffness of an object from the log of a touch: two points or all samples of the window, 2..1000 samples.
 /// Touches are computed from the object's stiffness in closed form, with the noise of the paper's joint.
 [[nodiscard]] Ladder stiffnessLadder();
@@ -18,6 +29,18 @@ namespace teleta::cost {
 /// Place of a ball that presses on an array, also over its border: centroid of the active taxels, centre of
 /// pressure, summit of a paraboloid. Loads come from the foundation model.
 [[nodiscard]] Ladder tactileFeaturesLadder();
+
+/// An arm that touches rubber: implicit steps of 0.1..10 ms, explicit ones where they are stable, against a
+/// solution with steps of 2 us. How taxels are coupled is an effect of its own: see sceneEffectsLadder().
+[[nodiscard]] Ladder simulationStepLadder();
+
+/// Frames of the scene "tactile-indenter" with all its effects, without each one, and with none. Error when
+/// made: notFound where the program has no scenes.
+[[nodiscard]] Ladder sceneEffectsLadder();
+
+/// Interval of the information transfer of a study of simulated participants with a known matrix: normal
+/// approximation with corrections of the bias, bootstrap with 100..100 000 resamples.
+[[nodiscard]] Ladder statisticsLadder();
 
 /// All ladders in the order of their list.
 [[nodiscard]] std::vector<Ladder> allLadders();

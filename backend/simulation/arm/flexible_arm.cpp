@@ -249,6 +249,35 @@ void FlexibleArm::step(double step_s, const JointVector& reference_rad,
         rate *= std::sqrt(linkEnergy_J / turnedEnergy_J);
 }
 
+void FlexibleArm::stepExplicitly(double step_s, const JointVector& reference_rad,
+                                 const JointVector& externalTorque_Nm) {
+    const JointVector spring_Nm =
+        torque_Nm() + m_damping_NmsPerRad.cwiseProduct(m_state.motorRate_radPerS - m_state.linkRate_radPerS);
+    JointVector gradient = JointVector::Zero();
+    MassMatrix unused = MassMatrix::Zero();
+    addContacts(m_state.link_rad, &gradient, &unused);
+    const JointVector linkAcceleration =
+        m_mass.llt().solve(spring_Nm - gradient + externalTorque_Nm -
+                           m_inertia.velocityTorque(m_state.link_rad, m_state.linkRate_radPerS));
+    JointVector motorAcceleration;
+    const JointVector away_rad = reference_rad - m_state.motor_rad;
+    if (const auto* position = std::get_if<scene::PositionControl>(&m_control)) {
+        const double w = position->bandwidth_radPerS;
+        motorAcceleration = w * w * away_rad - 2.0 * w * m_state.motorRate_radPerS;
+    } else {
+        const auto& admittance = std::get<scene::AdmittanceControl>(m_control);
+        motorAcceleration = (admittance.stiffness_NmPerRad * away_rad -
+                             admittance.damping_NmsPerRad * m_state.motorRate_radPerS - spring_Nm) /
+                            admittance.inertia_kgm2;
+    }
+    ArmState next = m_state;
+    next.linkRate_radPerS += step_s * linkAcceleration;
+    next.motorRate_radPerS += step_s * motorAcceleration;
+    next.link_rad += step_s * next.linkRate_radPerS;
+    next.motor_rad += step_s * next.motorRate_radPerS;
+    setState(next);
+}
+
 double FlexibleArm::contactEnergy_J() const {
     double energy_J = 0.0;
     for (std::size_t i = 0; i < m_bodies.size(); ++i) {

@@ -65,6 +65,13 @@ public:
     void step(double step_s, const arm::JointVector& reference_rad,
               const arm::JointVector& externalTorque_Nm = arm::JointVector::Zero());
 
+    /// The same equations by an explicit step of first order (the velocities first, then the angles with
+    /// them). Cheap, but stable only while step_s is well below the shortest time of the arm, for stiff
+    /// joints some 10 us; beyond, the energy grows without bound. For comparison and as fine-step solution.
+    /// Source: Hairer, Lubich, Wanner, Geometric Numerical Integration (2006), I.1.2 (symplectic Euler).
+    void stepExplicitly(double step_s, const arm::JointVector& reference_rad,
+                        const arm::JointVector& externalTorque_Nm = arm::JointVector::Zero());
+
     void setPresent(std::size_t body, bool present);
 
     [[nodiscard]] const ArmState& state() const { return m_state; }

@@ -57,6 +57,7 @@ TEST_F(TradeoffCommand, writesItsFilesAndPrintsATableWithTheSpread) {
     const ProgramResult result = measure({"tradeoff", "tactile-features", "--out", folder});
     ASSERT_EQ(result.exitCode, 0) << result.err;
     EXPECT_EQ(splitCsv(readAll(folder + "/tradeoff.csv")).size(), 4U);
+    EXPECT_EQ(readAll(folder + "/tactile-features.svg").substr(0, 4), "<svg");
     for (const char* word : {"tactile-features", "sub-taxel", "spread", "%"})
         EXPECT_NE(result.out.find(word), std::string::npos) << word;
 }
@@ -77,7 +78,9 @@ TEST_F(TradeoffCommand, printsOneDocument) {
 TEST_F(TradeoffCommand, listsItsLadders) {
     const ProgramResult list = run({"tradeoff", "--list", "--json"});
     ASSERT_EQ(list.exitCode, 0) << list.err;
-    for (const char* name : {"contour", "stiffness", "tactile-features"})
+    EXPECT_EQ(ordered_json::parse(list.out).size(), 9U);
+    for (const char* name : {"contact-flow", "camera-calibration", "undistortion", "contour", "stiffness",
+                             "tactile-features", "simulation-step", "scene-effects", "statistics"})
         EXPECT_TRUE(std::ranges::any_of(ordered_json::parse(list.out), [&](const ordered_json& ladder) {
             return ladder["id"] == name && !ladder["truth"].get<std::string>().empty();
         })) << name;

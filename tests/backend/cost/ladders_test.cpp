@@ -79,3 +79,72 @@ TEST(TactileFeaturesLadder, aSummitIsNearerThanACentroidWhereTheBorderCutsTheCon
     EXPECT_LT(errors.at("sub-taxel"), 0.8 * errors.at("weighted"));
     EXPECT_LT(errors.at("sub-taxel"), 0.1 * 0.0034) << "a tenth of the pitch";
 }
+
+TEST(UndistortionLadder, newtonIsExactAFixedNumberOfStepsIsNot) {
+    const auto errors = meanErrors(ladderNamed("undistortion"), 8);
+    EXPECT_LT(errors.at("newton"), 1e-12);
+    EXPECT_LT(errors.at("table-8"), errors.at("table-32") / 8.0) << "the square of the step";
+    EXPECT_LT(errors.at("table-8"), 1e-4);
+    EXPECT_GT(errors.at("fixed-1"), 1e-3);
+}
+
+TEST(CameraCalibrationLadder, wrongPairsSpoilASquareFitAndNotARobustOne) {
+    const auto errors = meanErrors(ladderNamed("camera-calibration"), 3);
+    EXPECT_LT(errors.at("robust"), 0.001);
+    EXPECT_LT(errors.at("robust"), 0.2 * errors.at("least_squares"));
+    EXPECT_LT(errors.at("robust"), 0.2 * errors.at("dlt"));
+}
+
+// A step of first order: ten times the step, ten times the error.
+TEST(SimulationStepLadder, errorsGrowWithTheStepInBothWays) {
+    const auto errors = meanErrors(ladderNamed("simulation-step"), 50);
+    EXPECT_NEAR(errors.at("implicit-1ms") / errors.at("implicit-0.1ms"), 10.0, 3.0);
+    EXPECT_NEAR(errors.at("explicit-0.05ms") / errors.at("explicit-0.01ms"), 5.0, 1.5);
+    EXPECT_GT(errors.at("implicit-10ms"), errors.at("implicit-2ms"));
+}
+
+TEST(SceneEffectsLadder, theSceneWithAllEffectsIsItsOwnTruthAndEachOneMovesIt) {
+    const auto errors = meanErrors(ladderNamed("scene-effects"), 10);
+    EXPECT_EQ(errors.at("all"), 0.0);
+    // Over most taxels nothing presses, so noise alone is left there: half of 15 mN, rectified or not.
+    EXPECT_GT(errors.at("without-noise"), 0.003);
+    EXPECT_LT(errors.at("without-noise"), 0.02);
+    EXPECT_GT(errors.at("without-crosstalk"), 0.0);
+    EXPECT_GE(errors.at("none"), errors.at("without-quantization"));
+}
+
+// Measured transfer is too high by (6-1)(6-1)/(2 * 180 ln 2) = 0.100 bit, half the width of its interval and
+// more.
+TEST(StatisticsLadder, takingTheBiasOffPays) {
+    const core::Expected<std::vector<Rung>> rungs = ladderNamed("statistics").makeRungs();
+    ASSERT_TRUE(rungs);
+    std::map<std::string, double> scores;
+    for (const Rung& rung : *rungs) {
+        if (rung.name.ends_with("00000") || rung.name.ends_with("10000"))
+            continue; // minutes under a sanitizer
+        for (std::size_t i = 0; i < 40; ++i) {
+            Trial trial(i);
+            rung.run(trial);
+            scores[rung.name] += trial.errors().at(0) / 40.0;
+        }
+    }
+    EXPECT_LT(scores.at("asymptotic-miller"), scores.at("asymptotic"));
+    EXPECT_LT(scores.at("asymptotic-jackknife"), scores.at("asymptotic"));
+    EXPECT_LT(scores.at("bootstrap-miller-1000"), scores.at("bootstrap-1000"));
+    for (const auto& [name, score] : scores)
+        EXPECT_GT(score, 0.0) << name;
+}
+
+TEST(ContactFlowLadder, findsWhatWasRendered) {
+    const core::Expected<std::vector<Rung>> rungs = ladderNamed("contact-flow").makeRungs();
+    ASSERT_TRUE(rungs);
+    EXPECT_GE(rungs->size(), 13U);
+    const auto dots = std::ranges::find(*rungs, "dots", &Rung::name);
+    ASSERT_NE(dots, rungs->end());
+    for (std::size_t i = 0; i < kFewestTrials; i += 3) {
+        Trial trial(i);
+        dots->run(trial);
+        ASSERT_EQ(trial.errors().size(), 1U);
+        EXPECT_LT(trial.errors()[0], 0.002) << i;
+    }
+}

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/simulation/random_stream.h"
+#include "backend/vision/camera_model.h"
+
+namespace teleta::cost {
+
+/// A camera like the data sheet's (160 degrees over 1640 x 1232), as one would mount it: another focal length
+/// and principal point, a bent and decentred lens, any roll, a little tilt and offset, either handedness.
+[[nodiscard]] vision::CameraParameters drawCamera(simulation::RandomStream& random);
+
+} // namespace teleta::cost

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/cost/ladders/ladder_text.h"
+#include "backend/cost/ladders/ladders.h"
+#include "backend/scene/scene_reader.h"
+#include "backend/simulation/simulated_array.h"
+
+#include <QFile>
+
+#include <cmath>
+#include <memory>
+#include <string>
+
+namespace teleta::cost {
+
+namespace {
+
+constexpr std::size_t kFramesPerPart = 100;
+constexpr std::size_t kParts = 40;
+constexpr std::uint64_t kSceneSeed = 1;
+
+/// The scene whose effects are left out; it comes with the programs.
+core::Expected<scene::Scene> indenterScene() {
+    const QString path = QStringLiteral(":/scenes/tactile-indenter.toml");
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return core::Unexpected(core::Error{
+            core::ErrorKind::notFound, file.errorString().toStdString(), {}, {path.toStdString(), 0, 0}});
+    return scene::parseScene(file.readAll().toStdString(), path.toStdString());
+}
+
+/// Frames of the scene, part by part.
+using SceneFrames = std::vector<std::vector<float>>;
+
+core::Expected<Rung> effectRung(const std::string& name, const std::string& parameter,
+                                const scene::Scene& scene, const std::shared_ptr<const SceneFrames>& truth) {
+    core::Expected<std::unique_ptr<simulation::SimulatedArray>> made =
+        simulation::SimulatedArray::make(scene, kSceneSeed);
+    if (!made)
+        return core::Unexpected(made.error());
+    // A restart lets noise go on, so a run from the start needs an array of its own.
+    auto array = std::make_shared<std::unique_ptr<simulation::SimulatedArray>>(std::move(*made));
+    Rung rung{name, parameter, {}};
+    rung.run = [=](Trial& trial) {
+        const std::size_t part = trial.index() % kParts;
+        if (part == 0)
+            *array = simulation::SimulatedArray::make(scene, kSceneSeed).value();
+        std::vector<std::vector<float>> frames(kFramesPerPart, std::vector<float>(scene.taxels().taxels()));
+        trial.timed(kFramesPerPart, [&] {
+            for (std::vector<float>& frame : frames)
+                (*array)->next(frame, false);
+        });
+        for (std::size_t i = 0; i < kFramesPerPart; ++i) {
+            const std::vector<float>& with = (*truth)[part * kFramesPerPart + i];
+            double squares = 0.0;
+            for (std::size_t taxel = 0; taxel < with.size(); ++taxel) {
+                const double difference =
+                    static_cast<double>(frames[i][taxel]) - static_cast<double>(with[taxel]);
+                squares += difference * difference;
+            }
+            trial.error(std::sqrt(squares / static_cast<double>(with.size())));
+        }
+    };
+    return rung;
+}
+
+} // namespace
+
+Ladder sceneEffectsLadder() {
+    Ladder ladder;
+    ladder.name = "scene-effects";
+    ladder.title =
+        LadderText::tr("A frame of the scene \"tactile-indenter\" without one of its effects").toStdString();
+    ladder.truth =
+        LadderText::tr("difference of a taxel from the scene with all effects, root mean square of a frame")
+            .toStdString();
+    ladder.errorUnit = std::string("N");
+    ladder.trials = kParts;
+    ladder.makeRungs = []() -> core::Expected<std::vector<Rung>> {
+        const core::Expected<scene::Scene> scene = indenterScene();
+        if (!scene)
+            return core::Unexpected(scene.error());
+        core::Expected<std::unique_ptr<simulation::SimulatedArray>> all =
+            simulation::SimulatedArray::make(*scene, kSceneSeed);
+        if (!all)
+            return core::Unexpected(all.error());
+        auto truth = std::make_shared<SceneFrames>(kParts * kFramesPerPart,
+                                                   std::vector<float>(scene->taxels().taxels()));
+        for (std::vector<float>& frame : *truth)
+            (*all)->next(frame, false);
+        std::vector<Rung> rungs;
+        const auto add = [&](const std::string& name, const std::string& parameter,
+                             const scene::Scene& variant) -> core::Expected<void> {
+            core::Expected<Rung> rung = effectRung(name, parameter, variant, truth);
+            if (!rung)
+                return core::Unexpected(rung.error());
+            rungs.push_back(std::move(*rung));
+            return {};
+        };
+        if (const auto added = add("all", "all effects", *scene); !added)
+            return core::Unexpected(added.error());
+        for (std::size_t i = 0; i < scene->effects.size(); ++i) {
+            scene::Scene variant = *scene;
+            variant.effects.erase(variant.effects.begin() + static_cast<std::ptrdiff_t>(i));
+            const std::string name(scene::nameOf(scene->effects[i]));
+            if (const auto added = add("without-" + name, "no " + name, variant); !added)
+                return core::Unexpected(added.error());
+        }
+        scene::Scene bare = *scene;
+        bare.effects.clear();
+        if (const auto added = add("none", "no effects", bare); !added)
+            return core::Unexpected(added.error());
+        return rungs;
+    };
+    return ladder;
+}
+
+} // namespace teleta::cost
