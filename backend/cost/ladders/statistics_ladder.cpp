@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <optional>
 
@@ -24,14 +25,16 @@ struct SimulatedStudy {
 
 /// The paper's number of people and trials, answering as the paper's participants did with static shapes.
 SimulatedStudy simulateStudy(std::size_t number, const study::ConfusionMatrix& truth) {
-    study::PortableRandom random(1 + number);
-    const study::SimulatedParticipant person{truth};
+    study::SimulatedParticipant person;
+    person.matrix = truth;
+    constexpr std::uint64_t kSeedsOfAStudy = 10'000;
+    std::uint64_t seed = number * kSeedsOfAStudy;
     SimulatedStudy made{{}, study::ConfusionMatrix(truth.patterns())};
     for (std::size_t i = 0; i < kPeople; ++i) {
         study::ConfusionMatrix answers(truth.patterns());
         for (std::size_t pattern = 0; pattern < truth.patterns(); ++pattern)
             for (int k = 0; k < kPresentations; ++k)
-                answers.add(pattern, person.answer(pattern, random).response);
+                answers.add(pattern, person.answer(pattern, ++seed).response);
         made.pooled.add(answers);
         made.people.push_back(std::move(answers));
     }
