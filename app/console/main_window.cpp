@@ -35,7 +35,6 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
-#include <QShortcut>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 #include <QWhatsThis>
@@ -169,9 +168,6 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     chooser.setRecent(m_settings.recentFiles());
     buildMenus();
 
-    auto* stopKey = new QShortcut(QKeySequence(Qt::CTRL | Qt::Key_Period), this);
-    stopKey->setContext(Qt::ApplicationShortcut);
-    connect(stopKey, &QShortcut::activated, m_stopButton, &chrome::StopButton::stopRequested);
     qApp->installEventFilter(this);
 
     resize(base::em(this, 96), base::em(this, 60));
@@ -363,13 +359,18 @@ void MainWindow::showStop() {
 }
 
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
-    // Looked at before any widget may use the key up. One press passes several widgets on its way: it counts
-    // once, until the key is let go.
+    // Looked at before any widget may use the key up, and in every window: a shortcut would be dead while a
+    // dialog is open. One press passes several widgets on its way: it counts once, until the key is let go.
     if (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress ||
         event->type() == QEvent::KeyRelease) {
         const auto* key = static_cast<QKeyEvent*>(event);
+        const bool down = event->type() != QEvent::KeyRelease;
         if (key->key() == Qt::Key_Escape && !key->isAutoRepeat())
-            onEscape(event->type() != QEvent::KeyRelease);
+            onEscape(down);
+        if (down && key->key() == Qt::Key_Period && key->modifiers().testFlag(Qt::ControlModifier)) {
+            emit m_stopButton->stopRequested();
+            return true;
+        }
     }
     return QMainWindow::eventFilter(watched, event);
 }

@@ -9,6 +9,7 @@
 #include "widgets/view3d/gl_setup.h"
 
 #include <QApplication>
+#include <QDialog>
 #include <QDockWidget>
 #include <QFile>
 #include <QPushButton>
@@ -169,6 +170,15 @@ private slots:
         QTest::keyClick(m_window.get(), Qt::Key_Escape);
         QVERIFY(!m_stop->engaged());
         QTest::keyClick(m_window.get(), Qt::Key_Escape);
+        QVERIFY(m_stop->engaged());
+
+        // Also over a dialog, whose parent takes no input.
+        QDialog dialog(m_window.get());
+        dialog.setWindowModality(Qt::WindowModal);
+        dialog.show();
+        QVERIFY(QTest::qWaitForWindowActive(&dialog));
+        m_stop->release();
+        QTest::keyClick(&dialog, Qt::Key_Period, Qt::ControlModifier);
         QVERIFY(m_stop->engaged());
     }
 
