@@ -359,15 +359,15 @@ void MainWindow::showStop() {
 }
 
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
-    // Looked at before any widget may use the key up, and in every window: a shortcut would be dead while a
-    // dialog is open. One press passes several widgets on its way: it counts once, until the key is let go.
+    // Before any widget may use the key up, and over dialogs too, where shortcuts are dead. One press passes
+    // several widgets: it counts once, until the key is let go.
     if (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress ||
         event->type() == QEvent::KeyRelease) {
         const auto* key = static_cast<QKeyEvent*>(event);
         const bool down = event->type() != QEvent::KeyRelease;
-        if (key->key() == Qt::Key_Escape && !key->isAutoRepeat())
+        if (key->key() == Qt::Key_Escape && !key->isAutoRepeat()) {
             onEscape(down);
-        if (down && key->key() == Qt::Key_Period && key->modifiers().testFlag(Qt::ControlModifier)) {
+        } else if (down && key->key() == Qt::Key_Period && key->modifiers() & Qt::ControlModifier) {
             emit m_stopButton->stopRequested();
             return true;
         }

@@ -5,6 +5,7 @@
 #include "widgets/base/number_format.h"
 #include "widgets/base/tabular_text.h"
 #include "widgets/base/theme.h"
+#include "widgets/pattern/crowded_lines.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -24,33 +25,11 @@ namespace {
 constexpr double kDegreesApart = 360.0 / static_cast<double>(core::kTactors);
 /// Handles nearer than this (in radii, on average) are left out.
 constexpr double kHandlesApart = 1.6;
-/// The painter's time grows with the square of the edges that cross a row of pixels: a shape with more
-/// corners than this is drawn piece by piece.
-constexpr qsizetype kCrowded = 300;
-constexpr double kPiece_px = 64.0;
-constexpr qsizetype kPieceCorners = 128;
+/// Corners nearer than this are one.
 constexpr double kSeen_px = 0.5;
 
 QString text(const char* source) {
     return QCoreApplication::translate("Timeline", source);
-}
-
-/// What a line with rising x does in [from, to].
-QPolygonF stretchOf(const QPolygonF& line, double from, double to) {
-    const auto crossing = [](const QPointF& a, const QPointF& b, double x) {
-        return QPointF(x, a.y() + (b.y() - a.y()) * (x - a.x()) / (b.x() - a.x()));
-    };
-    const auto first = std::lower_bound(line.begin(), line.end(), from,
-                                        [](const QPointF& point, double x) { return point.x() < x; });
-    const auto last =
-        std::upper_bound(first, line.end(), to, [](double x, const QPointF& point) { return x < point.x(); });
-    QPolygonF stretch;
-    if (first != line.begin() && first != line.end() && first->x() > from)
-        stretch << crossing(*(first - 1), *first, from);
-    std::copy(first, last, std::back_inserter(stretch));
-    if (last != line.begin() && last != line.end() && (last - 1)->x() < to)
-        stretch << crossing(*(last - 1), *last, to);
-    return stretch;
 }
 
 class Drawing {
@@ -282,42 +261,9 @@ private:
         return line;
     }
 
-    /// Fills what lies between two lines with rising x that begin and end together, with the painter's brush;
-    /// where they cross, on both sides.
-    void fillBetween(const QPolygonF& one, const QPolygonF& other) {
-        const auto fill = [this](QPolygonF shape, const QPolygonF& back) {
-            std::reverse_copy(back.begin(), back.end(), std::back_inserter(shape));
-            m_painter.drawPolygon(shape, Qt::OddEvenFill);
-        };
-        if (one.size() + other.size() <= kCrowded) {
-            fill(one, other);
-            return;
-        }
-        const double end = std::min(one.last().x(), m_g.plot.right() + 1.0);
-        for (double x = std::max(std::floor(one.first().x()), std::floor(m_g.plot.left()) - 1.0); x < end;
-             x += kPiece_px)
-            fill(stretchOf(one, x, x + kPiece_px), stretchOf(other, x, x + kPiece_px));
-    }
-
     [[nodiscard]] QPolygonF floorUnder(const QPolygonF& line, std::size_t track) const {
         const double floor = m_g.yOf(track, 0.0);
         return QPolygonF({QPointF(line.first().x(), floor), QPointF(line.last().x(), floor)});
-    }
-
-    void strokeLine(const QPolygonF& line, const QPen& pen) {
-        m_painter.setBrush(Qt::NoBrush);
-        m_painter.setPen(pen);
-        if (line.size() <= kCrowded) {
-            m_painter.drawPolyline(line);
-            return;
-        }
-        QPen plain = pen;
-        plain.setJoinStyle(Qt::BevelJoin);
-        plain.setCapStyle(Qt::FlatCap);
-        m_painter.setPen(plain);
-        for (qsizetype k = 0; k + 1 < line.size(); k += kPieceCorners)
-            m_painter.drawPolyline(line.constData() + k,
-                                   static_cast<int>(std::min(kPieceCorners + 1, line.size() - k)));
     }
 
     void curves(std::size_t track) {
@@ -329,7 +275,7 @@ private:
         wash.setAlphaF(0.16F);
         m_painter.setPen(Qt::NoPen);
         m_painter.setBrush(wash);
-        fillBetween(commanded, floorUnder(commanded, track));
+        fillBetween(m_painter, commanded, floorUnder(commanded, track));
         if (curves.hasPrediction())
             hatch(track);
         if (m_content.reference) {
@@ -339,12 +285,12 @@ private:
             apart.setAlphaF(0.22F);
             m_painter.setPen(Qt::NoPen);
             m_painter.setBrush(apart);
-            fillBetween(commanded, other);
-            strokeLine(other, QPen(referenceColour(), 1.5, Qt::DashLine));
+            fillBetween(m_painter, commanded, other);
+            strokeLine(m_painter, other, QPen(referenceColour(), 1.5, Qt::DashLine));
         }
-        strokeLine(commanded, QPen(m_line, 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        strokeLine(m_painter, commanded, QPen(m_line, 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         if (curves.hasPrediction())
-            strokeLine(lineOf(curves, curves.predicted[track], track), predictedPen(1.2));
+            strokeLine(m_painter, lineOf(curves, curves.predicted[track], track), predictedPen(1.2));
     }
 
     [[nodiscard]] QPen predictedPen(double width) const {
@@ -380,15 +326,16 @@ private:
             hatchColumns(track);
         const QPen referencePen(referenceColour(), 1.5, Qt::DashLine);
         if (m_content.referenceBands && !m_content.referenceBands->empty())
-            strokeLine(lineOf(*m_content.referenceBands, m_content.referenceBands->tracks[track].commanded,
+            strokeLine(m_painter,
+                       lineOf(*m_content.referenceBands, m_content.referenceBands->tracks[track].commanded,
                               track, high),
                        referencePen);
         else if (m_content.reference)
-            strokeLine(lineOf(*m_content.reference, m_content.reference->commanded[track], track),
+            strokeLine(m_painter, lineOf(*m_content.reference, m_content.reference->commanded[track], track),
                        referencePen);
-        strokeLine(upper, QPen(m_line, 1.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        strokeLine(m_painter, upper, QPen(m_line, 1.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         if (all.hasPrediction())
-            strokeLine(lineOf(all, band.predicted, track, high), predictedPen(1.0));
+            strokeLine(m_painter, lineOf(all, band.predicted, track, high), predictedPen(1.0));
     }
 
     /// Faint below the lowest value of each column, strong up to its highest.
@@ -478,7 +425,7 @@ private:
                 upper << QPointF(x, m_g.yOf(track, asked[k]));
                 lower << QPointF(x, m_g.yOf(track, done[k]));
             }
-            fillBetween(upper, lower);
+            fillBetween(m_painter, upper, lower);
         }
         m_painter.setRenderHint(QPainter::Antialiasing);
     }
