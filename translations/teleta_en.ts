@@ -191,4 +191,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>teleta::studyview::ParticipantPicker</name>
+    <message numerus="yes">
+        <source>%n participant(s)</source>
+        <translation>
+            <numerusform>%n participant</numerusform>
+            <numerusform>%n participants</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

@@ -146,7 +146,8 @@ core::Expected<void> StudyConnection::open(Purpose purpose) {
                             {m_location.folder}});
     }
     return connect().and_then([&] { return chooseSchema(purpose); }).and_then([&] {
-        return migrateSchema(m_database, m_shownName);
+        return migrateSchema(m_database, m_shownName,
+                             [this](const QSqlError& error) { return kindOf(error); });
     });
 }
 

@@ -273,22 +273,34 @@ core::Expected<void> writeDescription(const StudyStore& store, ExportFormat form
     return {};
 }
 
+core::Expected<std::string> labelOf(const StudyStore& store, const Participant& participant) {
+    const core::Expected<std::vector<Participant>> participants = store.participants();
+    if (!participants)
+        return core::Unexpected(participants.error());
+    const auto found = std::find_if(participants->begin(), participants->end(),
+                                    [&](const Participant& one) { return one.key == participant.key; });
+    if (found == participants->end())
+        return core::Unexpected(core::Error{core::ErrorKind::notFound,
+                                            ExportText::tr("the study has no participant \"%1\"")
+                                                .arg(QString::fromStdString(participant.id))
+                                                .toStdString(),
+                                            {},
+                                            {store.shownName()}});
+    return fileLabels(*participants)[static_cast<std::size_t>(found - participants->begin())];
+}
+
 } // namespace
 
 std::vector<std::string> fileLabels(const std::vector<Participant>& participants) {
     std::set<std::string> used;
-    for (const Participant& participant : participants) {
-        if (alphanumeric(participant.id) == participant.id)
-            used.insert(participant.id);
-    }
     std::vector<std::string> labels;
     for (const Participant& participant : participants) {
+        const std::string number = 'x' + std::to_string(participant.enrolment + 1);
         std::string label = alphanumeric(participant.id);
-        if (label != participant.id) {
-            do
-                label += 'x' + std::to_string(participant.enrolment + 1);
-            while (!used.insert(label).second);
-        }
+        if (label != participant.id)
+            label += number;
+        while (!used.insert(label).second)
+            label += number;
         labels.push_back(std::move(label));
     }
     return labels;
@@ -325,34 +337,27 @@ core::Expected<std::size_t> exportStudy(const StudyStore& store, ExportFormat fo
 
 core::Expected<void> exportAnswers(const StudyStore& store, const Participant& participant,
                                    ExportFormat format) {
-    const core::Expected<std::vector<Participant>> participants = store.participants();
-    if (!participants)
-        return core::Unexpected(participants.error());
-    const std::vector<std::string> labels = fileLabels(*participants);
-    return writeAnswers(store, participant, labels.at(participant.enrolment), format);
+    return labelOf(store, participant).and_then([&](const std::string& label) {
+        return writeAnswers(store, participant, label, format);
+    });
 }
 
 core::Expected<void> exportNotes(const StudyStore& store, const Participant& participant,
                                  ExportFormat format) {
-    const core::Expected<std::vector<Participant>> participants = store.participants();
-    if (!participants)
-        return core::Unexpected(participants.error());
-    const std::vector<std::string> labels = fileLabels(*participants);
-    return writeNotes(store, participant, labels.at(participant.enrolment), format);
+    return labelOf(store, participant).and_then([&](const std::string& label) {
+        return writeNotes(store, participant, label, format);
+    });
 }
 
 core::Expected<void> exportSession(const StudyStore& store, const Participant& participant,
                                    const SessionRecord& session, ExportFormat format) {
     if (const core::Expected<void> described = writeDescription(store, format); !described)
         return described;
-    const core::Expected<std::vector<Participant>> participants = store.participants();
-    if (!participants)
-        return core::Unexpected(participants.error());
-    const std::vector<std::string> labels = fileLabels(*participants);
-    const std::string& label = labels.at(participant.enrolment);
-    return writeSession(store, participant, label, session, format)
-        .and_then([&] { return writeAnswers(store, participant, label, format); })
-        .and_then([&] { return writeNotes(store, participant, label, format); });
+    return labelOf(store, participant).and_then([&](const std::string& label) {
+        return writeSession(store, participant, label, session, format)
+            .and_then([&] { return writeAnswers(store, participant, label, format); })
+            .and_then([&] { return writeNotes(store, participant, label, format); });
+    });
 }
 
 } // namespace teleta::study

@@ -23,8 +23,9 @@ namespace teleta::study {
 enum class ExportFormat { psychds, bids, excel };
 
 /// What names a participant in file names: the letters A-Z, a-z and digits of the id; where the id has
-/// others, or is not the only one with these, the number of enrolment follows behind an x. One a participant,
-/// in their order. Thread: any.
+/// others, or somebody who enrolled before has that name, the number of enrolment follows behind an x. So
+/// nobody's files get another name when more people enrol. One a participant, in their order of enrolment.
+/// Thread: any.
 [[nodiscard]] std::vector<std::string> fileLabels(const std::vector<Participant>& participants);
 
 /// Writes the sessions of a study into its folder, or one of them only. Files are replaced as a whole, read

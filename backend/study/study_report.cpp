@@ -115,13 +115,13 @@ private:
     }
 
     [[nodiscard]] QString confusions() const {
-        QString html = QStringLiteral("<h3>%1</h3>\n").arg(ReportText::tr("Confusion matrices"));
+        QString pictures;
+        QString tables;
         for (const GroupSummary& group : m_task.groups) {
             const std::string title = m_task.task + ", " + group.condition;
-            html += figure(
+            pictures += figure(
                 confusionFigure(group.matrix, m_task.patterns, title, ConfusionValues::percent, m_mode),
-                ReportText::tr(
-                    "Rows: presented; columns: answered; share of the row, all participants, test."));
+                ReportText::tr("Rows: presented; columns: answered. Percent of the row, all participants."));
             QStringList columns{ReportText::tr("Presented")};
             for (const std::string& pattern : m_task.patterns)
                 columns << escaped(pattern);
@@ -136,9 +136,10 @@ private:
                                  .arg(fixed(group.matrix.rowPercent(i, j), 1));
                 table.row(cells << QString::number(group.matrix.rowTotal(i)));
             }
-            html += table.html();
+            tables += table.html();
         }
-        return html;
+        return QStringLiteral("<h3>%1</h3>\n<div class=\"beside\">\n%2</div>\n%3")
+            .arg(ReportText::tr("Confusion matrices"), pictures, tables);
     }
 
     [[nodiscard]] QString patterns() const {
@@ -308,8 +309,10 @@ QString pageStyle() {
                "caption{text-align:left;color:var(--soft);padding-bottom:.4rem}"
                "th,td{padding:.25rem .7rem;border-bottom:1px solid var(--grid);text-align:right}"
                "th[scope=row],thead th:first-child{text-align:left}.scroll{overflow-x:auto}"
-               "figure{margin:1.5rem 0}figure svg{max-width:100%;height:auto}"
-               "figcaption{color:var(--soft)}.warning,.mode{background:var(--warn);padding:.6rem 1rem;"
+               ".beside{display:flex;flex-wrap:wrap;gap:0 2rem}figure{margin:1.5rem 0}figure "
+               "svg{max-width:100%;height:auto}"
+               "figcaption{max-width:36rem;color:var(--soft)}.warning,.mode{background:var(--warn);padding:."
+               "6rem 1rem;"
                "border-left:4px solid #d08700}.mode{font-weight:bold}"
                "@media (prefers-color-scheme:dark){:root{--ink:#e8e8ea;--soft:#a9adb5;--grid:#3a3d43;"
                "--paper:#17181b;--warn:#3a2f12}}"
@@ -350,7 +353,7 @@ std::string reportHtml(const std::vector<TaskResults>& results, const ReportHead
     for (const TaskResults& task : results)
         html += TaskSection(task, heading.mode).html();
     html += QStringLiteral("<section>\n<h2>%1</h2>\n<p>%2</p>\n</section>\n</main>\n</body>\n</html>\n")
-                .arg(ReportText::tr("Again"),
+                .arg(ReportText::tr("Compute it again"),
                      ReportText::tr(
                          "analysis.R beside this page computes accuracy, intervals and the analysis of "
                          "variance again from confusion_long.csv: Rscript analysis.R"));

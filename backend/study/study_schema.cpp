@@ -136,9 +136,13 @@ int currentSchema() {
     return static_cast<int>(steps().size());
 }
 
-core::Expected<void> migrateSchema(QSqlDatabase& database, const std::string& name) {
-    const auto failed = [&](core::ErrorKind kind, const QString& message) {
+core::Expected<void> migrateSchema(QSqlDatabase& database, const std::string& name,
+                                   const std::function<core::ErrorKind(const QSqlError&)>& kindOf) {
+    const auto refused = [&](core::ErrorKind kind, const QString& message) {
         return core::Unexpected(core::Error{kind, message.toStdString(), {}, {name}});
+    };
+    const auto failed = [&](const QString& what, const QSqlError& error) {
+        return refused(kindOf(error), what.arg(error.databaseText()));
     };
     if (!isServer(database)) {
         // Most often there is nothing to do, and then nobody has to wait.
@@ -149,27 +153,22 @@ core::Expected<void> migrateSchema(QSqlDatabase& database, const std::string& na
     }
     Migration migration(database);
     const std::optional<int> found = migration.begin();
-    if (!found) {
-        constexpr int kNotADatabase = 26;
-        const QSqlError error = migration.lastError();
-        return failed(error.nativeErrorCode().toInt() == kNotADatabase ? core::ErrorKind::badInput
-                                                                       : core::ErrorKind::ioFailed,
-                      SchemaText::tr("cannot read the study: %1").arg(error.databaseText()));
-    }
+    if (!found)
+        return failed(SchemaText::tr("cannot read the study: %1"), migration.lastError());
+    if (*found < 0)
+        return refused(core::ErrorKind::badInput,
+                       SchemaText::tr("another program made this database (schema %1)").arg(*found));
     if (*found > currentSchema())
-        return failed(core::ErrorKind::refused,
-                      SchemaText::tr("a newer program made this study (schema %1, this one knows %2)")
-                          .arg(*found)
-                          .arg(currentSchema()));
+        return refused(core::ErrorKind::refused,
+                       SchemaText::tr("a newer program made this study (schema %1, this one knows %2)")
+                           .arg(*found)
+                           .arg(currentSchema()));
     for (int schema = *found; schema < currentSchema(); ++schema) {
         if (!migration.step(schema))
-            return failed(
-                core::ErrorKind::ioFailed,
-                SchemaText::tr("cannot write the study: %1").arg(migration.lastError().databaseText()));
+            return failed(SchemaText::tr("cannot write the study: %1"), migration.lastError());
     }
     if (!migration.commit())
-        return failed(core::ErrorKind::ioFailed,
-                      SchemaText::tr("cannot write the study: %1").arg(migration.lastError().databaseText()));
+        return failed(SchemaText::tr("cannot write the study: %1"), migration.lastError());
     return {};
 }
 

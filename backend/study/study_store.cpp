@@ -156,10 +156,13 @@ core::Expected<Participant> StudyStore::enrol(const std::string& id) {
     // Files have these words for no value and for all participants.
     static const QStringList kReserved{QStringLiteral("NA"), QStringLiteral("n/a"), QStringLiteral("NONE"),
                                        QStringLiteral("GROUP")};
-    if (text.trimmed().isEmpty() || text.size() > kLongestId || kReserved.contains(text))
+    const bool isReserved = kReserved.contains(text);
+    if (text.trimmed().isEmpty() || text.size() > kLongestId || isReserved)
         return m_connection->refused(
             StoreText::tr("\"%1\" cannot name a participant").arg(text.left(kLongestId)),
-            StoreText::tr("a text of 1 to %1 characters").arg(kLongestId));
+            isReserved ? StoreText::tr("another name: files have %1 for no value or for all participants")
+                             .arg(kReserved.join(QStringLiteral(", ")))
+                       : StoreText::tr("a text of 1 to %1 characters").arg(kLongestId));
     // Two stations may read the same highest number; then one of them is refused and reads again.
     for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
         const auto made =

@@ -7,6 +7,7 @@
 arguments <- commandArgs(trailingOnly = TRUE)
 folder <- if (length(arguments) > 0) arguments[1] else "."
 out <- if (length(arguments) > 1) arguments[2] else folder
+dir.create(out, showWarnings = FALSE, recursive = TRUE)
 
 # Everything is read as text, since R would take the patterns T and F for logical values.
 read <- function(file) read.csv(file, colClasses = "character", na.strings = "NA", encoding = "UTF-8")

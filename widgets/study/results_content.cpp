@@ -3,6 +3,7 @@
 
 #include "backend/study/information_transfer.h"
 #include "backend/study/proportion.h"
+#include "widgets/study/participant_picker.h"
 
 #include <QLocale>
 
@@ -92,48 +93,74 @@ ChartPoint sharePoint(std::int64_t correct, std::int64_t trials) {
 }
 
 std::vector<const ParticipantSummary*> under(const TaskResults& task, const std::string& condition,
-                                             const QString& participant) {
+                                             const QStringList& group) {
     std::vector<const ParticipantSummary*> found;
     for (const ParticipantSummary& summary : task.participants) {
-        if (summary.condition == condition &&
-            (participant.isEmpty() || text(summary.participant) == participant))
+        if (summary.condition == condition && (group.isEmpty() || group.contains(text(summary.participant))))
             found.push_back(&summary);
     }
     return found;
 }
 
+/// A participant alone has an interval of the trials, a group one over its participants.
+bool isOne(const QStringList& group) {
+    return group.size() == 1;
+}
+
+bool areAllOne(const ShownPeople& shown) {
+    return std::ranges::all_of(shown.groups(), isOne);
+}
+
 } // namespace
 
-IntervalChartContent ResultsContent::accuracy(const TaskResults& task, const QString& participant) {
+std::vector<QStringList> ShownPeople::groups() const {
+    return beside ? std::vector{group, *beside} : std::vector{group};
+}
+
+QString ResultsContent::nameOf(const QStringList& group) {
+    return group.isEmpty() ? tr("all participants") : ParticipantPicker::describe(group);
+}
+
+study::ConfusionMatrix ResultsContent::matrix(const TaskResults& task, const std::string& condition,
+                                              const QStringList& group) {
+    study::ConfusionMatrix sum(std::max<std::size_t>(task.patterns.size(), 1));
+    for (const ParticipantSummary* one : under(task, condition, group))
+        sum.add(one->matrix);
+    return sum;
+}
+
+IntervalChartContent ResultsContent::accuracy(const TaskResults& task, const ShownPeople& shown) {
     IntervalChartContent chart;
     chart.name = QStringLiteral("accuracy_") + text(task.task);
-    chart.title = participant.isEmpty() ? tr("Right answers, mean of participants, 95 % t interval")
-                                        : tr("Right answers, 95 % Wilson interval");
+    chart.title = areAllOne(shown) ? tr("Right answers, 95 % Wilson interval")
+                                   : tr("Right answers, mean of participants, 95 % t interval");
     chart.axis = tr("right, %");
     chart.highest = kPercent;
     chart.reference = kPercent / static_cast<double>(std::max<std::size_t>(task.patterns.size(), 1));
     chart.referenceName = tr("chance");
-    ChartSeries series{tr("test"), {}};
-    for (const std::string& condition : task.conditions) {
-        const auto people = under(task, condition, participant);
-        if (people.empty())
-            continue;
+    for (const std::string& condition : task.conditions)
         chart.categories << text(condition);
-        if (participant.isEmpty()) {
+    for (const QStringList& group : shown.groups()) {
+        ChartSeries series{shown.beside ? nameOf(group) : tr("test"), {}};
+        for (const std::string& condition : task.conditions) {
+            const auto people = under(task, condition, group);
+            if (isOne(group)) {
+                series.points.push_back(people.empty() ? ChartPoint{}
+                                                       : sharePoint(people.front()->matrix.correct(),
+                                                                    people.front()->matrix.total()));
+                continue;
+            }
             std::vector<double> values;
             for (const ParticipantSummary* one : people)
                 values.push_back(kPercent * one->matrix.accuracy().value_or(0.0));
             series.points.push_back(groupPoint(values));
-        } else {
-            series.points.push_back(
-                sharePoint(people.front()->matrix.correct(), people.front()->matrix.total()));
         }
+        chart.series.push_back(std::move(series));
     }
-    chart.series.push_back(std::move(series));
     return chart;
 }
 
-IntervalChartContent ResultsContent::patterns(const TaskResults& task, const QString& participant) {
+IntervalChartContent ResultsContent::patterns(const TaskResults& task, const ShownPeople& shown) {
     IntervalChartContent chart;
     chart.name = QStringLiteral("patterns_") + text(task.task);
     chart.title = task.conditions.size() > 1 ? tr("Each pattern: %1", "conditions").arg([&] {
@@ -155,55 +182,64 @@ IntervalChartContent ResultsContent::patterns(const TaskResults& task, const QSt
                 note = tr("p %1%2").arg(line.row->p < kSmallP ? QString() : QStringLiteral("= "),
                                         pText(line.row->p));
         }
-        chart.notes << (participant.isEmpty() ? note : QString());
+        // The comparison is of all participants.
+        chart.notes << (shown.isEverybody() ? note : QString());
     }
     for (const std::string& condition : task.conditions) {
-        ChartSeries series{text(condition), {}};
-        const auto people = under(task, condition, participant);
-        for (std::size_t p = 0; p < task.patterns.size(); ++p) {
-            if (!participant.isEmpty()) {
-                series.points.push_back(people.empty() ? ChartPoint{}
-                                                       : sharePoint(people.front()->matrix.count(p, p),
-                                                                    people.front()->matrix.rowTotal(p)));
-                continue;
+        for (const QStringList& group : shown.groups()) {
+            ChartSeries series{
+                shown.beside ? tr("%1, %2", "condition, participant").arg(text(condition), nameOf(group))
+                             : text(condition),
+                {}};
+            const auto people = under(task, condition, group);
+            for (std::size_t p = 0; p < task.patterns.size(); ++p) {
+                if (isOne(group)) {
+                    series.points.push_back(people.empty() ? ChartPoint{}
+                                                           : sharePoint(people.front()->matrix.count(p, p),
+                                                                        people.front()->matrix.rowTotal(p)));
+                    continue;
+                }
+                std::vector<double> values;
+                for (const ParticipantSummary* one : people) {
+                    if (const std::optional<double> share = one->matrix.rowPercent(p, p))
+                        values.push_back(*share);
+                }
+                series.points.push_back(groupPoint(values));
             }
-            std::vector<double> values;
-            for (const ParticipantSummary* one : people) {
-                if (const std::optional<double> share = one->matrix.rowPercent(p, p))
-                    values.push_back(*share);
-            }
-            series.points.push_back(groupPoint(values));
+            chart.series.push_back(std::move(series));
         }
-        chart.series.push_back(std::move(series));
     }
     return chart;
 }
 
-IntervalChartContent ResultsContent::times(const TaskResults& task, const QString& participant) {
+IntervalChartContent ResultsContent::times(const TaskResults& task, const ShownPeople& shown) {
     IntervalChartContent chart;
     chart.name = QStringLiteral("response_times_") + text(task.task);
     chart.title =
-        participant.isEmpty() ? tr("Median response times, 95 % t interval") : tr("Median response time");
+        areAllOne(shown) ? tr("Median response time") : tr("Median response times, 95 % t interval");
     chart.axis = tr("s from the onset");
     double highest = 0.0;
-    ChartSeries series{tr("right answers of the test"), {}};
-    for (const std::string& condition : task.conditions) {
-        std::vector<double> medians;
-        for (const ParticipantSummary* one : under(task, condition, participant)) {
-            if (one->medianTime_s)
-                medians.push_back(*one->medianTime_s);
-        }
+    for (const std::string& condition : task.conditions)
         chart.categories << text(condition);
-        series.points.push_back(groupPoint(medians));
-        if (!participant.isEmpty())
-            series.points.back().single.clear();
-        for (const double median : medians)
-            highest = std::max(highest, median);
-        if (const auto& interval = series.points.back().interval)
-            highest = std::max(highest, interval->high);
+    for (const QStringList& group : shown.groups()) {
+        ChartSeries series{shown.beside ? nameOf(group) : tr("right answers of the test"), {}};
+        for (const std::string& condition : task.conditions) {
+            std::vector<double> medians;
+            for (const ParticipantSummary* one : under(task, condition, group)) {
+                if (one->medianTime_s)
+                    medians.push_back(*one->medianTime_s);
+            }
+            series.points.push_back(groupPoint(medians));
+            if (isOne(group))
+                series.points.back().single.clear();
+            for (const double median : medians)
+                highest = std::max(highest, median);
+            if (const auto& interval = series.points.back().interval)
+                highest = std::max(highest, interval->high);
+        }
+        chart.series.push_back(std::move(series));
     }
     chart.highest = std::max(1.0, std::ceil(1.1 * highest));
-    chart.series.push_back(std::move(series));
     return chart;
 }
 
@@ -242,7 +278,7 @@ TableContent ResultsContent::groups(const TaskResults& task) {
     return table;
 }
 
-TableContent ResultsContent::people(const TaskResults& task, const QString& participant) {
+TableContent ResultsContent::people(const TaskResults& task, const ShownPeople& shown) {
     TableContent table;
     table.header =
         QStringList{tr("Participant"), tr("Condition"), tr("Trials"),      tr("Right"),
@@ -265,7 +301,10 @@ TableContent ResultsContent::people(const TaskResults& task, const QString& part
                              {}};
     const double chance = 1.0 / static_cast<double>(std::max<std::size_t>(task.patterns.size(), 1));
     for (const ParticipantSummary& one : task.participants) {
-        if (!participant.isEmpty() && text(one.participant) != participant)
+        const auto has = [&](const QStringList& group) {
+            return group.isEmpty() || group.contains(text(one.participant));
+        };
+        if (std::ranges::none_of(shown.groups(), has))
             continue;
         const std::int64_t n = one.matrix.total();
         const std::int64_t correct = one.matrix.correct();

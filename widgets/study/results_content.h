@@ -7,7 +7,10 @@
 
 #include <QCoreApplication>
 #include <QString>
+#include <QStringList>
 
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace teleta::studyview {
@@ -19,23 +22,38 @@ struct TableContent {
     std::vector<std::vector<ResultCell>> rows;
 };
 
-/// What the pictures and tables of a task show. participant: empty for all together. Thread: any (pure).
+/// Whose results are shown: some participants, and others beside them.
+struct ShownPeople {
+    QStringList group = {};                 ///< empty: all
+    std::optional<QStringList> beside = {}; ///< a second group; empty list: all
+
+    [[nodiscard]] bool isEverybody() const { return group.isEmpty() && !beside; }
+    /// The groups in their order.
+    [[nodiscard]] std::vector<QStringList> groups() const;
+};
+
+/// What the pictures and tables of a task show. Thread: any (pure).
 class ResultsContent {
     Q_DECLARE_TR_FUNCTIONS(ResultsContent)
 
 public:
-    /// Share of right answers: the group's mean with its t interval, or a participant's with Wilson's.
+    /// Share of right answers: a group's mean with its t interval, or a participant's with Wilson's.
     [[nodiscard]] static IntervalChartContent accuracy(const study::TaskResults& task,
-                                                       const QString& participant);
-    /// The same for each pattern, conditions side by side, with p of the comparison.
+                                                       const ShownPeople& people = {});
+    /// The same for each pattern, conditions side by side, with p of the comparison where all are shown.
     [[nodiscard]] static IntervalChartContent patterns(const study::TaskResults& task,
-                                                       const QString& participant);
+                                                       const ShownPeople& people = {});
     /// Median response times of right answers.
     [[nodiscard]] static IntervalChartContent times(const study::TaskResults& task,
-                                                    const QString& participant);
+                                                    const ShownPeople& people = {});
+    /// Test trials of a group under a condition; empty group: all.
+    [[nodiscard]] static study::ConfusionMatrix
+    matrix(const study::TaskResults& task, const std::string& condition, const QStringList& group);
+    /// "all participants", "P01, P02", "5 participants".
+    [[nodiscard]] static QString nameOf(const QStringList& group);
 
     [[nodiscard]] static TableContent groups(const study::TaskResults& task);
-    [[nodiscard]] static TableContent people(const study::TaskResults& task, const QString& participant);
+    [[nodiscard]] static TableContent people(const study::TaskResults& task, const ShownPeople& shown = {});
     [[nodiscard]] static TableContent anova(const study::TaskResults& task);
     /// What a guesser would show, and how far the information transfer can be trusted.
     [[nodiscard]] static QString transferNote(const study::TaskResults& task);

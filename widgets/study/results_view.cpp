@@ -4,11 +4,13 @@
 #include "widgets/base/theme.h"
 #include "widgets/study/confusion_view.h"
 #include "widgets/study/interval_chart.h"
+#include "widgets/study/participant_picker.h"
 #include "widgets/study/result_table.h"
 #include "widgets/study/results_content.h"
 
 #include <QComboBox>
 #include <QEvent>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
@@ -51,12 +53,13 @@ QLabel* heading(QWidget* parent) {
 ResultsView::ResultsView(QWidget* parent)
     : QWidget(parent)
     , m_task(new QComboBox(this))
-    , m_who(new QComboBox(this))
+    , m_who(new ParticipantPicker(this))
+    , m_beside(new ParticipantPicker(this))
     , m_counts(new QComboBox(this))
     , m_export(new QPushButton(this))
     , m_state(new QLabel(this))
     , m_content(new QWidget(this))
-    , m_matrixRow(new QHBoxLayout)
+    , m_matrixGrid(new QGridLayout)
     , m_accuracy(new IntervalChart(m_content))
     , m_patterns(new IntervalChart(m_content))
     , m_times(new IntervalChart(m_content))
@@ -70,14 +73,16 @@ ResultsView::ResultsView(QWidget* parent)
     , m_people(new ResultTable(QStringLiteral("summary"), m_content)) {
     m_task->setObjectName(QStringLiteral("resultTask"));
     m_who->setObjectName(QStringLiteral("resultParticipant"));
+    m_beside->setObjectName(QStringLiteral("resultBeside"));
     m_counts->setObjectName(QStringLiteral("resultCounts"));
     m_counts->addItems({QString(), QString()});
-    for (QComboBox* box : {m_task, m_who, m_counts})
+    for (QComboBox* box : {m_task, m_counts})
         box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_state->setWordWrap(true);
     auto* bar = new QHBoxLayout;
     bar->addWidget(m_task);
     bar->addWidget(m_who);
+    bar->addWidget(m_beside);
     bar->addWidget(m_counts);
     bar->addWidget(m_state, 1);
     bar->addWidget(m_export);
@@ -89,7 +94,7 @@ ResultsView::ResultsView(QWidget* parent)
     const int margin = base::grid(this, 2);
     column->setContentsMargins(margin, margin, margin, margin);
     column->setSpacing(base::grid(this, 1.5));
-    column->addLayout(m_matrixRow);
+    column->addLayout(m_matrixGrid);
     column->addLayout(charts);
     for (QWidget* part : std::initializer_list<QWidget*>{m_groupsTitle, m_groups, m_groupsNote, m_anovaTitle,
                                                          m_anova, m_anovaNote, m_peopleTitle, m_people})
@@ -110,7 +115,8 @@ ResultsView::ResultsView(QWidget* parent)
     auto* menu = new QMenu(m_export);
     m_export->setMenu(menu);
     connect(m_task, &QComboBox::currentIndexChanged, this, &ResultsView::refresh);
-    connect(m_who, &QComboBox::currentIndexChanged, this, &ResultsView::refresh);
+    for (ParticipantPicker* picker : {m_who, m_beside})
+        connect(picker, &ParticipantPicker::chosenChanged, this, &ResultsView::refresh);
     connect(m_counts, &QComboBox::currentIndexChanged, this, [this](int index) {
         for (ConfusionView* view : m_matrices)
             view->setPercent(index == 1);
@@ -137,8 +143,11 @@ QString ResultsView::task() const {
     return m_task->currentData().toString();
 }
 
-QString ResultsView::participant() const {
-    return m_who->currentData().toString();
+ShownPeople ResultsView::shown() const {
+    ShownPeople people{m_who->chosen(), {}};
+    if (!m_beside->chosen().isEmpty())
+        people.beside = m_beside->chosen();
+    return people;
 }
 
 const study::TaskResults* ResultsView::chosen() const {
@@ -151,12 +160,10 @@ const study::TaskResults* ResultsView::chosen() const {
 /// What was chosen stays chosen when new trials come in.
 void ResultsView::fillChoices() {
     const QString oldTask = task();
-    const QString oldWho = participant();
     const QSignalBlocker quietTask(m_task);
     const QSignalBlocker quietWho(m_who);
+    const QSignalBlocker quietBeside(m_beside);
     m_task->clear();
-    m_who->clear();
-    m_who->addItem(tr("All participants"), QString());
     std::set<QString> people;
     for (const study::TaskResults& one : m_scene.tasks) {
         const QString id = QString::fromStdString(one.task);
@@ -164,17 +171,17 @@ void ResultsView::fillChoices() {
         for (const study::ParticipantSummary& person : one.participants)
             people.insert(QString::fromStdString(person.participant));
     }
-    for (const QString& person : people)
-        m_who->addItem(person, person);
+    const QStringList all(people.begin(), people.end());
+    m_who->setChoices(all, tr("All participants"));
+    m_beside->setChoices(all, tr("Nobody beside them"));
     m_task->setCurrentIndex(std::max(0, m_task->findData(oldTask)));
-    m_who->setCurrentIndex(std::max(0, m_who->findData(oldWho)));
 }
 
 void ResultsView::refresh() {
     const study::TaskResults* results = chosen();
     const bool any = results != nullptr && !results->participants.empty();
     m_content->setVisible(any);
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_task, m_who, m_counts, m_export})
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_task, m_who, m_beside, m_counts, m_export})
         widget->setEnabled(any);
     if (!any)
         return;
@@ -184,35 +191,33 @@ void ResultsView::refresh() {
 }
 
 void ResultsView::showMatrices(const study::TaskResults& results) {
-    while (m_matrices.size() > results.conditions.size()) {
+    const std::vector<QStringList> groups = shown().groups();
+    const std::size_t columns = results.conditions.size();
+    while (m_matrices.size() > groups.size() * columns) {
         delete m_matrices.back();
         m_matrices.pop_back();
     }
-    while (m_matrices.size() < results.conditions.size()) {
+    while (m_matrices.size() < groups.size() * columns) {
         auto* view = new ConfusionView(m_content);
         view->setPercent(m_counts->currentIndex() == 1);
         connect(view, &ConfusionView::percentChanged, this,
                 [this](bool percent) { m_counts->setCurrentIndex(percent ? 1 : 0); });
         connect(&view->exporter(), &base::FigureExport::failed, this, &ResultsView::figureFailed);
-        m_matrixRow->addWidget(view);
         m_matrices.push_back(view);
     }
-    for (std::size_t c = 0; c < results.conditions.size(); ++c) {
+    for (std::size_t i = 0; i < m_matrices.size(); ++i) {
+        const QStringList& group = groups[i / columns];
+        const std::string& condition = results.conditions[i % columns];
         ConfusionContent content;
-        content.matrix = study::ConfusionMatrix(std::max<std::size_t>(results.patterns.size(), 1));
-        for (const study::NamedMatrix& named : results.matrices) {
-            if (named.condition == results.conditions[c] && named.phase == study::Phase::test &&
-                QString::fromStdString(named.participant) == participant())
-                content.matrix = named.matrix;
-        }
+        content.matrix = ResultsContent::matrix(results, condition, group);
         for (const std::string& letter : results.patterns)
             content.letters << QString::fromStdString(letter);
-        const QString who = participant().isEmpty() ? tr("all participants") : participant();
-        content.title =
-            tr("%1, %2", "condition, participant").arg(QString::fromStdString(results.conditions[c]), who);
+        content.title = tr("%1, %2", "condition, participant")
+                            .arg(QString::fromStdString(condition), ResultsContent::nameOf(group));
         content.mode = m_scene.mode;
-        m_matrices[c]->setContent(std::move(content));
-        m_matrices[c]->setMinimumHeight(base::em(this, 19));
+        m_matrices[i]->setContent(std::move(content));
+        m_matrices[i]->setMinimumHeight(base::em(this, 19));
+        m_matrixGrid->addWidget(m_matrices[i], static_cast<int>(i / columns), static_cast<int>(i % columns));
     }
 }
 
@@ -222,15 +227,15 @@ void ResultsView::showCharts(const study::TaskResults& results) {
         chart->setContent(std::move(content));
         chart->setMinimumHeight(base::em(this, 17));
     };
-    set(m_accuracy, ResultsContent::accuracy(results, participant()));
-    set(m_patterns, ResultsContent::patterns(results, participant()));
-    set(m_times, ResultsContent::times(results, participant()));
+    set(m_accuracy, ResultsContent::accuracy(results, shown()));
+    set(m_patterns, ResultsContent::patterns(results, shown()));
+    set(m_times, ResultsContent::times(results, shown()));
 }
 
 void ResultsView::showTables(const study::TaskResults& results) {
     fill(m_groups, ResultsContent::groups(results));
     fill(m_anova, ResultsContent::anova(results));
-    fill(m_people, ResultsContent::people(results, participant()));
+    fill(m_people, ResultsContent::people(results, shown()));
     m_groupsNote->setText(ResultsContent::transferNote(results));
     m_anovaNote->setText(ResultsContent::anovaNote(results));
 }
@@ -238,6 +243,9 @@ void ResultsView::showTables(const study::TaskResults& results) {
 void ResultsView::retranslate() {
     m_task->setAccessibleName(tr("Task"));
     m_who->setAccessibleName(tr("Participants that are shown"));
+    m_who->setToolTip(tr("Tick one participant, or a group"));
+    m_beside->setAccessibleName(tr("Participants beside them"));
+    m_beside->setToolTip(tr("Tick those whom you want to compare with: a second group side by side"));
     m_counts->setAccessibleName(tr("What the matrices show"));
     m_counts->setItemText(0, tr("Counts"));
     m_counts->setItemText(1, tr("Percent of the row"));

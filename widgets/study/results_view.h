@@ -11,7 +11,7 @@
 #include <vector>
 
 class QComboBox;
-class QHBoxLayout;
+class QGridLayout;
 class QLabel;
 class QPushButton;
 class QVBoxLayout;
@@ -19,8 +19,10 @@ class QVBoxLayout;
 namespace teleta::studyview {
 
 class ConfusionView;
+class ParticipantPicker;
 class IntervalChart;
 class ResultTable;
+struct ShownPeople;
 
 /// Results of a study, and how to call its parts.
 struct ResultsScene {
@@ -41,9 +43,11 @@ public:
     void setScene(ResultsScene scene);
     /// What is going on with them: being computed, none yet.
     void setState(const QString& state);
-    /// The task and the participant that are shown; empty participant: all together.
     [[nodiscard]] QString task() const;
-    [[nodiscard]] QString participant() const;
+    /// Who is shown, and who beside them.
+    [[nodiscard]] ParticipantPicker* whoPicker() const { return m_who; }
+    [[nodiscard]] ParticipantPicker* besidePicker() const { return m_beside; }
+    /// Conditions from left to right; below them those of the second group.
     [[nodiscard]] const std::vector<ConfusionView*>& matrices() const { return m_matrices; }
     [[nodiscard]] IntervalChart* accuracyChart() const { return m_accuracy; }
     [[nodiscard]] IntervalChart* patternChart() const { return m_patterns; }
@@ -68,15 +72,17 @@ private:
     void showCharts(const study::TaskResults& task);
     void showTables(const study::TaskResults& task);
     [[nodiscard]] const study::TaskResults* chosen() const;
+    [[nodiscard]] ShownPeople shown() const;
 
     ResultsScene m_scene;
     QComboBox* m_task;
-    QComboBox* m_who;
+    ParticipantPicker* m_who;
+    ParticipantPicker* m_beside;
     QComboBox* m_counts;
     QPushButton* m_export;
     QLabel* m_state;
     QWidget* m_content;
-    QHBoxLayout* m_matrixRow;
+    QGridLayout* m_matrixGrid;
     std::vector<ConfusionView*> m_matrices;
     IntervalChart* m_accuracy;
     IntervalChart* m_patterns;

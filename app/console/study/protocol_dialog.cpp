@@ -16,6 +16,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSpinBox>
@@ -29,26 +30,19 @@ namespace teleta::console {
 
 namespace {
 
+constexpr double kShortest_s = 0.001;
 constexpr double kLongest_s = 3600.0;
 constexpr double kLoudest_dBA = 85.0;
 constexpr int kMostRepetitions = 1000;
+constexpr double kPatternLines_em = 10.0;
 
-QStringList parts(const QLineEdit* edit) {
+QStringList parts(const QString& text, QChar separator) {
     QStringList list;
-    for (const QString& part : edit->text().split(QLatin1Char(','))) {
+    for (const QString& part : text.split(separator)) {
         if (!part.trimmed().isEmpty())
             list << part.trimmed();
     }
     return list;
-}
-
-QDoubleSpinBox* secondsBox(double value_s, QWidget* parent) {
-    auto* box = new QDoubleSpinBox(parent);
-    box->setDecimals(3);
-    box->setRange(0.001, kLongest_s);
-    box->setSuffix(QStringLiteral(" s"));
-    box->setValue(value_s);
-    return box;
 }
 
 } // namespace
@@ -58,20 +52,21 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     , m_questionnaires(protocol.questionnaires)
     , m_name(new QLineEdit(QString::fromStdString(protocol.name), this))
     , m_description(new QLineEdit(QString::fromStdString(protocol.description), this))
-    , m_stimulus_s(secondsBox(protocol.stimulus_s, this))
-    , m_limit_s(secondsBox(protocol.responseLimit_s, this))
+    , m_stimulus_s(makeNumber(protocol.stimulus_s, kShortest_s, kLongest_s, 3, QStringLiteral(" s")))
+    , m_limit_s(makeNumber(protocol.responseLimit_s, kShortest_s, kLongest_s, 3, QStringLiteral(" s")))
     , m_window(new QComboBox(this))
     , m_replays(new QSpinBox(this))
     , m_order(new QComboBox(this))
     , m_practice(makePhase(protocol.practice))
     , m_test(makePhase(protocol.test))
     , m_noise(new QComboBox(this))
-    , m_level_dBA(new QDoubleSpinBox(this))
+    , m_level_dBA(makeNumber(protocol.noise_dBA, 0.0, kLoudest_dBA, 1, QStringLiteral(" dBA")))
     , m_taskRows(new QVBoxLayout)
     , m_verdict(new QLabel(this)) {
     setWindowTitle(tr("Protocol"));
     setObjectName(QStringLiteral("protocolDialog"));
     m_name->setObjectName(QStringLiteral("protocolName"));
+    m_stimulus_s.box->setObjectName(QStringLiteral("stimulus_s"));
     m_window->addItems({tr("of the onset of the stimulus"), tr("of its end")});
     m_window->setCurrentIndex(protocol.window == study::ResponseWindow::fromOnset ? 0 : 1);
     m_replays->setRange(0, kMostRepetitions);
@@ -81,9 +76,6 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     m_order->setCurrentIndex(protocol.order == study::OrderMethod::fullRandom ? 0 : 1);
     m_noise->addItems({tr("pink"), tr("none")});
     m_noise->setCurrentIndex(protocol.noiseColour == "none" ? 1 : 0);
-    m_level_dBA->setRange(0.0, kLoudest_dBA);
-    m_level_dBA->setSuffix(QStringLiteral(" dBA"));
-    m_level_dBA->setValue(protocol.noise_dBA);
     m_verdict->setObjectName(QStringLiteral("verdict"));
     m_verdict->setWordWrap(true);
 
@@ -97,13 +89,13 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     auto* form = new QFormLayout;
     form->addRow(tr("&Name"), m_name);
     form->addRow(tr("&Description"), m_description);
-    form->addRow(tr("&Stimulus, at most"), row({m_stimulus_s}));
-    form->addRow(tr("Answer &within"), row({m_limit_s, m_window}));
+    form->addRow(tr("&Stimulus, at most"), row({m_stimulus_s.box}));
+    form->addRow(tr("Answer &within"), row({m_limit_s.box, m_window}));
     form->addRow(tr("May be felt a&gain"), row({m_replays, new QLabel(tr("times"), this)}));
     form->addRow(tr("&Order"), row({m_order}));
     form->addRow(tr("&Practice"), row({m_practice.repetitions, m_practice.feedback, m_practice.diagram}));
     form->addRow(tr("&Test"), row({m_test.repetitions, m_test.feedback, m_test.diagram}));
-    form->addRow(tr("&Masking noise"), row({m_noise, m_level_dBA}));
+    form->addRow(tr("&Masking noise"), row({m_noise, m_level_dBA.box}));
     if (!m_questionnaires.empty())
         form->addRow(tr("Questionnaires"), new QLabel(tr("%n questionnaire(s), kept as they are", nullptr,
                                                          static_cast<int>(m_questionnaires.size())),
@@ -157,6 +149,20 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     check();
 }
 
+double ProtocolDialog::NumberField::value() const {
+    return box->value() == shown ? read : box->value();
+}
+
+ProtocolDialog::NumberField ProtocolDialog::makeNumber(double value, double low, double high, int decimals,
+                                                       const QString& unit) {
+    auto* box = new QDoubleSpinBox(this);
+    box->setDecimals(decimals);
+    box->setRange(low, high);
+    box->setSuffix(unit);
+    box->setValue(value);
+    return {box, value, box->value()};
+}
+
 ProtocolDialog::PhaseRow ProtocolDialog::makePhase(const study::PhaseSettings& phase) {
     PhaseRow row{new QSpinBox(this), new QCheckBox(tr("feedback"), this),
                  new QCheckBox(tr("pictures in view"), this)};
@@ -177,14 +183,17 @@ void ProtocolDialog::addTask(const study::StudyTask& task) {
     QStringList patterns;
     for (const study::StudyPattern& pattern : task.patterns)
         patterns << QString::fromStdString(pattern.letter + ' ' + pattern.name);
-    const QString separator = QStringLiteral(", ");
     const TaskRow row{box, new QLineEdit(QString::fromStdString(task.id), box),
                       new QLineEdit(QString::fromStdString(task.name), box),
-                      new QLineEdit(conditions.join(separator), box),
-                      new QLineEdit(patterns.join(separator), box)};
+                      new QLineEdit(conditions.join(QStringLiteral(", ")), box),
+                      new QPlainTextEdit(patterns.join(QLatin1Char('\n')), box)};
+    row.id->setObjectName(QStringLiteral("taskId"));
+    row.patterns->setObjectName(QStringLiteral("taskPatterns"));
+    row.patterns->setTabChangesFocus(true);
+    row.patterns->setFixedHeight(base::em(this, kPatternLines_em));
     row.id->setPlaceholderText(tr("for example shape"));
     row.conditions->setPlaceholderText(tr("for example static, dynamic"));
-    row.patterns->setPlaceholderText(tr("letter and name, for example A circle, B rectangle"));
+    row.patterns->setPlaceholderText(tr("letter and name, one a line, for example A circle"));
     auto* form = new QFormLayout(box);
     form->addRow(tr("Identifier"), row.id);
     form->addRow(tr("Name"), row.name);
@@ -193,8 +202,9 @@ void ProtocolDialog::addTask(const study::StudyTask& task) {
     auto* remove = new QPushButton(tr("Remove this task"), box);
     form->addRow(remove);
     connect(remove, &QPushButton::clicked, this, [this, box] { removeTask(box); });
-    for (QLineEdit* edit : {row.id, row.name, row.conditions, row.patterns})
+    for (QLineEdit* edit : {row.id, row.name, row.conditions})
         connect(edit, &QLineEdit::textChanged, this, &ProtocolDialog::check);
+    connect(row.patterns, &QPlainTextEdit::textChanged, this, &ProtocolDialog::check);
     m_tasks.push_back(row);
     m_taskRows->addWidget(box);
 }
@@ -210,8 +220,8 @@ core::Expected<study::Protocol> ProtocolDialog::protocol() const {
     study::Protocol protocol;
     protocol.name = m_name->text().trimmed().toStdString();
     protocol.description = m_description->text().trimmed().toStdString();
-    protocol.stimulus_s = m_stimulus_s->value();
-    protocol.responseLimit_s = m_limit_s->value();
+    protocol.stimulus_s = m_stimulus_s.value();
+    protocol.responseLimit_s = m_limit_s.value();
     protocol.window =
         m_window->currentIndex() == 0 ? study::ResponseWindow::fromOnset : study::ResponseWindow::fromEnd;
     protocol.replays = static_cast<std::size_t>(m_replays->value());
@@ -224,15 +234,15 @@ core::Expected<study::Protocol> ProtocolDialog::protocol() const {
     protocol.practice = phase(m_practice);
     protocol.test = phase(m_test);
     protocol.noiseColour = m_noise->currentIndex() == 0 ? "pink" : "none";
-    protocol.noise_dBA = m_level_dBA->value();
+    protocol.noise_dBA = m_level_dBA.value();
     protocol.questionnaires = m_questionnaires;
     for (const TaskRow& row : m_tasks) {
         study::StudyTask task;
         task.id = row.id->text().trimmed().toStdString();
         task.name = row.name->text().trimmed().toStdString();
-        for (const QString& condition : parts(row.conditions))
+        for (const QString& condition : parts(row.conditions->text(), QLatin1Char(',')))
             task.conditions.push_back(condition.toStdString());
-        for (const QString& pattern : parts(row.patterns)) {
+        for (const QString& pattern : parts(row.patterns->toPlainText(), QLatin1Char('\n'))) {
             const QString letter = pattern.section(QLatin1Char(' '), 0, 0);
             const QString name = pattern.section(QLatin1Char(' '), 1).trimmed();
             task.patterns.push_back({letter.toStdString(), (name.isEmpty() ? letter : name).toStdString()});
@@ -244,7 +254,7 @@ core::Expected<study::Protocol> ProtocolDialog::protocol() const {
 
 void ProtocolDialog::check() {
     const auto valid = protocol();
-    m_level_dBA->setEnabled(m_noise->currentIndex() == 0);
+    m_level_dBA.box->setEnabled(m_noise->currentIndex() == 0);
     m_save->setEnabled(valid.has_value());
     m_make->setEnabled(valid.has_value());
     QPalette colours = palette();

@@ -12,6 +12,7 @@ class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
 class QLineEdit;
+class QPlainTextEdit;
 class QPushButton;
 class QSpinBox;
 class QVBoxLayout;
@@ -46,10 +47,19 @@ private:
         QWidget* box;
         QLineEdit* id;
         QLineEdit* name;
-        QLineEdit* conditions; ///< with commas between them
-        QLineEdit* patterns;   ///< "A circle, B rectangle"
+        QLineEdit* conditions;    ///< with commas between them
+        QPlainTextEdit* patterns; ///< one a line: "A circle"
+    };
+    /// A number that stays as it was read, with all its digits, until somebody changes it.
+    struct NumberField {
+        QDoubleSpinBox* box;
+        double read;
+        double shown; ///< by the box, which rounds
+        [[nodiscard]] double value() const;
     };
 
+    [[nodiscard]] NumberField makeNumber(double value, double low, double high, int decimals,
+                                         const QString& unit);
     [[nodiscard]] PhaseRow makePhase(const study::PhaseSettings& phase);
     void addTask(const study::StudyTask& task);
     void removeTask(QWidget* box);
@@ -59,15 +69,15 @@ private:
     std::vector<study::Questionnaire> m_questionnaires; ///< kept as they are
     QLineEdit* m_name;
     QLineEdit* m_description;
-    QDoubleSpinBox* m_stimulus_s;
-    QDoubleSpinBox* m_limit_s;
+    NumberField m_stimulus_s;
+    NumberField m_limit_s;
     QComboBox* m_window;
     QSpinBox* m_replays;
     QComboBox* m_order;
     PhaseRow m_practice;
     PhaseRow m_test;
     QComboBox* m_noise;
-    QDoubleSpinBox* m_level_dBA;
+    NumberField m_level_dBA;
     QVBoxLayout* m_taskRows;
     std::vector<TaskRow> m_tasks;
     QLabel* m_verdict;

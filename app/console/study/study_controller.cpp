@@ -197,12 +197,22 @@ void StudyController::create(const study::StoreLocation& location, const study::
         });
 }
 
-void StudyController::rehearse(const QString& folder, const study::StudyScene& scene, std::uint64_t seed) {
+void StudyController::openOrCreate(const study::StoreLocation& location, const study::StudyHead& head) {
     const QString what = tr("The rehearsal could not be opened.");
-    if (!mayChange(what))
-        return;
-    m_scene = scene;
-    m_sceneFolder = folder.toStdString();
+    if (mayChange(what))
+        askForOverview(what, [location, head](StudyDesk::Store& store) {
+            const QDir folder(QString::fromStdString(location.folder));
+            return replaced(store, folder.exists(QStringLiteral("study.sqlite"))
+                                       ? StudyStore::open(location)
+                                       : StudyStore::create(location, head));
+        });
+}
+
+void StudyController::rehearse(const QString& folder, const study::StudyScene& scene, std::uint64_t seed) {
+    if (!isActive() && !isBusy()) {
+        m_scene = scene;
+        m_sceneFolder = folder.toStdString();
+    }
     study::StudyHead head;
     head.protocol = scene.protocol;
     head.seed = seed;
@@ -211,12 +221,7 @@ void StudyController::rehearse(const QString& folder, const study::StudyScene& s
     head.lapses = scene.lapses.value_or(0.0);
     head.created = QDateTime::currentDateTimeUtc();
     head.appVersion = QCoreApplication::applicationVersion().toStdString();
-    askForOverview(what, [location = study::StoreLocation(m_sceneFolder), head](StudyDesk::Store& store) {
-        const QDir place(QString::fromStdString(location.folder));
-        return replaced(store, place.exists(QStringLiteral("study.sqlite"))
-                                   ? StudyStore::open(location)
-                                   : StudyStore::create(location, head));
-    });
+    openOrCreate(folder.toStdString(), head);
 }
 
 void StudyController::enrol(const QString& id) {

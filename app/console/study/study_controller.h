@@ -39,6 +39,8 @@ public:
     /// What comes of these comes as a signal.
     void open(const study::StoreLocation& location);
     void create(const study::StoreLocation& location, const study::StudyHead& head);
+    /// Opens the study of the folder; makes it where there is none.
+    void openOrCreate(const study::StoreLocation& location, const study::StudyHead& head);
     /// Makes the study of a scene, or opens it where the folder has one, with the scene's participants as
     /// long as it is open.
     void rehearse(const QString& folder, const study::StudyScene& scene, std::uint64_t seed);

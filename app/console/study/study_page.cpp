@@ -38,6 +38,7 @@
 #include <QVBoxLayout>
 
 #include <array>
+#include <optional>
 #include <utility>
 
 namespace teleta::console {
@@ -307,27 +308,26 @@ void StudyPage::open(const QString& path) {
             {QDir(studiesFolder()).filePath(address.studyName()).toStdString(), path.toStdString()});
         return;
     }
-    const QString name = QFileInfo(path).fileName();
-    if (QFileInfo(path).isDir()) {
-        m_controller.open(path.toStdString());
-        return;
-    }
+    using Protocol = core::Expected<study::Protocol>;
     runInBackground(
-        this, [path] { return study::readProtocol(path.toStdString()); },
-        [this, name](const core::Expected<study::Protocol>& protocol) {
-            if (protocol)
-                showProtocol(*protocol);
+        this,
+        [path] {
+            return QFileInfo(path).isDir() ? std::optional<Protocol>()
+                                           : std::optional(study::readProtocol(path.toStdString()));
+        },
+        [this, path](const std::optional<Protocol>& protocol) {
+            if (!protocol)
+                m_controller.open(path.toStdString());
+            else if (*protocol)
+                showProtocol(**protocol);
             else
-                report(tr("%1 could not be opened.", "a file").arg(name), protocol.error());
+                report(tr("%1 could not be opened.", "a file").arg(QFileInfo(path).fileName()),
+                       protocol->error());
         });
 }
 
 void StudyPage::watchRehearsal(const QString& folder) {
     m_rehearseWhenOpened = true;
-    if (QFileInfo::exists(QDir(folder).filePath(QStringLiteral("study.sqlite"))) && !folder.isEmpty()) {
-        m_controller.open(folder.toStdString());
-        return;
-    }
     const QString place = folder.isEmpty() ? newFolder(QStringLiteral("rehearsal")) : folder;
     runInBackground(
         this, [] { return study::paperProtocol(); },
@@ -338,7 +338,7 @@ void StudyPage::watchRehearsal(const QString& folder) {
             }
             NewStudyDialog form(*protocol, place);
             form.setMode(study::Mode::simulated);
-            m_controller.create(form.location(), form.head());
+            m_controller.openOrCreate(form.location(), form.head());
         });
 }
 

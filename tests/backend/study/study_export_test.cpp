@@ -165,6 +165,28 @@ TEST_F(StudyExportTest, oddNamesOfParticipantsStayApartAndReadBackAsTheyWere) {
     EXPECT_EQ(readBack, std::set<std::string>(names.begin(), names.end()));
 }
 
+TEST(FileLabels, doNotChangeWhenMorePeopleEnrol) {
+    std::vector<Participant> people;
+    std::vector<std::string> before;
+    for (const char* id : {"a,b", "ab", "\u53c2\u52a0\u8005", "abx1", "a-b", "abx5", "P07"}) {
+        people.push_back({static_cast<long long>(people.size()) + 1, id, people.size()});
+        const std::vector<std::string> labels = fileLabels(people);
+        ASSERT_EQ(labels.size(), people.size());
+        EXPECT_TRUE(std::equal(before.begin(), before.end(), labels.begin())) << id;
+        EXPECT_EQ(std::set<std::string>(labels.begin(), labels.end()).size(), labels.size()) << id;
+        before = labels;
+    }
+    EXPECT_EQ(before, (std::vector<std::string>{"abx1", "ab", "x3", "abx1x4", "abx5", "abx5x6", "P07"}));
+}
+
+TEST_F(StudyExportTest, aParticipantThatTheStudyDoesNotHaveIsAnErrorAndNoFile) {
+    StudyStore store = create(Mode::run);
+    addSession(store, "P07");
+    const Participant stranger{4711, "P99", 40};
+    EXPECT_EQ(exportNotes(store, stranger, ExportFormat::psychds).error().kind, core::ErrorKind::notFound);
+    EXPECT_EQ(exportAnswers(store, stranger, ExportFormat::psychds).error().kind, core::ErrorKind::notFound);
+}
+
 TEST_F(StudyExportTest, aRehearsedStudyExportsWhatItsStoreHolds) {
     StudyStore store = create(Mode::simulated, 3);
     ASSERT_TRUE(rehearse(store, [](std::size_t) { return true; }));

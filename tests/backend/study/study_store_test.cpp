@@ -77,7 +77,7 @@ protected:
         result.responseTime_s = 0.1 + 0.2;
         result.responseTimeOffset_s = -1.75;
         result.responseDevice = "keyboard";
-        result.responseKey = "3";
+        result.responseKey = std::string("3");
         result.replays = 1;
         result.earlyPresses = 2;
         result.onset_s = 12.5;
@@ -253,6 +253,20 @@ TEST_F(StudyStoreTest, tellsAFolderWithoutStudyFromADamagedOneAndANewerOne) {
     (void)create();
     runSql(QStringLiteral("PRAGMA user_version = 1000"));
     EXPECT_EQ(StudyStore::open(folder()).error().kind, core::ErrorKind::refused);
+    runSql(QStringLiteral("PRAGMA user_version = -1"));
+    EXPECT_EQ(StudyStore::open(folder()).error().kind, core::ErrorKind::badInput);
+}
+
+TEST_F(StudyStoreTest, wordsThatFilesHaveForSomethingElseNameNobody) {
+    StudyStore store = create();
+    for (const char* word : {"NA", "n/a", "NONE", "GROUP"}) {
+        const auto refused = store.enrol(word);
+        ASSERT_FALSE(refused) << word;
+        EXPECT_EQ(refused.error().kind, core::ErrorKind::refused);
+        EXPECT_NE(refused.error().expected.find("NA, n/a, NONE, GROUP"), std::string::npos)
+            << refused.error().expected;
+    }
+    EXPECT_EQ(store.enrol(std::string(65, 'a')).error().expected, "a text of 1 to 64 characters");
 }
 
 TEST_F(StudyStoreTest, bringsAnOlderStudyUpToDateAndKeepsItsTrials) {
@@ -464,6 +478,8 @@ TEST_F(StudyStoreTest, aReadOnlyFolderIsAnErrorAndKeepsWhatIsThere) {
     namespace fs = std::filesystem;
     fs::permissions(m_folder.path("."), fs::perms(0755));
     fs::permissions(folder(), fs::perms(0555));
+    fs::create_directory(m_folder.path("bare"));
+    fs::permissions(m_folder.path("bare"), fs::perms(0555));
     for (const auto& file : fs::directory_iterator(folder()))
         fs::permissions(file.path(), fs::perms(0444));
     constexpr uid_t kNobody = 65'534;
@@ -472,6 +488,8 @@ TEST_F(StudyStoreTest, aReadOnlyFolderIsAnErrorAndKeepsWhatIsThere) {
         ASSERT_EQ(seteuid(kNobody), 0);
     }
     const auto created = StudyStore::create(m_folder.path("other"), head());
+    // The folder is there but takes no file.
+    const auto createdInIt = StudyStore::create(m_folder.path("bare"), head());
     bool refusedToOpen = false;
     bool refusedToKeep = false;
     {
@@ -485,6 +503,9 @@ TEST_F(StudyStoreTest, aReadOnlyFolderIsAnErrorAndKeepsWhatIsThere) {
     }
     ASSERT_EQ(seteuid(user), 0);
     EXPECT_EQ(created.error().kind, core::ErrorKind::ioFailed);
+    ASSERT_FALSE(createdInIt);
+    EXPECT_EQ(createdInIt.error().kind, core::ErrorKind::ioFailed);
+    EXPECT_TRUE(fs::is_empty(m_folder.path("bare")));
     EXPECT_TRUE(refusedToOpen || refusedToKeep);
     fs::permissions(folder(), fs::perms(0755));
     for (const auto& file : fs::directory_iterator(folder()))

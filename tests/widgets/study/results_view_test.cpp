@@ -2,11 +2,15 @@
 #include "tests/widgets/test_registry.h"
 #include "widgets/study/confusion_view.h"
 #include "widgets/study/interval_chart.h"
+#include "widgets/study/participant_picker.h"
 #include "widgets/study/result_table.h"
 #include "widgets/study/results_content.h"
 #include "widgets/study/results_view.h"
 
+#include <QCheckBox>
 #include <QComboBox>
+#include <QMenu>
+#include <QSignalSpy>
 #include <QTest>
 
 #include <array>
@@ -100,7 +104,7 @@ private slots:
     // Wilson's interval of 27/30 from the roots of its quadratic.
     void oneParticipantHasWilsonsInterval() {
         const studyview::IntervalChartContent chart =
-            ResultsContent::accuracy(results(), QStringLiteral("s01"));
+            ResultsContent::accuracy(results(), {.group = {QStringLiteral("s01")}});
         const studyview::ChartPoint& point = chart.series[0].points[1];
         const double n = 30.0, share = 0.9, z = 1.959963984540054;
         const double middle = (share + z * z / (2 * n)) / (1 + z * z / n);
@@ -140,18 +144,75 @@ private slots:
         QCOMPARE(view.matrices().size(), std::size_t(2));
         QCOMPARE(view.matrices()[1]->content().matrix.total(), 8 * 30);
         QCOMPARE(view.matrices()[1]->content().mode, study::Mode::pilot);
-        auto* who = view.findChild<QComboBox*>("resultParticipant");
-        QCOMPARE(who->count(), 9);
-        who->setCurrentIndex(who->findData(QStringLiteral("s01")));
+        studyview::ParticipantPicker* who = view.whoPicker();
+        QCOMPARE(who->text(), QStringLiteral("All participants"));
+        auto* box = who->menu()->findChild<QCheckBox*>("s01");
+        QVERIFY(box != nullptr);
+        box->click();
+        QCOMPARE(who->chosen(), QStringList("s01"));
         QCOMPARE(view.matrices()[1]->content().matrix.total(), 30);
         QCOMPARE(view.matrices()[1]->content().matrix.correct(), 27);
         QCOMPARE(view.peopleTable()->rowCount(), 2);
         view.setScene(scene);
-        QCOMPARE(view.participant(), QStringLiteral("s01"));
+        QCOMPARE(who->chosen(), QStringList("s01"));
+        QCOMPARE(who->text(), QStringLiteral("s01"));
         auto* counts = view.findChild<QComboBox*>("resultCounts");
         counts->setCurrentIndex(1);
         for (const studyview::ConfusionView* matrix : view.matrices())
             QVERIFY(matrix->content().percent);
+    }
+
+    // Rows of data set A: s01 has 27 (static) and 26 (dynamic) right of 30, s02 14 and 18, s03 16 and 18, s04
+    // 20 and 25.
+    void showsTwoGroupsSideBySide() {
+        ResultsView view;
+        studyview::ResultsScene scene;
+        scene.tasks = {results()};
+        view.setScene(scene);
+        view.whoPicker()->choose({"s02", "s01", "nobody of that name"});
+        view.besidePicker()->choose({"s03", "s04"});
+        QCOMPARE(view.whoPicker()->chosen(), (QStringList{"s01", "s02"}));
+        QCOMPARE(view.matrices().size(), std::size_t(4));
+        const auto right = [&](std::size_t matrix) {
+            return view.matrices()[matrix]->content().matrix.correct();
+        };
+        QCOMPARE(right(0), 26 + 18); // dynamic comes first
+        QCOMPARE(right(1), 27 + 14);
+        QCOMPARE(right(2), 18 + 25);
+        QCOMPARE(right(3), 16 + 20);
+        for (const studyview::ConfusionView* matrix : view.matrices())
+            QCOMPARE(matrix->content().matrix.total(), 60);
+        QVERIFY2(view.matrices()[3]->content().title.contains("s03, s04"),
+                 qPrintable(view.matrices()[3]->content().title));
+        const auto& accuracy = view.accuracyChart()->content();
+        QCOMPARE(accuracy.series.size(), std::size_t(2));
+        QVERIFY(std::abs(*accuracy.series[0].points[1].value - 100.0 * (27 + 14) / 60) < 1e-9);
+        QVERIFY(std::abs(*accuracy.series[1].points[1].value - 100.0 * (16 + 20) / 60) < 1e-9);
+        QCOMPARE(view.patternChart()->content().series.size(), std::size_t(4));
+        for (const QString& note : view.patternChart()->content().notes)
+            QVERIFY2(note.isEmpty(), "p is of all participants");
+        QCOMPARE(view.timeChart()->content().series.size(), std::size_t(2));
+        QCOMPARE(view.peopleTable()->rowCount(), 8);
+        view.besidePicker()->choose({});
+        QCOMPARE(view.matrices().size(), std::size_t(2));
+        QCOMPARE(view.accuracyChart()->content().series.size(), std::size_t(1));
+        view.whoPicker()->choose({});
+        QVERIFY(!view.patternChart()->content().notes[0].isEmpty());
+    }
+
+    void aPickerNamesAFewAndCountsMany() {
+        studyview::ParticipantPicker picker;
+        picker.setChoices({"P01", "P02", "P03", "P04", "P05"}, QStringLiteral("everybody"));
+        QSignalSpy changed(&picker, &studyview::ParticipantPicker::chosenChanged);
+        QCOMPARE(picker.text(), QStringLiteral("everybody"));
+        picker.choose({"P05", "P01"});
+        QCOMPARE(picker.text(), QStringLiteral("P01, P05"));
+        picker.choose({"P01", "P02", "P03", "P04"});
+        QVERIFY2(picker.text().startsWith("4 participant"), qPrintable(picker.text()));
+        QCOMPARE(changed.count(), 2);
+        picker.setChoices({"P01", "P06"}, QStringLiteral("everybody"));
+        QCOMPARE(picker.chosen(), QStringList("P01"));
+        QCOMPARE(changed.count(), 3);
     }
 
     void showsNothingWithoutTrials() {

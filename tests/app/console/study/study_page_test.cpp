@@ -236,7 +236,7 @@ private slots:
         openStudy();
         beginSession();
         m_page->open(m_folder->path());
-        QCOMPARE(m_page->messages().count(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(m_page->messages().count(), 1, kPatience_ms);
         QVERIFY(runner().isActive());
         doTrial();
         QTRY_COMPARE_WITH_TIMEOUT(kept().size(), std::size_t(1), kPatience_ms);
