@@ -2,6 +2,7 @@
 #include "backend/study/study_store.h"
 
 #include "backend/study/file_claim.h"
+#include "backend/study/folder_owner.h"
 #include "backend/study/stimulus_set.h"
 #include "backend/study/store_values.h"
 #include "backend/study/trial_journal.h"
@@ -79,7 +80,13 @@ const std::string& StudyStore::shownName() const {
 }
 
 core::Expected<StudyStore> StudyStore::create(const StoreLocation& location, const StudyHead& head) {
-    if (!QDir().mkpath(QString::fromStdString(location.folder)))
+    // A server refuses a bad address before anything is made here.
+    const bool isOnServer = !location.server.empty();
+    if (const core::Expected<void> free =
+            isOnServer ? checkFolderOwner(location.folder, head) : core::Expected<void>();
+        !free)
+        return core::Unexpected(free.error());
+    if (!isOnServer && !QDir().mkpath(QString::fromStdString(location.folder)))
         return core::Unexpected(
             core::Error{core::ErrorKind::ioFailed,
                         StoreText::tr("cannot make the folder of the study").toStdString(),
@@ -104,20 +111,32 @@ core::Expected<StudyStore> StudyStore::create(const StoreLocation& location, con
                                         StoreText::tr("a new folder, or to go on with the study"));
     if (!made)
         return core::Unexpected(made.error());
+    if (const core::Expected<void> read = store.readHead().and_then([&] { return store.ownFolder(); }); !read)
+        return core::Unexpected(read.error());
+    return store;
+}
+
+core::Expected<void> StudyStore::ownFolder() const {
+    return m_connection->isServer() ? study::ownFolder(folder(), m_head, shownName())
+                                    : core::Expected<void>();
+}
+
+core::Expected<StudyStore> StudyStore::openForReading(const StoreLocation& location) {
+    StudyStore store(std::make_shared<StudyConnection>(location));
+    if (const core::Expected<void> opened = store.m_connection->open(StudyConnection::Purpose::open); !opened)
+        return core::Unexpected(opened.error());
     if (const core::Expected<void> read = store.readHead(); !read)
         return core::Unexpected(read.error());
     return store;
 }
 
 core::Expected<StudyStore> StudyStore::open(const StoreLocation& location) {
-    StudyStore store(std::make_shared<StudyConnection>(location));
-    if (const core::Expected<void> opened = store.m_connection->open(StudyConnection::Purpose::open); !opened)
-        return core::Unexpected(opened.error());
-    if (const core::Expected<void> read = store.readHead(); !read)
-        return core::Unexpected(read.error());
-    if (store.m_connection->isServer()) {
+    core::Expected<StudyStore> store = openForReading(location);
+    if (store && store->m_connection->isServer()) {
+        if (const core::Expected<void> owned = store->ownFolder(); !owned)
+            return core::Unexpected(owned.error());
         for (const long long session : TrialJournal::sessionsIn(location.folder)) {
-            if (const core::Expected<void> sent = store.sendPending(session); !sent)
+            if (const core::Expected<void> sent = store->sendPending(session); !sent)
                 return core::Unexpected(sent.error());
         }
     }

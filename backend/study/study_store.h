@@ -90,9 +90,14 @@ public:
                                                            const StudyHead& head);
 
     /// Opens a store, brings its schema up to date, and sends trials that wait in the folder to the server.
-    /// Error: notFound, badInput when the file is no study, refused when a newer program made it, ioFailed,
-    /// unavailable.
+    /// The folder of a study on a server is made once the study is found, and marked as its own.
+    /// Error: notFound, badInput when the file is no study, refused when a newer program made it or the
+    /// folder is another study's, ioFailed, unavailable.
     [[nodiscard]] static core::Expected<StudyStore> open(const StoreLocation& location);
+
+    /// The same for somebody who only reads and does not touch the folder, beside the one who runs the study:
+    /// trials that wait stay the other's to send.
+    [[nodiscard]] static core::Expected<StudyStore> openForReading(const StoreLocation& location);
 
     ~StudyStore();
     StudyStore(StudyStore&&) noexcept;
@@ -103,6 +108,10 @@ public:
     [[nodiscard]] const std::string& folder() const;
     /// The file, or the server without any password: for people.
     [[nodiscard]] const std::string& shownName() const;
+
+    /// For a study on a server: makes sure that nothing of another study is in its folder, and marks it.
+    /// Error: refused when it is another study's; ioFailed.
+    [[nodiscard]] core::Expected<void> ownFolder() const;
 
     /// id: any text of 1 to 64 characters but NA, n/a, NONE and GROUP. Error: refused when it is there
     /// already or not fit, ioFailed.
@@ -137,8 +146,8 @@ public:
     [[nodiscard]] core::Expected<std::vector<StoredNote>> notes(const SessionRecord& session) const;
 
     /// Keeps all answers of a questionnaire, or none. session: the one that it belongs to; empty for those of
-    /// a participant as a whole. Error: refused when they are there already or do not fit, ioFailed,
-    /// unavailable.
+    /// a participant as a whole. The same answers once more are kept already. Error: refused when others are
+    /// there already or they do not fit, ioFailed, unavailable.
     [[nodiscard]] core::Expected<void> keepAnswers(const Participant& participant,
                                                    const std::optional<SessionRecord>& session,
                                                    const Questionnaire& questionnaire,

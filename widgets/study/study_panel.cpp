@@ -132,12 +132,14 @@ void StudyPanel::refresh() {
     setTextColour(m_mark, modeColour(m_scene.mode, palette()));
     m_folder->setText(m_scene.folder);
     setTextColour(m_folder, palette().color(QPalette::PlaceholderText));
-    const bool away = !m_scene.storeProblem.isEmpty();
+    const bool usable = m_scene.storeProblem.isEmpty();
     const base::StatusColours& status = base::statusColours(palette());
     m_store->setVisible(!m_scene.store.isEmpty());
-    m_store->setText(away ? tr("\u2717 Server away: %1").arg(m_scene.storeProblem)
-                          : tr("\u25cf On the server: %1").arg(m_scene.store));
-    setTextColour(m_store, away ? status.lost : status.live);
+    m_store->setText(usable ? tr("\u25cf On the server: %1").arg(m_scene.store)
+                     : m_scene.storeAway
+                         ? tr("\u2717 Server away: %1").arg(m_scene.storeProblem)
+                         : tr("\u2717 The study cannot be used: %1").arg(m_scene.storeProblem));
+    setTextColour(m_store, usable ? status.live : status.lost);
     m_protocol->setText(m_scene.protocol);
     for (QWidget* widget : std::initializer_list<QWidget*>{m_list, m_new, m_open, m_add})
         widget->setEnabled(!m_scene.locked);

@@ -40,8 +40,9 @@ struct ParticipantLine {
 struct StudyScene {
     QString name;
     QString folder;
-    QString store;        ///< a server; empty: a file in the folder
-    QString storeProblem; ///< why the server cannot be used; empty: it can
+    QString store;          ///< a server; empty: a file in the folder
+    QString storeProblem;   ///< why the server cannot be used; empty: it can
+    bool storeAway = false; ///< the problem is that it does not answer
     study::Mode mode = study::Mode::run;
     QString protocol; ///< some lines
     std::vector<ParticipantLine> participants;

@@ -326,7 +326,7 @@ core::Expected<void> StudyCommand::goOn(study::StudyStore& store) const {
 
 core::Expected<void> StudyCommand::tallyInputs(study::TrialTally& tally, study::ModeFilter& modes) const {
     const auto tallyStudy = [&](const study::StoreLocation& location) -> core::Expected<void> {
-        const core::Expected<study::StudyStore> store = study::StudyStore::open(location);
+        const core::Expected<study::StudyStore> store = study::StudyStore::openForReading(location);
         return store ? study::tallyStore(*store, modes, tally) : core::Unexpected(store.error());
     };
     if (m_inputs.empty() && m_server.empty())
@@ -428,13 +428,15 @@ core::Expected<void> StudyCommand::runNoise() const {
 }
 
 core::Expected<void> StudyCommand::runExport() const {
-    const core::Expected<study::StudyStore> store = study::StudyStore::open({m_studyFolder, m_server});
+    const core::Expected<study::StudyStore> store =
+        study::StudyStore::openForReading({m_studyFolder, m_server});
     if (!store)
         return core::Unexpected(store.error());
     const study::ExportFormat format = m_format == "bids"    ? study::ExportFormat::bids
                                        : m_format == "excel" ? study::ExportFormat::excel
                                                              : study::ExportFormat::psychds;
-    const core::Expected<std::size_t> sessions = study::exportStudy(*store, format);
+    const core::Expected<std::size_t> sessions =
+        store->ownFolder().and_then([&] { return study::exportStudy(*store, format); });
     if (!sessions)
         return core::Unexpected(sessions.error());
     if (m_json)

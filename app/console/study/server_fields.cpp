@@ -6,6 +6,8 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QRegularExpression>
+#include <QStringList>
 #include <QUrl>
 #include <QUrlQuery>
 
@@ -51,9 +53,21 @@ QString ServerFields::problem() const {
     return {};
 }
 
-QString ServerFields::studyName() const {
-    const QString name = QUrlQuery(QUrl(m_address->text().trimmed())).queryItemValue(QStringLiteral("study"));
-    return name.isEmpty() ? QStringLiteral("study") : name;
+QString ServerFields::folderName() const {
+    const QUrl url(m_address->text().trimmed());
+    const QUrlQuery query(url);
+    const auto either = [&](const QString& key, const QString& otherwise) {
+        const QString value = query.queryItemValue(key, QUrl::FullyDecoded);
+        return value.isEmpty() ? otherwise : value;
+    };
+    QStringList parts{
+        either(QStringLiteral("study"), QStringLiteral("study")), either(QStringLiteral("host"), url.host()),
+        either(QStringLiteral("port"), url.port() < 0 ? QString() : QString::number(url.port())),
+        url.path().mid(1)};
+    parts.removeAll(QString());
+    QString name = parts.join(QLatin1Char('-'));
+    static const QRegularExpression kUnfit(QStringLiteral("[^A-Za-z0-9._-]|^[.]"));
+    return name.replace(kUnfit, QStringLiteral("_"));
 }
 
 } // namespace teleta::console

@@ -24,8 +24,9 @@ public:
     [[nodiscard]] std::string url() const;
     /// What is wrong with the address; empty: it can be tried.
     [[nodiscard]] QString problem() const;
-    /// The name of the study in the address, for a folder of its exports.
-    [[nodiscard]] QString studyName() const;
+    /// A name for the folder of its exports: of study, host and database, so that studies of several servers
+    /// do not meet in one.
+    [[nodiscard]] QString folderName() const;
 
 signals:
     void changed();

@@ -50,7 +50,7 @@ study::StoreLocation ServerStudyDialog::location() const {
 
 void ServerStudyDialog::check() {
     if (!m_ownFolder)
-        m_folder->setText(QDir(m_parent).filePath(m_server->studyName()));
+        m_folder->setText(QDir(m_parent).filePath(m_server->folderName()));
     QString problem = m_server->problem();
     if (problem.isEmpty() && !QDir::isAbsolutePath(m_folder->text().trimmed()))
         problem = tr("Choose a folder, with its whole path.");

@@ -181,10 +181,7 @@ void StudyController::open(const study::StoreLocation& location) {
                              : QString::fromStdString(study::shownServer(location.server));
     const QString what = tr("%1 could not be opened.", "a folder").arg(name);
     if (mayChange(what))
-        askForOverview(what, [location, folder](StudyDesk::Store& store) {
-            // The store looks for trials that wait for the server in it.
-            if (!location.server.empty())
-                QDir().mkpath(folder);
+        askForOverview(what, [location](StudyDesk::Store& store) {
             return replaced(store, StudyStore::open(location));
         });
 }

@@ -65,7 +65,7 @@ core::Expected<std::vector<study::TaskResults>> resultsOf(const study::StudyStor
 }
 
 core::Expected<std::vector<study::TaskResults>> resultsOf(const study::StoreLocation& location) {
-    const core::Expected<study::StudyStore> store = study::StudyStore::open(location);
+    const core::Expected<study::StudyStore> store = study::StudyStore::openForReading(location);
     if (!store)
         return core::Unexpected(store.error());
     return resultsOf(*store);
@@ -97,7 +97,7 @@ core::Expected<QString> writeAnalysis(const study::StudyStore& store, const QDir
 /// The folder that was written. On a pool thread too.
 core::Expected<QString> exportTo(const study::StoreLocation& location, const QString& format) {
     const QDir study(QString::fromStdString(location.folder));
-    const core::Expected<study::StudyStore> store = study::StudyStore::open(location);
+    const core::Expected<study::StudyStore> store = study::StudyStore::openForReading(location);
     if (!store)
         return core::Unexpected(store.error());
     if (format == QLatin1String("analysis"))
@@ -305,7 +305,7 @@ void StudyPage::open(const QString& path) {
         ServerFields address;
         address.setAddress(path);
         m_controller.open(
-            {QDir(studiesFolder()).filePath(address.studyName()).toStdString(), path.toStdString()});
+            {QDir(studiesFolder()).filePath(address.folderName()).toStdString(), path.toStdString()});
         return;
     }
     using Protocol = core::Expected<study::Protocol>;

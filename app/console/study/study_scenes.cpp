@@ -94,8 +94,10 @@ studyview::StudyScene StudyScenes::study(const StudyController& controller) {
     scene.folder = text(overview.location.folder);
     if (!overview.location.server.empty()) {
         scene.store = text(overview.store);
-        scene.storeProblem =
-            controller.storeError() ? text(core::describe(*controller.storeError())) : QString();
+        if (const auto& error = controller.storeError()) {
+            scene.storeProblem = text(core::describe(*error));
+            scene.storeAway = error->kind == core::ErrorKind::unavailable;
+        }
     }
     scene.mode = overview.head.mode;
     scene.protocol = protocolText(overview.head);

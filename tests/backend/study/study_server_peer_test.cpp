@@ -297,6 +297,20 @@ TEST_F(StudyServerTest, aTrialThatWaitedWhenTheProgramEndedIsSentWithTheNextStar
     }
 }
 
+TEST_F(StudyServerTest, whoOnlyReadsLeavesAWaitingTrialToTheOneWhoRunsTheStudy) {
+    StudyStore store = create();
+    const SessionRecord session = begin(store, store.enrol("P07").value());
+    ASSERT_TRUE(TrialJournal(m_folder.path("here"), session.key)
+                    .append({session.key, session.id, trialNumber(1), kNow}));
+    const auto reader = StudyStore::openForReading(at());
+    ASSERT_TRUE(reader) << core::describe(reader.error());
+    EXPECT_TRUE(reader->trials(session)->empty());
+    EXPECT_TRUE(hasPending());
+    ASSERT_TRUE(store.keepTrial(session, trialNumber(2), kNow.addSecs(9)));
+    EXPECT_FALSE(hasPending());
+    EXPECT_EQ(reader->trials(session)->size(), 2U);
+}
+
 // The server had the trial but could not say so any more.
 TEST_F(StudyServerTest, aWaitingTrialThatTheServerHasIsNotKeptTwice) {
     StudyStore store = create();
@@ -364,6 +378,34 @@ TEST_F(StudyServerTest, aConnectionThatCameBackIncompletelyIsMadeOnceMore) {
     const auto participants = store.participants();
     ASSERT_TRUE(participants) << core::describe(participants.error());
     EXPECT_EQ(participants->size(), 1U);
+}
+
+TEST_F(StudyServerTest, aFolderIsThatOfOneStudy) {
+    (void)create();
+    const std::string folder = m_folder.path("here");
+    StudyHead later = head();
+    later.created = kNow.addSecs(1);
+    const StoreLocation second{folder, s_server->url(m_study + "_second")};
+    EXPECT_EQ(StudyStore::create(second, later).error().kind, core::ErrorKind::refused);
+    const StoreLocation apart{m_folder.path("there"), second.server};
+    ASSERT_TRUE(StudyStore::create(apart, later));
+    const auto mixed = StudyStore::open(second);
+    ASSERT_FALSE(mixed);
+    EXPECT_EQ(mixed.error().kind, core::ErrorKind::refused);
+    EXPECT_NE(mixed.error().message.find("study=" + m_study), std::string::npos) << mixed.error().message;
+    EXPECT_EQ(core::describe(mixed.error()).find("cret"), std::string::npos) << "the password is shown";
+    EXPECT_TRUE(StudyStore::open(at())) << "its own stays open to it";
+    ASSERT_TRUE(StudyStore::create(m_folder.path("local"), head()));
+    EXPECT_EQ(StudyStore::open(at("local")).error().kind, core::ErrorKind::refused);
+}
+
+TEST_F(StudyServerTest, noFolderIsMadeForAStudyThatIsNotThere) {
+    for (const char* name : {"nobody_made_this", "../../x"}) {
+        EXPECT_FALSE(StudyStore::open({m_folder.path("new"), s_server->url(name)}));
+        EXPECT_FALSE(std::filesystem::exists(m_folder.path("new"))) << name;
+    }
+    EXPECT_FALSE(StudyStore::create({m_folder.path("new"), s_server->url("../../x")}, head()));
+    EXPECT_FALSE(std::filesystem::exists(m_folder.path("new")));
 }
 
 TEST_F(StudyServerTest, aParticipantOfAnotherDatabaseDoesNotCount) {

@@ -105,6 +105,18 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(shownStore().contains(QStringLiteral("On the server")), kPatience_ms);
     }
 
+    void aServerThatAnswersButRefusesIsNotSaidToBeAway() {
+        create();
+        enrol("P01");
+        m_server->kill();
+        m_server->start();
+        m_server->sql("ALTER SCHEMA shared RENAME TO hidden");
+        QTRY_VERIFY_WITH_TIMEOUT(shownStore().contains(QStringLiteral("The study cannot be used")),
+                                 kPatience_ms);
+        m_server->sql("ALTER SCHEMA hidden RENAME TO shared");
+        QTRY_VERIFY_WITH_TIMEOUT(shownStore().contains(QStringLiteral("On the server")), kPatience_ms);
+    }
+
     void aServerThatDoesNotAnswerIsSaidAndNothingIsOpened() {
         m_server->kill();
         openPage();
@@ -126,7 +138,11 @@ private slots:
                          QString::fromLatin1(PostgresServer::kPassword));
         QVERIFY2(dialog.server().problem().isEmpty(), qPrintable(dialog.server().problem()));
         QCOMPARE(QUrl(QString::fromStdString(dialog.location().server)), typed);
-        QCOMPARE(QString::fromStdString(dialog.location().folder), m_folder->filePath("shared"));
+        QCOMPARE(QString::fromStdString(dialog.location().folder),
+                 m_folder->filePath(QStringLiteral("shared-127.0.0.1-%1-postgres").arg(typed.port())));
+        console::ServerFields other;
+        other.setAddress(QStringLiteral("postgresql://a@b/c?study=../../x&host=/run/d"));
+        QCOMPARE(other.folderName(), QStringLiteral("_._.._x-_run_d-c"));
 
         console::NewStudyDialog made(head(Mode::pilot, 0.1).protocol, studyFolder());
         QVERIFY(made.location().server.empty());
