@@ -167,7 +167,6 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     fillDemos();
     chooser.setRecent(m_settings.recentFiles());
     buildMenus();
-
     qApp->installEventFilter(this);
 
     resize(base::em(this, 96), base::em(this, 60));
