@@ -37,6 +37,7 @@ const std::map<std::string, Target> kTargets{
     {"register_map", teleta::fuzz::registerMap},
     {"scene", teleta::fuzz::scene},
     {"study_protocol", teleta::fuzz::studyProtocol},
+    {"study_scene", teleta::fuzz::studyScene},
     {"touch_csv", teleta::fuzz::touchCsv},
     {"trial_csv", teleta::fuzz::trialCsv},
     {"trial_journal", teleta::fuzz::trialJournal},

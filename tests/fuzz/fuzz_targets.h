@@ -37,6 +37,7 @@ bool patternRecovery(Bytes bytes);
 // Other documents.
 bool scene(Bytes bytes);
 bool studyProtocol(Bytes bytes);
+bool studyScene(Bytes bytes);
 bool trialJournal(Bytes bytes);
 bool cameraJson(Bytes bytes);
 bool motorProfile(Bytes bytes);

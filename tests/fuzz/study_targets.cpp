@@ -2,6 +2,7 @@
 #include "backend/study/protocol.h"
 #include "backend/study/protocol_text.h"
 #include "backend/study/study_results.h"
+#include "backend/study/study_scene.h"
 #include "backend/study/trial_journal.h"
 #include "backend/study/trial_source.h"
 #include "tests/backend/core/temporary_folder.h"
@@ -57,6 +58,19 @@ bool studyProtocol(Bytes bytes) {
         for (const std::size_t stimulus : session.test)
             require(stimulus < task.patterns.size(), "a planned pattern is one of the task's");
     }
+    return true;
+}
+
+bool studyScene(Bytes bytes) {
+    const std::string text = textOf(bytes);
+    const core::Expected<StudyScene> scene = parseStudyScene(text, kInput);
+    if (!scene) {
+        // It may name a protocol, and the fault then is that file's.
+        require(!scene.error().message.empty(), "an error has a message");
+        require(!scene.error().where.file.empty(), "an error names a file");
+        return false;
+    }
+    require(isStudyScene(text), "what is read as a scene of a study is one");
     return true;
 }
 

@@ -22,11 +22,9 @@ constexpr double kHighestList_em = 30.0;
 } // namespace
 
 ParticipantPicker::ParticipantPicker(QWidget* parent)
-    : QToolButton(parent)
+    : QPushButton(parent)
     , m_panel(new QWidget)
     , m_column(new QVBoxLayout(m_panel)) {
-    setPopupMode(QToolButton::InstantPopup);
-    setToolButtonStyle(Qt::ToolButtonTextOnly);
     m_column->setSizeConstraint(QLayout::SetMinAndMaxSize);
     auto* area = new QScrollArea;
     area->setWidgetResizable(true);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QPushButton>
 #include <QString>
 #include <QStringList>
-#include <QToolButton>
 
 class QCheckBox;
 class QVBoxLayout;
@@ -12,7 +12,7 @@ namespace teleta::studyview {
 
 /// A button with a list of participants to tick. Nobody ticked has a meaning of its own, and a line for it:
 /// "All participants". Thread: GUI.
-class ParticipantPicker : public QToolButton {
+class ParticipantPicker : public QPushButton {
     Q_OBJECT
 
 public:
