@@ -13,15 +13,8 @@ namespace teleta::replay {
 namespace {
 
 constexpr std::size_t kRecordedFramesPerBlock = 64;
-constexpr double kSlowestReplay = 0.01;
-constexpr double kFastestReplay = 100.0;
-constexpr std::int64_t kRetry_ns = 1'000'000;
 /// A worker that is later than this does not catch up.
 constexpr std::int64_t kLongestLag_ns = 500'000'000;
-
-double permittedSpeed(double factor) {
-    return std::isinf(factor) && factor > 0.0 ? factor : std::clamp(factor, kSlowestReplay, kFastestReplay);
-}
 
 core::JointSample jointSample(std::span<const double> values) {
     core::JointSample sample;
@@ -41,11 +34,9 @@ RecordedWorker::RecordedWorker(RecordedConfig config, const recording::Recording
     , m_extent(extent)
     , m_start_ns(start_ns)
     , m_outlet(m_config.queueBlocks)
-    , m_joints(m_config.queueJoints) {
+    , m_joints(m_config.queueJoints)
+    , m_desk(m_config.clock, m_config.autoplay, m_config.loop, m_config.speed) {
     m_shown_ns.set(extent.first_ns);
-    m_commands.loop = m_config.loop;
-    if (!std::isnan(m_config.speed))
-        m_commands.speed = permittedSpeed(m_config.speed);
 }
 
 void RecordedWorker::open(core::Wakeup& consumer) {
@@ -53,54 +44,45 @@ void RecordedWorker::open(core::Wakeup& consumer) {
     m_outlet.open(consumer, now_ns());
     m_jointsRead.store(0);
     m_jointOverflowAtOpen = m_joints.overflow();
-    const std::scoped_lock lock(m_mutex);
-    m_commands.playing = m_config.autoplay;
-    m_commands.seek_s = 0.0;
+    m_desk.set([this](PlaybackCommands& commands) {
+        commands.playing = m_config.autoplay;
+        commands.seek_s = 0.0;
+    });
 }
 
 void RecordedWorker::wake() {
-    const std::scoped_lock lock(m_mutex);
-    m_condition.notify_all();
-}
-
-template <typename Change>
-void RecordedWorker::command(const Change& change) {
-    const std::scoped_lock lock(m_mutex);
-    change(m_commands);
-    m_commanded = true;
-    m_condition.notify_all();
+    m_desk.wake();
 }
 
 void RecordedWorker::play() {
-    command([](Commands& commands) { commands.playing = true; });
+    m_desk.setPlaying(true);
 }
 
 void RecordedWorker::pause() {
-    command([](Commands& commands) { commands.playing = false; });
+    m_desk.setPlaying(false);
 }
 
 void RecordedWorker::step(int frames) {
     // Half a frame early, so that the frame itself is the first one at or after it.
     const double shown_s = static_cast<double>(m_shown_ns.get() - m_extent.first_ns) * 1e-9;
     const double target_s = shown_s + (frames - 0.5) * period_ns() * 1e-9;
-    command([target_s](Commands& commands) {
+    m_desk.command([target_s](PlaybackCommands& commands) {
         commands.playing = false;
         commands.seek_s = std::max(target_s, 0.0);
     });
 }
 
 void RecordedWorker::setSpeed(double factor) {
-    if (!std::isnan(factor))
-        command([factor](Commands& commands) { commands.speed = permittedSpeed(factor); });
+    m_desk.setSpeed(factor);
 }
 
 void RecordedWorker::seek(double time_s) {
     if (!std::isnan(time_s))
-        command([time_s](Commands& commands) { commands.seek_s = std::max(time_s, 0.0); });
+        m_desk.command([time_s](PlaybackCommands& commands) { commands.seek_s = std::max(time_s, 0.0); });
 }
 
 void RecordedWorker::setLoop(bool loop) {
-    command([loop](Commands& commands) { commands.loop = loop; });
+    m_desk.setLoop(loop);
 }
 
 double RecordedWorker::period_ns() const {
@@ -121,10 +103,7 @@ core::PlaybackPosition RecordedWorker::position() const {
                        m_extent.frames - 1)
             : 0;
     position.indexed = true;
-    const std::scoped_lock lock(m_mutex);
-    position.paused = !m_commands.playing;
-    position.speed = m_commands.speed;
-    position.loop = m_commands.loop;
+    m_desk.describe(position);
     return position;
 }
 
@@ -136,20 +115,6 @@ core::DeviceStatus RecordedWorker::jointStatus() const {
     const double speed = position().speed;
     status.rate_Hz = runs && std::isfinite(speed) ? m_config.arm.nominalRate_Hz * speed : 0.0;
     return status;
-}
-
-RecordedWorker::Commands RecordedWorker::takeCommands() {
-    const std::scoped_lock lock(m_mutex);
-    Commands commands = m_commands;
-    m_commands.seek_s.reset();
-    m_commanded = false;
-    return commands;
-}
-
-void RecordedWorker::waitUntil(std::int64_t deadline_ns, const std::stop_token& stop) {
-    std::unique_lock lock(m_mutex);
-    if (!m_commanded && !stop.stop_requested())
-        m_config.clock->waitUntil(m_condition, lock, deadline_ns);
 }
 
 void RecordedWorker::run(const std::stop_token& stop) {
@@ -164,8 +129,8 @@ void RecordedWorker::run(const std::stop_token& stop) {
     } else {
         endAs(core::DeviceState::lost, describe(recording.error()));
         while (!stop.stop_requested()) {
-            (void)takeCommands();
-            waitUntil(core::PacingClock::kNever_ns, stop);
+            (void)m_desk.take([] {});
+            m_desk.waitUntil(core::PacingClock::kNever_ns, stop);
         }
     }
     m_outlet.setState(core::DeviceState::closed, now_ns());
@@ -173,7 +138,7 @@ void RecordedWorker::run(const std::stop_token& stop) {
 
 void RecordedWorker::play(RecordedTrack& array, RecordedTrack* joints, const std::stop_token& stop) {
     while (!stop.stop_requested()) {
-        const Commands previous = std::exchange(m_active, takeCommands());
+        const PlaybackCommands previous = std::exchange(m_active, m_desk.take([] {}));
         const core::DeviceState state = m_outlet.state();
         const bool ended = state == core::DeviceState::finished || state == core::DeviceState::lost;
         core::Expected<void> done;
@@ -186,7 +151,7 @@ void RecordedWorker::play(RecordedTrack& array, RecordedTrack* joints, const std
         if (done && !m_active.playing) {
             if (!ended || m_active.seek_s)
                 m_outlet.setState(core::DeviceState::paused, now_ns());
-            waitUntil(core::PacingClock::kNever_ns, stop);
+            m_desk.waitUntil(core::PacingClock::kNever_ns, stop);
             continue;
         }
         if (done)
@@ -231,7 +196,7 @@ core::Expected<void> RecordedWorker::playDue(RecordedTrack& array, RecordedTrack
         const std::int64_t seam_ns = due_ns(m_extent.last_ns + std::llround(period_ns()));
         if (!unpaced && now_ns() < seam_ns) {
             m_outlet.setState(core::DeviceState::live, now_ns());
-            waitUntil(seam_ns, stop);
+            m_desk.waitUntil(seam_ns, stop);
             return {};
         }
         return seekTo(array, joints, 0.0, stop);
@@ -242,7 +207,7 @@ core::Expected<void> RecordedWorker::playDue(RecordedTrack& array, RecordedTrack
         const std::int64_t next_ns = due_ns(first_ns);
         if (now < next_ns) {
             m_outlet.setState(core::DeviceState::live, now);
-            waitUntil(next_ns, stop);
+            m_desk.waitUntil(next_ns, stop);
             return {};
         }
         if (now - next_ns > kLongestLag_ns)
@@ -292,10 +257,8 @@ void RecordedWorker::deliver(core::SampleBlock& block, const std::stop_token& st
         return;
     }
     while (!m_outlet.tryDeliver(block, state)) {
-        std::unique_lock lock(m_mutex);
-        if (stop.stop_requested())
+        if (!m_desk.waitForRoom(stop))
             return;
-        m_config.clock->waitUntil(m_condition, lock, now_ns() + kRetry_ns);
     }
 }
 
@@ -311,19 +274,14 @@ void RecordedWorker::deliver(const RecordedTrack& joints, const std::stop_token&
     }
     while (!m_joints.tryPush(sample)) {
         m_consumer->notify();
-        std::unique_lock lock(m_mutex);
-        if (stop.stop_requested())
+        if (!m_desk.waitForRoom(stop))
             return;
-        m_config.clock->waitUntil(m_condition, lock, now_ns() + kRetry_ns);
     }
 }
 
 void RecordedWorker::endAs(core::DeviceState state, std::string message) {
     m_active.playing = false;
-    {
-        const std::scoped_lock lock(m_mutex);
-        m_commands.playing = false;
-    }
+    m_desk.set([](PlaybackCommands& commands) { commands.playing = false; });
     m_outlet.setState(state, now_ns(), std::move(message));
 }
 

@@ -6,13 +6,12 @@
 #include "backend/core/latest_copy.h"
 #include "backend/core/source_outlet.h"
 #include "backend/recording/recording.h"
+#include "devices/replay/playback_desk.h"
 #include "devices/replay/recorded_config.h"
 #include "devices/replay/recorded_track.h"
 
 #include <atomic>
-#include <condition_variable>
 #include <cstdint>
-#include <mutex>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -48,17 +47,6 @@ public:
     [[nodiscard]] const RecordedConfig& config() const { return m_config; }
 
 private:
-    struct Commands {
-        bool playing = true;
-        bool loop = false;
-        double speed = 1.0;
-        std::optional<double> seek_s;
-    };
-
-    template <typename Change>
-    void command(const Change& change);
-    [[nodiscard]] Commands takeCommands();
-    void waitUntil(std::int64_t deadline_ns, const std::stop_token& stop);
     void play(RecordedTrack& array, RecordedTrack* joints, const std::stop_token& stop);
     [[nodiscard]] core::Expected<void> seekTo(RecordedTrack& array, RecordedTrack* joints, double time_s,
                                               const std::stop_token& stop);
@@ -80,14 +68,11 @@ private:
     core::BoundedQueue<core::JointSample> m_joints;
     core::LatestCopy<std::int64_t> m_shown_ns; ///< time of the newest frame
 
-    mutable std::mutex m_mutex;
-    std::condition_variable m_condition;
-    Commands m_commands;      ///< guarded by m_mutex
-    bool m_commanded = false; ///< guarded by m_mutex: there is a command that was not taken
+    PlaybackDesk m_desk;
 
     // The worker's own.
     core::Wakeup* m_consumer = nullptr;
-    Commands m_active;
+    PlaybackCommands m_active;
     bool m_jumped = true; ///< before the next block
     bool m_jointsJumped = true;
     std::int64_t m_anchor_ns = 0;

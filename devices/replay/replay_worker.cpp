@@ -10,16 +10,9 @@ namespace teleta::replay {
 namespace {
 
 constexpr std::size_t kFramesPerBlock = 64;
-constexpr double kSlowest = 0.01;
-constexpr double kFastest = 100.0;
 constexpr double kSeamOfUnknownRate_s = 0.1;
-constexpr std::int64_t kQueueRetry_ns = 1'000'000;
 /// A worker that is later than this does not catch up.
 constexpr std::int64_t kLongestCatchUp_ns = 500'000'000;
-
-double allowedSpeed(double factor) {
-    return std::isinf(factor) && factor > 0.0 ? factor : std::clamp(factor, kSlowest, kFastest);
-}
 
 } // namespace
 
@@ -27,21 +20,19 @@ ReplayWorker::ReplayWorker(ReplayCursor cursor, double nominalRate_Hz, ReplayCon
     : m_config(std::move(config))
     , m_nominalRate_Hz(nominalRate_Hz)
     , m_outlet(m_config.queueBlocks)
+    , m_desk(m_config.clock, m_config.autoplay, m_config.loop, m_config.speed)
     , m_cursor(std::move(cursor)) {
     m_index.add(m_cursor.first());
-    m_commands.loop = m_config.loop;
-    m_commands.playing = m_config.autoplay;
-    if (!std::isnan(m_config.speed))
-        m_commands.speed = allowedSpeed(m_config.speed);
 }
 
 void ReplayWorker::open(core::Wakeup& consumer) {
     m_outlet.open(consumer, now_ns());
     m_delivered.reset();
-    const std::scoped_lock lock(m_mutex);
-    m_commands.playing = m_config.autoplay;
-    if (!m_commands.playing)
-        m_commands.seek_s = 0.0;
+    m_desk.set([this](PlaybackCommands& commands) {
+        commands.playing = m_config.autoplay;
+        if (!commands.playing)
+            commands.seek_s = 0.0;
+    });
 }
 
 void ReplayWorker::run(const std::stop_token& stop) {
@@ -49,7 +40,8 @@ void ReplayWorker::run(const std::stop_token& stop) {
     rewind();
     m_discontinuity = again;
     while (!stop.stop_requested()) {
-        const Commands previous = std::exchange(m_active, takeCommands());
+        const PlaybackCommands previous = std::exchange(
+            m_active, m_desk.take([this] { m_abandonScan.store(false, std::memory_order_relaxed); }));
         if (m_active.seek_s)
             seekTo(*m_active.seek_s, stop);
         if (m_active.steps != 0)
@@ -59,7 +51,7 @@ void ReplayWorker::run(const std::stop_token& stop) {
         if (!m_active.playing) {
             if (!ended)
                 m_outlet.setState(core::DeviceState::paused, now_ns());
-            waitUntil(core::PacingClock::kNever_ns, stop);
+            m_desk.waitUntil(core::PacingClock::kNever_ns, stop);
             continue;
         }
         if (ended)
@@ -90,42 +82,32 @@ void ReplayWorker::buildIndex(const std::stop_token& stop) {
 }
 
 void ReplayWorker::wake() {
-    const std::scoped_lock lock(m_mutex);
-    m_condition.notify_all();
-}
-
-template <typename Change>
-void ReplayWorker::command(const Change& change) {
-    const std::scoped_lock lock(m_mutex);
-    change(m_commands);
-    m_commanded = true;
-    m_condition.notify_all();
+    m_desk.wake();
 }
 
 void ReplayWorker::play() {
-    command([](Commands& commands) { commands.playing = true; });
+    m_desk.setPlaying(true);
 }
 
 void ReplayWorker::pause() {
-    command([](Commands& commands) { commands.playing = false; });
+    m_desk.setPlaying(false);
 }
 
 void ReplayWorker::step(int frames) {
-    command([frames](Commands& commands) {
+    m_desk.command([frames](PlaybackCommands& commands) {
         commands.playing = false;
         commands.steps += frames;
     });
 }
 
 void ReplayWorker::setSpeed(double factor) {
-    if (!std::isnan(factor))
-        command([factor](Commands& commands) { commands.speed = allowedSpeed(factor); });
+    m_desk.setSpeed(factor);
 }
 
 void ReplayWorker::seek(double time_s) {
     if (std::isnan(time_s))
         return;
-    command([this, time_s](Commands& commands) {
+    m_desk.command([this, time_s](PlaybackCommands& commands) {
         commands.seek_s = std::max(time_s, 0.0);
         commands.steps = 0;
         m_abandonScan.store(true, std::memory_order_relaxed);
@@ -133,7 +115,7 @@ void ReplayWorker::seek(double time_s) {
 }
 
 void ReplayWorker::setLoop(bool loop) {
-    command([loop](Commands& commands) { commands.loop = loop; });
+    m_desk.setLoop(loop);
 }
 
 core::PlaybackPosition ReplayWorker::position() const {
@@ -146,27 +128,8 @@ core::PlaybackPosition ReplayWorker::position() const {
     position.duration_s = m_config.rate_Hz ? static_cast<double>(position.frames - 1) / *m_config.rate_Hz
                                            : std::max(extent.lastTime_s - extent.firstTime_s, shown.time_s);
     position.indexed = extent.complete;
-    const std::scoped_lock lock(m_mutex);
-    position.paused = !m_commands.playing;
-    position.speed = m_commands.speed;
-    position.loop = m_commands.loop;
+    m_desk.describe(position);
     return position;
-}
-
-ReplayWorker::Commands ReplayWorker::takeCommands() {
-    const std::scoped_lock lock(m_mutex);
-    Commands commands = m_commands;
-    m_commands.seek_s.reset();
-    m_commands.steps = 0;
-    m_commanded = false;
-    m_abandonScan.store(false, std::memory_order_relaxed);
-    return commands;
-}
-
-void ReplayWorker::waitUntil(std::int64_t deadline_ns, const std::stop_token& stop) {
-    std::unique_lock lock(m_mutex);
-    if (!m_commanded && !stop.stop_requested())
-        m_config.clock->waitUntil(m_condition, lock, deadline_ns);
 }
 
 void ReplayWorker::seekTo(double time_s, const std::stop_token& stop) {
@@ -253,7 +216,7 @@ void ReplayWorker::playDue(const std::stop_token& stop) {
         if (start_ns < next_ns) {
             if (m_delivered)
                 m_outlet.setState(core::DeviceState::live, start_ns);
-            waitUntil(next_ns, stop);
+            m_desk.waitUntil(next_ns, stop);
             return;
         }
         if (start_ns - next_ns > kLongestCatchUp_ns)
@@ -298,10 +261,7 @@ void ReplayWorker::reachEnd(const core::Expected<bool>& read) {
 
 void ReplayWorker::endAs(core::DeviceState state, std::string message) {
     m_active.playing = false;
-    {
-        const std::scoped_lock lock(m_mutex);
-        m_commands.playing = false;
-    }
+    m_desk.set([](PlaybackCommands& commands) { commands.playing = false; });
     m_outlet.setState(state, now_ns(), std::move(message));
 }
 
@@ -324,10 +284,8 @@ void ReplayWorker::deliver(core::SampleBlock& block, const std::stop_token& stop
         return;
     }
     while (!m_outlet.tryDeliver(block, state)) {
-        std::unique_lock lock(m_mutex);
-        if (stop.stop_requested())
+        if (!m_desk.waitForRoom(stop))
             return;
-        m_config.clock->waitUntil(m_condition, lock, now_ns() + kQueueRetry_ns);
     }
 }
 

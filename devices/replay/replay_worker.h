@@ -6,13 +6,12 @@
 #include "backend/core/latest_copy.h"
 #include "backend/core/source_outlet.h"
 #include "devices/replay/frame_index.h"
+#include "devices/replay/playback_desk.h"
 #include "devices/replay/replay_config.h"
 #include "devices/replay/replay_cursor.h"
 
 #include <atomic>
-#include <condition_variable>
 #include <cstdint>
-#include <mutex>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -46,22 +45,10 @@ public:
     [[nodiscard]] const core::SourceOutlet& outlet() const { return m_outlet; }
 
 private:
-    struct Commands {
-        bool playing = true;
-        bool loop = false;
-        double speed = 1.0;
-        std::optional<double> seek_s;
-        long long steps = 0;
-    };
     struct Shown {
         double time_s = 0.0;
         std::uint64_t frame = 0;
     };
-
-    template <typename Change>
-    void command(const Change& change);
-    [[nodiscard]] Commands takeCommands();
-    void waitUntil(std::int64_t deadline_ns, const std::stop_token& stop);
 
     void seekTo(double time_s, const std::stop_token& stop);
     void stepBy(long long frames, const std::stop_token& stop);
@@ -86,15 +73,12 @@ private:
     FrameIndex m_index;
     core::LatestCopy<Shown> m_shown;
 
-    mutable std::mutex m_mutex;
-    std::condition_variable m_condition;
-    Commands m_commands;                    ///< guarded by m_mutex
-    bool m_commanded = false;               ///< guarded by m_mutex: there is a command that was not taken
+    PlaybackDesk m_desk;
     std::atomic<bool> m_abandonScan{false}; ///< a newer seek, or stop
 
     // The worker's own.
     ReplayCursor m_cursor;
-    Commands m_active;
+    PlaybackCommands m_active;
     bool m_pending = false;                ///< the cursor's frame was read and not delivered
     std::optional<FramePlace> m_delivered; ///< newest one
     bool m_discontinuity = false;          ///< before the next block

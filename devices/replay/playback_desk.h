@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/device.h"
+#include "backend/core/pacing_clock.h"
+
+#include <condition_variable>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+
+namespace teleta::replay {
+
+/// What somebody wants of a recording that is played.
+struct PlaybackCommands {
+    bool playing = true;
+    bool loop = false;
+    double speed = 1.0;
+    std::optional<double> seek_s; ///< once
+    long long steps = 0;          ///< once
+};
+
+/// Where the commands for a recording are left for the worker that plays it, and where that worker waits.
+/// Thread: commands, wake() and describe() from any; take() and the waits from the worker's.
+class PlaybackDesk {
+public:
+    /// speed: as setSpeed().
+    PlaybackDesk(std::shared_ptr<core::PacingClock> clock, bool playing, bool loop, double speed);
+
+    /// Changes the commands under the lock and wakes the worker.
+    template <typename Change>
+    void command(const Change& change) {
+        const std::scoped_lock lock(m_mutex);
+        change(m_commands);
+        m_commanded = true;
+        m_condition.notify_all();
+    }
+    /// Changes them without that: what the worker itself finds out, and before it runs.
+    template <typename Change>
+    void set(const Change& change) {
+        const std::scoped_lock lock(m_mutex);
+        change(m_commands);
+    }
+    void setPlaying(bool playing);
+    /// factor: limited to 0.01 .. 100, or infinity: as fast as the consumer takes it. NaN changes nothing.
+    void setSpeed(double factor);
+    void setLoop(bool loop);
+    void wake();
+
+    /// The newest commands; what is wanted once is asked once. whileLocked: nothing can be asked meanwhile.
+    template <typename Then>
+    [[nodiscard]] PlaybackCommands take(const Then& whileLocked) {
+        const std::scoped_lock lock(m_mutex);
+        PlaybackCommands commands = m_commands;
+        m_commands.seek_s.reset();
+        m_commands.steps = 0;
+        m_commanded = false;
+        whileLocked();
+        return commands;
+    }
+    /// Until then, a command or stop.
+    void waitUntil(std::int64_t deadline_ns, const std::stop_token& stop);
+    /// A moment, for room in a queue. False: stop was asked for.
+    [[nodiscard]] bool waitForRoom(const std::stop_token& stop);
+
+    /// Fills in what is commanded.
+    void describe(core::PlaybackPosition& position) const;
+
+private:
+    std::shared_ptr<core::PacingClock> m_clock;
+    mutable std::mutex m_mutex;
+    std::condition_variable m_condition;
+    PlaybackCommands m_commands; ///< guarded by m_mutex
+    bool m_commanded = false;    ///< guarded by m_mutex: there is a command that was not taken
+};
+
+} // namespace teleta::replay
