@@ -108,17 +108,25 @@ core::Unexpected badDetails(const recording::StreamInfo& stream, const std::stri
                     {file}});
 }
 
+recording::StreamInfo streamOf(const std::string& name, const std::string& source, recording::StreamKind kind,
+                               recording::ValueType type, std::vector<std::size_t> shape) {
+    recording::StreamInfo info;
+    info.name = name;
+    info.kind = kind;
+    info.type = type;
+    info.source = source;
+    info.shape = std::move(shape);
+    return info;
+}
+
 } // namespace
 
 recording::StreamInfo arrayStream(const std::string& name, const core::SourceDescription& description,
                                   const ChannelSettings& settings) {
-    recording::StreamInfo info;
-    info.name = name;
-    info.kind = recording::StreamKind::array;
-    info.type = recording::ValueType::float32;
-    info.source = description.name;
-    info.shape = {static_cast<std::size_t>(description.layout.rows),
-                  static_cast<std::size_t>(description.layout.columns)};
+    recording::StreamInfo info =
+        streamOf(name, description.name, recording::StreamKind::array, recording::ValueType::float32,
+                 {static_cast<std::size_t>(description.layout.rows),
+                  static_cast<std::size_t>(description.layout.columns)});
     info.unit = description.unit;
     info.nominalRate_Hz = description.nominalRate_Hz;
     const ordered_json details{{"pitch_m", description.layout.pitch_m},
@@ -129,12 +137,8 @@ recording::StreamInfo arrayStream(const std::string& name, const core::SourceDes
 }
 
 recording::StreamInfo featureStream(const std::string& name, const core::SourceDescription& description) {
-    recording::StreamInfo info;
-    info.name = name;
-    info.kind = recording::StreamKind::features;
-    info.type = recording::ValueType::float64;
-    info.source = description.name;
-    info.shape = {kFeatureValues};
+    recording::StreamInfo info = streamOf(name, description.name, recording::StreamKind::features,
+                                          recording::ValueType::float64, {kFeatureValues});
     info.columns = recording::featureColumns();
     info.nominalRate_Hz = description.nominalRate_Hz;
     return info;
@@ -163,12 +167,8 @@ recording::StreamInfo armStream(const std::string& name, const core::ArmDescript
 }
 
 recording::StreamInfo touchStream(const std::string& name, const core::ArmDescription& description) {
-    recording::StreamInfo info;
-    info.name = name;
-    info.kind = recording::StreamKind::touches;
-    info.type = recording::ValueType::float64;
-    info.source = description.name;
-    info.shape = {kTouchValues};
+    recording::StreamInfo info = streamOf(name, description.name, recording::StreamKind::touches,
+                                          recording::ValueType::float64, {kTouchValues});
     info.columns = recording::touchColumns();
     return info;
 }
