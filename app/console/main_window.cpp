@@ -10,6 +10,7 @@
 #include "app/console/calibrate/calibrate_page.h"
 #include "app/console/operate/arm_views.h"
 #include "app/console/operate/camera_dialog.h"
+#include "app/console/operate/demo_scenes.h"
 #include "app/console/operate/operate_page.h"
 #include "app/console/operate/recording_dialog.h"
 #include "app/console/operate/source_list.h"
@@ -164,7 +165,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     connect(m_study, &StudyPage::openFailed, this, [this] { m_anyFailure = true; });
     restoreFeedback();
     m_braceletMenu->restore(options.bracelet);
-    fillDemos();
+    chooser.setDemos(demoScenes());
     chooser.setRecent(m_settings.recentFiles());
     buildMenus();
     qApp->installEventFilter(this);
@@ -389,36 +390,6 @@ void MainWindow::onEscape(bool down) {
     }
 }
 
-void MainWindow::fillDemos() {
-    // Titles are those of the scenes that come with the program; their files are resources.
-    m_operate->chooser().setDemos({
-        {QStringLiteral(":/scenes/teleta-touch.toml"), tr("Demo: an arm touches five materials"),
-         tr("Sponge, rubber sponge, rubber, wood and metal: contact point, force, stiffness, bracelet")},
-        {QStringLiteral(":/scenes/teleta-contour-circle.toml"), tr("Demo: an arm explores a round object"),
-         tr("The forearm touches it from all around: contact points, spline, recognised shape")},
-        {QStringLiteral(":/scenes/teleta-contour-rectangle.toml"),
-         tr("Demo: an arm explores a rectangular object"), tr("The same with a box")},
-        {QStringLiteral(":/scenes/teleta-contour-triangle.toml"),
-         tr("Demo: an arm explores a triangular object"), tr("The same with a triangular prism")},
-        {QStringLiteral(":/scenes/teleta-admittance.toml"), tr("Demo: an arm yields"),
-         tr("Somebody pushes the arm, then it meets an object, under joint admittance control")},
-        {QStringLiteral(":/scenes/tactile-indenter.toml"), tr("Demo: a ball and a bar"),
-         tr("A 6 x 14 array pressed by a ball that wanders, then by a bar that turns")},
-        {QStringLiteral(":/scenes/tactile-two-contacts.toml"), tr("Demo: two contacts that meet"),
-         tr("Two balls that approach each other until they touch, and part")},
-        {QStringLiteral(":/scenes/tactile-mat.toml"), tr("Demo: a pressure mat"),
-         tr("A 64 x 27 mat under a body: a head, a trunk that turns, two heels")},
-        {QStringLiteral(":/scenes/vtacarm-bump.toml"), tr("Demo: something pokes a soft arm"),
-         tr("A camera inside the soft tube sees the bump; the arm draws back")},
-        {QStringLiteral(":/scenes/vtacarm-follow-turn.toml"), tr("Demo: a finger turns a soft arm"),
-         tr("The arm turns after a finger that goes round it")},
-        {QStringLiteral(":/scenes/vtacarm-follow-axial.toml"), tr("Demo: a finger leads a soft arm"),
-         tr("The arm follows a finger along its axis")},
-        {QStringLiteral(":/scenes/vtacarm-multicontact.toml"), tr("Demo: three fingers on a soft arm"),
-         tr("Contacts near the lens, in the middle and at the far end of the tube")},
-    });
-}
-
 void MainWindow::buildMenus() {
     menuBar()->clear();
     QMenu* file = menuBar()->addMenu(tr("&File"));
@@ -574,7 +545,7 @@ void MainWindow::changeEvent(QEvent* event) {
                          tr("User studies: from the first practice trial to confusion matrices and ANOVA"));
         m_rail->setTitle(QLatin1String(kCalibrate), tr("Calibrate"),
                          tr("What has to be measured: the motors of the bracelet, the camera in the tube"));
-        fillDemos();
+        m_operate->chooser().setDemos(demoScenes());
         buildMenus();
     }
 }

@@ -65,7 +65,6 @@ private:
     void restoreFeedback();
     void saveFeedback();
     void takeOwnPatterns();
-    void fillDemos();
     void onTick();
     void onFailed(const QString& name, const core::Error& error);
     void onEscape(bool down);
