@@ -243,7 +243,7 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
 
 QStringList pageNames() {
     return {QStringLiteral("operate"), QStringLiteral("patterns"), QStringLiteral("study"),
-            QStringLiteral("calibrate")};
+            QStringLiteral("calibrate"), QStringLiteral("cost")};
 }
 
 ParsedOptions parseOptions(const QStringList& arguments) {

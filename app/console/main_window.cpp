@@ -8,6 +8,7 @@
 #include "app/console/bracelet/bracelet_station.h"
 #include "app/console/bracelet/hand_station.h"
 #include "app/console/calibrate/calibrate_page.h"
+#include "app/console/cost/cost_page.h"
 #include "app/console/operate/arm_views.h"
 #include "app/console/operate/camera_dialog.h"
 #include "app/console/operate/demo_scenes.h"
@@ -17,6 +18,7 @@
 #include "app/console/patterns/pattern_collection.h"
 #include "app/console/patterns/patterns_page.h"
 #include "app/console/study/study_page.h"
+#include "backend/cost/ladders/ladders.h"
 #include "backend/pattern/pattern_json.h"
 #include "widgets/base/theme.h"
 #include "widgets/chrome/device_strip.h"
@@ -51,6 +53,7 @@ constexpr char kOperate[] = "operate";
 constexpr char kPatterns[] = "patterns";
 constexpr char kStudy[] = "study";
 constexpr char kCalibrate[] = "calibrate";
+constexpr char kCost[] = "cost";
 
 struct FeedbackName {
     pipeline::FeedbackMode mode;
@@ -80,6 +83,11 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
           options.dataFolder.isEmpty() ? QString() : options.dataFolder + QStringLiteral("/recovery"), this))
     , m_study(new StudyPage(m_operate->bracelet(), stop, core::steadyNow_ns, this))
     , m_calibrate(new CalibratePage(m_operate->bracelet(), this))
+    , m_cost(new CostPage(cost::allLadders,
+                          options.dataFolder.isEmpty()
+                              ? QString()
+                              : options.dataFolder + QStringLiteral("/cost/tradeoff.csv"),
+                          {}, this))
     , m_braceletMenu(new BraceletMenu(m_operate->bracelet(), settings, this))
     , m_hand(std::make_unique<HandStation>())
     , m_devices(new chrome::DeviceStrip(this))
@@ -95,10 +103,13 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
                     tr("User studies: from the first practice trial to confusion matrices and ANOVA"));
     m_rail->addPage(QLatin1String(kCalibrate), base::Icon::calibrate, tr("Calibrate"),
                     tr("What has to be measured: the motors of the bracelet, the camera in the tube"));
+    m_rail->addPage(QLatin1String(kCost), base::Icon::cost, tr("Cost"),
+                    tr("What accuracy costs in time on this machine, and the rung that the camera uses"));
     m_pages->addWidget(m_operate);
     m_pages->addWidget(m_patterns);
     m_pages->addWidget(m_study);
     m_pages->addWidget(m_calibrate);
+    m_pages->addWidget(m_cost);
 
     auto* status = new QWidget(this);
     auto* statusRow = new QHBoxLayout(status);
@@ -140,6 +151,8 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     connect(m_operate, &OperatePage::openListRequested, this, [this] {
         askForFile(tr("Open source list"), tr("Source lists (*.toml)"), &MainWindow::openList);
     });
+    connect(m_cost, &CostPage::demoCameraRequested, this,
+            [this] { openScene(QStringLiteral(":/scenes/vtacarm-multicontact.toml")); });
     auto& chooser = m_operate->chooser();
     connect(&chooser, &chrome::SourceChooser::demoRequested, this, &MainWindow::openScene);
     connect(&chooser, &chrome::SourceChooser::openRecordingRequested, m_operate,
@@ -203,6 +216,7 @@ void MainWindow::onTick() {
     m_patterns->tick();
     m_study->tick();
     m_calibrate->tick();
+    m_cost->tick(m_operate->cameraViews().camera());
     std::vector<chrome::DeviceReading> readings = m_operate->readings();
     if (auto hand = m_hand->reading())
         readings.push_back(std::move(*hand));
@@ -493,6 +507,8 @@ void MainWindow::showPage(const QString& name) {
         page = m_study;
     else if (name == QLatin1String(kCalibrate))
         page = m_calibrate;
+    else if (name == QLatin1String(kCost))
+        page = m_cost;
     m_pages->setCurrentWidget(page);
     m_settings.setPage(name);
 }
@@ -545,6 +561,9 @@ void MainWindow::changeEvent(QEvent* event) {
                          tr("User studies: from the first practice trial to confusion matrices and ANOVA"));
         m_rail->setTitle(QLatin1String(kCalibrate), tr("Calibrate"),
                          tr("What has to be measured: the motors of the bracelet, the camera in the tube"));
+        m_rail->setTitle(
+            QLatin1String(kCost), tr("Cost"),
+            tr("What accuracy costs in time on this machine, and the rung that the camera uses"));
         m_operate->chooser().setDemos(demoScenes());
         buildMenus();
     }

@@ -24,6 +24,7 @@ namespace teleta::console {
 
 class BraceletMenu;
 class CalibratePage;
+class CostPage;
 class HandStation;
 class OperatePage;
 class PatternCollection;
@@ -48,6 +49,7 @@ public:
     [[nodiscard]] PatternsPage& patternsPage() { return *m_patterns; }
     [[nodiscard]] StudyPage& studyPage() { return *m_study; }
     [[nodiscard]] CalibratePage& calibratePage() { return *m_calibrate; }
+    [[nodiscard]] CostPage& costPage() { return *m_cost; }
     [[nodiscard]] OperatePage& operatePage() { return *m_operate; }
     /// Whether a source failed to open since the start; decides the exit code of --screenshot.
     [[nodiscard]] bool anyFailure() const { return m_anyFailure; }
@@ -93,6 +95,7 @@ private:
     PatternsPage* m_patterns;
     StudyPage* m_study;
     CalibratePage* m_calibrate;
+    CostPage* m_cost;
     BraceletMenu* m_braceletMenu;
     std::unique_ptr<HandStation> m_hand;
     chrome::DeviceStrip* m_devices;

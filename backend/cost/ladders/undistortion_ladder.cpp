@@ -88,12 +88,13 @@ Ladder undistortionLadder() {
         const std::shared_ptr<const UndistortionInput> input = made;
         std::vector<Rung> rungs;
         for (const int iterations : {1, 5, 20})
-            rungs.push_back(undistortionRung("fixed-" + std::to_string(iterations),
-                                             std::to_string(iterations) + " iterations", input,
-                                             [=](const Eigen::Vector2d& pixel) {
-                                                 return directionOf(vision::undistortByIteration(
-                                                     input->camera.parameters(), pixel, iterations));
-                                             }));
+            rungs.push_back(undistortionRung(
+                "fixed-" + std::to_string(iterations),
+                std::to_string(iterations) + (iterations == 1 ? " iteration" : " iterations"), input,
+                [=](const Eigen::Vector2d& pixel) {
+                    return directionOf(
+                        vision::undistortByIteration(input->camera.parameters(), pixel, iterations));
+                }));
         for (const int step_px : {32, 16, 8}) {
             const auto table = std::make_shared<const vision::DirectionTable>(input->camera, step_px);
             rungs.push_back(undistortionRung(

@@ -1,0 +1,447 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/cost/cost_page.h"
+
+#include "backend/cost/frontier.h"
+#include "backend/vision/contacts/contact_ladder.h"
+#include "widgets/base/number_format.h"
+#include "widgets/base/theme.h"
+#include "widgets/camera/stage_bar.h"
+#include "widgets/chrome/empty_state.h"
+#include "widgets/cost/cost_chart.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QListWidget>
+#include <QLocale>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace teleta::console {
+
+namespace {
+
+constexpr char kCameraLadder[] = "contact-flow";
+constexpr double kUsualBudget_ms = 8.0;
+
+enum Column {
+    rungColumn,
+    parameterColumn,
+    errorColumn,
+    p95Column,
+    worstColumn,
+    timeColumn,
+    p99Column,
+    columns
+};
+
+QString quantity(double value, const QString& unit) {
+    if (std::isnan(value))
+        return QStringLiteral("\u2014");
+    const bool isShare = unit == QStringLiteral("1");
+    const double number = isShare ? 100.0 * value : value;
+    const double least = isShare ? 0.01 : 1e-12;
+    // Rounding errors have no prefix that anybody would know.
+    if (number != 0.0 && std::abs(number) < least)
+        return base::withUnit(QLocale().toString(number, 'e', 1), isShare ? QStringLiteral("%") : unit);
+    return isShare ? base::withUnit(base::threeDigits(number).trimmed(), QStringLiteral("%"))
+                   : base::siQuantity(number, unit).simplified();
+}
+
+QLabel* heading(QWidget* parent) {
+    auto* label = new QLabel(parent);
+    label->setFont(base::sized(label->font(), base::kLargeText));
+    return label;
+}
+
+QLabel* wrapped(QWidget* parent) {
+    auto* label = new QLabel(parent);
+    label->setWordWrap(true);
+    return label;
+}
+
+} // namespace
+
+CostPage::CostPage(CostMeasuring::MakeLadders makeLadders, const QString& file,
+                   const cost::MeasureSettings& settings, QWidget* parent)
+    : QWidget(parent)
+    , m_measuring(new CostMeasuring(std::move(makeLadders), file, settings, this))
+    , m_messages(new chrome::MessageBar(this)) {
+    auto* split = new QSplitter(this);
+    split->setChildrenCollapsible(false);
+    split->addWidget(makeLadderColumn());
+    split->addWidget(makeMiddle());
+    split->addWidget(makeCameraColumn());
+    split->setStretchFactor(1, 1);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_messages);
+    layout->addWidget(split, 1);
+
+    connect(m_measuring, &CostMeasuring::changed, this, [this] {
+        showLadders();
+        showCosts();
+    });
+    connect(m_measuring, &CostMeasuring::runningChanged, this, &CostPage::showRunning);
+    connect(m_measuring, &CostMeasuring::failed, this, [this](const QString& what, const QString& details) {
+        m_messages->post({chrome::Message::Severity::error, what, details, QString()});
+    });
+    connect(m_list, &QListWidget::currentRowChanged, this, &CostPage::showCosts);
+    connect(m_measure, &QPushButton::clicked, this, [this] { m_measuring->start(ladderShown()); });
+    connect(m_measureAll, &QPushButton::clicked, this, [this] { m_measuring->start({}); });
+    connect(m_measureEmpty, &QPushButton::clicked, m_measure, &QPushButton::click);
+    connect(m_measureAllEmpty, &QPushButton::clicked, m_measureAll, &QPushButton::click);
+    connect(m_cancel, &QPushButton::clicked, m_measuring, &CostMeasuring::cancel);
+    connect(m_chart, &costs::CostChart::rungClicked, this, [this](const QString& name) {
+        for (int row = 0; row < m_table->rowCount(); ++row)
+            if (m_table->item(row, rungColumn)->data(Qt::UserRole).toString() == name)
+                m_table->setCurrentCell(row, rungColumn);
+    });
+    connect(m_chart, &costs::CostChart::exportFailed, this, [this](const QString& message) {
+        m_messages->post({chrome::Message::Severity::error, message, QString(), QString()});
+    });
+    connect(m_table, &QTableWidget::currentCellChanged, this, [this](int row) {
+        const QTableWidgetItem* item = m_table->item(row, rungColumn);
+        m_chart->setChosen(item == nullptr ? QString() : item->data(Qt::UserRole).toString());
+    });
+    connect(m_rungs, &QComboBox::activated, this, [this] { chooseRung(m_rungs->currentData().toString()); });
+    connect(m_budget_ms, &QDoubleSpinBox::valueChanged, this, &CostPage::showBudget);
+    connect(m_useBest, &QPushButton::clicked, this, &CostPage::applyBudget);
+    connect(m_openCamera, &QPushButton::clicked, this, &CostPage::demoCameraRequested);
+
+    retranslate();
+    m_list->setCurrentRow(0);
+    showRunning();
+    tick(nullptr);
+}
+
+QWidget* CostPage::makeLadderColumn() {
+    auto* column = new QWidget(this);
+    m_ladderHeading = heading(column);
+    m_list = new QListWidget(column);
+    m_list->setFrameShape(QFrame::NoFrame);
+    m_list->setObjectName(QStringLiteral("ladders"));
+    m_list->setWordWrap(true);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_list->setSpacing(base::grid(this, 0.25));
+    m_measure = new QPushButton(column);
+    m_measure->setObjectName(QStringLiteral("measure"));
+    m_measureAll = new QPushButton(column);
+    m_measureAll->setObjectName(QStringLiteral("measureAll"));
+    m_cancel = new QPushButton(column);
+    m_cancel->setObjectName(QStringLiteral("cancel"));
+    m_progress = new QProgressBar(column);
+    m_progress->setRange(0, 1000);
+    m_progress->setTextVisible(false);
+    m_progressText = wrapped(column);
+    for (const cost::Ladder& ladder : m_measuring->ladders()) {
+        auto* item = new QListWidgetItem(m_list);
+        item->setData(Qt::UserRole, QString::fromStdString(ladder.name));
+    }
+    auto* layout = new QVBoxLayout(column);
+    const int margin = base::grid(this, 2);
+    layout->setContentsMargins(margin, margin, margin, margin);
+    layout->setSpacing(base::grid(this));
+    layout->addWidget(m_ladderHeading);
+    layout->addWidget(m_list, 1);
+    layout->addWidget(m_measure);
+    layout->addWidget(m_measureAll);
+    layout->addWidget(m_progressText);
+    layout->addWidget(m_progress);
+    layout->addWidget(m_cancel);
+    column->setMinimumWidth(base::em(this, 18));
+    return column;
+}
+
+QWidget* CostPage::makeMiddle() {
+    auto* middle = new QWidget(this);
+    m_title = heading(middle);
+    m_title->setObjectName(QStringLiteral("title"));
+    m_truth = wrapped(middle);
+    m_chart = new costs::CostChart(middle);
+    m_table = new QTableWidget(0, columns, middle);
+    m_table->setObjectName(QStringLiteral("rungs"));
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setShowGrid(false);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setDefaultSectionSize(base::em(this, 1.7));
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setSectionResizeMode(parameterColumn, QHeaderView::Stretch);
+    auto* parts = new QSplitter(Qt::Vertical, middle);
+    parts->setChildrenCollapsible(false);
+    parts->addWidget(m_chart);
+    parts->addWidget(m_table);
+    parts->setStretchFactor(0, 3);
+    parts->setStretchFactor(1, 2);
+    auto* layout = new QVBoxLayout(middle);
+    const int margin = base::grid(this, 2);
+    layout->setContentsMargins(margin, margin, margin, margin);
+    layout->setSpacing(base::grid(this));
+    layout->addWidget(m_title);
+    layout->addWidget(m_truth);
+    m_empty = new chrome::EmptyState(base::Icon::cost, middle);
+    m_measureEmpty = m_empty->addAction(QString(), QString());
+    m_measureEmpty->setObjectName(QStringLiteral("measureEmpty"));
+    m_measureAllEmpty = m_empty->addAction(QString(), QString());
+    m_results = new QStackedWidget(middle);
+    m_results->addWidget(m_empty);
+    m_results->addWidget(parts);
+    layout->addWidget(m_results, 1);
+    return middle;
+}
+
+QWidget* CostPage::makeCameraColumn() {
+    auto* column = new QWidget(this);
+    m_cameraHeading = heading(column);
+    m_rungLabel = new QLabel(column);
+    m_rungs = new QComboBox(column);
+    m_rungs->setObjectName(QStringLiteral("rung"));
+    for (const vision::ContactRung& rung : vision::contactLadder()) {
+        const QString name = QString::fromUtf8(rung.name.data(), static_cast<qsizetype>(rung.name.size()));
+        m_rungs->addItem(name, name);
+    }
+    m_rungLabel->setBuddy(m_rungs);
+    m_stagesLabel = new QLabel(column);
+    m_stages = new camera::StageBar(column);
+    m_budgetLabel = new QLabel(column);
+    m_budget_ms = new QDoubleSpinBox(column);
+    m_budget_ms->setObjectName(QStringLiteral("budget"));
+    m_budget_ms->setRange(0.1, 10'000.0);
+    m_budget_ms->setDecimals(1);
+    m_budget_ms->setValue(kUsualBudget_ms);
+    m_budgetLabel->setBuddy(m_budget_ms);
+    m_budgetText = wrapped(column);
+    m_useBest = new QPushButton(column);
+    m_useBest->setObjectName(QStringLiteral("useBest"));
+    m_noCamera = wrapped(column);
+    m_openCamera = new QPushButton(column);
+    auto* layout = new QVBoxLayout(column);
+    const int margin = base::grid(this, 2);
+    layout->setContentsMargins(margin, margin, margin, margin);
+    layout->setSpacing(base::grid(this));
+    layout->addWidget(m_cameraHeading);
+    layout->addWidget(m_noCamera);
+    layout->addWidget(m_openCamera);
+    layout->addWidget(m_rungLabel);
+    layout->addWidget(m_rungs);
+    layout->addWidget(m_stagesLabel);
+    layout->addWidget(m_stages);
+    layout->addSpacing(base::grid(this, 2));
+    layout->addWidget(m_budgetLabel);
+    layout->addWidget(m_budget_ms);
+    layout->addWidget(m_budgetText);
+    layout->addWidget(m_useBest);
+    layout->addStretch(1);
+    column->setMinimumWidth(base::em(this, 20));
+    return column;
+}
+
+std::string CostPage::ladderShown() const {
+    const QListWidgetItem* item = m_list->currentItem();
+    return item == nullptr ? std::string() : item->data(Qt::UserRole).toString().toStdString();
+}
+
+void CostPage::showLadder(const QString& name) {
+    for (int row = 0; row < m_list->count(); ++row)
+        if (m_list->item(row)->data(Qt::UserRole).toString() == name)
+            m_list->setCurrentRow(row);
+}
+
+void CostPage::showLadders() {
+    for (int row = 0; row < m_list->count(); ++row) {
+        const cost::Ladder& ladder = m_measuring->ladders()[static_cast<std::size_t>(row)];
+        const QString name = QString::fromStdString(ladder.name);
+        const bool measured = m_measuring->costOf(ladder.name) != nullptr;
+        m_list->item(row)->setText(QString::fromStdString(ladder.title) + QLatin1Char('\n') +
+                                   (measured ? name : tr("%1 (not measured)", "name of a ladder").arg(name)));
+    }
+}
+
+void CostPage::showCosts() {
+    const std::string name = ladderShown();
+    const auto& ladders = m_measuring->ladders();
+    const auto ladder = std::ranges::find(ladders, name, &cost::Ladder::name);
+    if (ladder == ladders.end())
+        return;
+    m_title->setText(QString::fromStdString(ladder->title));
+    m_truth->setText(tr("Error: %1.").arg(QString::fromStdString(ladder->truth)));
+    const cost::LadderCost* found = m_measuring->costOf(name);
+    const cost::LadderCost costs = found != nullptr ? *found : cost::LadderCost{name, ladder->errorUnit, {}};
+    m_results->setCurrentIndex(found != nullptr ? 1 : 0);
+    const QString unit = QString::fromStdString(costs.errorUnit);
+    m_table->setRowCount(static_cast<int>(costs.rungs.size()));
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        const cost::RungCost& rung = costs.rungs[static_cast<std::size_t>(row)];
+        const QString rungName = QString::fromStdString(rung.name);
+        const auto set = [&](int column, const QString& text, bool number) {
+            auto* item = new QTableWidgetItem(text);
+            item->setTextAlignment((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+            if (rung.pareto) {
+                QFont bold = m_table->font();
+                bold.setBold(true);
+                item->setFont(bold);
+            }
+            m_table->setItem(row, column, item);
+        };
+        set(rungColumn, rung.pareto ? tr("%1 (frontier)", "name of a rung").arg(rungName) : rungName, false);
+        m_table->item(row, rungColumn)->setData(Qt::UserRole, rungName);
+        set(parameterColumn, QString::fromStdString(rung.parameter), false);
+        set(errorColumn, quantity(rung.errorMean, unit), true);
+        set(p95Column, quantity(rung.errorP95, unit), true);
+        set(worstColumn, quantity(rung.errorMax, unit), true);
+        set(timeColumn,
+            rung.isTimed() ? quantity(rung.timeMedian_s, QStringLiteral("s")) : tr("refused: too noisy"),
+            true);
+        set(p99Column, quantity(rung.timeP99_s, QStringLiteral("s")), true);
+    }
+    m_chart->setLadder(costs);
+    m_chart->setRungInUse(name == kCameraLadder ? m_inUse : QString());
+    showBudget();
+    showRunning();
+}
+
+void CostPage::showRunning() {
+    const bool running = m_measuring->isRunning();
+    m_measure->setEnabled(!running);
+    m_measureAll->setEnabled(!running);
+    m_measureEmpty->setEnabled(!running);
+    m_measureAllEmpty->setEnabled(!running);
+    m_cancel->setVisible(running);
+    m_progress->setVisible(running);
+    if (running) {
+        m_progressText->setText(tr("Preparing\u2026"));
+        return;
+    }
+    m_progress->setValue(0);
+    m_progressText->clear();
+}
+
+void CostPage::showBudget() {
+    const double budget_s = 1e-3 * m_budget_ms->value();
+    const cost::LadderCost* costs = m_measuring->costOf(kCameraLadder);
+    m_chart->setBudget(ladderShown() == kCameraLadder ? std::optional(budget_s) : std::nullopt);
+    m_best.clear();
+    if (costs == nullptr) {
+        m_budgetText->setText(tr("Measure the ladder %1 first.").arg(QLatin1String(kCameraLadder)));
+    } else if (const cost::RungCost* best = cost::bestWithin(costs->rungs, budget_s)) {
+        m_best = QString::fromStdString(best->name);
+        m_budgetText->setText(tr("%1: %2 on average, 99 of 100 frames within %3 (1640 x 1232 pixels).")
+                                  .arg(m_best,
+                                       quantity(best->errorMean, QString::fromStdString(costs->errorUnit)),
+                                       quantity(best->timeP99_s, QStringLiteral("s"))));
+    } else {
+        m_budgetText->setText(tr("No rung is so quick: of 100 frames one may take longer."));
+    }
+    m_useBest->setEnabled(m_camera != nullptr && !m_best.isEmpty());
+}
+
+void CostPage::applyBudget() {
+    if (!m_best.isEmpty())
+        chooseRung(m_best);
+}
+
+void CostPage::chooseRung(const QString& name) {
+    if (!m_camera)
+        return;
+    m_wish = name;
+    m_camera->chooseRung(name.toStdString());
+    m_rungs->setCurrentIndex(m_rungs->findData(name));
+}
+
+void CostPage::tick(const std::shared_ptr<pipeline::CameraChannel>& camera) {
+    if (m_measuring->isRunning()) {
+        const cost::MeasureProgress progress = m_measuring->progress();
+        m_progress->setValue(static_cast<int>(std::lround(1000.0 * progress.share)));
+        const QString ladder = QString::fromStdString(progress.ladder);
+        if (!progress.rung.empty())
+            m_progressText->setText(
+                tr("Measuring %1: %2").arg(ladder, QString::fromStdString(progress.rung)));
+        else if (!ladder.isEmpty())
+            m_progressText->setText(tr("Preparing %1\u2026").arg(ladder));
+    }
+    const bool other = camera != m_camera;
+    m_camera = camera;
+    const bool has = m_camera != nullptr;
+    if (other || m_cameraShown != has) {
+        m_cameraShown = has;
+        m_noCamera->setVisible(!has);
+        m_openCamera->setVisible(!has);
+        for (QWidget* widget : {static_cast<QWidget*>(m_rungLabel), static_cast<QWidget*>(m_rungs),
+                                static_cast<QWidget*>(m_stagesLabel), static_cast<QWidget*>(m_stages)})
+            widget->setVisible(has);
+        m_wish.clear();
+        showBudget();
+    }
+    QString inUse;
+    if (has && m_camera->generation() > 0) {
+        const pipeline::CameraSnapshot& snapshot = m_camera->snapshot();
+        m_stages->setSnapshot(&snapshot, m_camera->description().nominalRate_Hz);
+        inUse = QString::fromUtf8(snapshot.rung.data(), static_cast<qsizetype>(snapshot.rung.size()));
+        const QString refused = QString::fromUtf8(snapshot.refusedRung.data(),
+                                                  static_cast<qsizetype>(snapshot.refusedRung.size()));
+        if (!m_wish.isEmpty() && m_wish == refused)
+            m_messages->post({chrome::Message::Severity::error,
+                              tr("The rung %1 cannot be used.").arg(refused),
+                              QString::fromStdString(snapshot.whyRefused), QString()});
+        if (inUse == m_wish || refused == m_wish)
+            m_wish.clear();
+        const QString shown = m_wish.isEmpty() ? inUse : m_wish;
+        if (m_rungs->currentData().toString() != shown && !m_rungs->view()->isVisible())
+            m_rungs->setCurrentIndex(m_rungs->findData(shown));
+    }
+    if (inUse != m_inUse) {
+        m_inUse = inUse;
+        m_chart->setRungInUse(ladderShown() == kCameraLadder ? m_inUse : QString());
+    }
+}
+
+void CostPage::retranslate() {
+    m_ladderHeading->setText(tr("Ladders"));
+    m_list->setAccessibleName(tr("Ladders of rungs from cheap to exact"));
+    m_measure->setText(tr("&Measure this ladder"));
+    m_measureAll->setText(tr("Measure &all ladders"));
+    m_measureAll->setToolTip(tr("Takes some minutes; the console can be used meanwhile"));
+    m_cancel->setText(tr("&Cancel"));
+    m_empty->setTexts(tr("Not measured on this machine"),
+                      tr("Close other programs and sources first: what they compute makes times uncertain."));
+    m_measureEmpty->setText(tr("Measure this ladder"));
+    m_measureAllEmpty->setText(tr("Measure all ladders"));
+    m_measureAllEmpty->setToolTip(tr("Takes some minutes; the console can be used meanwhile"));
+    m_table->setHorizontalHeaderLabels({tr("Rung"), tr("Parameter"), tr("Mean error"), tr("95 %"),
+                                        tr("Worst"), tr("Median time"), tr("99 % time")});
+    m_table->setAccessibleName(tr("Rungs with their errors and times"));
+    m_cameraHeading->setText(tr("Camera in use"));
+    m_rungLabel->setText(tr("&Rung in use"));
+    m_rungs->setAccessibleName(tr("Rung that finds the contacts"));
+    m_stagesLabel->setText(tr("Time of a frame, now"));
+    m_budgetLabel->setText(tr("Time &budget of a frame"));
+    m_budget_ms->setSuffix(tr(" ms a frame"));
+    m_useBest->setText(tr("&Use the best rung within it"));
+    m_noCamera->setText(tr("No camera is shown on the page Operate."));
+    m_openCamera->setText(tr("Open a demo with a camera"));
+    showLadders();
+    showCosts();
+}
+
+void CostPage::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        m_measuring->retranslate();
+        retranslate();
+    }
+}
+
+} // namespace teleta::console

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/cost/cost_measuring.h"
+#include "backend/pipeline/camera_channel.h"
+#include "widgets/chrome/message_bar.h"
+
+#include <QWidget>
+
+#include <memory>
+#include <optional>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QListWidget;
+class QProgressBar;
+class QPushButton;
+class QStackedWidget;
+class QTableWidget;
+
+namespace teleta::camera {
+class StageBar;
+}
+namespace teleta::chrome {
+class EmptyState;
+}
+namespace teleta::costs {
+class CostChart;
+}
+
+namespace teleta::console {
+
+/// The Cost page: the ladders, what their rungs cost on this machine, and for the camera that is shown the
+/// rung in use, its live stage times, and a time budget that picks a rung. Thread: GUI.
+class CostPage : public QWidget {
+    Q_OBJECT
+
+public:
+    /// makeLadders, file: see CostMeasuring.
+    CostPage(CostMeasuring::MakeLadders makeLadders, const QString& file,
+             const cost::MeasureSettings& settings = {}, QWidget* parent = nullptr);
+
+    [[nodiscard]] CostMeasuring& measuring() { return *m_measuring; }
+    [[nodiscard]] chrome::MessageBar& messages() { return *m_messages; }
+    /// Shows the progress and what the camera does; null: there is none.
+    void tick(const std::shared_ptr<pipeline::CameraChannel>& camera);
+    void showLadder(const QString& name);
+
+signals:
+    void demoCameraRequested();
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    [[nodiscard]] QWidget* makeLadderColumn();
+    [[nodiscard]] QWidget* makeMiddle();
+    [[nodiscard]] QWidget* makeCameraColumn();
+    [[nodiscard]] std::string ladderShown() const;
+    void retranslate();
+    void showLadders();
+    void showCosts();
+    void showRunning();
+    void showBudget();
+    void chooseRung(const QString& name);
+    void applyBudget();
+
+    CostMeasuring* m_measuring;
+    chrome::MessageBar* m_messages;
+    QLabel* m_ladderHeading;
+    QListWidget* m_list;
+    chrome::EmptyState* m_empty;
+    QPushButton* m_measureEmpty;
+    QPushButton* m_measureAllEmpty;
+    QPushButton* m_measure;
+    QPushButton* m_measureAll;
+    QPushButton* m_cancel;
+    QProgressBar* m_progress;
+    QLabel* m_progressText;
+    QLabel* m_title;
+    QLabel* m_truth;
+    costs::CostChart* m_chart;
+    QTableWidget* m_table;
+    QStackedWidget* m_results;
+    QLabel* m_cameraHeading;
+    QLabel* m_rungLabel;
+    QComboBox* m_rungs;
+    QLabel* m_stagesLabel;
+    camera::StageBar* m_stages;
+    QLabel* m_budgetLabel;
+    QDoubleSpinBox* m_budget_ms;
+    QLabel* m_budgetText;
+    QPushButton* m_useBest;
+    QLabel* m_noCamera;
+    QPushButton* m_openCamera;
+
+    std::shared_ptr<pipeline::CameraChannel> m_camera;
+    std::optional<bool> m_cameraShown; ///< empty: before the first tick
+    QString m_best;                    ///< rung within the budget; empty: none
+    QString m_wish;                    ///< rung that was asked for and is not yet in use
+    QString m_inUse;
+};
+
+} // namespace teleta::console
