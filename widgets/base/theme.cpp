@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/base/theme.h"
 
+#include "widgets/base/console_style.h"
+
 #include <QApplication>
 #include <QFontMetricsF>
 #include <QStyle>
-#include <QStyleFactory>
 #include <QWidget>
 
 #include <algorithm>
@@ -114,8 +115,8 @@ bool isDark(const QPalette& palette) {
 }
 
 void applyTheme(ThemeChoice choice) {
-    if (QApplication::style()->name().compare(QLatin1String("fusion"), Qt::CaseInsensitive) != 0)
-        QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    if (qobject_cast<ConsoleStyle*>(QApplication::style()) == nullptr)
+        QApplication::setStyle(new ConsoleStyle);
     bool dark = choice == ThemeChoice::dark;
     if (choice == ThemeChoice::system) {
         QApplication::setPalette(QPalette()); // back to the desktop's palette, to look at it

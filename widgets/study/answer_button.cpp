@@ -3,12 +3,25 @@
 
 #include "widgets/base/theme.h"
 
+#include <QFontMetricsF>
 #include <QPainter>
 
 #include <algorithm>
 #include <utility>
 
 namespace teleta::studyview {
+
+namespace {
+
+/// The font, smaller where the text is wider than its room.
+QFont fitted(QFont font, const QString& text, double width) {
+    const double needed = QFontMetricsF(font).horizontalAdvance(text);
+    if (needed > width)
+        font.setPixelSize(std::max(1, static_cast<int>(font.pixelSize() * width / needed)));
+    return font;
+}
+
+} // namespace
 
 AnswerButton::AnswerButton(AnswerChoice choice, std::size_t digit, QWidget* parent)
     : QWidget(parent)
@@ -105,8 +118,10 @@ void AnswerButton::paintEvent(QPaintEvent* /*event*/) {
     painter.setFont(font);
     const QRectF name(inside.left(), m_diagramShown ? inside.bottom() - 1.2 * unit : letter.bottom(),
                       inside.width(), 1.2 * unit);
-    painter.drawText(name, Qt::AlignCenter,
-                     mark.isEmpty() ? m_choice.name : m_choice.name + QStringLiteral(" \u2014 ") + mark);
+    const QString words = mark.isEmpty() ? m_choice.name : m_choice.name + QStringLiteral(" \u2014 ") + mark;
+    painter.setFont(fitted(font, words, name.width()));
+    painter.drawText(name, Qt::AlignCenter, words);
+    painter.setFont(font);
 
     // The key, as it looks.
     const QRectF key(inside.right() - 1.5 * unit, inside.top(), 1.5 * unit, 1.5 * unit);

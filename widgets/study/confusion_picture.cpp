@@ -93,6 +93,10 @@ void paintConfusion(QPainter& painter, const QRectF& rect, const ConfusionConten
     painter.setPen(text);
     painter.drawText(QRectF(rect.left(), rect.top() + 0.3 * em, rect.width(), 1.2 * em), Qt::AlignCenter,
                      content.title);
+    if (content.letters.isEmpty()) {
+        painter.restore();
+        return;
+    }
     painter.setFont(small);
     painter.setPen(faint);
     painter.drawText(QRectF(rect.left(), rect.top() + 1.7 * em, rect.width(), 1.2 * em), Qt::AlignCenter,

@@ -19,7 +19,7 @@ namespace teleta::studyview {
 /// A confusion matrix with all that its picture shows.
 struct ConfusionContent {
     study::ConfusionMatrix matrix{1};
-    QStringList letters; ///< one a pattern
+    QStringList letters; ///< one a pattern; empty: there is nothing to show but the title
     QString title;
     study::Mode mode = study::Mode::run;
     bool percent = false;                                    ///< shares of the rows instead of counts

@@ -8,6 +8,7 @@
 #include "widgets/study/watermark.h"
 
 #include <QCloseEvent>
+#include <QFontMetrics>
 #include <QGridLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -152,6 +153,8 @@ void ParticipantWindow::refresh() {
     QFont large = base::sized(font(), base::kHugeText);
     large.setBold(m_scene.state == State::stopped);
     m_instruction->setFont(large);
+    // Two lines are kept free, so that the answers stay where they are when an instruction is long.
+    m_instruction->setMinimumHeight(2 * QFontMetrics(large).lineSpacing());
     const QString phase = m_scene.phase == study::Phase::practice ? tr("Practice") : tr("Test");
     QString title = m_scene.trials == 0 ? m_scene.title
                                         : tr("%1 \u2014 %2, trial %3 of %4", "task, phase, numbers")

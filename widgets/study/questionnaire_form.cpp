@@ -44,14 +44,16 @@ QuestionnaireForm::QuestionnaireForm(QWidget* parent)
     auto* foot = new QHBoxLayout;
     foot->addWidget(m_count, 1);
     foot->addWidget(m_done);
-    auto* column = new QVBoxLayout;
+    m_column = new QWidget(this);
+    auto* column = new QVBoxLayout(m_column);
+    column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_area, 1);
     column->addWidget(m_problem);
     column->addLayout(foot);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addStretch(1);
-    layout->addLayout(column, 1000);
+    layout->addWidget(m_column, 1000);
     layout->addStretch(1);
     connect(m_done, &QPushButton::clicked, this, &QuestionnaireForm::submit);
     retranslate();
@@ -62,6 +64,7 @@ void QuestionnaireForm::setQuestionnaire(study::Questionnaire questionnaire,
     m_questionnaire = std::move(questionnaire);
     m_items.clear();
     auto* page = new QWidget;
+    page->setFont(base::sized(font(), base::kLargeText));
     auto* column = new QVBoxLayout(page);
     column->setContentsMargins(0, 0, base::grid(this, 2), 0);
     for (const study::QuestionnaireItem& item : m_questionnaire.items) {
@@ -78,9 +81,11 @@ void QuestionnaireForm::setQuestionnaire(study::Questionnaire questionnaire,
         m_items.push_back(view);
     }
     column->addStretch(1);
-    page->setMaximumWidth(base::em(this, kWidest_em));
-    m_area->setMaximumWidth(base::em(this, kWidest_em) + base::em(this, 2));
+    m_column->setMaximumWidth(base::em(page, kWidest_em));
     m_area->setWidget(page);
+    // What the window has across it shows behind the questions as well.
+    page->setAutoFillBackground(false);
+    m_area->viewport()->setAutoFillBackground(false);
     setProblem({});
     showCount();
 }

@@ -53,6 +53,7 @@ private:
     void retranslate();
 
     study::Questionnaire m_questionnaire;
+    QWidget* m_column = nullptr; ///< all of it, no wider than can be read
     QScrollArea* m_area;
     QLabel* m_problem;
     QLabel* m_count;

@@ -63,7 +63,7 @@ QuestionnaireItemView::QuestionnaireItemView(study::QuestionnaireItem item, QWid
     case study::ItemKind::text:
         m_text = new QPlainTextEdit(this);
         m_text->setTabChangesFocus(true);
-        m_text->setFixedHeight(base::em(this, 6));
+        m_text->setFixedHeight(base::em(this, 4.5));
         connect(m_text, &QPlainTextEdit::textChanged, this, &QuestionnaireItemView::changed);
         column->addWidget(m_text);
         break;
@@ -98,7 +98,6 @@ void QuestionnaireItemView::buildScale(QVBoxLayout* column) {
     row->setSpacing(base::grid(this, 0.5));
     for (std::size_t point = 1; point <= m_item.points; ++point) {
         auto* button = new QPushButton(QString::number(point), this);
-        button->setFont(base::sized(font(), base::kLargeText));
         button->setMinimumWidth(base::em(this, kTarget_em));
         addButton(button, std::to_string(point));
         row->addWidget(button, 1);

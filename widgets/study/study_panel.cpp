@@ -111,6 +111,10 @@ StudyPanel::StudyPanel(QWidget* parent)
     retranslate();
 }
 
+void StudyPanel::askForName() {
+    m_id->setFocus(Qt::OtherFocusReason);
+}
+
 void StudyPanel::clearName(const QString& id) {
     if (m_id->text().trimmed() == id)
         m_id->clear();

@@ -60,6 +60,8 @@ public:
     explicit StudyPanel(QWidget* parent = nullptr);
 
     void setScene(const StudyScene& scene);
+    /// The keyboard goes to the field for a new participant.
+    void askForName();
     /// The participant who was typed is enrolled: the field is for the next one.
     void clearName(const QString& id);
     [[nodiscard]] QTreeWidget* list() const { return m_list; }

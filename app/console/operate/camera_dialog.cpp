@@ -2,6 +2,7 @@
 #include "app/console/operate/camera_dialog.h"
 
 #include "devices/camera/camera_feed.h"
+#include "widgets/base/form_row.h"
 #include "widgets/base/theme.h"
 
 #include <QCheckBox>
@@ -40,7 +41,9 @@ CameraDialog::CameraDialog(const CameraRequest& last, const QStringList& cameras
     m_loop->setChecked(last.loop);
     m_model->setMinimumWidth(base::em(this, 24));
 
-    const auto withButton = [this](QWidget* field, const QString& toolTip, auto chosen) {
+    auto* form = new QFormLayout;
+    const auto addRow = [this, form](const QString& text, QWidget* field, const QString& toolTip,
+                                     auto chosen) {
         auto* button = new QToolButton;
         button->setText(tr("\u2026"));
         button->setToolTip(toolTip);
@@ -49,17 +52,16 @@ CameraDialog::CameraDialog(const CameraRequest& last, const QStringList& cameras
         auto* row = new QHBoxLayout;
         row->addWidget(field, 1);
         row->addWidget(button);
-        return row;
+        base::addFormRow(*form, text, row, field);
     };
-    auto* form = new QFormLayout;
-    form->addRow(tr("&Camera or video:"), withButton(m_source, tr("Choose a video"), [this] {
-                     choose(tr("Video of a camera"), tr("Videos and pictures (*)"),
-                            [this](const QString& path) { m_source->setCurrentText(path); });
-                 }));
-    form->addRow(tr("Ca&libration:"), withButton(m_model, tr("Choose a camera file"), [this] {
-                     choose(tr("Camera file"), tr("Camera files (*.json)"),
-                            [this](const QString& path) { m_model->setText(path); });
-                 }));
+    addRow(tr("&Camera or video:"), m_source, tr("Choose a video"), [this] {
+        choose(tr("Video of a camera"), tr("Videos and pictures (*)"),
+               [this](const QString& path) { m_source->setCurrentText(path); });
+    });
+    addRow(tr("Ca&libration:"), m_model, tr("Choose a camera file"), [this] {
+        choose(tr("Camera file"), tr("Camera files (*.json)"),
+               [this](const QString& path) { m_model->setText(path); });
+    });
     form->addRow(QString(), m_loop);
 
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/operate/recording_dialog.h"
 
+#include "widgets/base/form_row.h"
 #include "widgets/base/theme.h"
 
 #include <QCheckBox>
@@ -83,10 +84,10 @@ RecordingDialog::RecordingDialog(RecordingRequest request, QWidget* parent)
     auto* file = new QLabel(QFileInfo(QString::fromStdString(m_request.path)).fileName());
     file->setToolTip(QString::fromStdString(m_request.path));
     form->addRow(tr("Recording:"), file);
-    form->addRow(tr("&Array:"), sizeRow);
+    base::addFormRow(*form, tr("&Array:"), sizeRow, m_rows);
     form->addRow(QString(), m_verdict);
     form->addRow(tr("&Pitch:"), m_pitch_mm);
-    form->addRow(tr("&Unloaded (tare):"), tareRow);
+    base::addFormRow(*form, tr("&Unloaded (tare):"), tareRow, m_tare);
     form->addRow(QString(), m_inverted);
     form->addRow(tr("&Gain:"), m_gain);
     form->addRow(tr("Unit of the &load:"), m_unit);

@@ -2,6 +2,7 @@
 #include "app/console/study/new_study_dialog.h"
 
 #include "app/console/study/server_fields.h"
+#include "widgets/base/form_row.h"
 #include "widgets/base/theme.h"
 
 #include <QComboBox>
@@ -65,7 +66,7 @@ NewStudyDialog::NewStudyDialog(study::Protocol protocol, const QString& folder, 
     place->addWidget(browse);
     auto* form = new QFormLayout;
     form->addRow(tr("Protocol"), new QLabel(QString::fromStdString(m_protocol.name), this));
-    form->addRow(tr("&Folder, which is made"), place);
+    base::addFormRow(*form, tr("&Folder, which is made"), place, m_folder);
     form->addRow(tr("&Kept"), m_store);
     form->addRow(QString(), m_server);
     form->addRow(tr("&Mode"), m_mode);

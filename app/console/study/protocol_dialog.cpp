@@ -4,6 +4,7 @@
 #include "app/console/background.h"
 #include "backend/core/output_file.h"
 #include "backend/study/protocol_text.h"
+#include "widgets/base/form_row.h"
 #include "widgets/base/theme.h"
 
 #include <QCheckBox>
@@ -71,6 +72,7 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     m_window->setCurrentIndex(protocol.window == study::ResponseWindow::fromOnset ? 0 : 1);
     m_replays->setRange(0, kMostRepetitions);
     m_replays->setValue(static_cast<int>(protocol.replays));
+    m_replays->setSuffix(tr(" \u00d7", "after a number"));
     m_order->addItems(
         {tr("all repetitions together, in random order"), tr("each repetition in a random order")});
     m_order->setCurrentIndex(protocol.order == study::OrderMethod::fullRandom ? 0 : 1);
@@ -79,23 +81,23 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     m_verdict->setObjectName(QStringLiteral("verdict"));
     m_verdict->setWordWrap(true);
 
-    const auto row = [this](std::initializer_list<QWidget*> widgets) {
+    auto* form = new QFormLayout;
+    const auto addRow = [form](const QString& text, std::initializer_list<QWidget*> widgets) {
         auto* line = new QHBoxLayout;
         for (QWidget* widget : widgets)
             line->addWidget(widget);
         line->addStretch(1);
-        return line;
+        base::addFormRow(*form, text, line, *widgets.begin());
     };
-    auto* form = new QFormLayout;
     form->addRow(tr("&Name"), m_name);
-    form->addRow(tr("&Description"), m_description);
-    form->addRow(tr("&Stimulus, at most"), row({m_stimulus_s.box}));
-    form->addRow(tr("Answer &within"), row({m_limit_s.box, m_window}));
-    form->addRow(tr("May be felt a&gain"), row({m_replays, new QLabel(tr("times"), this)}));
-    form->addRow(tr("&Order"), row({m_order}));
-    form->addRow(tr("&Practice"), row({m_practice.repetitions, m_practice.feedback, m_practice.diagram}));
-    form->addRow(tr("&Test"), row({m_test.repetitions, m_test.feedback, m_test.diagram}));
-    form->addRow(tr("&Masking noise"), row({m_noise, m_level_dBA.box}));
+    form->addRow(tr("D&escription"), m_description);
+    addRow(tr("&Stimulus, at most"), {m_stimulus_s.box});
+    addRow(tr("Answer &within"), {m_limit_s.box, m_window});
+    addRow(tr("May be felt a&gain"), {m_replays});
+    addRow(tr("Or&der"), {m_order});
+    addRow(tr("&Practice"), {m_practice.repetitions, m_practice.feedback, m_practice.diagram});
+    addRow(tr("&Test"), {m_test.repetitions, m_test.feedback, m_test.diagram});
+    addRow(tr("&Masking noise"), {m_noise, m_level_dBA.box});
     if (!m_questionnaires.empty())
         form->addRow(tr("Questionnaires"), new QLabel(tr("%n questionnaire(s), kept as they are", nullptr,
                                                          static_cast<int>(m_questionnaires.size())),
@@ -167,8 +169,7 @@ ProtocolDialog::PhaseRow ProtocolDialog::makePhase(const study::PhaseSettings& p
     PhaseRow row{new QSpinBox(this), new QCheckBox(tr("feedback"), this),
                  new QCheckBox(tr("pictures in view"), this)};
     row.repetitions->setRange(0, kMostRepetitions);
-    row.repetitions->setPrefix(tr("each pattern "));
-    row.repetitions->setSuffix(tr(" times"));
+    row.repetitions->setSuffix(tr(" \u00d7 each pattern", "after a number"));
     row.repetitions->setValue(static_cast<int>(phase.repetitions));
     row.feedback->setChecked(phase.feedback);
     row.diagram->setChecked(phase.diagram);

@@ -55,7 +55,7 @@ core::Expected<StudyOverview> overviewOf(const study::StudyStore& store) {
         ParticipantOverview one{participant, {}};
         for (study::PlannedSession& plan :
              planSessions(overview.head.protocol, overview.head.seed, participant.enrolment))
-            one.sessions.push_back({std::move(plan), std::nullopt, 0});
+            one.sessions.push_back({std::move(plan), std::nullopt, {}, 0});
         const auto sessions = store.sessions(participant);
         if (!sessions)
             return core::Unexpected(sessions.error());
@@ -65,9 +65,12 @@ core::Expected<StudyOverview> overviewOf(const study::StudyStore& store) {
             const auto trials = store.trials(record);
             if (!trials)
                 return core::Unexpected(trials.error());
+            session.results.reserve(trials->size());
+            for (const study::StoredTrial& trial : *trials)
+                session.results.push_back(trial.result);
             session.kept = static_cast<std::size_t>(
-                std::count_if(trials->begin(), trials->end(),
-                              [](const study::StoredTrial& trial) { return trial.result.isComplete(); }));
+                std::count_if(session.results.begin(), session.results.end(),
+                              [](const study::TrialResult& result) { return result.isComplete(); }));
         }
         overview.participants.push_back(std::move(one));
     }

@@ -16,7 +16,8 @@ namespace teleta::console {
 struct SessionOverview {
     study::PlannedSession plan;
     std::optional<study::SessionRecord> record; ///< empty: not begun
-    std::size_t kept = 0;                       ///< completed trials
+    std::vector<study::TrialResult> results;    ///< that were kept
+    std::size_t kept = 0;                       ///< of them complete
     [[nodiscard]] std::size_t planned() const { return plan.practice.size() + plan.test.size(); }
     [[nodiscard]] bool isFinished() const { return record && record->finished; }
     [[nodiscard]] bool isInterrupted() const { return record && !record->finished; }

@@ -421,6 +421,9 @@ void StudyPage::showParticipantWindow() {
 
 void StudyPage::doNextStep() {
     switch (StudyScenes::nextStep(m_controller)) {
+    case NextStep::enrol:
+        m_study->askForName();
+        return;
     case NextStep::begin:
         m_controller.begin();
         showParticipantWindow();

@@ -288,13 +288,4 @@ void StudyRunner::retry() {
     emit changed();
 }
 
-study::ConfusionMatrix StudyRunner::matrix(Phase phase) const {
-    study::ConfusionMatrix matrix(std::max<std::size_t>(m_stimuli.size(), 1));
-    for (const study::TrialResult& result : m_results) {
-        if (result.planned.phase == phase && result.isComplete())
-            matrix.add(result.planned.stimulus, result.response);
-    }
-    return matrix;
-}
-
 } // namespace teleta::console

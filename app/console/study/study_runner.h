@@ -76,7 +76,6 @@ public:
     /// Results of this session in their order, those that were kept before too.
     [[nodiscard]] const std::vector<study::TrialResult>& results() const { return m_results; }
     /// Completed trials of a phase.
-    [[nodiscard]] study::ConfusionMatrix matrix(study::Phase phase) const;
     /// The next step is the experimenter's, not the participant's.
     [[nodiscard]] bool waitsForExperimenter() const { return m_hold != Hold::none; }
 

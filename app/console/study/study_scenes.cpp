@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/study/study_scenes.h"
 
+#include "app/console/study/trial_lines.h"
 #include "backend/pattern/built_in_patterns.h"
 #include "backend/study/stimulus_set.h"
 
@@ -17,8 +18,6 @@ using studyview::Tone;
 using Hold = StudyRunner::Hold;
 
 namespace {
-
-constexpr std::size_t kShownOutcomes = 30;
 
 QString text(const std::string& value) {
     return QString::fromStdString(value);
@@ -70,7 +69,7 @@ QString StudyScenes::protocolText(const study::StudyHead& head) {
                      .arg(text(task.name), conditions.join(QStringLiteral(", ")));
     }
     const QLocale locale;
-    lines << tr("Each pattern %1 times in practice, %2 times in the test: %3 test trials a participant")
+    lines << tr("Repetitions of each pattern: %1 in practice, %2 in the test; %3 test trials a participant")
                  .arg(protocol.practice.repetitions)
                  .arg(protocol.test.repetitions)
                  .arg(protocol.testTrials());
@@ -116,7 +115,10 @@ studyview::StudyScene StudyScenes::study(const StudyController& controller) {
             one.planned = session.planned();
             one.finished = session.isFinished();
             one.interrupted = session.isInterrupted();
-            one.state = one.finished      ? tr("\u2713 finished")
+            const std::pair at(static_cast<int>(scene.participants.size()),
+                               static_cast<int>(line.sessions.size()));
+            one.state = controller.isActive() && scene.chosen == at && !one.finished ? tr("running")
+                        : one.finished                                               ? tr("\u2713 finished")
                         : one.interrupted ? tr("%1 of %2", "trials kept").arg(one.kept).arg(one.planned)
                                           : tr("to do");
             line.sessions.push_back(std::move(one));
@@ -157,7 +159,7 @@ NextStep StudyScenes::nextStep(const StudyController& controller) {
     }
     const SessionOverview* session = controller.chosenSession();
     if (session == nullptr)
-        return NextStep::none;
+        return NextStep::enrol;
     if (session->isFinished())
         return allDone                                         ? NextStep::showResults
                : controller.chosenParticipant()->nextSession() ? NextStep::leaveSession
@@ -200,6 +202,8 @@ void StudyScenes::describeIdle(const StudyController& controller, studyview::Ses
     const SessionOverview* session = controller.chosenSession();
     bool passed = true;
     const bool open = session != nullptr && !session->isFinished();
+    if (session != nullptr)
+        scene.outcomes = outcomeLines(session->results, *controller.task());
     if (open) {
         for (const study::RunCheck& check : controller.checks()) {
             scene.checks.push_back({text(check.name), check.passed, text(check.finding), text(check.remedy)});
@@ -243,6 +247,12 @@ void StudyScenes::describeIdle(const StudyController& controller, studyview::Ses
         scene.state = tr("All sessions of all participants are finished.");
         scene.tone = Tone::good;
         return;
+    case NextStep::enrol:
+        scene.next = tr("Add a participant");
+        scene.state =
+            tr("Enrol the first participant at the left: the order of the conditions follows from the "
+               "order of enrolment.");
+        return;
     case NextStep::none:
     case NextStep::goOn:
     case NextStep::retry:
@@ -250,16 +260,9 @@ void StudyScenes::describeIdle(const StudyController& controller, studyview::Ses
         break;
     }
     scene.nextEnabled = false;
-    if (session == nullptr) {
-        scene.next = tr("Add a participant");
-        scene.state =
-            tr("Enrol the first participant at the left: the order of the conditions follows from the "
-               "order of enrolment.");
-    } else {
-        scene.next = tr("Choose another participant");
-        scene.state = tr("This participant has finished all sessions.");
-        scene.tone = Tone::good;
-    }
+    scene.next = tr("Choose another participant");
+    scene.state = tr("This participant has finished all sessions.");
+    scene.tone = Tone::good;
 }
 
 QString StudyScenes::skipConsequence(study::QuestionnaireTime when) {
@@ -332,38 +335,7 @@ void StudyScenes::describeRunning(const StudyController& controller, studyview::
     scene.canPause = !over && runner.hold() == Hold::none && !runner.pauseWanted();
     scene.canNote = true;
 
-    const auto letter = [&](std::size_t pattern) { return text(task.patterns[pattern].letter); };
-    for (auto result = runner.results().rbegin();
-         result != runner.results().rend() && scene.outcomes.size() < kShownOutcomes; ++result) {
-        studyview::OutcomeLine line;
-        const QString name = result->planned.phase == Phase::practice ? tr("practice %1") : tr("test %1");
-        line.trial = name.arg(result->planned.trial);
-        line.presented = letter(result->planned.stimulus);
-        line.answered = result->response ? letter(*result->response) : QStringLiteral("\u2013");
-        line.responseTime_s = result->responseTime_s;
-        switch (result->outcome) {
-        case study::Outcome::correct:
-            line.outcome = tr("\u2713 right");
-            line.tone = Tone::good;
-            break;
-        case study::Outcome::incorrect:
-            line.outcome = tr("\u2717 wrong");
-            line.tone = Tone::attention;
-            break;
-        case study::Outcome::timeout:
-            line.outcome = tr("no answer");
-            line.tone = Tone::attention;
-            break;
-        case study::Outcome::aborted:
-            line.outcome = tr("aborted");
-            break;
-        case study::Outcome::deviceError:
-            line.outcome = tr("device fault, comes again");
-            line.tone = Tone::alarm;
-            break;
-        }
-        scene.outcomes.push_back(std::move(line));
-    }
+    scene.outcomes = outcomeLines(runner.results(), task);
 
     const NextStep step = nextStep(controller);
     scene.nextEnabled = step != NextStep::none && !controller.isBusy();
@@ -508,14 +480,19 @@ studyview::ConfusionContent StudyScenes::matrix(const StudyController& controlle
     content.mode = controller.overview()->head.mode;
     content.matrix = study::ConfusionMatrix(task->patterns.size());
     const StudyRunner& runner = controller.runner();
+    const QString name = sessionName(controller.overview()->head.protocol, *controller.plan());
     if (!runner.isActive()) {
-        content.title = sessionName(controller.overview()->head.protocol, *controller.plan());
+        const SessionOverview* chosen = controller.chosenSession();
+        content.title = name;
+        if (chosen != nullptr && !chosen->results.empty()) {
+            content.matrix = confusionOf(chosen->results, Phase::test, task->patterns.size());
+            content.title = tr("%1, test").arg(name);
+        }
         return content;
     }
     const Phase phase = phaseNow(runner);
-    content.matrix = runner.matrix(phase);
-    content.title = (phase == Phase::practice ? tr("%1, practice") : tr("%1, test"))
-                        .arg(sessionName(controller.overview()->head.protocol, *controller.plan()));
+    content.matrix = confusionOf(runner.results(), phase, task->patterns.size());
+    content.title = (phase == Phase::practice ? tr("%1, practice") : tr("%1, test")).arg(name);
     if (!runner.results().empty() && runner.results().back().planned.phase == phase &&
         runner.results().back().isComplete()) {
         const study::TrialResult& last = runner.results().back();

@@ -14,6 +14,7 @@ namespace teleta::console {
 /// What the large button does.
 enum class NextStep {
     none,
+    enrol,    ///< the first participant
     begin,    ///< the chosen session
     rehearse, ///< all simulated sessions
     stopRehearsal,

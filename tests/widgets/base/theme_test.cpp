@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/test_registry.h"
+#include "widgets/base/console_style.h"
 #include "widgets/base/theme.h"
 
 #include <QApplication>
+#include <QCheckBox>
+#include <QImage>
+#include <QPainter>
+#include <QRadioButton>
 #include <QStyle>
+#include <QStyleOptionButton>
 #include <QTest>
 #include <QWidget>
 
@@ -64,9 +70,37 @@ private slots:
         widget.show();
         applyTheme(ThemeChoice::dark);
         QTRY_VERIFY(isDark(widget.palette()));
-        QCOMPARE(QApplication::style()->name(), QStringLiteral("fusion"));
+        QVERIFY(qobject_cast<ConsoleStyle*>(QApplication::style()) != nullptr);
         applyTheme(ThemeChoice::light);
         QTRY_VERIFY(!isDark(widget.palette()));
+    }
+
+    void boxesThatCanBeCheckedAreSeen_data() { textReadsOnEveryGround_data(); }
+    /// WCAG 2.1, 1.4.11: the edge of a control has a contrast of 3 at least to what is around it.
+    void boxesThatCanBeCheckedAreSeen() {
+        QFETCH(bool, dark);
+        applyTheme(dark ? ThemeChoice::dark : ThemeChoice::light);
+        const QCheckBox box;
+        const QRadioButton button;
+        for (const QWidget* control :
+             {static_cast<const QWidget*>(&box), static_cast<const QWidget*>(&button)}) {
+            QStyleOptionButton option;
+            option.initFrom(control);
+            option.state |= QStyle::State_Off;
+            option.rect = QRect(0, 0, 14, 14);
+            QImage image(14, 14, QImage::Format_RGB32);
+            const QColor ground = control->palette().color(QPalette::Window);
+            image.fill(ground);
+            QPainter painter(&image);
+            control->style()->drawPrimitive(control == &box ? QStyle::PE_IndicatorCheckBox
+                                                            : QStyle::PE_IndicatorRadioButton,
+                                            &option, &painter, control);
+            painter.end();
+            // The middle of each side lies on the edge.
+            for (const QPoint at : {QPoint(7, 0), QPoint(0, 7), QPoint(13, 7), QPoint(7, 13)})
+                QVERIFY2(contrast(image.pixelColor(at), ground) >= 3.0,
+                         qPrintable(image.pixelColor(at).name() + QLatin1Char('/') + ground.name()));
+        }
     }
 
     void theSystemThemeIsOneOfTheTwoDesignedOnes() {

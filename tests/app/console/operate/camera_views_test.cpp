@@ -3,6 +3,7 @@
 #include "app/console/operate/camera_views.h"
 #include "app/console/operate/operate_page.h"
 #include "devices/simulated/simulated_camera_device.h"
+#include "tests/support/form_labels.h"
 #include "widgets/camera/camera_panel.h"
 #include "widgets/camera/camera_view.h"
 #include "widgets/camera/event_model.h"
@@ -194,6 +195,7 @@ private slots:
 
     void theDialogAsksForACameraAndItsCalibration() {
         CameraDialog dialog({}, {"0", "2"});
+        QCOMPARE(test::labelsWithBareMnemonic(dialog), QStringList());
         auto* open = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Open);
         QVERIFY(!open->isEnabled());
         QCOMPARE(dialog.request().source, std::string("0"));

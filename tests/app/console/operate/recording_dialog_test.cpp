@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/operate/recording_dialog.h"
+#include "tests/support/form_labels.h"
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
@@ -36,6 +37,7 @@ class RecordingDialogTest : public QObject {
 private slots:
     void givesBackTheGuessWhenNothingIsChanged() {
         const RecordingDialog dialog(guess());
+        QCOMPARE(teleta::test::labelsWithBareMnemonic(dialog), QStringList());
         const RecordingRequest request = dialog.request();
         QCOMPARE(request.path, guess().path);
         QCOMPARE(request.layout.rows, 12);

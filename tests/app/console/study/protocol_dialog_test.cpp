@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/study/new_study_dialog.h"
 #include "app/console/study/protocol_dialog.h"
+#include "tests/support/form_labels.h"
 
 #include <QDoubleSpinBox>
 #include <QPlainTextEdit>
@@ -41,6 +43,13 @@ private slots:
                 QCOMPARE(read->tasks[t].patterns[p].name, protocol.tasks[t].patterns[p].name);
             }
         }
+    }
+
+    void everyLetterOfItsLabelsReachesAField() {
+        const ProtocolDialog dialog(paper());
+        QCOMPARE(test::labelsWithBareMnemonic(dialog), QStringList());
+        const console::NewStudyDialog form(paper(), QStringLiteral("study"));
+        QCOMPARE(test::labelsWithBareMnemonic(form), QStringList());
     }
 
     void takesWhatIsTyped() {

@@ -14,8 +14,10 @@
 #include <QPushButton>
 #include <QSqlDatabase>
 #include <QSqlQuery>
+#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTreeWidget>
 
 #include <algorithm>
 
@@ -36,6 +38,9 @@ private slots:
     void aSessionFromTheFirstPracticeTrialToTheResults() {
         openStudy();
         beginSession();
+        auto* list = m_page->findChild<QTreeWidget*>("participants");
+        QTRY_COMPARE_WITH_TIMEOUT(list->topLevelItem(0)->child(0)->text(1), QStringLiteral("running"),
+                                  kPatience_ms);
         finishPractice();
         for (int trial = 0; trial < 4; ++trial)
             doTrial();
@@ -59,6 +64,10 @@ private slots:
         QTest::mouseClick(nextButton(), Qt::LeftButton);
         QVERIFY(!runner().isActive());
         QCOMPARE(controller().chosen(), std::optional(std::pair(0, 1)));
+        QCOMPARE(m_page->matrixView().content().matrix.total(), 0);
+        controller().choose(0, 0);
+        QCOMPARE(m_page->matrixView().content().matrix.correct(), 4);
+        QCOMPARE(m_page->sessionPanel().findChild<QTableWidget*>()->rowCount(), 6);
         m_page->bringForward(QStringLiteral("results"));
         QTRY_COMPARE_WITH_TIMEOUT(m_page->resultsView().matrices().size(), std::size_t(1), kPatience_ms);
         QCOMPARE(m_page->resultsView().matrices()[0]->content().matrix.correct(), 4);
@@ -79,6 +88,16 @@ private slots:
         }));
         controller().begin();
         QVERIFY(!runner().isActive());
+    }
+
+    void withoutParticipantsTheNextStepIsToNameOne() {
+        openPage();
+        controller().create(studyFolder().toStdString(), head(study::Mode::pilot, 0.1));
+        QTRY_VERIFY_WITH_TIMEOUT(controller().overview().has_value() && nextButton()->isEnabled(),
+                                 kPatience_ms);
+        QTest::mouseClick(nextButton(), Qt::LeftButton);
+        auto* name = m_page->findChild<QLineEdit*>("participantId");
+        QCOMPARE(m_page->focusWidget(), name);
     }
 
     void aRealRunNeedsARealBracelet() {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/study/study_runner.h"
+#include "app/console/study/trial_lines.h"
 #include "backend/study/protocol.h"
 #include "widgets/study/answer_button.h"
 #include "widgets/study/participant_window.h"
@@ -203,7 +204,7 @@ private slots:
             QCOMPARE(result.responseKey, QStringLiteral("Digit%1").arg(*result.response + 1).toStdString());
             QCOMPARE(result.earlyPresses, std::size_t(0));
         }
-        QCOMPARE(m_runner->matrix(Phase::test).correct(), 4);
+        QCOMPARE(console::confusionOf(m_runner->results(), Phase::test, 2).correct(), 4);
         QCOMPARE(m_device->m_begun.size(), std::size_t(6));
         QVERIFY(m_device->m_begun[0].starts_with("shape."));
     }
