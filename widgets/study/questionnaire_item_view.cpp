@@ -22,7 +22,7 @@ namespace teleta::studyview {
 
 namespace {
 
-constexpr double kTarget_em = 3.2; ///< a finger's
+constexpr double kTarget_em = 2.4; ///< a finger's, in the large font of a form
 
 /// Can be pressed in all of its line, not on its words alone.
 class ChoiceButton : public QRadioButton {
