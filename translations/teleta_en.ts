@@ -19,6 +19,30 @@
     </message>
 </context>
 <context>
+    <name>ReplayCommand</name>
+    <message numerus="yes">
+        <source>%n damaged block(s) left out</source>
+        <translation>
+            <numerusform>%n damaged block left out</numerusform>
+            <numerusform>%n damaged blocks left out</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) lost at this speed</source>
+        <translation>
+            <numerusform>%n frame lost at this speed</numerusform>
+            <numerusform>%n frames lost at this speed</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) were not printed</source>
+        <translation>
+            <numerusform>%n frame was not printed</numerusform>
+            <numerusform>%n frames were not printed</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::CameraCalibrator</name>
     <message numerus="yes">
         <source>use of %n pair(s)</source>

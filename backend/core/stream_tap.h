@@ -71,6 +71,8 @@ public:
     }
 
     bool pop(TappedFrames& frames) { return m_queue.pop(frames); }
+    /// Items that fit.
+    [[nodiscard]] std::size_t capacity() const { return m_queue.capacity(); }
     [[nodiscard]] std::uint64_t dropped() const { return m_queue.overflow(); }
 
     /// Nobody keeps anything any more: what is appended from now on is neither kept nor counted.

@@ -31,7 +31,8 @@ std::size_t ArmChannel::process() {
     // Joints first: a skin frame that was read before them is then there, too.
     m_joints.clear();
     core::JointSample sample;
-    while (m_arm->joints().pop(sample))
+    core::BoundedQueue<core::JointSample>& joints = m_arm->joints();
+    for (std::size_t waiting = joints.size(); waiting > 0 && joints.pop(sample); --waiting)
         m_joints.push_back(sample);
     m_contacts.clear();
     m_skin->process(&m_contacts, 2.0 * std::numbers::pi * m_arm->description().skin.radius_m);
@@ -45,11 +46,11 @@ std::size_t ArmChannel::process() {
                 take(std::move(*touch));
         }
     };
-    for (const core::JointSample& joints : m_joints) {
-        feedContactsUntil(joints.time_ns - 1);
-        if (auto touch = m_estimator.update(joints))
+    for (const core::JointSample& next : m_joints) {
+        feedContactsUntil(next.time_ns - 1);
+        if (auto touch = m_estimator.update(next))
             take(std::move(*touch));
-        m_samples.push(core::JointSample(joints));
+        m_samples.push(core::JointSample(next));
     }
     feedContactsUntil(std::numeric_limits<std::int64_t>::max());
 

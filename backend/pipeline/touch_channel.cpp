@@ -54,7 +54,10 @@ void TouchChannel::clearTare() {
 std::size_t TouchChannel::process(std::vector<SkinContact>* contacts, double circumference_m) {
     const bool changed = takeCommands();
     std::size_t frames = 0;
-    while (m_source->blocks().pop(m_block)) {
+    // What comes meanwhile waits for the next time: a source that is as fast as its reader would never let
+    // go.
+    core::BoundedQueue<core::SampleBlock>& blocks = m_source->blocks();
+    for (std::size_t waiting = blocks.size(); waiting > 0 && blocks.pop(m_block); --waiting) {
         if (m_block.channels != m_current.layout.taxels()) {
             m_block = {};
             continue;

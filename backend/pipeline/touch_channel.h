@@ -63,10 +63,10 @@ public:
         return m_framesProcessed.load(std::memory_order_relaxed);
     }
 
-    /// Processes all blocks that wait. Pipeline thread. Returns the number of frames. contacts: gets the
-    /// strongest contact of each frame, for the arm that wears this array. circumference_m: the edges of the
-    /// sheet in y meet around a cylinder; two parts of a contact on both sides of the seam are then one. 0: a
-    /// flat sheet.
+    /// Processes the blocks that wait when it is called. Pipeline thread. Returns the number of frames.
+    /// contacts: gets the strongest contact of each frame, for the arm that wears this array.
+    /// circumference_m: the edges of the sheet in y meet around a cylinder; two parts of a contact on both
+    /// sides of the seam are then one. 0: a flat sheet.
     std::size_t process(std::vector<SkinContact>* contacts = nullptr, double circumference_m = 0.0);
 
 private:

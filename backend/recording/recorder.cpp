@@ -16,6 +16,8 @@ namespace {
 /// Often enough that no queue fills and a transaction never waits long for its data.
 constexpr std::chrono::milliseconds kDrainPeriod{50};
 constexpr std::int64_t kCommitPeriod_ns = 200'000'000;
+/// So much waits for a commit at most: a slow disk is not to fill the memory.
+constexpr std::size_t kMostWaitingBytes = 16U << 20U;
 
 } // namespace
 
@@ -60,7 +62,8 @@ std::shared_ptr<core::StreamTap> Recorder::addStream(StreamInfo info) {
 
 void Recorder::add(RecordingEvent event) {
     const std::scoped_lock lock(m_mutex);
-    m_addedEvents.push_back(std::move(event));
+    if (!m_ended)
+        m_addedEvents.push_back(std::move(event));
 }
 
 void Recorder::mark(std::string note) {
@@ -68,9 +71,12 @@ void Recorder::mark(std::string note) {
 }
 
 core::Expected<void> Recorder::stop() {
-    if (m_thread.joinable()) {
-        m_thread.request_stop();
-        m_thread.join();
+    {
+        const std::scoped_lock lock(m_stopMutex);
+        if (m_thread.joinable()) {
+            m_thread.request_stop();
+            m_thread.join();
+        }
     }
     const RecorderStatus status = m_status.get();
     if (status.state == RecorderStatus::State::failed)
@@ -87,7 +93,8 @@ void Recorder::run(RecordingHead head, std::promise<core::Expected<void>> begun,
         status.bytes = writer.bytes();
         m_status.set(status);
     } else {
-        fail(done.error());
+        end();
+        m_status.set({.state = RecorderStatus::State::failed, .error = done.error()});
     }
     begun.set_value(done);
     if (done)
@@ -103,19 +110,12 @@ void Recorder::write(RecordingWriter& writer, const std::stop_token& stop) {
             for (const auto& tap : m_taps)
                 tap->close();
         }
-        std::uint64_t dropped = 0;
-        for (std::size_t i = 0; i < m_taps.size(); ++i) {
-            core::TappedFrames frames;
-            while (m_taps[i]->pop(frames))
-                writer.take(i, std::move(frames));
-            writer.setDropped(i, m_taps[i]->dropped());
-            dropped += m_taps[i]->dropped();
-        }
+        for (std::size_t i = 0; done && i < m_taps.size(); ++i)
+            done = drain(i, writer);
         const std::int64_t now_ns = core::steadyNow_ns();
+        const std::int64_t end_ns = m_options.simulatedTime ? writer.newest_ns() : now_ns;
         if (last)
-            writer.take({.time_ns = m_options.simulatedTime ? writer.newest_ns() : now_ns,
-                         .kind = kStopped,
-                         .text = {}});
+            writer.take({.time_ns = end_ns, .kind = kStopped, .text = {}});
         const bool due = now_ns - committed_ns >= kCommitPeriod_ns;
         if (done && (last || due)) {
             committed_ns = now_ns;
@@ -123,33 +123,53 @@ void Recorder::write(RecordingWriter& writer, const std::stop_token& stop) {
         }
         if (done && last)
             done = writer.finish();
+        if (!done || last)
+            end();
         RecorderStatus status = m_status.get();
-        status.duration_s =
-            core::elapsed_s(m_start_ns, m_options.simulatedTime ? writer.newest_ns() : now_ns);
+        status.duration_s = core::elapsed_s(m_start_ns, end_ns);
         status.bytes = writer.bytes();
         status.frames = writer.frames();
         status.marks = writer.marks();
-        status.dropped = dropped;
-        if (last)
+        status.dropped = writer.dropped();
+        if (!done) {
+            status.state = RecorderStatus::State::failed;
+            status.error = done.error();
+        } else if (last) {
             status.state = RecorderStatus::State::stopped;
-        m_status.set(status);
-        if (!done || last) {
-            {
-                const std::scoped_lock lock(m_mutex);
-                m_ended = true;
-                for (const Added& added : m_addedStreams)
-                    added.tap->close();
-            }
-            for (const auto& tap : m_taps)
-                tap->close();
         }
-        if (!done)
-            fail(done.error());
+        m_status.set(std::move(status));
         if (!done || last)
             return;
         std::unique_lock lock(m_mutex);
         m_condition.wait_for(lock, stop, kDrainPeriod, [] { return false; });
     }
+}
+
+/// Takes what waits in a tap, at most as much as fits into it: a producer that waits for room would otherwise
+/// hold the writer at its stream.
+core::Expected<void> Recorder::drain(std::size_t stream, RecordingWriter& writer) {
+    core::TappedFrames frames;
+    for (std::size_t left = m_taps[stream]->capacity(); left > 0 && m_taps[stream]->pop(frames); --left) {
+        writer.take(stream, std::move(frames));
+        if (writer.waitingBytes() < kMostWaitingBytes)
+            continue;
+        if (core::Expected<void> done = writer.commit(); !done)
+            return done;
+    }
+    writer.setDropped(stream, m_taps[stream]->dropped());
+    return {};
+}
+
+/// Nothing is taken any more.
+void Recorder::end() {
+    const std::scoped_lock lock(m_mutex);
+    m_ended = true;
+    for (const Added& added : m_addedStreams)
+        added.tap->close();
+    m_addedStreams.clear();
+    m_addedEvents.clear();
+    for (const auto& tap : m_taps)
+        tap->close();
 }
 
 core::Expected<void> Recorder::takeNew(RecordingWriter& writer) {
@@ -168,13 +188,6 @@ core::Expected<void> Recorder::takeNew(RecordingWriter& writer) {
     for (RecordingEvent& event : events)
         writer.take(std::move(event));
     return {};
-}
-
-void Recorder::fail(core::Error error) {
-    RecorderStatus status = m_status.get();
-    status.state = RecorderStatus::State::failed;
-    status.error = std::move(error);
-    m_status.set(std::move(status));
 }
 
 } // namespace teleta::recording

@@ -24,7 +24,7 @@ class RecordingWriter;
 struct RecorderStatus {
     enum class State {
         recording,
-        stopped, ///< by stop(): the file is complete
+        stopped, ///< by stop(), and the file is complete
         failed,  ///< by error: what was written before can be read
     };
     State state = State::recording;
@@ -32,7 +32,7 @@ struct RecorderStatus {
     double duration_s = 0.0;   ///< since the start
     std::uint64_t bytes = 0;   ///< of the file
     std::uint64_t frames = 0;  ///< of all streams, that are safe in the file
-    std::uint64_t dropped = 0; ///< frames that the writer could not take in time
+    std::uint64_t dropped = 0; ///< frames that the writer could not take in time, or not at all
     std::uint64_t marks = 0;
 };
 
@@ -40,14 +40,15 @@ struct RecorderOptions {
     std::function<QDateTime()> utcNow = [] { return QDateTime::currentDateTimeUtc(); };
     /// The frames' times are a simulation's, not the steady clock's.
     bool simulatedTime = false;
-    /// Blocks that may wait for the writer, in a stream: 20 s of an array at 200 Hz.
+    /// Blocks that may wait for the writer, in a stream: 20 s of an array at 200 Hz, frame by frame. A
+    /// producer of large blocks that can wait takes fewer.
     std::size_t queueBlocks = 4096;
     /// Pictures that may wait, which are large: 1.6 s at 40 Hz.
     std::size_t queuePictures = 64;
 };
 
 /// Writes streams into one file, from a thread of its own.
-///   data thread -> StreamTap -> writer thread -> a transaction every 0.2 s
+///   data thread -> StreamTap -> writer thread -> a transaction every 0.2 s, or when 16 MB wait
 /// A killed program loses what came after the last transaction. When a write fails (disk full) the recording
 /// ends with an error, what was written stays readable, and the data threads never notice.
 /// Thread: any.
@@ -66,7 +67,7 @@ public:
     /// nothing more. Returns at once.
     [[nodiscard]] std::shared_ptr<core::StreamTap> addStream(StreamInfo info);
 
-    /// Adds an event; time_ns: steady clock. Returns at once.
+    /// Adds an event; time_ns: steady clock. After the end it is not kept. Returns at once.
     void add(RecordingEvent event);
     /// Adds a mark for now.
     void mark(std::string note);
@@ -88,13 +89,15 @@ private:
     void run(RecordingHead head, std::promise<core::Expected<void>> begun, const std::stop_token& stop);
     void write(RecordingWriter& writer, const std::stop_token& stop);
     [[nodiscard]] core::Expected<void> takeNew(RecordingWriter& writer);
-    void fail(core::Error error);
+    [[nodiscard]] core::Expected<void> drain(std::size_t stream, RecordingWriter& writer);
+    void end();
 
     std::string m_path;
     RecorderOptions m_options;
     std::int64_t m_start_ns = 0;
     core::LatestCopy<RecorderStatus> m_status;
 
+    std::mutex m_stopMutex; ///< of stop()
     std::mutex m_mutex;
     std::condition_variable_any m_condition;
     std::vector<Added> m_addedStreams;         ///< guarded by m_mutex

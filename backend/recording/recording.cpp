@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/recording/recording.h"
 
+#include "backend/recording/block_times.h"
 #include "backend/recording/recording_database.h"
 
 #include <QCoreApplication>
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
 #include <limits>
 #include <utility>
@@ -28,7 +28,6 @@ constexpr std::array kKinds{StreamKind::array,  StreamKind::features, StreamKind
 constexpr std::array kTypes{ValueType::float32, ValueType::float64, ValueType::grey8};
 constexpr std::size_t kMostValues = 1U << 24U;
 constexpr int kMostPixels = 1 << 26;
-constexpr qsizetype kHeadBytes = 16;
 
 template <typename Name, std::size_t n>
 std::optional<Name> named(const std::array<Name, n>& names, const QString& text) {
@@ -60,12 +59,6 @@ bool copyBytes(const QByteArray& bytes, std::size_t entries, std::vector<Value>&
     return true;
 }
 
-/// Times in order, the stream's own without a gap that is none.
-bool areTimes(const core::TappedFrames& block) {
-    return std::ranges::is_sorted(block.time_ns) &&
-           std::ranges::all_of(block.sourceTime_s, [](double time_s) { return std::isfinite(time_s); });
-}
-
 std::optional<core::GreyImage> imageOf(const QByteArray& deflated, int width_px, int height_px) {
     if (width_px < 1 || height_px < 1 || width_px > kMostPixels / height_px)
         return std::nullopt;
@@ -85,29 +78,52 @@ std::optional<core::GreyImage> imageOf(const QByteArray& deflated, int width_px,
 StreamReader::StreamReader(std::shared_ptr<RecordingDatabase> database, StreamInfo info, long long key)
     : m_database(std::move(database))
     , m_info(std::move(info))
-    , m_key(key)
-    , m_from_ns(std::numeric_limits<std::int64_t>::min()) {
+    , m_key(key) {
 }
 StreamReader::~StreamReader() = default;
 StreamReader::StreamReader(StreamReader&&) noexcept = default;
 StreamReader& StreamReader::operator=(StreamReader&&) noexcept = default;
 
-core::Expected<void> StreamReader::select() {
-    auto query = m_database->run(
+core::Expected<QSqlQuery> StreamReader::select(const char* rule, const Position& from) const {
+    return m_database->run(
         QStringLiteral(
-            "SELECT key, frames, width, height, discontinuity, time_ns, source_time_s, data FROM block "
-            "WHERE stream = ? AND first_ns >= ? ORDER BY first_ns, key"),
-        {m_key, static_cast<qlonglong>(m_from_ns)});
-    if (!query)
-        return core::Unexpected(query.error());
-    m_query = std::make_unique<QSqlQuery>(std::move(*query));
-    return {};
+            "SELECT key, first_ns, frames, width, height, discontinuity, time_ns, source_time_s, data "
+            "FROM block WHERE stream = ? AND (first_ns, key) ") +
+            QLatin1String(rule),
+        {m_key, from.first_ns, from.key});
+}
+
+/// False when the block is not whole.
+bool StreamReader::readRow(const QSqlQuery& query, core::TappedFrames& block) {
+    const auto frames = query.value(2).toLongLong();
+    if (frames < 1 || frames >= static_cast<long long>(kMostValues))
+        return false;
+    const auto count = static_cast<std::size_t>(frames);
+    const QByteArray data = query.value(8).toByteArray();
+    core::TappedFrames read;
+    read.discontinuity = query.value(5).toInt() != 0;
+    if (!copyBytes(query.value(6).toByteArray(), count, read.time_ns) ||
+        !copyBytes(query.value(7).toByteArray(), count, read.sourceTime_s) || !hasTimesInOrder(read))
+        return false;
+    if (m_info.type == ValueType::grey8) {
+        auto image = imageOf(data, query.value(3).toInt(), query.value(4).toInt());
+        if (!image || count != 1)
+            return false;
+        read.image = std::move(*image);
+    } else if (!copyBytes(data, count * m_info.channels() * m_info.bytesPerValue(), read.values)) {
+        return false;
+    }
+    block = std::move(read);
+    m_at = {query.value(1).toLongLong(), query.value(0).toLongLong()};
+    return true;
 }
 
 core::Expected<bool> StreamReader::next(core::TappedFrames& block) {
     if (m_query == nullptr) {
-        if (const core::Expected<void> done = select(); !done)
-            return core::Unexpected(done.error());
+        auto query = select("> (?, ?) ORDER BY first_ns, key", m_after);
+        if (!query)
+            return core::Unexpected(query.error());
+        m_query = std::make_unique<QSqlQuery>(std::move(*query));
     }
     if (!m_query->next()) {
         m_canGoOn = !m_query->lastError().isValid();
@@ -115,28 +131,27 @@ core::Expected<bool> StreamReader::next(core::TappedFrames& block) {
             return m_database->failed(m_query->lastError());
         return false;
     }
-    const QString number = m_query->value(0).toString();
-    const auto frames = m_query->value(1).toLongLong();
-    block.discontinuity = m_query->value(4).toInt() != 0;
-    block.image = {};
-    block.values.clear();
-    const QByteArray data = m_query->value(7).toByteArray();
-    bool whole = frames > 0 && frames < static_cast<long long>(kMostValues);
-    const auto count = static_cast<std::size_t>(whole ? frames : 0);
-    whole = whole && copyBytes(m_query->value(5).toByteArray(), count, block.time_ns) &&
-            copyBytes(m_query->value(6).toByteArray(), count, block.sourceTime_s) && areTimes(block);
-    if (whole && m_info.type == ValueType::grey8) {
-        auto image = imageOf(data, m_query->value(2).toInt(), m_query->value(3).toInt());
-        whole = image && count == 1;
-        if (whole)
-            block.image = std::move(*image);
-    } else if (whole) {
-        whole = copyBytes(data, count * m_info.channels() * m_info.bytesPerValue(), block.values);
-    }
-    if (!whole)
-        return m_database->damaged(ReadingText::tr("block %1 of the stream \"%2\" is not whole")
-                                       .arg(number, QString::fromStdString(m_info.name)));
+    if (!readRow(*m_query, block))
+        return m_database->damaged(
+            ReadingText::tr("block %1 of the stream \"%2\" is not whole")
+                .arg(m_query->value(0).toString(), QString::fromStdString(m_info.name)));
     return true;
+}
+
+core::Expected<bool> StreamReader::previous(core::TappedFrames& block) {
+    auto query = select("< (?, ?) ORDER BY first_ns DESC, key DESC", m_at);
+    if (!query)
+        return core::Unexpected(query.error());
+    while (query->next()) {
+        if (readRow(*query, block)) {
+            m_after = m_at;
+            m_query.reset();
+            return true;
+        }
+    }
+    if (query->lastError().isValid())
+        return m_database->failed(query->lastError());
+    return false;
 }
 
 core::Expected<void> StreamReader::seek(std::int64_t time_ns) {
@@ -146,7 +161,12 @@ core::Expected<void> StreamReader::seek(std::int64_t time_ns) {
                         {m_key, static_cast<qlonglong>(time_ns)});
     if (!query)
         return core::Unexpected(query.error());
-    m_from_ns = query->next() ? query->value(0).toLongLong() : std::numeric_limits<std::int64_t>::min();
+    m_after = {};
+    if (query->next())
+        m_after = {query->value(0).toLongLong(), std::numeric_limits<qlonglong>::min()};
+    else if (query->lastError().isValid())
+        return m_database->failed(query->lastError());
+    m_at = m_after;
     m_query.reset();
     return {};
 }
@@ -160,8 +180,7 @@ Recording& Recording::operator=(Recording&&) noexcept = default;
 
 bool Recording::looksLikeOne(const std::string& path) {
     QFile file(QString::fromStdString(path));
-    return file.open(QIODevice::ReadOnly) &&
-           file.read(kHeadBytes) == QByteArray("SQLite format 3\0", kHeadBytes);
+    return file.open(QIODevice::ReadOnly) && RecordingDatabase::beginsLikeOne(file);
 }
 
 core::Expected<Recording> Recording::open(const std::string& path) {
@@ -181,12 +200,26 @@ const std::string& Recording::path() const {
     return m_database->path();
 }
 
+template <typename Row>
+core::Expected<void> Recording::forEachRow(QSqlQuery& query, const Row& row) const {
+    while (query.next()) {
+        if (const core::Expected<void> done = row(); !done)
+            return done;
+    }
+    // The end of the table and a page that cannot be read look alike.
+    if (query.lastError().isValid())
+        return m_database->failed(query.lastError());
+    return {};
+}
+
 core::Expected<void> Recording::readHead() {
     auto query = m_database->run(
         QStringLiteral("SELECT app_version, scene, scene_text, configuration, start_ns FROM recording"));
     if (!query)
         return core::Unexpected(query.error());
-    if (!query->next())
+    if (!query->next() && query->lastError().isValid())
+        return m_database->failed(query->lastError());
+    if (!query->isValid())
         return core::Unexpected(core::Error{core::ErrorKind::badInput,
                                             ReadingText::tr("the recording was never begun").toStdString(),
                                             {},
@@ -200,13 +233,13 @@ core::Expected<void> Recording::readAnchors() {
     auto query = m_database->run(QStringLiteral("SELECT time_ns, utc FROM anchor ORDER BY time_ns, rowid"));
     if (!query)
         return core::Unexpected(query.error());
-    while (query->next()) {
+    return forEachRow(*query, [&]() -> core::Expected<void> {
         m_anchors.push_back({query->value(0).toLongLong(),
                              QDateTime::fromString(query->value(1).toString(), Qt::ISODateWithMs)});
         if (!m_anchors.back().utc.isValid())
             return m_database->damaged(ReadingText::tr("\"%1\" is no time").arg(query->value(1).toString()));
-    }
-    return {};
+        return {};
+    });
 }
 
 core::Expected<void> Recording::readStreams() {
@@ -214,7 +247,7 @@ core::Expected<void> Recording::readStreams() {
         "SELECT key, name, kind, type, source, shape, unit, rate_hz, details FROM stream ORDER BY key"));
     if (!query)
         return core::Unexpected(query.error());
-    while (query->next()) {
+    return forEachRow(*query, [&]() -> core::Expected<void> {
         const auto text = [&](int column) { return query->value(column).toString(); };
         const auto kind = named(kKinds, text(2));
         const auto type = named(kTypes, text(3));
@@ -233,8 +266,8 @@ core::Expected<void> Recording::readStreams() {
                              .columns = {},
                              .nominalRate_Hz = query->value(7).toDouble(),
                              .details = text(8).toStdString()});
-    }
-    return {};
+        return {};
+    });
 }
 
 core::Expected<void> Recording::readColumns() {
@@ -242,12 +275,15 @@ core::Expected<void> Recording::readColumns() {
         QStringLiteral("SELECT stream, name, unit FROM stream_column ORDER BY stream, number"));
     if (!query)
         return core::Unexpected(query.error());
-    while (query->next()) {
+    const core::Expected<void> read = forEachRow(*query, [&]() -> core::Expected<void> {
         const auto key = std::ranges::find(m_keys, query->value(0).toLongLong());
         if (key != m_keys.end())
             m_streams[static_cast<std::size_t>(key - m_keys.begin())].columns.push_back(
                 {query->value(1).toString().toStdString(), query->value(2).toString().toStdString()});
-    }
+        return {};
+    });
+    if (!read)
+        return read;
     for (const StreamInfo& stream : m_streams) {
         if (!stream.columns.empty() && stream.columns.size() != stream.channels())
             return m_database->damaged(ReadingText::tr("the stream \"%1\" has %2 columns instead of %3")
@@ -263,10 +299,11 @@ core::Expected<void> Recording::readEvents() {
         m_database->run(QStringLiteral("SELECT time_ns, kind, text, value FROM event ORDER BY time_ns, key"));
     if (!query)
         return core::Unexpected(query.error());
-    while (query->next())
+    return forEachRow(*query, [&]() -> core::Expected<void> {
         m_events.push_back({query->value(0).toLongLong(), query->value(1).toString().toStdString(),
                             query->value(2).toString().toStdString(), query->value(3).toDouble()});
-    return {};
+        return {};
+    });
 }
 
 bool Recording::isComplete() const {
@@ -285,7 +322,9 @@ core::Expected<std::optional<Recording::Extent>> Recording::extent(std::size_t s
         {m_keys[stream]});
     if (!query)
         return core::Unexpected(query.error());
-    if (!query->next() || query->value(0).isNull())
+    if (!query->next())
+        return m_database->failed(query->lastError());
+    if (query->value(0).isNull())
         return std::optional<Extent>();
     return std::optional(
         Extent{query->value(0).toLongLong(), query->value(1).toLongLong(), query->value(2).toULongLong()});

@@ -5,7 +5,10 @@
 #include "backend/core/stream_tap.h"
 #include "backend/recording/recording_types.h"
 
+#include <QtGlobal>
+
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -35,7 +38,12 @@ public:
     StreamReader& operator=(StreamReader&&) noexcept;
 
     /// The next block; false behind the last one. Error: badInput for a damaged block or file, ioFailed.
+    /// block stays as it was unless there is one.
     [[nodiscard]] core::Expected<bool> next(core::TappedFrames& block);
+
+    /// The block before the one that was read last, without those that are damaged; false before the first
+    /// one. next() goes on from there. Error: badInput for a damaged file, ioFailed.
+    [[nodiscard]] core::Expected<bool> previous(core::TappedFrames& block);
 
     /// Whether next() can go on after an error.
     [[nodiscard]] bool canGoOn() const { return m_canGoOn; }
@@ -45,14 +53,22 @@ public:
 
 private:
     friend class Recording;
+    /// Blocks are in the order of their first time and their key.
+    struct Position {
+        qlonglong first_ns = std::numeric_limits<qlonglong>::min();
+        qlonglong key = 0;
+    };
+
     StreamReader(std::shared_ptr<RecordingDatabase> database, StreamInfo info, long long key);
-    [[nodiscard]] core::Expected<void> select();
+    [[nodiscard]] core::Expected<QSqlQuery> select(const char* rule, const Position& from) const;
+    [[nodiscard]] bool readRow(const QSqlQuery& query, core::TappedFrames& block);
 
     std::shared_ptr<RecordingDatabase> m_database;
     StreamInfo m_info;
     long long m_key;
     std::unique_ptr<QSqlQuery> m_query;
-    std::int64_t m_from_ns;
+    Position m_after; ///< where next() begins without a query
+    Position m_at;    ///< of the block that was read last, or was sought
     bool m_canGoOn = true;
 };
 
@@ -74,7 +90,8 @@ public:
     [[nodiscard]] const std::vector<TimeAnchor>& anchors() const { return m_anchors; }
     /// In order of time.
     [[nodiscard]] const std::vector<RecordingEvent>& events() const { return m_events; }
-    /// Whether it was ended by a person, not by the end of the program or a full disk.
+    /// Whether it was ended on purpose: by a person, or by the end of a simulated scene. What a killed
+    /// program or a full disk cut off is not.
     [[nodiscard]] bool isComplete() const;
 
     /// The first stream of a kind; empty: there is none.
@@ -97,6 +114,8 @@ public:
 
 private:
     explicit Recording(std::shared_ptr<RecordingDatabase> database);
+    template <typename Row>
+    [[nodiscard]] core::Expected<void> forEachRow(QSqlQuery& query, const Row& row) const;
     [[nodiscard]] core::Expected<void> readHead();
     [[nodiscard]] core::Expected<void> readAnchors();
     [[nodiscard]] core::Expected<void> readStreams();

@@ -8,6 +8,8 @@
 #include <QStringList>
 #include <QUuid>
 
+#include <chrono>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -21,6 +23,9 @@ struct RecordingText {
 
 constexpr int kApplicationId = 0x54544C41; // "TTLA"
 constexpr int kWaitForOthers_ms = 5000;
+/// SQLite does not wait for readers by itself where the log is to be folded in.
+constexpr int kLooksForReaders = 50;
+constexpr std::chrono::milliseconds kBetweenLooks{20};
 
 /// Step i leads from schema i to schema i + 1.
 const std::vector<QStringList>& steps() {
@@ -63,6 +68,11 @@ RecordingDatabase::~RecordingDatabase() {
     close();
     m_database = QSqlDatabase();
     QSqlDatabase::removeDatabase(m_name);
+}
+
+bool RecordingDatabase::beginsLikeOne(QIODevice& file) {
+    static const QByteArray kMagic("SQLite format 3\0", 16);
+    return file.read(kMagic.size()) == kMagic;
 }
 
 int RecordingDatabase::currentSchema() {
@@ -126,8 +136,7 @@ core::Expected<void> RecordingDatabase::checkFile() const {
     if (!file.open(QIODevice::ReadOnly))
         return core::Unexpected(
             core::Error{core::ErrorKind::ioFailed, file.errorString().toStdString(), {}, {m_path}});
-    static const QByteArray kMagic("SQLite format 3\0", 16);
-    if (file.read(kMagic.size()) != kMagic)
+    if (!beginsLikeOne(file))
         return core::Unexpected(core::Error{core::ErrorKind::badInput,
                                             RecordingText::tr("this is no recording").toStdString(),
                                             RecordingText::tr("a recording of this program").toStdString(),
@@ -198,11 +207,24 @@ core::Expected<void> RecordingDatabase::migrate(int from) {
 }
 
 core::Expected<void> RecordingDatabase::finish() {
-    const auto done = run(QStringLiteral("PRAGMA journal_mode = DELETE"));
+    constexpr int kBusy = 5;
+    const QString fold = QStringLiteral("PRAGMA journal_mode = DELETE");
+    core::Expected<void> done;
+    for (int look = 0; look < kLooksForReaders; ++look) {
+        if (look > 0)
+            std::this_thread::sleep_for(kBetweenLooks);
+        QSqlQuery query(m_database);
+        // Somebody who reads keeps the log: the recording is whole with it.
+        if (query.exec(fold) && query.next() && query.value(0).toString() == QLatin1String("delete"))
+            break;
+        const QSqlError error = query.lastError();
+        if (error.isValid() && (error.nativeErrorCode().toInt() & 0xFF) != kBusy) {
+            done = failed(error);
+            break;
+        }
+    }
     close();
-    if (!done)
-        return core::Unexpected(done.error());
-    return {};
+    return done;
 }
 
 core::Expected<QSqlQuery> RecordingDatabase::run(const QString& sql, const QVariantList& values) {

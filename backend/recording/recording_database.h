@@ -10,6 +10,8 @@
 
 #include <string>
 
+class QIODevice;
+
 namespace teleta::recording {
 
 /// The SQLite file of a recording: pragma application_id says that it is one, user_version which schema it
@@ -31,7 +33,9 @@ public:
     /// ioFailed.
     [[nodiscard]] core::Expected<void> openForReading();
 
-    /// Makes the file complete by itself: without a write-ahead log.
+    /// Makes the file complete by itself: without a write-ahead log. While somebody else reads it the log
+    /// cannot be folded in; after a second it is left, and goes into the file when it is opened for writing
+    /// again.
     [[nodiscard]] core::Expected<void> finish();
 
     [[nodiscard]] core::Expected<QSqlQuery> run(const QString& sql, const QVariantList& values = {});
@@ -42,6 +46,9 @@ public:
     [[nodiscard]] const std::string& path() const { return m_path; }
     [[nodiscard]] core::Unexpected failed(const QSqlError& error) const;
     [[nodiscard]] core::Unexpected damaged(const QString& what) const;
+
+    /// Whether the bytes that come next are the first ones of an SQLite file.
+    [[nodiscard]] static bool beginsLikeOne(QIODevice& file);
 
     /// The schema that this version of the program writes.
     [[nodiscard]] static int currentSchema();

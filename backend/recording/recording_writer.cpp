@@ -2,13 +2,16 @@
 #include "backend/recording/recording_writer.h"
 
 #include "backend/core/steady_time.h"
+#include "backend/recording/block_times.h"
 
 #include <QFile>
 #include <QFileInfo>
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdlib>
+#include <numeric>
 #include <utility>
 
 namespace teleta::recording {
@@ -31,6 +34,16 @@ QByteArray bytesOf(const std::vector<Value>& values) {
 QString textOf(const std::string& text) {
     // A null string would be NULL.
     return text.empty() ? QStringLiteral("") : QString::fromStdString(text);
+}
+
+double numberOf(double value) {
+    // So would NaN.
+    return std::isnan(value) ? 0.0 : value;
+}
+
+std::size_t bytesOf(const core::TappedFrames& frames) {
+    return frames.values.size() + frames.frames() * (sizeof(std::int64_t) + sizeof(double)) +
+           static_cast<std::size_t>(frames.image.width_px) * static_cast<std::size_t>(frames.image.height_px);
 }
 
 QString shapeText(const std::vector<std::size_t>& shape) {
@@ -83,7 +96,7 @@ core::Expected<void> RecordingWriter::addStream(const StreamInfo& info) {
                        "VALUES (?, ?, ?, ?, ?, ?, ?, ?)"),
         {textOf(info.name), QString::fromLatin1(toString(info.kind)),
          QString::fromLatin1(toString(info.type)), textOf(info.source), shapeText(info.shape),
-         textOf(info.unit), info.nominalRate_Hz, textOf(info.details)});
+         textOf(info.unit), numberOf(info.nominalRate_Hz), textOf(info.details)});
     if (!made)
         return core::Unexpected(made.error());
     const long long key = made->lastInsertId().toLongLong();
@@ -97,19 +110,28 @@ core::Expected<void> RecordingWriter::addStream(const StreamInfo& info) {
     auto committed = m_database.run(QStringLiteral("COMMIT"));
     if (!committed)
         return core::Unexpected(committed.error());
-    m_streams.push_back({info, key, 0, {}});
+    m_streams.push_back({.info = info, .key = key, .blocks = {}, .newest_ns = {}});
     return {};
 }
 
 void RecordingWriter::take(std::size_t index, core::TappedFrames&& frames) {
     Stream& stream = m_streams[index];
-    // What does not have the stream's shape would be damage.
-    if (stream.info.type != ValueType::grey8 &&
-        frames.values.size() != frames.frames() * stream.info.channels() * stream.info.bytesPerValue())
+    const bool isPicture = stream.info.type == ValueType::grey8;
+    const bool hasShape =
+        isPicture ? !frames.image.isEmpty() && frames.frames() == 1
+                  : frames.frames() > 0 && frames.values.size() == frames.frames() * stream.info.channels() *
+                                                                       stream.info.bytesPerValue();
+    // What does not fit would be damage.
+    if (!hasShape || frames.sourceTime_s.size() != frames.frames() || !hasTimesInOrder(frames)) {
+        stream.refused += frames.frames();
         return;
+    }
+    if (stream.newest_ns && frames.time_ns.front() < *stream.newest_ns)
+        frames.discontinuity = true;
+    stream.newest_ns = frames.time_ns.back();
     m_newest_ns = std::max(m_newest_ns, frames.time_ns.back());
-    const bool joins = stream.info.type != ValueType::grey8 && !frames.discontinuity &&
-                       !stream.blocks.empty() &&
+    m_waitingBytes += bytesOf(frames);
+    const bool joins = !isPicture && !frames.discontinuity && !stream.blocks.empty() &&
                        stream.blocks.back().frames() + frames.frames() <= kFramesPerBlock;
     if (!joins) {
         stream.blocks.push_back(std::move(frames));
@@ -124,13 +146,19 @@ void RecordingWriter::take(std::size_t index, core::TappedFrames&& frames) {
 
 void RecordingWriter::setDropped(std::size_t index, std::uint64_t frames) {
     Stream& stream = m_streams[index];
-    if (frames == stream.dropped)
+    const std::uint64_t all = frames + stream.refused;
+    if (all == stream.dropped)
         return;
-    take({.time_ns = core::steadyNow_ns(),
+    take({.time_ns = m_simulatedTime ? m_newest_ns : core::steadyNow_ns(),
           .kind = kDropped,
           .text = stream.info.name,
-          .value = static_cast<double>(frames - stream.dropped)});
-    stream.dropped = frames;
+          .value = static_cast<double>(all - stream.dropped)});
+    stream.dropped = all;
+}
+
+std::uint64_t RecordingWriter::dropped() const {
+    return std::accumulate(m_streams.begin(), m_streams.end(), std::uint64_t{0},
+                           [](std::uint64_t sum, const Stream& stream) { return sum + stream.dropped; });
 }
 
 void RecordingWriter::take(RecordingEvent event) {
@@ -158,6 +186,7 @@ core::Expected<void> RecordingWriter::commit() {
     for (const RecordingEvent& event : m_events)
         m_marks += event.kind == kMark ? 1 : 0;
     m_events.clear();
+    m_waitingBytes = 0;
     return {};
 }
 
@@ -173,7 +202,8 @@ core::Expected<void> RecordingWriter::writeAll() {
     for (const RecordingEvent& event : m_events) {
         const auto done = m_database.run(
             QStringLiteral("INSERT INTO event (time_ns, kind, text, value) VALUES (?, ?, ?, ?)"),
-            {static_cast<qlonglong>(event.time_ns), textOf(event.kind), textOf(event.text), event.value});
+            {static_cast<qlonglong>(event.time_ns), textOf(event.kind), textOf(event.text),
+             numberOf(event.value)});
         if (!done)
             return core::Unexpected(done.error());
     }

@@ -25,8 +25,11 @@ public:
 
     /// The next stream; they are counted from 0.
     [[nodiscard]] core::Expected<void> addStream(const StreamInfo& info);
+    /// Frames that do not have the stream's shape, or whose times a reader would refuse, are dropped. Frames
+    /// that are older than the ones before them are a jump.
     void take(std::size_t stream, core::TappedFrames&& frames);
-    /// Frames of the stream that were dropped so far. An event tells of each time that there are more.
+    /// Frames of the stream that were dropped on their way here so far. An event tells of each time that
+    /// there are more.
     void setDropped(std::size_t stream, std::uint64_t frames);
     void take(RecordingEvent event);
 
@@ -36,6 +39,10 @@ public:
     [[nodiscard]] core::Expected<void> finish();
 
     [[nodiscard]] std::uint64_t frames() const { return m_frames; }
+    /// Of all streams, on their way and here.
+    [[nodiscard]] std::uint64_t dropped() const;
+    /// Bytes of the frames that wait for the next commit.
+    [[nodiscard]] std::size_t waitingBytes() const { return m_waitingBytes; }
     [[nodiscard]] std::uint64_t marks() const { return m_marks; }
     /// Time of the newest frame that was taken.
     [[nodiscard]] std::int64_t newest_ns() const { return m_newest_ns; }
@@ -46,8 +53,10 @@ private:
     struct Stream {
         StreamInfo info;
         long long key = 0;
-        std::uint64_t dropped = 0;
+        std::uint64_t refused = 0;              ///< by take()
+        std::uint64_t dropped = 0;              ///< with the refused ones
         std::vector<core::TappedFrames> blocks; ///< to be written
+        std::optional<std::int64_t> newest_ns;
     };
 
     [[nodiscard]] core::Expected<void> writeAll();
@@ -63,6 +72,7 @@ private:
     std::vector<Stream> m_streams;
     std::vector<RecordingEvent> m_events;
     std::optional<TimeAnchor> m_anchor;
+    std::size_t m_waitingBytes = 0;
     std::uint64_t m_frames = 0;
     std::uint64_t m_marks = 0;
 };

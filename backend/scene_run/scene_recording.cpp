@@ -13,6 +13,8 @@
 
 #include <chrono>
 #include <cmath>
+#include <filesystem>
+#include <system_error>
 #include <thread>
 
 namespace teleta::scene_run {
@@ -21,7 +23,19 @@ namespace {
 
 constexpr char kSkin[] = "frames";
 constexpr std::size_t kFramesAtOnce = 128;
+/// So few that a slow disk does not fill the memory.
+constexpr std::size_t kBlocksAtMost = 32;
 constexpr std::chrono::milliseconds kWaitForWriter{5};
+constexpr char kPart[] = ".part";
+
+struct SceneRecordingText {
+    Q_DECLARE_TR_FUNCTIONS(SceneRecording)
+};
+
+void removeLog(const std::string& path) {
+    for (const char* suffix : {"-wal", "-shm"})
+        QFile::remove(QString::fromStdString(path + suffix));
+}
 
 } // namespace
 
@@ -52,19 +66,20 @@ core::Expected<SceneRecording> SceneRecording::open(const RunOptions& options, c
     SceneRecording log;
     if (options.outFolder.empty())
         return log;
-    const std::string path = options.outFolder + "/recording.teleta";
-    for (const char* suffix : {"", "-wal", "-shm"})
-        QFile::remove(QString::fromStdString(path + suffix));
+    log.m_path = options.outFolder + "/recording.teleta";
+    const std::string part = log.m_path + kPart;
+    QFile::remove(QString::fromStdString(part));
+    removeLog(part);
     const nlohmann::ordered_json configuration{{"seed", options.seed},
                                                {"duration_s", options.duration_s.value_or(scene.duration_s)}};
     auto recorder =
-        recording::Recorder::start(path,
+        recording::Recorder::start(part,
                                    {.appVersion = QCoreApplication::applicationVersion().toStdString(),
                                     .scene = options.name,
                                     .sceneText = options.sceneText,
                                     .configuration = configuration.dump(),
                                     .start_ns = 0},
-                                   {.simulatedTime = true});
+                                   {.simulatedTime = true, .queueBlocks = kBlocksAtMost});
     if (!recorder)
         return core::Unexpected(recorder.error());
     log.m_recorder = std::move(*recorder);
@@ -104,7 +119,24 @@ core::Expected<void> SceneRecording::finish() {
     m_frames.flush();
     m_joints.flush();
     m_touches.flush();
-    return m_recorder->stop();
+    if (const core::Expected<void> stopped = m_recorder->stop(); !stopped)
+        return stopped;
+    const std::string& part = m_recorder->path();
+    // With a log it is whole under the name that the log has, too.
+    std::error_code error;
+    if (std::filesystem::exists(part + "-wal", error))
+        return core::Unexpected(
+            core::Error{core::ErrorKind::ioFailed,
+                        SceneRecordingText::tr("another program reads the recording, which keeps this name")
+                            .toStdString(),
+                        {},
+                        {part}});
+    // Another one's log would be read as its own.
+    removeLog(m_path);
+    std::filesystem::rename(part, m_path, error);
+    if (error)
+        return core::Unexpected(core::Error{core::ErrorKind::ioFailed, error.message(), {}, {m_path}});
+    return {};
 }
 
 } // namespace teleta::scene_run

@@ -17,9 +17,9 @@
 
 namespace teleta::scene_run {
 
-/// What a scene's devices delivered, as a recording: recording.teleta of the folder, which takes the place of
-/// an earlier one. Its times are simulated. Nothing is dropped: a scene that runs ahead of the disk waits.
-/// Without a folder nothing is written.
+/// What a scene's devices delivered, as a recording: recording.teleta of the folder. It is written as
+/// recording.teleta.part and takes the place of an earlier one when it is complete. Its times are simulated.
+/// Nothing is dropped: a scene that runs ahead of the disk waits. Without a folder nothing is written.
 class SceneRecording {
 public:
     [[nodiscard]] static core::Expected<SceneRecording> open(const RunOptions& options,
@@ -32,6 +32,8 @@ public:
     void addJoints(const core::JointSample& sample);
     void addTouch(const pipeline::TouchRecord& touch);
 
+    /// Error: as Recorder::stop(); ioFailed when it cannot have its name, and then it is whole as the part
+    /// file.
     [[nodiscard]] core::Expected<void> finish();
 
 private:
@@ -47,6 +49,7 @@ private:
         void flush();
     };
 
+    std::string m_path;
     std::unique_ptr<recording::Recorder> m_recorder;
     Batch<float> m_frames;
     Batch<double> m_joints;

@@ -59,6 +59,10 @@ public:
     void setLoop(bool loop) override { worker().setLoop(loop); }
     [[nodiscard]] core::PlaybackPosition position() const override { return worker().position(); }
 
+    /// As RecordedWorker's.
+    [[nodiscard]] std::uint64_t damagedBlocks() const { return worker().damagedBlocks(); }
+    [[nodiscard]] core::Error error() const { return worker().error(); }
+
 private:
     [[nodiscard]] RecordedWorker& worker() const { return m_player->worker(); }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/replay/recorded_track.h"
 
+#include <algorithm>
+
 namespace teleta::replay {
 
 RecordedTrack::RecordedTrack(const recording::Recording& recording, std::size_t stream)
@@ -10,6 +12,8 @@ RecordedTrack::RecordedTrack(const recording::Recording& recording, std::size_t 
 
 core::Expected<void> RecordedTrack::seek(std::int64_t time_ns) {
     core::Expected<void> done = m_reader.seek(time_ns);
+    m_block = {};
+    m_index = 0;
     m_atEnd = false;
     if (done)
         done = nextBlock();
@@ -24,19 +28,40 @@ core::Expected<void> RecordedTrack::advance() {
     return nextBlock();
 }
 
+core::Expected<std::uint64_t> RecordedTrack::back(std::uint64_t frames) {
+    std::uint64_t left = frames;
+    while (left > m_index) {
+        const std::uint64_t here = m_index;
+        const core::Expected<bool> any = m_reader.previous(m_block);
+        if (!any)
+            return core::Unexpected(any.error());
+        if (!*any)
+            break;
+        left -= here;
+        m_index = m_block.frames();
+        m_passedOver = false;
+    }
+    const std::uint64_t last = std::min<std::uint64_t>(left, m_index);
+    m_index -= last;
+    m_atEnd = m_index == m_block.frames();
+    return frames - left + last;
+}
+
 core::Expected<void> RecordedTrack::nextBlock() {
-    m_index = 0;
+    m_passedOver = false;
     for (;;) {
         const core::Expected<bool> any = m_reader.next(m_block);
-        if (any) {
-            m_atEnd = !*any;
-            return {};
+        const bool isDamage = !any && m_reader.canGoOn() && any.error().kind == core::ErrorKind::badInput;
+        if (isDamage) {
+            ++m_damaged;
+            m_passedOver = true;
+            continue;
         }
-        if (!m_reader.canGoOn() || any.error().kind != core::ErrorKind::badInput) {
-            m_atEnd = true;
+        m_atEnd = !any || !*any;
+        m_index = m_atEnd ? m_block.frames() : 0;
+        if (!any)
             return core::Unexpected(any.error());
-        }
-        ++m_damaged;
+        return {};
     }
 }
 

@@ -21,6 +21,8 @@ public:
     [[nodiscard]] core::Expected<void> seek(std::int64_t time_ns);
     /// Goes to the next frame.
     [[nodiscard]] core::Expected<void> advance();
+    /// Goes back by so many frames, at most to the first one. Returns by how many.
+    [[nodiscard]] core::Expected<std::uint64_t> back(std::uint64_t frames);
 
     [[nodiscard]] bool atEnd() const { return m_atEnd; }
     [[nodiscard]] std::int64_t time_ns() const { return m_block.time_ns[m_index]; }
@@ -28,8 +30,9 @@ public:
     [[nodiscard]] std::span<const Number> values() const {
         return recording::valuesOf<Number>(m_block, m_index, m_channels);
     }
-    /// The stream had jumped before this frame when it was recorded.
-    [[nodiscard]] bool jumps() const { return m_block.discontinuity && m_index == 0; }
+    /// The stream had jumped before this frame when it was recorded, or frames before it are damaged.
+    [[nodiscard]] bool jumps() const { return (m_block.discontinuity || m_passedOver) && m_index == 0; }
+    /// Blocks that were passed over, all passes together.
     [[nodiscard]] std::uint64_t damagedBlocks() const { return m_damaged; }
 
 private:
@@ -38,8 +41,9 @@ private:
     recording::StreamReader m_reader;
     std::size_t m_channels;
     core::TappedFrames m_block;
-    std::size_t m_index = 0;
+    std::size_t m_index = 0; ///< behind the last one at the end
     bool m_atEnd = false;
+    bool m_passedOver = false; ///< damage right before this block
     std::uint64_t m_damaged = 0;
 };
 

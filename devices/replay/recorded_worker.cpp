@@ -63,12 +63,9 @@ void RecordedWorker::pause() {
 }
 
 void RecordedWorker::step(int frames) {
-    // Half a frame early, so that the frame itself is the first one at or after it.
-    const double shown_s = static_cast<double>(m_shown_ns.get() - m_extent.first_ns) * 1e-9;
-    const double target_s = shown_s + (frames - 0.5) * period_ns() * 1e-9;
-    m_desk.command([target_s](PlaybackCommands& commands) {
+    m_desk.command([frames](PlaybackCommands& commands) {
         commands.playing = false;
-        commands.seek_s = std::max(target_s, 0.0);
+        commands.steps += frames;
     });
 }
 
@@ -77,8 +74,12 @@ void RecordedWorker::setSpeed(double factor) {
 }
 
 void RecordedWorker::seek(double time_s) {
-    if (!std::isnan(time_s))
-        m_desk.command([time_s](PlaybackCommands& commands) { commands.seek_s = std::max(time_s, 0.0); });
+    if (std::isnan(time_s))
+        return;
+    m_desk.command([time_s](PlaybackCommands& commands) {
+        commands.seek_s = std::max(time_s, 0.0);
+        commands.steps = 0;
+    });
 }
 
 void RecordedWorker::setLoop(bool loop) {
@@ -127,7 +128,7 @@ void RecordedWorker::run(const std::stop_token& stop) {
             joints.emplace(*recording, *m_config.jointStream);
         play(array, joints ? &*joints : nullptr, stop);
     } else {
-        endAs(core::DeviceState::lost, describe(recording.error()));
+        loseBy(recording.error());
         while (!stop.stop_requested()) {
             (void)m_desk.take([] {});
             m_desk.waitUntil(core::PacingClock::kNever_ns, stop);
@@ -146,8 +147,15 @@ void RecordedWorker::play(RecordedTrack& array, RecordedTrack* joints, const std
             done = seekTo(array, joints, *m_active.seek_s, stop);
         else if (ended && m_active.playing)
             done = seekTo(array, joints, 0.0, stop);
-        else if (previous.playing != m_active.playing || previous.speed != m_active.speed)
+        else if (previous.playing != m_active.playing || previous.speed != m_active.speed) {
             anchorAt(m_shown_ns.get());
+            // As fast as possible, frames run ahead of the clock.
+            if (std::isinf(previous.speed))
+                m_jumped = m_jointsJumped = true;
+        }
+        if (done && m_active.steps != 0)
+            done = stepBy(array, joints, m_active.steps, stop);
+        countDamage(array, joints);
         if (done && !m_active.playing) {
             if (!ended || m_active.seek_s)
                 m_outlet.setState(core::DeviceState::paused, now_ns());
@@ -157,8 +165,13 @@ void RecordedWorker::play(RecordedTrack& array, RecordedTrack* joints, const std
         if (done)
             done = playDue(array, joints, stop);
         if (!done)
-            endAs(core::DeviceState::lost, describe(done.error()));
+            loseBy(done.error());
+        countDamage(array, joints);
     }
+}
+
+void RecordedWorker::countDamage(const RecordedTrack& array, const RecordedTrack* joints) {
+    m_damagedBlocks.store(array.damagedBlocks() + (joints != nullptr ? joints->damagedBlocks() : 0));
 }
 
 core::Expected<void> RecordedWorker::seekTo(RecordedTrack& array, RecordedTrack* joints, double time_s,
@@ -166,15 +179,53 @@ core::Expected<void> RecordedWorker::seekTo(RecordedTrack& array, RecordedTrack*
     const double duration_s = static_cast<double>(m_extent.last_ns - m_extent.first_ns) * 1e-9;
     const std::int64_t time_ns =
         time_s < duration_s ? m_extent.first_ns + std::llround(time_s * 1e9) : m_extent.last_ns;
-    core::Expected<void> done = array.seek(time_ns);
-    if (done && !array.atEnd() && joints != nullptr)
-        done = joints->seek(array.time_ns());
-    if (!done || array.atEnd())
+    if (const core::Expected<void> done = array.seek(time_ns); !done)
         return done;
+    if (array.atEnd()) {
+        // The last block may be damaged.
+        if (const auto moved = array.back(1); !moved)
+            return core::Unexpected(moved.error());
+    }
+    if (array.atEnd())
+        return {};
     m_jumped = true;
-    m_jointsJumped = true;
+    return show(array, joints, stop);
+}
+
+core::Expected<void> RecordedWorker::stepBy(RecordedTrack& array, RecordedTrack* joints, long long frames,
+                                            const std::stop_token& stop) {
+    // The track is at the frame behind the one that is shown.
+    if (frames < 0) {
+        const core::Expected<std::uint64_t> moved = array.back(static_cast<std::uint64_t>(-frames) + 1);
+        if (!moved)
+            return core::Unexpected(moved.error());
+        if (*moved < 2) // the first one is shown already
+            return *moved == 0 ? core::Expected<void>() : array.advance();
+    } else {
+        if (array.atEnd())
+            return {};
+        for (long long i = 1; i < frames && !array.atEnd() && !stop.stop_requested(); ++i) {
+            if (const core::Expected<void> done = array.advance(); !done)
+                return done;
+        }
+        if (array.atEnd()) {
+            if (const auto moved = array.back(1); !moved)
+                return core::Unexpected(moved.error());
+        }
+    }
+    m_jumped = m_jumped || frames != 1;
+    return show(array, joints, stop);
+}
+
+/// Delivers the array's frame now, whatever its time, also when paused.
+core::Expected<void> RecordedWorker::show(RecordedTrack& array, RecordedTrack* joints,
+                                          const std::stop_token& stop) {
+    if (joints != nullptr) {
+        if (const core::Expected<void> done = joints->seek(array.time_ns()); !done)
+            return done;
+        m_jointsJumped = true;
+    }
     anchorAt(array.time_ns());
-    // Shown at once, also when paused.
     core::SampleBlock block;
     append(block, array);
     deliver(block, stop);
@@ -223,6 +274,9 @@ core::Expected<void> RecordedWorker::playDue(RecordedTrack& array, RecordedTrack
             if (const core::Expected<void> done = joints->advance(); !done)
                 return done;
         } else if (!array.atEnd() && !jointsNext() && isDue(array)) {
+            // A jump can only be told at the beginning of a block.
+            if (block.frames() > 0 && array.jumps())
+                break;
             append(block, array);
             if (const core::Expected<void> done = array.advance(); !done)
                 return done;
@@ -242,7 +296,7 @@ core::Expected<void> RecordedWorker::playDue(RecordedTrack& array, RecordedTrack
 void RecordedWorker::append(core::SampleBlock& block, const RecordedTrack& array) {
     const auto values = array.values<float>();
     block.channels = values.size();
-    block.discontinuity = block.discontinuity || m_jumped || (block.frames() == 0 && array.jumps());
+    block.discontinuity = block.discontinuity || m_jumped || array.jumps();
     m_jumped = false;
     block.time_ns.push_back(due_ns(array.time_ns()));
     block.sourceTime_s.push_back(static_cast<double>(array.time_ns() - m_start_ns) / 1e9);
@@ -283,6 +337,12 @@ void RecordedWorker::endAs(core::DeviceState state, std::string message) {
     m_active.playing = false;
     m_desk.set([](PlaybackCommands& commands) { commands.playing = false; });
     m_outlet.setState(state, now_ns(), std::move(message));
+}
+
+void RecordedWorker::loseBy(core::Error error) {
+    std::string message = describe(error);
+    m_error.set(std::move(error));
+    endAs(core::DeviceState::lost, std::move(message));
 }
 
 void RecordedWorker::anchorAt(std::int64_t time_ns) {

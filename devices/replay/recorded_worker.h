@@ -3,6 +3,7 @@
 
 #include "backend/core/bounded_queue.h"
 #include "backend/core/device.h"
+#include "backend/core/error.h"
 #include "backend/core/latest_copy.h"
 #include "backend/core/source_outlet.h"
 #include "backend/recording/recording.h"
@@ -45,17 +46,27 @@ public:
     [[nodiscard]] core::BoundedQueue<core::JointSample>& joints() { return m_joints; }
     [[nodiscard]] core::DeviceStatus jointStatus() const;
     [[nodiscard]] const RecordedConfig& config() const { return m_config; }
+    /// Blocks of the array and the joints that were passed over because they are damaged. Any thread.
+    [[nodiscard]] std::uint64_t damagedBlocks() const { return m_damagedBlocks.load(); }
+    /// Why it is lost. Any thread.
+    [[nodiscard]] core::Error error() const { return m_error.get(); }
 
 private:
     void play(RecordedTrack& array, RecordedTrack* joints, const std::stop_token& stop);
     [[nodiscard]] core::Expected<void> seekTo(RecordedTrack& array, RecordedTrack* joints, double time_s,
                                               const std::stop_token& stop);
+    [[nodiscard]] core::Expected<void> stepBy(RecordedTrack& array, RecordedTrack* joints, long long frames,
+                                              const std::stop_token& stop);
+    [[nodiscard]] core::Expected<void> show(RecordedTrack& array, RecordedTrack* joints,
+                                            const std::stop_token& stop);
     [[nodiscard]] core::Expected<void> playDue(RecordedTrack& array, RecordedTrack* joints,
                                                const std::stop_token& stop);
     void deliver(core::SampleBlock& block, const std::stop_token& stop);
     void deliver(const RecordedTrack& joints, const std::stop_token& stop);
     void append(core::SampleBlock& block, const RecordedTrack& array);
     void endAs(core::DeviceState state, std::string message = {});
+    void loseBy(core::Error error);
+    void countDamage(const RecordedTrack& array, const RecordedTrack* joints);
     void anchorAt(std::int64_t time_ns);
     [[nodiscard]] std::int64_t due_ns(std::int64_t time_ns) const;
     [[nodiscard]] double period_ns() const;
@@ -67,6 +78,9 @@ private:
     core::SourceOutlet m_outlet;
     core::BoundedQueue<core::JointSample> m_joints;
     core::LatestCopy<std::int64_t> m_shown_ns; ///< time of the newest frame
+
+    core::LatestCopy<core::Error> m_error;
+    std::atomic<std::uint64_t> m_damagedBlocks{0};
 
     PlaybackDesk m_desk;
 

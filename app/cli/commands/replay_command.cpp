@@ -16,6 +16,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
+#include <cstdio>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -31,6 +33,16 @@ struct ReplayText {
 /// So few that the samples of what waits fit into a channel's history.
 constexpr std::size_t kBlocksAtOnce = 16;
 constexpr std::chrono::milliseconds kIdle{50};
+
+/// What is missing in the rows, on standard error.
+void tellLosses(std::uint64_t damagedBlocks, std::uint64_t framesLost) {
+    if (damagedBlocks == 0 && framesLost == 0)
+        return;
+    const QStringList counts{
+        ReplayText::tr("%n damaged block(s) left out", nullptr, static_cast<int>(damagedBlocks)),
+        ReplayText::tr("%n frame(s) lost at this speed", nullptr, static_cast<int>(framesLost))};
+    std::fprintf(stderr, "teleta: %s\n", qUtf8Printable(counts.join(QStringLiteral(", "))));
+}
 
 } // namespace
 
@@ -103,7 +115,9 @@ core::Expected<void> ReplayCommand::run() {
         return core::Unexpected(rows.error());
 
     core::Wakeup data;
-    pipeline::TouchChannel channel(std::make_unique<replay::RecordedArray>(*player), std::move(settings));
+    auto made = std::make_unique<replay::RecordedArray>(*player);
+    const replay::RecordedArray& array = *made;
+    pipeline::TouchChannel channel(std::move(made), std::move(settings));
     ProgressBar progress(ProgressBar::Unit::frames, rows->onTerminal());
     channel.source().start(data);
     core::DeviceStatus status;
@@ -123,9 +137,19 @@ core::Expected<void> ReplayCommand::run() {
     }
     channel.source().stop();
     progress.erase();
+    tellLosses(array.damagedBlocks(), array.status().framesLost);
     if (status.state == core::DeviceState::lost && !interrupted()) {
         rows->flush();
-        return core::Unexpected(core::Error{core::ErrorKind::badInput, status.message, {}, {}});
+        return core::Unexpected(array.error());
+    }
+    if (channel.samplesNotShown() > 0) {
+        rows->flush();
+        return core::Unexpected(core::Error{core::ErrorKind::ioFailed,
+                                            ReplayText::tr("%n frame(s) were not printed", nullptr,
+                                                           static_cast<int>(channel.samplesNotShown()))
+                                                .toStdString(),
+                                            {},
+                                            {m_path}});
     }
     const core::Expected<void> finished = rows->finish();
     if (finished && interrupted())

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/cli/program_run.h"
+#include "tests/backend/recording/recorded_files.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <csignal>
 #include <string>
+#include <thread>
 
+using teleta::test::askFile;
 using teleta::test::ProgramResult;
 using teleta::test::readAll;
 using teleta::test::run;
+using teleta::test::RunningProgram;
 using teleta::test::splitCsv;
 using teleta::test::TemporaryFolder;
 
@@ -48,13 +53,41 @@ TEST_F(ReplayCommand, theFeaturesAreThoseOfTheFramesThatWereRecorded) {
     EXPECT_GT(touching, 10U);
 }
 
-TEST_F(ReplayCommand, aSpeedPacesIt) {
-    // A paced source drops what its reader is late for, as a device does.
+// Large frames take longer to compute than to read, so that the reader is always ahead.
+TEST(ReplayCommandOnLongRecordings, noRowIsMissing) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(run({"simulate", "tactile-mat", "--duration", "50", "--out", folder.path("run")}).exitCode, 0);
     const ProgramResult replayed =
-        run({"replay", recording(), "--speed", "50", "--out", m_folder.path("f.csv")});
+        run({"replay", folder.path("run/recording.teleta"), "--out", folder.path("f.csv")});
     ASSERT_EQ(replayed.exitCode, 0) << replayed.err;
+    EXPECT_EQ(replayed.err, "");
+    EXPECT_EQ(splitCsv(readAll(folder.path("f.csv"))).size(), 1U + 5000U) << "100 frames a second";
+}
+
+TEST_F(ReplayCommand, aSpeedPacesItAndAnInterruptionCompletesTheFile) {
+    // So slow that all of the recording would take five minutes.
+    RunningProgram program({"replay", recording(), "--speed", "0.01", "--out", m_folder.path("f.csv")});
+    while (!program.hasWritten("\n") && !program.ended())
+        std::this_thread::yield();
+    program.send(SIGINT);
+    const ProgramResult result = program.wait();
+    EXPECT_EQ(result.exitCode, 1) << result.err;
     const auto rows = splitCsv(readAll(m_folder.path("f.csv")));
-    EXPECT_GT(rows.size(), 100U);
+    EXPECT_GE(rows.size(), 2U);
+    EXPECT_LT(rows.size(), 300U) << "it was not paced";
+}
+
+TEST_F(ReplayCommand, framesThatAreMissingAreTold) {
+    // The writer makes a block of 512 frames at most.
+    askFile(recording(), QStringLiteral("UPDATE block SET data = x'00' WHERE key = 1"));
+    const std::string blocks = askFile(recording(), QStringLiteral("SELECT COUNT(*) FROM block"));
+    const std::string whole =
+        askFile(recording(), QStringLiteral("SELECT SUM(frames) FROM block WHERE key > 1"));
+    ASSERT_GT(std::stoi(blocks), 1);
+    const ProgramResult replayed = run({"replay", recording(), "--out", m_folder.path("f.csv")});
+    EXPECT_EQ(replayed.exitCode, 0);
+    EXPECT_EQ(replayed.err, "teleta: 1 damaged block left out, 0 frames lost at this speed\n");
+    EXPECT_EQ(splitCsv(readAll(m_folder.path("f.csv"))).size(), 1U + std::stoul(whole));
 }
 
 TEST_F(ReplayCommand, aStreamIsChosenByItsName) {

@@ -104,6 +104,27 @@ TEST(TouchChannel, givesTheViewerEveryFrameAsASampleAndOnlyTheNewestAsASnapshot)
     EXPECT_EQ(channel->framesProcessed(), 5U);
 }
 
+TEST(TouchChannel, takesWhatWaitedWhenItWasAskedAndNotWhatComesMeanwhile) {
+    /// A recording that is played as fast as it is read: there is always one more frame.
+    class EndlessSource : public ScriptedSource {
+    public:
+        using ScriptedSource::ScriptedSource;
+        [[nodiscard]] teleta::core::BoundedQueue<teleta::core::SampleBlock>& blocks() override {
+            if (m_left-- > 0)
+                push({1, 0, 0, 0, 0, 0}, 0.0);
+            return ScriptedSource::blocks();
+        }
+
+    private:
+        int m_left = 10'000;
+    };
+    auto made = std::make_unique<EndlessSource>(kLayout);
+    made->push({1, 0, 0, 0, 0, 0}, 0.0);
+    TouchChannel channel(std::move(made), {});
+    EXPECT_EQ(channel.process(), 2U);
+    EXPECT_EQ(channel.process(), 1U);
+}
+
 TEST(TouchChannel, countsSamplesThatALateViewerMisses) {
     constexpr std::size_t kLate = 10;
     Channel channel({}, TouchChannel::kHistorySamples + kLate);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/backend/recording/recorded_files.h"
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
+#include <limits>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -69,6 +71,90 @@ TEST_F(RecorderFaults, aReadOnlyFolderIsAnErrorAndARecordingInItCanBeRead) {
     EXPECT_EQ(refused.error().kind, core::ErrorKind::ioFailed);
     EXPECT_EQ(frames, 1U);
     EXPECT_FALSE(fs::exists(m_folder.path("other.teleta")));
+}
+
+TEST_F(RecorderFaults, somebodyWhoReadsAtTheEndDoesNotMakeTheRecordingFail) {
+    auto recorder = start(path()).value();
+    const auto tap = recorder->addStream(arrayInfo());
+    for (int i = 0; i < 100; ++i)
+        appendFrame(*tap, m_start_ns + i, static_cast<float>(i));
+    while (recorder->status().frames < 100)
+        std::this_thread::yield();
+    {
+        const auto reader = Recording::open(path());
+        ASSERT_TRUE(reader);
+        const auto stopped = recorder->stop();
+        EXPECT_TRUE(stopped) << core::describe(stopped.error());
+        EXPECT_EQ(recorder->status().state, RecorderStatus::State::stopped);
+    }
+    const auto recording = Recording::open(path());
+    ASSERT_TRUE(recording) << core::describe(recording.error());
+    EXPECT_TRUE(recording->isComplete());
+    EXPECT_EQ(readAllFrames(recording->reader(0)).time_ns.size(), 100U);
+    EXPECT_EQ(askFile(path(), QStringLiteral("PRAGMA integrity_check")), "ok");
+}
+
+TEST_F(RecorderFaults, twoMayStopItAtOnce) {
+    auto recorder = start(path()).value();
+    appendFrame(*recorder->addStream(arrayInfo()), m_start_ns, 1.0F);
+    std::jthread other([&] { EXPECT_TRUE(recorder->stop()); });
+    EXPECT_TRUE(recorder->stop());
+    other.join();
+    recorder->mark("too late");
+    EXPECT_TRUE(Recording::open(path())->isComplete());
+}
+
+TEST_F(RecorderFaults, framesThatAReaderWouldRefuseAreDroppedAndCounted) {
+    auto recorder = Recorder::start(path(), headAt(1'000), {.simulatedTime = true}).value();
+    const auto tap = recorder->addStream(arrayInfo());
+    appendFrame(*tap, 2'000, 1.0F);
+    const std::array<float, kTaxels - 1> few{};
+    tap->append(3'000, 0.0, std::span<const float>(few));
+    const std::array<std::int64_t, 2> backwards_ns{5'000, 4'000};
+    const std::array<double, 2> times_s{0.0, 0.0};
+    const std::array<float, 2 * kTaxels> two{};
+    tap->append(std::span(backwards_ns), std::span(times_s), std::span<const float>(two));
+    const std::array<float, kTaxels> one{};
+    tap->append(6'000, std::numeric_limits<double>::quiet_NaN(), std::span<const float>(one));
+    appendFrame(*tap, 7'000, 2.0F);
+    ASSERT_TRUE(recorder->stop());
+    EXPECT_EQ(recorder->status().frames, 2U);
+    EXPECT_EQ(recorder->status().dropped, 4U);
+    const auto recording = Recording::open(path());
+    EXPECT_EQ(readAllFrames(recording->reader(0)).time_ns, (std::vector<std::int64_t>{2'000, 7'000}));
+    const auto& events = recording->events();
+    const auto told = std::ranges::find(events, kDropped, &RecordingEvent::kind);
+    ASSERT_NE(told, events.end());
+    EXPECT_EQ(told->value, 4.0);
+    EXPECT_LE(told->time_ns, 7'000) << "the time of the scene, not of the clock";
+}
+
+TEST_F(RecorderFaults, framesWhoseTimeWentBackAreKeptAsAJump) {
+    auto recorder = start(path()).value();
+    const auto tap = recorder->addStream(arrayInfo());
+    for (const std::int64_t time_ns : {5'000, 6'000, 3'000, 4'000})
+        appendFrame(*tap, time_ns, static_cast<float>(time_ns));
+    ASSERT_TRUE(recorder->stop());
+    EXPECT_EQ(recorder->status().dropped, 0U);
+    const ReadFrames all = readAllFrames(Recording::open(path())->reader(0));
+    EXPECT_EQ(all.time_ns, (std::vector<std::int64_t>{3'000, 4'000, 5'000, 6'000}));
+    EXPECT_EQ(all.jumps, 1U);
+}
+
+TEST_F(RecorderFaults, numbersThatAreNoneDoNotEndTheRecording) {
+    auto recorder = start(path()).value();
+    StreamInfo info = arrayInfo();
+    info.nominalRate_Hz = std::numeric_limits<double>::quiet_NaN();
+    appendFrame(*recorder->addStream(info), m_start_ns, 1.0F);
+    recorder->add({.time_ns = m_start_ns,
+                   .kind = kMark,
+                   .text = "a note",
+                   .value = std::numeric_limits<double>::quiet_NaN()});
+    const auto stopped = recorder->stop();
+    ASSERT_TRUE(stopped) << core::describe(stopped.error());
+    const auto recording = Recording::open(path());
+    EXPECT_EQ(recording->streams().at(0).nominalRate_Hz, 0.0);
+    EXPECT_EQ(recorder->status().marks, 1U);
 }
 
 TEST_F(RecorderFaults, aDiskThatIsFullAtTheStartIsAnErrorAndLeavesNoFile) {

@@ -127,6 +127,45 @@ TEST_F(RecordingTest, aBlockThatIsNotWholeIsToldAndTheNextOneIsRead) {
     EXPECT_NE(told[0].find("block 3"), std::string::npos) << told[0];
 }
 
+// A table that breaks off is not one that ends.
+TEST_F(RecordingTest, damageInATableIsNotTakenForItsEnd) {
+    {
+        auto recorder = Recorder::start(path(), headAt(0), {.simulatedTime = true}).value();
+        for (int i = 0; i < 2000; ++i)
+            recorder->add({.time_ns = i, .kind = kMark, .text = "note " + std::to_string(i) + " of many"});
+        ASSERT_TRUE(recorder->stop());
+    }
+    std::string content = readAll(path());
+    const std::size_t note = content.find("note 1500 of");
+    ASSERT_NE(note, std::string::npos);
+    constexpr std::size_t kPage = 4096;
+    content.replace(note / kPage * kPage, 64, 64, '\xff');
+    const core::Error error = openError(m_folder.write("damaged.teleta", content));
+    EXPECT_EQ(error.kind, core::ErrorKind::badInput);
+    EXPECT_NE(error.message.find("damaged"), std::string::npos) << error.message;
+}
+
+TEST_F(RecordingTest, blocksAreReadBackwardsWithoutTheDamagedOnes) {
+    const std::string path = write();
+    askFile(path, QStringLiteral("UPDATE block SET data = x'00' WHERE key = 3"));
+    const auto recording = Recording::open(path);
+    StreamReader reader = recording->reader(0);
+    core::TappedFrames block;
+    EXPECT_FALSE(reader.previous(block).value()) << "nothing was read";
+    ASSERT_TRUE(reader.seek(1'000'000'000 + 350 * kPeriod_ns));
+    ASSERT_TRUE(reader.next(block).value());
+    const auto firstFrame = [&] { return valuesOf<float>(block, 0, kTaxels)[0]; };
+    EXPECT_EQ(firstFrame(), 300.0F);
+    ASSERT_TRUE(reader.previous(block).value());
+    EXPECT_EQ(firstFrame(), 100.0F);
+    ASSERT_TRUE(reader.previous(block).value());
+    EXPECT_EQ(firstFrame(), 0.0F);
+    EXPECT_FALSE(reader.previous(block).value());
+    EXPECT_EQ(firstFrame(), 0.0F);
+    ASSERT_TRUE(reader.next(block).value());
+    EXPECT_EQ(firstFrame(), 100.0F);
+}
+
 TEST_F(RecordingTest, aStreamThatIsDescribedByNonsenseIsDamage) {
     const std::string path = write();
     for (const char* change :

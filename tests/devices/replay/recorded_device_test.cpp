@@ -4,6 +4,8 @@
 #include "tests/backend/recording/recorded_files.h"
 #include "tests/devices/manual_clock.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 using namespace teleta;
@@ -41,6 +43,18 @@ protected:
                 joints->append(first_ns + i * kTenth_ns + k * kTenth_ns / 10, 0.0,
                                std::span<const double>(values));
             }
+        }
+        ASSERT_TRUE(recorder->stop());
+    }
+
+    /// Frames 0, 1, 2, ... at these times, each a block of its own after a jump.
+    void writeAt(const std::vector<double>& times_s) {
+        auto recorder = Recorder::start(path(), headAt(kStart_ns), {.simulatedTime = true}).value();
+        const auto array = recorder->addStream(arrayInfo());
+        for (std::size_t i = 0; i < times_s.size(); ++i) {
+            const std::array<float, kTaxels> values{static_cast<float>(i)};
+            array->append(kStart_ns + std::llround(times_s[i] * 1e9), times_s[i],
+                          std::span<const float>(values), true);
         }
         ASSERT_TRUE(recorder->stop());
     }
@@ -199,6 +213,101 @@ TEST_F(RecordedDeviceTest, anUnpacedPlaybackWaitsForItsConsumerAndLosesNothing) 
     for (std::size_t i = 0; i < all.size(); ++i)
         ASSERT_EQ(all[i], static_cast<float>(i));
     EXPECT_EQ(m_array->status().framesLost, 0U);
+}
+
+TEST_F(RecordedDeviceTest, aStepIsAFrameHoweverUnevenlyTheyCame) {
+    writeAt({1.0, 1.001, 1.002, 5.0, 5.5, 5.501});
+    open();
+    m_array->pause();
+    ASSERT_TRUE(comesTo(core::DeviceState::paused));
+    EXPECT_EQ(received(), Values{0.0F});
+    for (int i = 1; i < 6; ++i) {
+        m_array->step(1);
+        EXPECT_EQ(take(1), Values{static_cast<float>(i)});
+    }
+    m_array->step(-2);
+    EXPECT_EQ(take(1), Values{3.0F});
+    m_array->step(-1);
+    EXPECT_EQ(take(1), Values{2.0F});
+    m_array->step(2);
+    EXPECT_EQ(take(1), Values{4.0F});
+    m_array->step(-100); // to the first one
+    EXPECT_EQ(take(1), Values{0.0F});
+    m_array->step(-1); // there is none
+    m_array->step(100);
+    EXPECT_EQ(take(1), Values{5.0F});
+    m_array->step(1);
+    m_clock->settle();
+    EXPECT_EQ(received(), Values{});
+}
+
+TEST_F(RecordedDeviceTest, stepsGoThroughBlocksOfManyFrames) {
+    write(1200);
+    open();
+    m_array->pause();
+    ASSERT_TRUE(comesTo(core::DeviceState::paused));
+    EXPECT_EQ(received(), Values{0.0F});
+    m_array->step(1150);
+    EXPECT_EQ(take(1), Values{1150.0F});
+    m_array->step(-1100);
+    EXPECT_EQ(take(1), Values{50.0F});
+    m_array->step(-1);
+    EXPECT_EQ(take(1), Values{49.0F});
+    m_array->step(1);
+    EXPECT_EQ(take(1), Values{50.0F});
+}
+
+TEST_F(RecordedDeviceTest, jumpsInTheRecordingAreToldWhenItIsPlayedAsFastAsPossible) {
+    writeAt({1.0, 1.1, 1.2, 1.3});
+    open(false, kUnpacedSpeed);
+    EXPECT_EQ(take(4), (Values{0.0F, 1.0F, 2.0F, 3.0F}));
+    EXPECT_EQ(m_jumps, 4);
+}
+
+TEST_F(RecordedDeviceTest, framesBehindADamagedBlockAreAJump) {
+    writeAt({1.0, 1.1, 1.2, 1.3});
+    askFile(path(), QStringLiteral("UPDATE block SET discontinuity = 0"));
+    askFile(path(), QStringLiteral("UPDATE block SET data = x'00' WHERE key = 2"));
+    open(false, kUnpacedSpeed);
+    EXPECT_EQ(take(3), (Values{0.0F, 2.0F, 3.0F}));
+    EXPECT_EQ(m_jumps, 2) << "the beginning and the damage";
+    EXPECT_TRUE(comesTo(core::DeviceState::finished));
+    m_clock->settle();
+    EXPECT_EQ(m_array->damagedBlocks(), 1U);
+}
+
+TEST_F(RecordedDeviceTest, theLastWholeFrameIsShownWhereTheEndIsDamaged) {
+    writeAt({1.0, 1.1, 1.2, 1.3});
+    askFile(path(), QStringLiteral("UPDATE block SET data = x'00' WHERE key = 4"));
+    open();
+    m_array->pause();
+    ASSERT_TRUE(comesTo(core::DeviceState::paused));
+    EXPECT_EQ(received(), Values{0.0F});
+    m_array->seek(100.0);
+    EXPECT_EQ(take(1), Values{2.0F});
+    m_array->step(-1);
+    EXPECT_EQ(take(1), Values{1.0F});
+}
+
+// As fast as possible, frames are stamped ahead of the clock.
+TEST_F(RecordedDeviceTest, leavingTheHighestSpeedIsAJumpBack) {
+    write(2000);
+    replay::RecordedConfig config;
+    config.speed = kUnpacedSpeed;
+    config.queueBlocks = 2;
+    config.path = path();
+    config.array.layout = {.rows = 2, .columns = 3, .pitch_m = 0.01};
+    config.clock = std::make_shared<core::PacingClock>();
+    m_array = std::make_unique<replay::RecordedArray>(replay::RecordedPlayer::open(config).value());
+    m_array->start(m_wakeup);
+    take(64);
+    ASSERT_EQ(m_jumps, 1);
+    m_array->setSpeed(100.0);
+    EXPECT_TRUE(eventually(m_wakeup, [&] {
+        (void)received();
+        return m_jumps == 2;
+    }));
+    EXPECT_FALSE(std::ranges::is_sorted(m_time_ns));
 }
 
 TEST_F(RecordedDeviceTest, aDamagedBlockIsPassedOver) {
