@@ -6,14 +6,17 @@
 #   headless    backend and command line without any GUI library; statistics over many runs only in ci
 #   tsan        threads: parts of backend and devices under the thread sanitizer
 #   asan        parts of the backend under the address and undefined-behaviour sanitizers
+# Outside that run, only when named:
+#   soak        what takes many minutes: every effect of every scene with a camera left out once
 # Names as arguments choose among them. Every check runs, whatever the others found; the summary is last.
 set -uo pipefail
 source "$(dirname -- "${BASH_SOURCE[0]}")/build_environment.sh"
 
 all_checks=(format ci headless tsan asan)
+more_checks=(soak)
 for name in "$@"; do
-    if [[ " ${all_checks[*]} " != *" $name "* ]]; then
-        printf "test: unknown check '%s' (expected %s)\n" "$name" "${all_checks[*]}" >&2
+    if [[ " ${all_checks[*]} ${more_checks[*]} " != *" $name "* ]]; then
+        printf "test: unknown check '%s' (expected %s)\n" "$name" "${all_checks[*]} ${more_checks[*]}" >&2
         exit 2
     fi
 done
@@ -49,13 +52,15 @@ run_tests() {
     fi
 }
 
-# check_build PRESET FOLDERS...: builds and tests everything, or only what is in these folders of tests/.
+# check_build PRESET FOLDERS...: builds and tests everything, or only what is in these folders of tests/. The tests are
+# those of $labels.
+labels=(-LE '^soak$')
 check_build() {
     local preset=$1 folder
     shift
-    local targets=(all) folders=(.) ctest_arguments=()
+    local targets=(all) folders=(.) ctest_arguments=("${labels[@]}")
     # Statistics over many runs take minutes. They are the same without a GUI, and a sanitizer finds its errors in a few runs.
-    [[ $preset == ci ]] || ctest_arguments=(-E '_accuracy_test$')
+    [[ $preset == ci ]] || ctest_arguments+=(-E '_accuracy_test$')
     if (($#)); then
         folders=("${@/#/tests/}")
         targets=("${folders[@]/%//all}")
@@ -96,6 +101,11 @@ for name in "${checks[@]}"; do
             ;;
         asan)
             check_build asan "${asan_parts[@]}"
+            ;;
+        soak)
+            labels=(-L '^soak$')
+            check_build ci backend/scene_run
+            labels=(-LE '^soak$')
             ;;
         *) check_build "$name" ;;
     esac
