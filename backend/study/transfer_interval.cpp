@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
+#include <numbers>
 
 namespace teleta::study {
 
 namespace {
 
-/// Sum of the squares of the logarithms, weighted as the transfer is.
-double meanSquaredLog(const ConfusionMatrix& matrix) {
+/// Variance of the logarithms whose mean, weighted alike, is the transfer.
+double varianceOfLogs(const ConfusionMatrix& matrix, double transfer_bit) {
     const auto n = static_cast<double>(matrix.total());
     double sum = 0.0;
     for (std::size_t i = 0; i < matrix.patterns(); ++i)
@@ -18,11 +19,20 @@ double meanSquaredLog(const ConfusionMatrix& matrix) {
             const auto count = static_cast<double>(matrix.count(i, j));
             if (count <= 0.0)
                 continue;
-            const double bit = std::log2(count * n / static_cast<double>(matrix.rowTotal(i)) /
-                                         static_cast<double>(matrix.columnTotal(j)));
-            sum += count / n * bit * bit;
+            const double off_bit = std::log2(count * n / static_cast<double>(matrix.rowTotal(i)) /
+                                             static_cast<double>(matrix.columnTotal(j))) -
+                                   transfer_bit;
+            sum += count / n * off_bit * off_bit;
         }
     return sum;
+}
+
+/// x log2 x - (x - 1) log2(x - 1), which n T is made of: what the last of x trials adds.
+double lastTrial_bit(std::int64_t trials) {
+    if (trials < 2)
+        return 0.0;
+    const auto x = static_cast<double>(trials);
+    return std::log2(x) - (x - 1.0) * std::log1p(-1.0 / x) / std::numbers::ln2;
 }
 
 } // namespace
@@ -31,19 +41,14 @@ std::optional<double> jackknifeTransfer(const ConfusionMatrix& matrix) {
     const std::int64_t trials = matrix.total();
     if (trials < 2)
         return std::nullopt;
-    const auto n = static_cast<double>(trials);
-    double mean_bit = 0.0;
-    ConfusionMatrix others = matrix;
+    double sum_bit = 0.0;
     for (std::size_t i = 0; i < matrix.patterns(); ++i)
-        for (std::size_t j = 0; j < matrix.columns(); ++j) {
-            const std::int64_t count = matrix.count(i, j);
-            if (count == 0)
-                continue;
-            others.add(i, j, -1);
-            mean_bit += static_cast<double>(count) / n * informationTransfer(others)->measured_bit;
-            others.add(i, j, 1);
-        }
-    return n * informationTransfer(matrix)->measured_bit - (n - 1.0) * mean_bit;
+        for (std::size_t j = 0; j < matrix.columns(); ++j)
+            if (const std::int64_t count = matrix.count(i, j); count > 0)
+                sum_bit +=
+                    static_cast<double>(count) * (lastTrial_bit(count) - lastTrial_bit(matrix.rowTotal(i)) -
+                                                  lastTrial_bit(matrix.columnTotal(j)));
+    return sum_bit / static_cast<double>(trials) + lastTrial_bit(trials);
 }
 
 std::optional<Interval> asymptoticTransfer(const ConfusionMatrix& matrix, TransferBias bias,
@@ -53,7 +58,7 @@ std::optional<Interval> asymptoticTransfer(const ConfusionMatrix& matrix, Transf
         return std::nullopt;
     const auto n = static_cast<double>(matrix.total());
     const double measured_bit = transfer->measured_bit;
-    const double variance = std::max(0.0, meanSquaredLog(matrix) - measured_bit * measured_bit) / n;
+    const double variance = varianceOfLogs(matrix, measured_bit) / n;
     const double z = -boost::math::quantile(boost::math::normal(), (1.0 - confidence) / 2.0);
     const double middle_bit = bias == TransferBias::none ? measured_bit
                               : bias == TransferBias::miller

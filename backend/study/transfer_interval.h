@@ -18,8 +18,9 @@ enum class TransferBias {
 };
 
 /// Transfer with one trial left out, on average over all trials, and with it the jackknife's estimate
-///   n T - (n - 1) mean T_-i
-/// Empty for fewer than two trials. Thread: any. Source: Quenouille 1956, doi:10.1093/biomet/43.3-4.353.
+///   n T - (n - 1) mean T_-i = mean(d(n_ij) - d(n_i) - d(n_j)) + d(n),  d(x) = x log2 x - (x-1) log2(x-1)
+/// by the second form, which loses no digits to many trials. Empty for fewer than two trials. Thread: any.
+/// Source: Quenouille 1956, doi:10.1093/biomet/43.3-4.353.
 [[nodiscard]] std::optional<double> jackknifeTransfer(const ConfusionMatrix& matrix);
 
 /// Interval of the true transfer by the normal distribution, its standard error by the delta method:

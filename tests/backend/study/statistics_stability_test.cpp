@@ -3,6 +3,7 @@
 #include "backend/study/portable_random.h"
 #include "backend/study/proportion.h"
 #include "backend/study/repeated_anova.h"
+#include "backend/study/transfer_interval.h"
 
 #include <gtest/gtest.h>
 
@@ -181,6 +182,73 @@ TEST(StatisticsStability, informationTransferApproachesZeroWithoutGoingBelow) {
         EXPECT_GE(measured_bit, 0.0);
         EXPECT_NEAR(measured_bit, entropyLoss / std::log(2.0), 1e-14) << d;
     }
+}
+
+namespace {
+
+ConfusionMatrix times(std::int64_t factor, const std::array<std::array<std::int64_t, 4>, 3>& counts) {
+    ConfusionMatrix matrix(3);
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 4; ++j)
+            matrix.add(i, j < 3 ? std::optional(j) : std::nullopt, factor * counts[i][j]);
+    return matrix;
+}
+
+constexpr std::array<std::array<std::int64_t, 4>, 3> kCounts{{{4, 1, 0, 0}, {0, 5, 0, 0}, {0, 0, 3, 2}}};
+
+} // namespace
+
+TEST(StatisticsStability, theJackknifeIsItsDefinitionForFewTrials) {
+    const ConfusionMatrix matrix = times(1, kCounts);
+    const double n = 15.0;
+    double mean_bit = 0.0;
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 4; ++j)
+            if (kCounts[i][j] > 0) {
+                auto others = kCounts;
+                --others[i][j];
+                mean_bit += static_cast<double>(kCounts[i][j]) / n *
+                            informationTransfer(times(1, others))->measured_bit;
+            }
+    EXPECT_NEAR(*jackknifeTransfer(matrix),
+                n * informationTransfer(matrix)->measured_bit - (n - 1.0) * mean_bit, 1e-13);
+}
+
+// The bias goes with 1/n, so towards many trials nothing but rounding is left; the interval goes with its
+// root.
+TEST(StatisticsStability, intervalsOfTheTransferShrinkOverTwelveDecadesOfTrials) {
+    const auto plain = asymptoticTransfer(times(1, kCounts), TransferBias::none);
+    ASSERT_TRUE(plain);
+    for (std::int64_t factor = 1; factor <= 1'000'000'000'000; factor *= 10) {
+        const ConfusionMatrix matrix = times(factor, kCounts);
+        const auto transfer = informationTransfer(matrix);
+        EXPECT_LE(std::abs(*jackknifeTransfer(matrix) - transfer->measured_bit),
+                  2.0 * transfer->bias_bit + 1e-13)
+            << factor;
+        const auto interval = asymptoticTransfer(matrix, TransferBias::none);
+        ASSERT_TRUE(interval);
+        const double root = std::sqrt(static_cast<double>(factor));
+        EXPECT_NEAR((interval->high - transfer->measured_bit) * root,
+                    plain->high - informationTransfer(times(1, kCounts))->measured_bit, 1e-13 * root + 1e-12);
+    }
+}
+
+TEST(StatisticsStability, answersThatAllTellAsMuchHaveAnIntervalWithoutWidth) {
+    for (std::int64_t factor = 1; factor <= 1'000'000'000'000; factor *= 1000) {
+        const auto interval = asymptoticTransfer(times(factor, {{{7, 0, 0, 0}, {0, 7, 0, 0}, {0, 0, 7, 0}}}),
+                                                 TransferBias::none);
+        ASSERT_TRUE(interval);
+        EXPECT_NEAR(interval->low, std::log2(3.0), 1e-14);
+        EXPECT_NEAR(interval->high, std::log2(3.0), 1e-14);
+    }
+}
+
+TEST(StatisticsStability, theOrderOfPatternsDoesNotMatterToTheTransfer) {
+    const ConfusionMatrix plain = times(1, kCounts);
+    const ConfusionMatrix other = times(1, {{{3, 0, 0, 2}, {0, 4, 1, 0}, {0, 0, 5, 0}}});
+    EXPECT_NEAR(*jackknifeTransfer(other), *jackknifeTransfer(plain), 1e-14);
+    EXPECT_NEAR(asymptoticTransfer(other, TransferBias::miller)->high,
+                asymptoticTransfer(plain, TransferBias::miller)->high, 1e-14);
 }
 
 TEST(StatisticsStability, chanceProbabilityStaysAProbabilityForManyTrials) {
