@@ -190,6 +190,12 @@ void PlaybackCycle::writeDue(std::int64_t now) {
         end(PlayerEnding::stalled);
         return;
     }
+    // Reports from before the playing say nothing of it.
+    const std::int64_t heard_ns = std::max(m_bracelet.telemetry().reported_ns, m_status.begun_ns);
+    if (now - heard_ns > m_config.longestSilence_ns) {
+        end(PlayerEnding::deviceLost);
+        return;
+    }
     core::Intensities wanted{};
     if (!evaluate(now, wanted))
         return;

@@ -34,6 +34,9 @@ struct PlayerConfig {
     /// than this ends the playing, since the bracelet stood still meanwhile.
     /// The board's own limit of it counts for both.
     std::uint16_t boardTimeout_ms = 100;
+    /// A bracelet that answers no frame for so long counts as lost: what it is told waits somewhere, and
+    /// would be played when it wakes.
+    std::int64_t longestSilence_ns = 1'000'000'000;
     SafetyLimits limits{};
     DriveRanges ranges{};
     std::shared_ptr<core::PacingClock> clock = std::make_shared<core::PacingClock>();
@@ -51,7 +54,7 @@ enum class PlayerEnding {
     finished,     ///< the program came to its end
     stopped,      ///< stop() or the end of the player
     stopSwitch,   ///< STOP is, or was, engaged
-    deviceLost,   ///< there is no bracelet, or it was unplugged
+    deviceLost,   ///< there is no bracelet, it was unplugged, or it answers no more
     sourceFailed, ///< the program threw an exception; PlayerStatus::message has its text
     stalled,      ///< a cycle was later than the board's time-out, or the program or a write took longer
 };

@@ -69,7 +69,6 @@ core::Drive SafetyLimiter::step(const core::Intensities& wanted, double elapsed_
     const double slewTime_s = std::min(passed_s, 2.0 * m_period_s);
     const double rise = way(m_limits.rise_perS, slewTime_s);
     const double fall = way(m_limits.fall_perS, slewTime_s);
-    const double share = -std::expm1(-m_period_s / m_limits.heatTime_s);
 
     core::Drive drive{};
     for (std::size_t i = 0; i < core::kTactors; ++i) {
@@ -79,19 +78,33 @@ core::Drive SafetyLimiter::step(const core::Intensities& wanted, double elapsed_
             intensity = std::max(intensity, m_output[i] - fall);
         // A fall is eased, but not above a limit that was lowered.
         intensity = std::min({intensity, m_output[i] + rise, m_limits.userLimit[i]});
-        const double highestPower = m_heat[i] + (m_limits.heatBudget - m_heat[i]) / share;
         const DriveRange range = sane(ranges[i]);
-        const double highestDrive = std::sqrt(std::max(highestPower, 0.0));
-        // Of a motor without heat to spare, and of one that would not turn with what is left, nothing is
-        // asked.
-        if (driveOf(range, intensity) > highestDrive)
-            intensity = intensityOf(range, highestDrive);
+        intensity = withinHeat(i, intensity, range);
         m_drive[i] = driveOf(range, intensity);
         drive[i] = toDrive(m_drive[i]);
         // The slew goes on from what was asked for: whole counts would hold a slow rise at 0 for ever.
         m_output[i] = intensity;
     }
     return drive;
+}
+
+/// The intensity that a motor can bear until the next frame.
+double SafetyLimiter::withinHeat(std::size_t motor, double intensity, const DriveRange& range) {
+    const double heat = m_heat[motor];
+    const double budget = m_limits.heatBudget;
+    if (heat <= kRestedShare * budget)
+        m_resting[motor] = false;
+    // With a lower start it can be driven for ever, close to its budget.
+    const bool tires = range.start * range.start > kRestedShare * budget;
+    if (tires && m_resting[motor])
+        return 0.0;
+    const double share = -std::expm1(-m_period_s / m_limits.heatTime_s);
+    const double highestDrive = std::sqrt(std::max(heat + (budget - heat) / share, 0.0));
+    if (driveOf(range, intensity) <= highestDrive)
+        return intensity;
+    // Of a motor that would not turn with what is left nothing is asked.
+    m_resting[motor] = tires && highestDrive <= range.start;
+    return intensityOf(range, highestDrive);
 }
 
 void SafetyLimiter::off(double elapsed_s) {

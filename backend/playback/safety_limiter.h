@@ -43,9 +43,15 @@ using DriveRanges = std::array<DriveRange, core::kTactors>;
 ///   clamp to 0 .. 1 (NaN is off) -> user's limit -> slew limit -> heat budget -> integer, rounded down
 /// Heat is that of the drive that was really given, over the time that it was given: u is the drive. From
 /// rest at full drive the budget is reached after t = -heatTime ln(1 - heatBudget); then the drive is
-/// sqrt(heatBudget), or 0 where that is below the motor's start. Pure, nothing is allocated. Thread: one.
+/// sqrt(heatBudget). A motor that does not turn at that is off until its heat is down to
+///   kRestedShare heatBudget
+/// and then may be driven again: it rests for seconds instead of being switched with every frame.
+/// Pure, nothing is allocated. Thread: one.
 class SafetyLimiter {
 public:
+    /// Share of the heat budget at which a motor that had to rest may be driven again.
+    static constexpr double kRestedShare = 0.9;
+
     /// period_s: time for which an output is expected to hold, > 0.
     SafetyLimiter(const SafetyLimits& limits, double period_s);
 
@@ -68,12 +74,14 @@ public:
 
 private:
     void warm(double elapsed_s);
+    [[nodiscard]] double withinHeat(std::size_t motor, double intensity, const DriveRange& range);
 
     SafetyLimits m_limits;
     double m_period_s;
     core::Intensities m_output{};
     core::Intensities m_drive{}; ///< of the last output, as a share of the full one
     core::Intensities m_heat{};
+    std::array<bool, core::kTactors> m_resting{}; ///< until its heat is down
 };
 
 } // namespace teleta::playback

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/backend/playback/playback_cycle_fixture.h"
 
+#include <array>
 #include <cmath>
+#include <random>
 #include <stdexcept>
 
 using namespace teleta;
@@ -252,6 +254,39 @@ TEST_F(PlaybackCycleTest, endsAlsoWhenTheBraceletCameBackBetweenTwoCycles) {
         EXPECT_TRUE(isOff(frame.frame.drive));
 }
 
+TEST_F(PlaybackCycleTest, endsWhenTheBraceletAnswersNoMoreAndDoesNotGoOnWhenItWakes) {
+    for (const bool live : {false, true}) {
+        make();
+        m_bracelet.setMute(false);
+        const auto post = [&] { m_cycle->setpoints().post({all(1.0), m_clock->now_ns()}); };
+        const auto runFor = [&](std::int64_t duration_ns) {
+            for (std::int64_t t_ns = 0; t_ns < duration_ns; t_ns += kPeriod_ns) {
+                m_clock->add(kPeriod_ns);
+                post();
+                (void)run();
+            }
+        };
+        if (live)
+            startLive();
+        else
+            play(steady(1.0));
+        runFor(2000 * kMs_ns);
+        ASSERT_FALSE(lastIsOff());
+        m_bracelet.setMute(true);
+        const std::int64_t mute_ns = m_clock->now_ns();
+        runFor(990 * kMs_ns);
+        EXPECT_FALSE(lastIsOff()) << "a pause of less than 1 s";
+        runFor(100 * kMs_ns);
+        EXPECT_TRUE(lastIsOff());
+        EXPECT_EQ(m_cycle->status().ending, PlayerEnding::deviceLost);
+        EXPECT_EQ(m_cycle->status().ended_ns - mute_ns, 1005 * kMs_ns);
+        m_bracelet.setMute(false);
+        m_bracelet.forget();
+        runFor(1000 * kMs_ns);
+        EXPECT_TRUE(written().empty()) << "only when asked";
+    }
+}
+
 TEST_F(PlaybackCycleTest, refusesToPlayWithoutABracelet) {
     make();
     m_bracelet.connect(0);
@@ -302,6 +337,59 @@ TEST_F(PlaybackCycleTest, keepsItsRateUnder10000SetpointsASecond) {
     for (const auto& frame : frames)
         EXPECT_LE(frame.frame.drive[0], 2047) << "the latest setpoint wins";
     EXPECT_GE(m_cycle->counters().setpointsReplaced, 10'000U);
+    EXPECT_EQ(m_cycle->counters().deadlineMisses, 0U);
+}
+
+// A minute of 10 000 setpoints a second, most of them of no use, from two makers at once.
+TEST_F(PlaybackCycleTest, holdsEveryLimitUnder10000SetpointsASecond) {
+    SafetyLimits limits;
+    limits.userLimit = {1.0, 0.9, 0.8, 0.75, 0.3, 0.0};
+    make({}, limits);
+    startLive();
+    std::mt19937_64 random(7);
+    std::uniform_int_distribution<int> kind(0, 99);
+    std::uniform_real_distribution<double> between(0.0, 1.0);
+    const auto wild = [&] {
+        Intensities intensities;
+        for (double& intensity : intensities) {
+            const int drawn = kind(random);
+            intensity = drawn == 0   ? std::nan("")
+                        : drawn == 1 ? -5.0
+                        : drawn == 2 ? -kInfinity
+                        : drawn == 3 ? between(random)
+                        : drawn < 50 ? kInfinity
+                                     : 5.0;
+        }
+        return intensities;
+    };
+    std::array<double, core::kTactors> heat{}, before{};
+    double hottest = 0.0;
+    std::int64_t last_ns = m_clock->now_ns();
+    for (int i = 0; i < 600'000; ++i) {
+        m_clock->add(100'000);
+        m_cycle->setpoints().post({wild(), m_clock->now_ns()});
+        if (i % 3 == 0)
+            m_cycle->setpoints().post({wild(), m_clock->now_ns() + 3600 * 1000 * kMs_ns});
+        run();
+        for (const auto& [frame, time_ns] : written()) {
+            const double elapsed_s = static_cast<double>(time_ns - last_ns) * 1e-9;
+            last_ns = time_ns;
+            for (std::size_t motor = 0; motor < core::kTactors; ++motor) {
+                const double drive = static_cast<double>(frame.drive[motor]) / kFullDrive;
+                // h' = (u^2 - h) / T of the drive before, which held until now.
+                heat[motor] += (before[motor] * before[motor] - heat[motor]) *
+                               -std::expm1(-elapsed_s / limits.heatTime_s);
+                ASSERT_LE(drive, limits.userLimit[motor] + 1e-9) << motor;
+                ASSERT_LE(drive - before[motor], limits.rise_perS * elapsed_s + 1.0 / kFullDrive) << motor;
+                ASSERT_LE(heat[motor], limits.heatBudget * (1.0 + 1e-6)) << motor;
+                before[motor] = drive;
+                hottest = std::max(hottest, heat[motor]);
+            }
+        }
+        m_bracelet.forget();
+    }
+    EXPECT_GT(hottest, 0.99 * limits.heatBudget) << "the load came to the budget";
+    EXPECT_EQ(m_cycle->status().mode, PlayerMode::live);
     EXPECT_EQ(m_cycle->counters().deadlineMisses, 0U);
 }
 

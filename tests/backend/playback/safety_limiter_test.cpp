@@ -212,3 +212,57 @@ TEST(SafetyLimiter, countsTheHeatOfTheDriveNotOfTheIntensity) {
     EXPECT_NEAR(on_s, -std::log(1.0 - 0.3 / 0.36), 0.02) << "then what is left does not turn the motor";
     EXPECT_LE(limiter.heat()[0], 0.3 + 1e-12);
 }
+
+// A motor that starts above sqrt(heatBudget) = 0.707 cannot be held at its budget. From rest at full drive it
+// bears -T ln(1 - B) = 20.79 s; then it cools to 0.9 B in -T ln 0.9 = 3.16 s and bears
+// T ln((1 - 0.9 B) / (1 - B)) = 2.86 s more, and so on: in 60 s it is switched 1 + 2 (6 and a half times).
+TEST(SafetyLimiter, letsAMotorRestThatCannotBeHeldAtItsBudgetInsteadOfSwitchingItWithEveryFrame) {
+    SafetyLimiter limiter({}, kPeriod_s);
+    playback::DriveRanges ranges;
+    ranges.fill({0.75, 1.0});
+    const double full_s = -30.0 * std::log(0.5);
+    const double rest_s = -30.0 * std::log(0.9);
+    const double again_s = 30.0 * std::log(0.55 / 0.5);
+    int edges = 0;
+    bool wasOn = false;
+    double firstOff_s = 0.0;
+    for (int k = 0; k < 12'000; ++k) {
+        const bool on = limiter.step(all(1.0), kPeriod_s, ranges)[0] > 0;
+        if (on != wasOn && k > 0)
+            ++edges;
+        if (!on && wasOn && firstOff_s == 0.0)
+            firstOff_s = k * kPeriod_s;
+        wasOn = on;
+        for (const double heat : limiter.heat())
+            ASSERT_LE(heat, 0.5 * (1.0 + 1e-12));
+    }
+    EXPECT_NEAR(firstOff_s, full_s, 0.05);
+    EXPECT_NEAR(edges, 1.0 + 2.0 * (60.0 - full_s) / (rest_s + again_s), 2.0);
+    EXPECT_LE(edges, 16);
+}
+
+TEST(SafetyLimiter, goesOnAtTheRootOfTheBudgetWhereTheMotorStillTurnsThere) {
+    SafetyLimiter limiter({}, kPeriod_s);
+    playback::DriveRanges ranges;
+    ranges.fill({0.6, 1.0});
+    for (int k = 0; k < 12'000; ++k)
+        ASSERT_GT(limiter.step(all(1.0), kPeriod_s, ranges)[0], 0.6 * kFullDrive) << k;
+    EXPECT_NEAR(limiter.step(all(1.0), kPeriod_s, ranges)[0], std::sqrt(0.5) * kFullDrive, 1.0);
+}
+
+TEST(SafetyLimiter, goesOnAfterTheBudgetWasLoweredBelowTheHeatAndTheMotorCooled) {
+    SafetyLimiter limiter({}, kPeriod_s);
+    for (int k = 0; k < 4000; ++k)
+        (void)limiter.step(all(1.0), kPeriod_s);
+    const double hot = limiter.heat()[0];
+    SafetyLimits lower;
+    lower.heatBudget = 0.25;
+    limiter.setLimits(lower);
+    double off_s = 0.0;
+    while (limiter.step(all(1.0), kPeriod_s)[0] == 0 && off_s < 100.0)
+        off_s += kPeriod_s;
+    EXPECT_NEAR(off_s, 30.0 * std::log(hot / 0.25), 0.02) << "h = hot exp(-t / T) is down at the budget";
+    for (int k = 0; k < 2000; ++k)
+        ASSERT_GT(limiter.step(all(1.0), kPeriod_s)[0], 0);
+    EXPECT_NEAR(limiter.step(all(1.0), kPeriod_s)[0], 0.5 * kFullDrive, 1.0);
+}

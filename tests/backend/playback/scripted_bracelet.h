@@ -56,6 +56,8 @@ public:
             return {core::WriteOutcome::lost, now_ns};
         if (!core::isOff(frame.drive) && frame.connection != m_connection)
             return {core::WriteOutcome::refused, now_ns};
+        if (!m_mute)
+            m_telemetry.reported_ns = now_ns;
         m_written.push_back({frame, now_ns});
         m_changed.notify_all();
         return {core::WriteOutcome::written, now_ns};
@@ -70,6 +72,11 @@ public:
     void setFramesLost(std::uint64_t frames) {
         const std::scoped_lock lock(m_mutex);
         m_telemetry.framesLost = frames;
+    }
+    /// Takes frames and answers none.
+    void setMute(bool mute) {
+        const std::scoped_lock lock(m_mutex);
+        m_mute = mute;
     }
     /// Runs in every write, before the frame is taken.
     void whileWriting(std::function<void()> act) { m_whileWriting = std::move(act); }
@@ -97,6 +104,7 @@ private:
     mutable std::mutex m_mutex; ///< of what follows
     std::condition_variable m_changed;
     core::BraceletTelemetry m_telemetry;
+    bool m_mute = false;
     std::uint64_t m_connection = 1;
     std::vector<Written> m_written;
 };

@@ -182,6 +182,28 @@ TEST(SimulatedBracelet, isZeroedAfterItWasUnpluggedWhilePlayingAndPlaysOnlyWhenA
     EXPECT_TRUE(eventually(wakeup, [&] { return !isOff(bracelet.drive()); }));
 }
 
+TEST(SimulatedBracelet, endsThePlayingWhenItAnswersNoMoreAndPlaysOnlyWhenAskedAfterItWoke) {
+    core::StopSwitch stop;
+    core::Wakeup wakeup;
+    SimulatedBracelet bracelet(stop);
+    bracelet.start(wakeup);
+    ASSERT_TRUE(eventually(wakeup, [&] { return bracelet.connection() != 0; }));
+    playback::Player player(bracelet, stop, {.boardTimeout_ms = 2000, .longestSilence_ns = 200 * kMs_ns});
+    player.play({[](double) { return core::Intensities{1, 1, 1, 1, 1, 1}; }, kInfinity});
+    ASSERT_TRUE(eventually(wakeup, [&] { return !isOff(bracelet.drive()); }));
+    bracelet.setFaults({.mute = true});
+    ASSERT_TRUE(
+        eventually(wakeup, [&] { return player.status().ending == playback::PlayerEnding::deviceLost; }));
+    EXPECT_TRUE(isOff(bracelet.drive()));
+    bracelet.setFaults({});
+    ASSERT_TRUE(eventually(wakeup, [&] { return bracelet.status().state == DeviceState::live; }));
+    EXPECT_EQ(bracelet.connection(), 1U) << "it was there all the time";
+    EXPECT_TRUE(isOff(bracelet.drive()));
+    EXPECT_EQ(player.status().mode, playback::PlayerMode::idle);
+    player.play({[](double) { return core::Intensities{1, 1, 1, 1, 1, 1}; }, kInfinity});
+    EXPECT_TRUE(eventually(wakeup, [&] { return !isOff(bracelet.drive()); }));
+}
+
 TEST(SimulatedBracelet, isZeroedWhileAProgramHangs) {
     core::StopSwitch stop;
     core::Wakeup wakeup;

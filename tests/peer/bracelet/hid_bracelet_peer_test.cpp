@@ -26,7 +26,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr Drive kSome{0x001, 0x002, 0xFFF, 0x800, 0xABC, 0x123};
 
 /// For a machine that is emulated and busy.
-const playback::PlayerConfig kPatient{.boardTimeout_ms = 2000};
+const playback::PlayerConfig kPatient{.boardTimeout_ms = 2000, .longestSilence_ns = 4'000'000'000};
 
 bool isZero(const UhidBoard::Frame& frame) {
     return std::all_of(frame.bytes.begin() + 3, frame.bytes.begin() + 12, [](int byte) { return byte == 0; });
@@ -166,6 +166,27 @@ TEST_F(HidBraceletPeer, isLostWhenItIsUnpluggedWhilePlayingAndZeroWhenItComesBac
     EXPECT_EQ(m_bracelet->connection(), 2U);
     for (const UhidBoard::Frame& frame : m_board.state().frames)
         EXPECT_TRUE(isZero(frame)) << "nothing plays unless asked";
+    player.play(steady());
+    EXPECT_TRUE(m_board.waitFor([](const UhidBoard::State& state) { return turns(state); }));
+}
+
+// What was written while the board slept waits in the kernel: it may play for as long as the time-outs of
+// those frames last, and no longer.
+TEST_F(HidBraceletPeer, playsOnlyWhenAskedAfterTheBoardSleptAndWoke) {
+    open();
+    playback::Player player(*m_bracelet, m_stop, kPatient);
+    player.play(steady());
+    ASSERT_TRUE(m_board.waitFor([](const UhidBoard::State& state) { return turns(state); }));
+    m_board.setAwake(false);
+    ASSERT_TRUE(eventually([&] { return player.status().ending == playback::PlayerEnding::deviceLost; }));
+    m_board.setAwake(true);
+    ASSERT_TRUE(eventually([&] { return m_bracelet->status().state == core::DeviceState::live; }));
+    ASSERT_TRUE(m_board.waitFor([](const UhidBoard::State& state) { return !turns(state); }));
+    m_board.forgetFrames();
+    ASSERT_TRUE(m_board.waitFor([](const UhidBoard::State& state) { return state.frames.size() > 5; }));
+    for (const UhidBoard::Frame& frame : m_board.state().frames)
+        EXPECT_TRUE(isZero(frame));
+    EXPECT_EQ(player.status().mode, playback::PlayerMode::idle);
     player.play(steady());
     EXPECT_TRUE(m_board.waitFor([](const UhidBoard::State& state) { return turns(state); }));
 }
