@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/cost/cost_file.h"
 
+#include "backend/core/csv_number.h"
 #include "backend/core/csv_reader.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -18,17 +17,6 @@ namespace {
 struct CostFileText {
     Q_DECLARE_TR_FUNCTIONS(CostFile)
 };
-
-/// NA: NaN.
-std::optional<double> numberIn(std::string_view text) {
-    if (text == "NA")
-        return std::numeric_limits<double>::quiet_NaN();
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !(value >= 0.0) || std::isinf(value))
-        return std::nullopt;
-    return value;
-}
 
 core::Error badField(const core::CsvReader& reader, std::size_t column, std::string_view text,
                      const QString& expected) {
@@ -85,8 +73,8 @@ core::Expected<std::vector<LadderCost>> readCostFile(const std::string& path) {
         const auto field = [&](std::size_t i) { return fields[(*columns)[i]]; };
         std::array<double, kCostColumns.size()> numbers{};
         for (const std::size_t i : {3U, 4U, 5U, 7U, 8U, 9U}) {
-            const std::optional<double> number = numberIn(field(i));
-            if (!number)
+            const std::optional<double> number = core::numberOrNA(field(i));
+            if (!number || *number < 0.0)
                 return core::Unexpected(badField(*reader, (*columns)[i], field(i),
                                                  CostFileText::tr("a number that is not negative, or NA")));
             numbers[i] = *number;

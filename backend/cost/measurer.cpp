@@ -2,6 +2,7 @@
 #include "backend/cost/measurer.h"
 
 #include "backend/core/elapsed.h"
+#include "backend/core/quantile.h"
 #include "backend/core/steady_time.h"
 #include "backend/cost/frontier.h"
 
@@ -53,7 +54,7 @@ double calibrationLoop_s() {
 
 double sortedMedian(std::vector<double>& values) {
     std::ranges::sort(values);
-    return quantileOf(values, 0.5);
+    return core::quantileOf(values, 0.5);
 }
 
 struct Times {
@@ -63,7 +64,7 @@ struct Times {
 
     [[nodiscard]] double spread() {
         const double loop = sortedMedian(loop_s);
-        const double quartiles = quantileOf(loop_s, 0.75) - quantileOf(loop_s, 0.25);
+        const double quartiles = core::quantileOf(loop_s, 0.75) - core::quantileOf(loop_s, 0.25);
         return std::max(loop > 0.0 ? quartiles / loop : 0.0, sortedMedian(takenAway));
     }
 };
@@ -96,27 +97,20 @@ std::optional<RungCost> measureOnce(const Rung& rung, std::size_t trials,
                   .errorP95 = kUnknown,
                   .errorMax = kUnknown,
                   .timeMedian_s = sortedMedian(times.call_s),
-                  .timeP99_s = quantileOf(times.call_s, 0.99),
+                  .timeP99_s = core::quantileOf(times.call_s, 0.99),
                   .samples = trials,
                   .spread = times.spread()};
     if (!errors.empty() && std::ranges::none_of(errors, [](double e) { return std::isnan(e); })) {
         std::ranges::sort(errors);
         cost.errorMean =
             std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size());
-        cost.errorP95 = quantileOf(errors, 0.95);
+        cost.errorP95 = core::quantileOf(errors, 0.95);
         cost.errorMax = errors.back();
     }
     return cost;
 }
 
 } // namespace
-
-double quantileOf(std::span<const double> sorted, double probability) {
-    const double position = probability * static_cast<double>(sorted.size() - 1);
-    const auto below = static_cast<std::size_t>(position);
-    const std::size_t above = std::min(below + 1, sorted.size() - 1);
-    return std::lerp(sorted[below], sorted[above], position - static_cast<double>(below));
-}
 
 std::size_t Measurement::refused() const {
     std::size_t count = 0;

@@ -50,7 +50,4 @@ inline constexpr std::size_t kWarmUps = 3;
 [[nodiscard]] core::Expected<Measurement> measureLadders(std::span<const Ladder> ladders,
                                                          const MeasureSettings& settings = {});
 
-/// Sample quantile, linear between order statistics; sorted: not empty; probability: 0..1.
-[[nodiscard]] double quantileOf(std::span<const double> sorted, double probability);
-
 } // namespace teleta::cost

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string_view>
 
 namespace teleta::recording {
@@ -103,15 +104,17 @@ public:
                 m_all += static_cast<double>((*extent)->frames);
         }
     }
-    bool add(std::size_t frames) {
+    void add(std::size_t frames) {
         m_done += static_cast<double>(frames);
-        return !m_options.goOn || m_options.goOn(m_done, m_all);
+        m_stopped = m_options.goOn && !m_options.goOn(m_done, m_all);
     }
+    [[nodiscard]] bool stopped() const { return m_stopped; }
 
 private:
     const ExportOptions& m_options;
     double m_done = 0.0;
     double m_all = 0.0;
+    bool m_stopped = false;
 };
 
 core::Expected<ExportedFile> exportStream(const Recording& recording, std::size_t index,
@@ -125,7 +128,7 @@ core::Expected<ExportedFile> exportStream(const Recording& recording, std::size_
     ExportedFile file{path, 0, 0};
     StreamReader reader = recording.reader(index);
     core::TappedFrames block;
-    while (!csv->failed()) {
+    while (!csv->failed() && !progress.stopped()) {
         const core::Expected<bool> any = reader.next(block);
         if (!any && any.error().kind != core::ErrorKind::badInput)
             return core::Unexpected(any.error());
@@ -143,11 +146,7 @@ core::Expected<ExportedFile> exportStream(const Recording& recording, std::size_
             writeFrame(*csv, stream, block, frame);
         }
         file.rows += block.frames();
-        if (!progress.add(block.frames()))
-            return core::Unexpected(core::Error{core::ErrorKind::cancelled,
-                                                CsvExportText::tr("the export was stopped").toStdString(),
-                                                {},
-                                                {}});
+        progress.add(block.frames());
     }
     if (const core::Expected<void> done = csv->finish(); !done)
         return core::Unexpected(done.error());
@@ -162,6 +161,24 @@ std::string fileName(const std::string& stream) {
     return name.empty() || name.front() == '.' ? "_" + name : name;
 }
 
+constexpr char kEvents[] = "events";
+
+/// The files of the streams, in their order, and that of the events.
+std::vector<std::string> filePaths(const Recording& recording, const std::string& folder) {
+    // Also where a file system takes capital and small letters for the same.
+    std::set<QString> taken{QString::fromLatin1(kEvents)};
+    std::vector<std::string> paths;
+    for (const StreamInfo& stream : recording.streams()) {
+        const std::string wanted = fileName(stream.name);
+        std::string name = wanted;
+        for (int number = 2; !taken.insert(QString::fromStdString(name).toLower()).second; ++number)
+            name = wanted + "-" + std::to_string(number);
+        paths.push_back(folder + "/" + name + ".csv");
+    }
+    paths.push_back(folder + "/" + kEvents + ".csv");
+    return paths;
+}
+
 } // namespace
 
 core::Expected<std::vector<ExportedFile>> exportCsv(const Recording& recording, const std::string& folder,
@@ -173,16 +190,24 @@ core::Expected<std::vector<ExportedFile>> exportCsv(const Recording& recording, 
                         CsvExportText::tr("the folder cannot be made or written to").toStdString(),
                         {},
                         {folder}});
+    const std::vector<std::string> paths = filePaths(recording, folder);
+    const auto there = std::ranges::find_if(
+        paths, [](const std::string& file) { return QFileInfo::exists(QString::fromStdString(file)); });
+    if (!options.overwrite && there != paths.end())
+        return core::Unexpected(
+            core::Error{core::ErrorKind::refused,
+                        CsvExportText::tr("there is a file of this name already").toStdString(),
+                        CsvExportText::tr("another folder").toStdString(),
+                        {*there}});
     std::vector<ExportedFile> files;
     Progress progress(recording, options);
-    for (std::size_t i = 0; i < recording.streams().size(); ++i) {
-        auto file = exportStream(recording, i, folder + "/" + fileName(recording.streams()[i].name) + ".csv",
-                                 progress);
+    for (std::size_t i = 0; i < recording.streams().size() && !progress.stopped(); ++i) {
+        auto file = exportStream(recording, i, paths[i], progress);
         if (!file)
             return core::Unexpected(file.error());
         files.push_back(std::move(*file));
     }
-    auto events = exportEvents(recording, folder + "/events.csv");
+    auto events = exportEvents(recording, paths.back());
     if (!events)
         return core::Unexpected(events.error());
     files.push_back(std::move(*events));

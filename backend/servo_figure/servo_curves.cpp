@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/servo_figure/servo_curves.h"
 
+#include "backend/core/csv_number.h"
 #include "backend/core/csv_reader.h"
 
 #include <QCoreApplication>
@@ -9,9 +10,7 @@
 #include <QString>
 
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <limits>
 
 namespace teleta::servo {
 
@@ -46,24 +45,13 @@ constexpr std::array<std::string_view, 15> kNames{"time_s",
                                                   "contact"};
 constexpr std::size_t kNumbers = 13;
 
-/// A number, or NaN for one that is not defined; nothing for anything else.
-std::optional<double> numberOf(std::string_view text) {
-    if (text == "NA" || text.empty())
-        return std::numeric_limits<double>::quiet_NaN();
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size())
-        return std::nullopt;
-    return value;
-}
+/// Beyond this, SI units, nothing is a place, a force or a time of a run.
+constexpr double kLargest = 1e12;
 
-core::Error noNumber(const core::CsvReader& csv, std::size_t column) {
-    core::Error error;
-    error.kind = core::ErrorKind::badInput;
-    error.message = CurvesText::tr("this is no number").toStdString();
-    error.expected = CurvesText::tr("a number, or NA").toStdString();
-    error.where = csv.place(column);
-    return error;
+core::Unexpected badField(const core::CsvReader& csv, std::size_t column, const QString& message,
+                          const QString& expected) {
+    return core::Unexpected(core::Error{core::ErrorKind::badInput, message.toStdString(),
+                                        expected.toStdString(), csv.place(column)});
 }
 
 } // namespace
@@ -107,6 +95,7 @@ core::Expected<ServoCurves> readServoCurves(const std::string& path) {
     ServoCurves curves;
     curves.name = QFileInfo(QFileInfo(file).absolutePath()).fileName().toStdString();
     std::vector<std::string_view> fields;
+    double before_s = -kLargest;
     while (true) {
         const core::Expected<bool> more = csv->nextText(fields);
         if (!more)
@@ -115,11 +104,16 @@ core::Expected<ServoCurves> readServoCurves(const std::string& path) {
             return curves;
         std::array<double, kNumbers> row{};
         for (std::size_t i = 0; i < kNumbers; ++i) {
-            const std::optional<double> value = numberOf(fields[(*columns)[i]]);
-            if (!value)
-                return core::Unexpected(noNumber(*csv, (*columns)[i]));
+            const std::optional<double> value = core::numberOrNA(fields[(*columns)[i]]);
+            if (!value || std::abs(*value) > kLargest)
+                return badField(*csv, (*columns)[i], CurvesText::tr("this is no number of a run"),
+                                CurvesText::tr("a number from -1e12 to 1e12, or NA"));
             row[i] = *value;
         }
+        if (!(row[0] >= before_s))
+            return badField(*csv, (*columns)[0], CurvesText::tr("the time falls, or there is none"),
+                            CurvesText::tr("times in order"));
+        before_s = row[0];
         ServoStep step;
         step.time_s = row[0];
         step.touching = fields[(*columns)[14]] == "touching";

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/servo_figure/servo_figure.h"
 
+#include "backend/figure/round_step.h"
+
 #include <QCoreApplication>
 #include <QString>
 
@@ -73,14 +75,10 @@ std::vector<Lane> lanesFor(bool alone) {
     return lanes;
 }
 
-/// 1, 2 or 5 times a power of ten; about as many of them as wanted are a span.
-double roundStep(double span, double wanted) {
-    const double rough = span / std::max(wanted, 2.0);
-    const double power = std::pow(10.0, std::floor(std::log10(rough)));
-    for (const double step : {1.0, 2.0, 5.0})
-        if (step * power >= rough)
-            return step * power;
-    return 10.0 * power;
+/// Beyond this there is no axis for it.
+bool isShown(double value) {
+    constexpr double kLargestShown = 1e100;
+    return std::abs(value) < kLargestShown;
 }
 
 struct Axis {
@@ -92,9 +90,11 @@ struct Axis {
 Axis axisOf(double low, double high, double leastSpan, double ticks) {
     if (!(low <= high))
         low = high = 0.0;
-    const double missing = std::max(0.0, leastSpan - (high - low));
+    // Values that differ by no more than their own rounding are one.
+    const double least = std::max(leastSpan, 1e-9 * std::max(std::abs(low), std::abs(high)));
+    const double missing = std::max(0.0, least - (high - low));
     Axis axis{low - 0.5 * missing, high + 0.5 * missing, 0.0};
-    axis.step = roundStep(axis.high - axis.low, ticks);
+    axis.step = figure::roundStep((axis.high - axis.low) / std::max(ticks, 2.0));
     axis.low = axis.step * std::floor(axis.low / axis.step + 1e-9);
     axis.high = axis.step * std::ceil(axis.high / axis.step - 1e-9);
     return axis;
@@ -142,7 +142,8 @@ public:
             std::max(24.0, (m_height - m_plotTop - kBottom) / static_cast<double>(m_rows) - kBetweenLanes);
         m_time_s = 1e-3;
         for (const ServoCurves& run : runs)
-            m_time_s = run.time_s.empty() ? m_time_s : std::max(m_time_s, run.time_s.back());
+            if (!run.time_s.empty() && isShown(run.time_s.back()))
+                m_time_s = std::max(m_time_s, run.time_s.back());
     }
 
     figure::SvgCanvas drawn() {
@@ -226,7 +227,7 @@ private:
         double high = -low;
         const auto include = [&](const std::vector<double>& values) {
             for (const double value : values)
-                if (std::isfinite(value)) {
+                if (isShown(lane.factor * value)) {
                     low = std::min(low, lane.factor * value);
                     high = std::max(high, lane.factor * value);
                 }
@@ -245,7 +246,9 @@ private:
         const auto y = [&](double value) {
             return upper + m_laneHeight * (axis.high - lane.factor * value) / (axis.high - axis.low);
         };
-        for (double tick = axis.low; tick < axis.high + 0.5 * axis.step; tick += axis.step) {
+        const auto ticks = std::lround((axis.high - axis.low) / axis.step);
+        for (long i = 0; i <= ticks; ++i) {
+            const double tick = axis.low + static_cast<double>(i) * axis.step;
             const double at = y(tick / lane.factor);
             m_canvas.line(m_left, at, right(), at, QStringLiteral("soft"));
             m_canvas.text(m_left - 8.0, at + 4.0, tickText(tick, axis.step),
@@ -273,10 +276,13 @@ private:
 
     void drawTime() {
         m_canvas.line(m_left, bottom(), right(), bottom(), QStringLiteral("ink"));
-        const double step_s = roundStep(m_time_s, plotWidth() / kPxPerTimeTick);
-        for (double tick_s = 0.0; tick_s < m_time_s * (1.0 + 1e-9); tick_s += step_s)
+        const double step_s = figure::roundStep(m_time_s / std::max(plotWidth() / kPxPerTimeTick, 2.0));
+        const auto last = std::lround(std::floor(m_time_s / step_s * (1.0 + 1e-9)));
+        for (long i = 0; i <= last; ++i) {
+            const double tick_s = static_cast<double>(i) * step_s;
             m_canvas.text(x(tick_s), bottom() + 18.0, tickText(tick_s, step_s),
                           QStringLiteral("soft small middle"));
+        }
         m_canvas.text(m_left + 0.5 * plotWidth(), bottom() + 36.0, FigureText::tr("time, s"),
                       QStringLiteral("ink small middle"));
     }
@@ -292,8 +298,11 @@ private:
             m_canvas.path(points, attributes);
             points.clear();
         };
+        const auto isDrawn = [&](std::size_t i) {
+            return isShown(values[i]) && std::isfinite(run.time_s[i]);
+        };
         for (std::size_t i = 0; i < values.size();) {
-            if (!std::isfinite(values[i])) {
+            if (!isDrawn(i)) {
                 finish();
                 ++i;
                 continue;
@@ -301,7 +310,7 @@ private:
             std::size_t lowest = i;
             std::size_t highest = i;
             const double px = std::floor(x(run.time_s[i]));
-            for (; i < values.size() && std::isfinite(values[i]) && std::floor(x(run.time_s[i])) == px; ++i) {
+            for (; i < values.size() && isDrawn(i) && std::floor(x(run.time_s[i])) == px; ++i) {
                 lowest = values[i] < values[lowest] ? i : lowest;
                 highest = values[i] > values[highest] ? i : highest;
             }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/information_transfer.h"
 
+#include "backend/core/quantile.h"
 #include "backend/study/portable_random.h"
 
 #include <algorithm>
@@ -11,14 +12,6 @@
 namespace teleta::study {
 
 namespace {
-
-/// Sample quantile with linear interpolation between order statistics (type 7 of R).
-double quantile(const std::vector<double>& sorted, double probability) {
-    const double position = probability * static_cast<double>(sorted.size() - 1);
-    const auto below = static_cast<std::size_t>(position);
-    const std::size_t above = std::min(below + 1, sorted.size() - 1);
-    return std::lerp(sorted[below], sorted[above], position - static_cast<double>(below));
-}
 
 double timesLog2(double x) {
     return x > 0.0 ? x * std::log2(x) : 0.0;
@@ -105,7 +98,7 @@ std::optional<Interval> bootstrapTransfer(std::span<const ConfusionMatrix> parti
         return std::nullopt;
     std::sort(values_bit.begin(), values_bit.end());
     const double tail = (1.0 - confidence) / 2.0;
-    return Interval{quantile(values_bit, tail), quantile(values_bit, 1.0 - tail)};
+    return Interval{core::quantileOf(values_bit, tail), core::quantileOf(values_bit, 1.0 - tail)};
 }
 
 } // namespace teleta::study

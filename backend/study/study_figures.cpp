@@ -2,6 +2,7 @@
 #include "backend/study/study_figures.h"
 
 #include "backend/core/output_file.h"
+#include "backend/figure/round_step.h"
 #include "backend/study/confusion_figure.h"
 #include "backend/study/watermark.h"
 
@@ -36,14 +37,9 @@ QString classes(const QString& names) {
     return QStringLiteral("class=\"%1\"").arg(names);
 }
 
-/// Steps of 1, 2 or 5 times a power of ten, about five of them.
+/// About five of them are a span.
 double tickStep(double span) {
-    const double power = std::pow(10.0, std::floor(std::log10(span / 5.0)));
-    for (const double factor : {1.0, 2.0, 5.0}) {
-        if (span / (factor * power) <= 6.0)
-            return factor * power;
-    }
-    return 10.0 * power;
+    return figure::roundStep(span / 6.0);
 }
 
 /// A chart with categories along x and values from 0 to `top` along y.

@@ -2,6 +2,7 @@
 #include "widgets/touch/contour_picture.h"
 
 #include "backend/core/number_text.h"
+#include "backend/figure/round_step.h"
 #include "widgets/base/number_format.h"
 #include "widgets/base/theme.h"
 #include "widgets/touch/touch_texts.h"
@@ -27,16 +28,6 @@ QString millimetres(double length_m) {
 
 QPointF toPoint(const contour::Point& p) {
     return {p.x(), p.y()};
-}
-
-/// Step of the axes' labels: 1, 2 or 5 times a power of ten, for about so many labels over the range.
-double tickStep(double range, double labels) {
-    const double rough = range / std::max(labels, 1.0);
-    const double power = std::pow(10.0, std::floor(std::log10(rough)));
-    for (const double factor : {1.0, 2.0, 5.0})
-        if (factor * power >= rough)
-            return factor * power;
-    return 10.0 * power;
 }
 
 } // namespace
@@ -105,7 +96,7 @@ void ContourPicture::paintAxes(QPainter& painter, const QRectF& plot, const QTra
     const QFont small = base::sized(font, base::kSmallText);
     const double line = QFontMetricsF(small).height();
     const QRectF seen = toPlot.inverted().mapRect(plot);
-    const double step_m = tickStep(seen.width(), plot.width() / (6.0 * line));
+    const double step_m = figure::roundStep(seen.width() / std::max(plot.width() / (6.0 * line), 1.0));
     const QColor text = palette.color(QPalette::PlaceholderText);
     const QColor grid = base::mixed(palette.color(QPalette::Base), palette.color(QPalette::Text), 0.1);
     painter.setFont(small);

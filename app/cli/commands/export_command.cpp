@@ -71,6 +71,7 @@ void ExportCommand::declare(CLI::App& app) {
                    ExportText::tr("Folder for a CSV file a stream and events.csv").toStdString())
         ->type_name("DIR")
         ->required();
+    app.add_flag("--force", m_force, ExportText::tr("Write over files that are there already").toStdString());
     declareJson(app, m_json);
 }
 
@@ -79,15 +80,27 @@ core::Expected<void> ExportCommand::run() {
     if (!recording)
         return core::Unexpected(recording.error());
     ProgressBar progress(ProgressBar::Unit::frames, false);
-    const auto files =
-        recording::exportCsv(*recording, m_folder, {.goOn = [&progress](double done, double all) {
-            progress.update(done, all);
-            return !interrupted();
-        }});
+    recording::ExportOptions options;
+    options.overwrite = m_force;
+    bool stopped = false;
+    options.goOn = [&](double done, double all) {
+        progress.update(done, all);
+        stopped = interrupted();
+        return !stopped;
+    };
+    const auto exported = recording::exportCsv(*recording, m_folder, options);
     progress.erase();
-    if (!files)
-        return core::Unexpected(interrupted() ? interruption() : files.error());
-    return m_json ? printJson(*recording, *files) : printFiles(*recording, *files);
+    if (!exported) {
+        core::Error error = exported.error();
+        if (error.kind == core::ErrorKind::refused)
+            error.expected = ExportText::tr("another folder, or --force").toStdString();
+        return core::Unexpected(std::move(error));
+    }
+    const core::Expected<void> printed =
+        m_json ? printJson(*recording, *exported) : printFiles(*recording, *exported);
+    if (printed && stopped)
+        return core::Unexpected(interruption());
+    return printed;
 }
 
 } // namespace teleta::cli

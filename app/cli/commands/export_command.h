@@ -19,6 +19,7 @@ public:
 private:
     std::string m_path;
     std::string m_folder;
+    bool m_force = false;
     bool m_json = false;
 };
 

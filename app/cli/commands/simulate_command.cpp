@@ -135,6 +135,7 @@ void SimulateCommand::declare(CLI::App& app) {
                                               "commas")))
             ->type_name("svg|pdf|png")
             ->delimiter(',')
+            ->allow_extra_args(false)
             ->check(CLI::IsMember({"svg", "pdf", "png"}).description(""))
             ->needs("--out");
     app.add_option("--compare", m_compare,
@@ -148,6 +149,7 @@ void SimulateCommand::declare(CLI::App& app) {
         help(QT_TRANSLATE_NOOP(
             "SimulateCommand",
             "Leave out one effect at a time and tell how far the measures move against their spread")));
+    ablate->excludes(figures);
     app.add_option(
            "--seeds", m_seeds,
            help(QT_TRANSLATE_NOOP("SimulateCommand", "Runs of each variant, with seeds from --seed upwards")))
@@ -176,15 +178,22 @@ core::Expected<void> SimulateCommand::ablate(const app::AnyScene& scene) const {
     return printAblation(*ablation, {.json = m_json, .outPath = m_outFolder});
 }
 
-core::Expected<void> SimulateCommand::writeFigures() const {
+core::Expected<std::vector<servo::ServoCurves>> SimulateCommand::readEarlierRuns() const {
     std::vector<servo::ServoCurves> runs;
-    for (const std::vector<std::string>& folders : {std::vector{m_outFolder}, m_compare})
-        for (const std::string& folder : folders) {
-            core::Expected<servo::ServoCurves> run = servo::readServoCurves(folder);
-            if (!run)
-                return core::Unexpected(run.error());
-            runs.push_back(std::move(*run));
-        }
+    for (const std::string& folder : m_compare) {
+        core::Expected<servo::ServoCurves> run = servo::readServoCurves(folder);
+        if (!run)
+            return core::Unexpected(run.error());
+        runs.push_back(std::move(*run));
+    }
+    return runs;
+}
+
+core::Expected<void> SimulateCommand::writeFigures(std::vector<servo::ServoCurves> runs) const {
+    core::Expected<servo::ServoCurves> own = servo::readServoCurves(m_outFolder);
+    if (!own)
+        return core::Unexpected(own.error());
+    runs.insert(runs.begin(), std::move(*own));
     const std::string svg = servo::servoFigure(runs).standalone();
     for (const std::string& format : m_figures) {
         const core::Expected<std::string> bytes = format == "pdf"   ? figure::pdfOf(svg)
@@ -216,6 +225,10 @@ core::Expected<void> SimulateCommand::run() {
     if (!m_figures.empty() && (study != nullptr || !std::get<scene::Scene>(*scene).isServo()))
         throw CLI::ValidationError("--figures", SimulateText::tr("is for scenes of a servo").toStdString());
 
+    // Before the run, which may take long; and the run may be of the same folder.
+    core::Expected<std::vector<servo::ServoCurves>> earlier = readEarlierRuns();
+    if (!earlier)
+        return core::Unexpected(earlier.error());
     // Nothing is printed before the end, so the bar may share the terminal with the results.
     ProgressBar progress(ProgressBar::Unit::simulatedSeconds, false);
     scene_run::RunOptions options;
@@ -235,7 +248,7 @@ core::Expected<void> SimulateCommand::run() {
     if (!summary)
         return core::Unexpected(summary.error());
     if (!m_figures.empty())
-        if (const core::Expected<void> drawn = writeFigures(); !drawn)
+        if (const core::Expected<void> drawn = writeFigures(std::move(*earlier)); !drawn)
             return drawn;
     const core::Expected<void> printed = m_json ? printDocument(summary->toJson()) : printTable(*summary);
     if (!printed)

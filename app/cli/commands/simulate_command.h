@@ -3,6 +3,7 @@
 
 #include "app/cli/command.h"
 #include "app/common/scene_file.h"
+#include "backend/servo_figure/servo_curves.h"
 
 #include <cstdint>
 #include <optional>
@@ -22,7 +23,8 @@ public:
 
 private:
     [[nodiscard]] core::Expected<void> ablate(const app::AnyScene& scene) const;
-    [[nodiscard]] core::Expected<void> writeFigures() const;
+    [[nodiscard]] core::Expected<std::vector<servo::ServoCurves>> readEarlierRuns() const;
+    [[nodiscard]] core::Expected<void> writeFigures(std::vector<servo::ServoCurves> runs) const;
 
     std::string m_scenePath;
     bool m_list = false;

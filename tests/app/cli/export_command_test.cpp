@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <filesystem>
 
 using nlohmann::ordered_json;
 using teleta::test::ProgramResult;
@@ -66,6 +67,17 @@ TEST_F(ExportCommand, aSimulatedArmsJointsAreReadAsAStiffnessLogAsTheyAre) {
     const auto estimated = splitCsv(readAll(m_folder.path("run/touches.csv")));
     EXPECT_EQ(touches[1][3], estimated[1][3]) << "contact_distance_m";
     EXPECT_EQ(touches[1][11], estimated[1][17]) << "object_stiffness_n_per_m";
+}
+
+TEST_F(ExportCommand, theFilesOfASceneAreNotWrittenOverByThoseOfItsRecording) {
+    const std::string recording = simulated("tactile-indenter", "0.1");
+    const std::string frames = readAll(m_folder.path("run/frames.csv"));
+    const ProgramResult refused = run({"export", recording, "--csv", m_folder.path("run")});
+    EXPECT_EQ(refused.exitCode, 1);
+    EXPECT_NE(refused.err.find("frames.csv"), std::string::npos) << refused.err;
+    EXPECT_NE(refused.err.find("--force"), std::string::npos) << refused.err;
+    EXPECT_FALSE(std::filesystem::exists(m_folder.path("run/events.csv")));
+    EXPECT_EQ(run({"export", recording, "--csv", m_folder.path("run"), "--force"}).exitCode, 0);
 }
 
 TEST_F(ExportCommand, whatIsNoRecordingIsABadInput) {

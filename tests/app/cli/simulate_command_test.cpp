@@ -6,12 +6,16 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdint>
 #include <filesystem>
+#include <system_error>
+#include <thread>
 
 using nlohmann::ordered_json;
 using teleta::test::ProgramResult;
 using teleta::test::readAll;
 using teleta::test::run;
+using teleta::test::RunningProgram;
 using teleta::test::splitCsv;
 using teleta::test::TemporaryFolder;
 
@@ -106,6 +110,41 @@ TEST_F(SimulateCommand, drawsServoRunsInOneChart) {
               2);
     EXPECT_EQ(run({"simulate", kScenes + "servo-point.toml", "--figures", "svg"}).exitCode, 2)
         << "there is no folder for it";
+    // An option of a list does not take the scene for one more of it.
+    EXPECT_EQ(
+        run({"simulate", "--duration", "0.1", "--out", second, "--figures", "svg", "servo-point"}).exitCode,
+        0);
+    const std::vector<std::string> ablation{"simulate", "servo-point", "--ablate", "--out",
+                                            second,     "--figures",   "svg"};
+    EXPECT_EQ(run(ablation).exitCode, 2);
+}
+
+TEST_F(SimulateCommand, looksAtTheRunsToCompareBeforeItRuns) {
+    const ProgramResult result = run({"simulate", "servo-point", "--out", m_folder.path("run"), "--figures",
+                                      "svg", "--compare", m_folder.path("none")});
+    EXPECT_EQ(result.exitCode, 3) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(m_folder.path("run/servo.csv")));
+}
+
+TEST_F(SimulateCommand, keepsTheEarlierRecordingUntilTheNewOneIsComplete) {
+    const std::string recording = m_folder.path("run/recording.teleta");
+    simulate("tactile-indenter.toml", {"--duration", "1", "--out", m_folder.path("run")});
+    const std::string earlier = readAll(recording);
+    RunningProgram program(
+        {"simulate", "tactile-indenter", "--duration", "100000", "--out", m_folder.path("run")});
+    // Some frames of it are safe on the disk when the log has grown.
+    constexpr std::uintmax_t kSome = 200'000;
+    std::error_code none;
+    const auto logSize = [&] { return std::filesystem::file_size(recording + ".part-wal", none); };
+    while ((logSize() < kSome || none) && !program.ended())
+        std::this_thread::yield();
+    ASSERT_FALSE(program.ended()) << program.wait().err;
+    EXPECT_TRUE(readAll(recording) == earlier);
+    program.send(SIGINT);
+    EXPECT_EQ(program.wait().exitCode, 1);
+    EXPECT_FALSE(std::filesystem::exists(recording + ".part"));
+    EXPECT_FALSE(readAll(recording) == earlier);
+    EXPECT_EQ(run({"replay", recording, "--out", m_folder.path("f.csv")}).exitCode, 0);
 }
 
 TEST_F(SimulateCommand, runsAStudyAsASceneAndLeavesOutItsEffects) {

@@ -147,14 +147,3 @@ TEST(Measurer, handsOnWhyALadderCannotBeMade) {
     ASSERT_FALSE(measured);
     EXPECT_EQ(measured.error().message, "no camera");
 }
-
-TEST(Measurer, quantilesAreThoseOfR) {
-    // R: quantile(c(1, 2, 4, 8), c(0, .25, .5, .95, 1)) gives 1, 1.75, 3, 7.4, 8.
-    constexpr std::array kValues{1.0, 2.0, 4.0, 8.0};
-    EXPECT_DOUBLE_EQ(quantileOf(kValues, 0.0), 1.0);
-    EXPECT_DOUBLE_EQ(quantileOf(kValues, 0.25), 1.75);
-    EXPECT_DOUBLE_EQ(quantileOf(kValues, 0.5), 3.0);
-    EXPECT_DOUBLE_EQ(quantileOf(kValues, 0.95), 7.4);
-    EXPECT_DOUBLE_EQ(quantileOf(kValues, 1.0), 8.0);
-    EXPECT_DOUBLE_EQ(quantileOf(std::span(kValues).first(1), 0.99), 1.0);
-}

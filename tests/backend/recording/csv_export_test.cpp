@@ -5,6 +5,7 @@
 #include "backend/recording/stream_columns.h"
 #include "tests/backend/recording/recorded_files.h"
 
+#include <filesystem>
 #include <limits>
 
 using namespace teleta;
@@ -23,9 +24,9 @@ protected:
     }
     [[nodiscard]] std::vector<ExportedFile> exported() const {
         const auto recording = Recording::open(m_folder.path("run.teleta"));
-        const auto files = exportCsv(*recording, m_folder.path("csv"));
-        EXPECT_TRUE(files) << core::describe(files.error());
-        return files.value_or(std::vector<ExportedFile>());
+        const auto done = exportCsv(*recording, m_folder.path("csv"));
+        EXPECT_TRUE(done) << core::describe(done.error());
+        return done.value_or(std::vector<ExportedFile>());
     }
 
     static constexpr std::int64_t kStart_ns = 77'000'000'000;
@@ -117,16 +118,62 @@ TEST_F(CsvExportTest, featuresHaveTheirWordsAndDamagedBlocksAreLeftOutAndCounted
                                                                       "3,NA,1.5\n");
 }
 
-TEST_F(CsvExportTest, anExportThatIsStoppedLeavesNoHalfFile) {
+TEST_F(CsvExportTest, anExportThatIsStoppedCompletesItsFileAndBeginsNoOther) {
     {
         auto recorder = start();
-        appendFrame(*recorder->addStream(arrayInfo()), kStart_ns, 1.0F);
+        const auto tap = recorder->addStream(arrayInfo());
+        for (int i = 0; i < 3; ++i) {
+            const std::array<float, kTaxels> values{static_cast<float>(i)};
+            tap->append(kStart_ns + i, 0.0, std::span<const float>(values), /*discontinuity=*/true);
+        }
+        appendFrame(*recorder->addStream(arrayInfo("later")), kStart_ns, 1.0F);
         ASSERT_TRUE(recorder->stop());
     }
     const auto recording = Recording::open(m_folder.path("run.teleta"));
-    const auto files =
-        exportCsv(*recording, m_folder.path("csv"), {.goOn = [](double, double) { return false; }});
-    ASSERT_FALSE(files);
-    EXPECT_EQ(files.error().kind, core::ErrorKind::cancelled);
-    EXPECT_FALSE(std::filesystem::exists(m_folder.path("csv/frames.csv")));
+    const auto done = exportCsv(*recording, m_folder.path("csv"),
+                                {.goOn = [](double frames, double) { return frames < 2.0; }});
+    ASSERT_TRUE(done) << core::describe(done.error());
+    ASSERT_EQ(done->size(), 2U);
+    EXPECT_EQ(done->at(0).rows, 2U);
+    EXPECT_EQ(readAll(m_folder.path("csv/frames.csv")), "time_s,t0,t1,t2,t3,t4,t5\n0,0,0,0,0,0,0\n"
+                                                        "1e-09,1,0,0,0,0,0\n");
+    EXPECT_TRUE(std::filesystem::exists(m_folder.path("csv/events.csv")));
+    EXPECT_FALSE(std::filesystem::exists(m_folder.path("csv/later.csv")));
+}
+
+TEST_F(CsvExportTest, streamsWhoseFilesWouldHaveOneNameGetNumbers) {
+    {
+        auto recorder = start();
+        float value = 0.0F;
+        for (const char* name : {"a/b", "a_b", "A_B", "events"})
+            appendFrame(*recorder->addStream(arrayInfo(name)), kStart_ns, value++);
+        ASSERT_TRUE(recorder->stop());
+    }
+    std::vector<std::string> names;
+    for (const ExportedFile& file : exported())
+        names.push_back(file.path.substr(file.path.rfind('/') + 1));
+    EXPECT_EQ(names,
+              (std::vector<std::string>{"a_b.csv", "a_b-2.csv", "A_B-3.csv", "events-2.csv", "events.csv"}));
+    EXPECT_NE(readAll(m_folder.path("csv/A_B-3.csv")).find("\n0,2,"), std::string::npos);
+    EXPECT_EQ(readAll(m_folder.path("csv/events.csv")).substr(0, 10), "time_s,utc");
+}
+
+TEST_F(CsvExportTest, nobodysFileIsWrittenOverUnlessItMayBe) {
+    {
+        auto recorder = start();
+        appendFrame(*recorder->addStream(arrayInfo("first")), kStart_ns, 1.0F);
+        appendFrame(*recorder->addStream(arrayInfo()), kStart_ns, 1.0F);
+        ASSERT_TRUE(recorder->stop());
+    }
+    std::filesystem::create_directory(m_folder.path("csv"));
+    const std::string mine = m_folder.write("csv/frames.csv", "somebody's");
+    const auto recording = Recording::open(m_folder.path("run.teleta"));
+    const auto refused = exportCsv(*recording, m_folder.path("csv"));
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().kind, core::ErrorKind::refused);
+    EXPECT_EQ(refused.error().where.file, mine);
+    EXPECT_EQ(readAll(mine), "somebody's");
+    EXPECT_FALSE(std::filesystem::exists(m_folder.path("csv/first.csv")));
+    EXPECT_TRUE(exportCsv(*recording, m_folder.path("csv"), {.overwrite = true}));
+    EXPECT_NE(readAll(mine), "somebody's");
 }

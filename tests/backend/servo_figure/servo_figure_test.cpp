@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -85,6 +86,13 @@ TEST_F(ServoFigure, whatIsNoRunIsRefusedWithItsPlace) {
         readServoCurves(written(std::string(kHeader) + "0.01,align,touching,five,5,0,0,0,0,0,0,0,1,2,3\n"));
     ASSERT_FALSE(broken);
     EXPECT_EQ(broken.error().where.line, 2);
+    const std::string rest = ",align,touching,5,5,0,0,0,0,0,0,0,1,2,3\n";
+    for (const char* time : {"NA", "nan", "inf", "1e13", "0.009"}) {
+        const auto refused = readServoCurves(written(kHeader + ("0.01" + rest) + (time + rest)));
+        ASSERT_FALSE(refused) << time;
+        EXPECT_EQ(refused.error().where.line, 3) << time;
+        EXPECT_EQ(refused.error().where.column, 1) << time;
+    }
     EXPECT_FALSE(readServoCurves(written("time_s,force_true_N\n0,1\n"))) << "columns are missing";
     EXPECT_FALSE(readServoCurves(m_folder.filePath("none").toStdString()));
 }
@@ -127,6 +135,23 @@ TEST_F(ServoFigure, aCurveRunsThroughTheHighestPointOfItsAxis) {
     EXPECT_NEAR(y(1), 0.5 * (y(0) + y(4)), 0.02) << "5 N lies half way between 0 and 10";
     EXPECT_LT(y(4), y(0));
     EXPECT_NEAR(x(4), 0.5 * (x(0) + x(8)), 0.02);
+}
+
+TEST_F(ServoFigure, numbersOfEverySizeEndInAChart) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    for (const double value : {1e-300, 1e12, 1e13, 1e17, 1e300, kInfinity, -kInfinity}) {
+        std::array runs{nineSteps("large")};
+        runs[0].force_N.assign(9, value);
+        runs[0].copY_m[3] = value;
+        EXPECT_TRUE(hasOnlyNumbers(servoFigure(runs).standalone())) << value;
+        runs[0].time_s.back() = value;
+        const std::string svg = servoFigure(runs).standalone();
+        EXPECT_TRUE(hasOnlyNumbers(svg)) << value;
+        EXPECT_LT(count(svg, "<text"), 200) << value;
+    }
+    std::array runs{nineSteps("no time")};
+    runs[0].time_s[4] = std::nan("");
+    EXPECT_TRUE(hasOnlyNumbers(servoFigure(runs).standalone()));
 }
 
 TEST_F(ServoFigure, aWidePictureHasItsLanesInTwoColumns) {
