@@ -11,7 +11,7 @@ namespace teleta::scene_run {
 
 namespace {
 
-constexpr std::array<std::string_view, 41> kColumns{"time_s",
+constexpr std::array<std::string_view, 42> kColumns{"time_s",
                                                     "phase",
                                                     "contact",
                                                     "type",
@@ -51,7 +51,8 @@ constexpr std::array<std::string_view, 41> kColumns{"time_s",
                                                     "wy_rad_per_s",
                                                     "wz_rad_per_s",
                                                     "tray_rad",
-                                                    "energy_J"};
+                                                    "energy_J",
+                                                    "limits"};
 
 } // namespace
 
@@ -103,6 +104,7 @@ void ServoLog::add(const simulation::ServoLoop& loop, const std::string& phase, 
         m_csv->number(value);
     m_csv->number(truth.hinge_rad);
     m_csv->number(arm.energy_J());
+    m_csv->text(output.limits.names());
     m_csv->endRow();
 }
 

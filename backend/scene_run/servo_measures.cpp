@@ -18,6 +18,7 @@ constexpr double kAlignedAngle_rad = std::numbers::pi / 180.0;
 constexpr double kAlignedPlace_m = 0.0005;
 constexpr double kAlignedFor_s = 0.2;
 constexpr double kSpeedWindow_s = 0.1;
+constexpr double kSettled_s = 3.0;
 
 ordered_json orNull(const std::optional<double>& value) {
     return value ? jsonNumber(*value) : ordered_json(nullptr);
@@ -74,17 +75,18 @@ bool ServoMeasures::add(const simulation::ServoLoop& loop) {
     return another;
 }
 
-bool ServoMeasures::lasting(const simulation::ServoLoop& loop) const {
+bool ServoMeasures::lasting(const simulation::ServoLoop& loop) {
     switch (loop.output().kind) {
     case servo::TaskKind::explore:
     case servo::TaskKind::comanipulation:
+        m_lasts = true;
         return true;
     case servo::TaskKind::roll:
         return m_task.kind == scene::ServoTaskKind::roll && m_aligned_s;
     case servo::TaskKind::pointFollowing:
         return m_task.kind == scene::ServoTaskKind::point && m_aligned_s;
     default:
-        return false;
+        return m_lasts;
     }
 }
 
@@ -110,6 +112,8 @@ void ServoMeasures::addFrame(const simulation::ServoLoop& loop) {
         m_force_N.add(loop.world().truth().force_N - m_task.force_N);
         if (loaded && !frame.alphaZ_rad)
             m_cop_m.add(copError_m);
+        if (m_aligned_s && m_now_s >= *m_aligned_s + kSettled_s)
+            m_settledForce_N.add(loop.world().truth().force_N - m_task.force_N);
     }
     if (m_massMoves_s && m_now_s >= *m_massMoves_s) {
         m_dzmpY_m.push_back(loaded ? dzmpY_m : std::nan(""));
@@ -177,6 +181,8 @@ void ServoMeasures::report(ordered_json& measures) const {
     if (m_cop_m.count > 0) {
         measures["cop_rms_error_m"] = m_cop_m.rms();
         measures["cop_max_error_m"] = jsonNumber(m_cop_m.most);
+        measures["force_settled_max_error_n"] =
+            m_settledForce_N.count > 0 ? jsonNumber(m_settledForce_N.most) : ordered_json(nullptr);
     }
 }
 

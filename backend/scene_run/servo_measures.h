@@ -20,14 +20,15 @@ namespace teleta::scene_run {
 ///   |alpha_z| < 1
 ///     degree, |DZMP_y| < 0.5 mm, |CoP_y - desired| < 0.5 mm. Point: the CoP within 0.5 mm.
 ///   force_rms_error_n, force_max_error_n: of the whole force on array and housing, in the plan's lasting
-///   task:
-///     exploring, co-manipulation; of a point, once it is aligned, following or rolling
+///   task: exploring, co-manipulation, from their first step to the end, whatever task is fallen back to
+///     meanwhile; of a point, once it is aligned, following or rolling
 ///   explore: reconstruction_rms_m (contact points felt, from the true line), path_length_m and
 ///     max_sliding_speed_m_s (over 0.1 s) along the array's x
 ///   comanipulate: dzmp_y_settle_s (from the mass's first motion until |DZMP_y| stays < 0.5 mm),
 ///   dzmp_y_final_m
 ///     (mean of the last second), alpha_z_rms_rad, tray_tilt_max_rad (both from then on)
-///   point, roll: cop_rms_error_m, cop_max_error_m, once aligned and in the lasting task
+///   point, roll: cop_rms_error_m, cop_max_error_m, once aligned and in the lasting task;
+///     force_settled_max_error_n, the same from 3 s after the alignment on
 /// Thread: one.
 class ServoMeasures {
 public:
@@ -59,7 +60,7 @@ private:
 
     void addFrame(const simulation::ServoLoop& loop);
     void addServoCycle(const simulation::ServoLoop& loop);
-    [[nodiscard]] bool lasting(const simulation::ServoLoop& loop) const;
+    [[nodiscard]] bool lasting(const simulation::ServoLoop& loop);
 
     scene::ServoTaskSettings m_task;
     double m_cycle_s;
@@ -76,6 +77,8 @@ private:
     double m_fastest_mPerS = 0.0;
     double m_tilt_rad = 0.0;
     Errors m_force_N;
+    Errors m_settledForce_N;
+    bool m_lasts = false; ///< exploring or co-manipulation has begun
     Errors m_cop_m;
     Errors m_alpha_rad;
     Errors m_line_m;

@@ -41,32 +41,6 @@ Eigen::Vector3d kept(const Eigen::Vector3d& velocity, const Eigen::Vector3d& awa
 
 } // namespace
 
-const char* toString(Limit limit) {
-    switch (limit) {
-    case Limit::toolSpeed:
-        return "tool_speed";
-    case Limit::turnRate:
-        return "turn_rate";
-    case Limit::force:
-        return "force";
-    case Limit::saturation:
-        return "saturation";
-    case Limit::deviation:
-        return "deviation";
-    case Limit::jointSpeed:
-        return "joint_speed";
-    case Limit::jointEnd:
-        return "joint_end";
-    case Limit::singular:
-        return "singular";
-    case Limit::gap:
-        return "gap";
-    case Limit::badInput:
-        return "bad_input";
-    }
-    return "";
-}
-
 tl::expected<ServoController, TaskRefusal> ServoController::create(ServoPlan plan,
                                                                    const std::optional<ArmGuard>& arm) {
     if (const auto fine = check(plan); !fine)
@@ -101,6 +75,7 @@ void ServoController::reset() {
     m_direction.reset();
     m_search.reset();
     m_started = false;
+    m_held = false;
     m_phaseBegan = true;
     m_untouched_s = 0.0;
     m_path_m = 0.0;
@@ -167,6 +142,7 @@ std::array<bool, 6> ServoController::observe(const ServoInput& input, const Serv
             error[static_cast<Eigen::Index>(row)] = 0.0;
     }
     output.error = output.projection * error;
+    output.known = known;
     return known;
 }
 
@@ -265,9 +241,16 @@ ServoOutput ServoController::step(const ServoInput& input) {
     if (!good)
         output.limits.set(Limit::badInput);
     // Bad features say nothing against the pose; without one a hold would lead to the base's origin.
-    if (!m_started && input.X_Base_Sensor.matrix().array().isFinite().all()) {
+    const bool poseIsKnown = input.X_Base_Sensor.matrix().array().isFinite().all();
+    if (!m_started && poseIsKnown) {
         m_X_Base_Sensor = input.X_Base_Sensor;
         m_started = good;
+    }
+    if (!input.hold)
+        m_held = false;
+    else if (!m_held && poseIsKnown) {
+        m_X_Base_Sensor = input.X_Base_Sensor;
+        m_held = true;
     }
     if (!good || input.hold) {
         m_regulator.reset();

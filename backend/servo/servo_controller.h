@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/contact/tactile_features.h"
+#include "backend/servo/active_limits.h"
 #include "backend/servo/contact_search.h"
 #include "backend/servo/lwr_inverse.h"
 #include "backend/servo/pi_regulator.h"
@@ -11,49 +12,18 @@
 #include <tl/expected.hpp>
 
 #include <array>
-#include <bitset>
 #include <cstddef>
 #include <optional>
 #include <utility>
 
 namespace teleta::servo {
 
-/// Limits that can act on a command.
-enum class Limit : std::size_t {
-    toolSpeed,  ///< the sensor's speed was lowered
-    turnRate,   ///< its turn was lowered
-    force,      ///< the measured force is over the limit: the sensor only retreats
-    saturation, ///< a taxel is saturated: the sensor pushes no further
-    deviation,  ///< the command would have run away from the measured pose
-    jointSpeed, ///< a joint would have been too fast
-    jointEnd,   ///< a joint is at the end of its range
-    singular,   ///< the arm is near a singularity, where the motion is damped
-    gap,        ///< the step was longer than the task counts
-    badInput,   ///< a number was not finite, or the step not > 0: nothing moves
-};
-inline constexpr std::size_t kLimits = 10;
-
-/// "tool_speed", "turn_rate", "force", ...
-[[nodiscard]] const char* toString(Limit limit);
-
-/// Those limits that acted in one step.
-class ActiveLimits {
-public:
-    void set(Limit limit) { m_bits.set(static_cast<std::size_t>(limit)); }
-    [[nodiscard]] bool has(Limit limit) const { return m_bits[static_cast<std::size_t>(limit)]; }
-    [[nodiscard]] bool any() const { return m_bits.any(); }
-    bool operator==(const ActiveLimits&) const = default;
-
-private:
-    std::bitset<kLimits> m_bits;
-};
-
 struct ServoInput {
     contact::TactileFeatures features;
     double dt_s = 0.0;                                               ///< since the frame before; > 0
     Eigen::Isometry3d X_Base_Sensor = Eigen::Isometry3d::Identity(); ///< measured
     std::optional<LwrVector> q_rad; ///< measured joints; without them joint limits are not looked at
-    bool hold = false;              ///< STOP: the command stays where it is
+    bool hold = false;              ///< STOP: the command becomes the measured pose and stays there
 };
 
 struct ServoOutput {
@@ -68,7 +38,8 @@ struct ServoOutput {
     bool edge = false;                             ///< beta of the inverse Jacobian
     ActiveLimits limits;                           ///< that acted in this step
     FeatureVector desired = FeatureVector::Zero(); ///< s_d
-    FeatureVector actual = FeatureVector::Zero();  ///< J^-1 s
+    FeatureVector actual = FeatureVector::Zero();  ///< J^-1 s; 0 where it is not known
+    std::array<bool, 6> known{};                   ///< which rows of it are defined and count
     Vector6 error = Vector6::Zero();               ///< P (s_d - J^-1 s)
     Vector6 integral = Vector6::Zero();            ///< share of the integral in the twist
     Matrix6 inverseJacobian = Matrix6::Identity();
@@ -89,8 +60,8 @@ struct ArmGuard {
 /// the law, in the order force, saturation, speed, joints, deviation; each that acted is reported, and takes
 /// its part back from the integrals. Usable at any rate: a step longer than the task's longestStep_s counts
 /// as that. Without contact for lostAfter_s a task that needs it searches (ContactSearch) and in the end
-/// stands still and says "lost"; contact at any moment goes on with the plan. Thread: one; step() allocates
-/// nothing.
+/// stands still and says "lost"; contact at any moment goes on with the plan. STOP commands the pose that was
+/// measured when it came: the arm's springs let go of what it presses. Thread: one; step() allocates nothing.
 class ServoController {
 public:
     /// plan: must be good for check(). arm: for joint limits and singularities.
@@ -138,6 +109,7 @@ private:
     EdgeDirection m_direction;
     ContactSearch m_search;
     bool m_started = false;
+    bool m_held = false; ///< in the last step
     bool m_phaseBegan = true;
     double m_untouched_s = 0.0;
     double m_path_m = 0.0; ///< of the last step

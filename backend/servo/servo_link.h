@@ -22,6 +22,8 @@ struct ServoReport {
 
     double time_s = 0.0; ///< of the source
     ServoOutput output;
+    ActiveLimits
+        recentLimits; ///< that acted within the last second: one that acts in a step alone is seen too
     Eigen::Isometry3d X_Base_Sensor = Eigen::Isometry3d::Identity(); ///< measured
     /// Of the arm's joints from the base to the flange, and the sensor; m, for drawing.
     std::array<Eigen::Vector3d, kLwrJoints> p_Base_Joint{};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/servo/active_limits.h"
 #include "backend/servo/servo_task.h"
 
 #include <Eigen/Core>
@@ -28,6 +29,7 @@ struct ServoStep {
     double dzmpYTrue_m = kNone; ///< from the true loads of the taxels
     double alphaZ_rad = kNone;
     double alphaZDesired_rad = kNone;
+    ActiveLimits limits; ///< that acted on the command
     Eigen::Vector3d p_Base_Sensor = Eigen::Vector3d::Zero();
     /// Centre of contact of a step that explores an edge; NaN otherwise.
     Eigen::Vector3d p_Base_Contact = Eigen::Vector3d::Constant(kNone);

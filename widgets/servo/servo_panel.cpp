@@ -92,13 +92,24 @@ ServoPanel::ServoPanel(QWidget* parent)
     layout->addWidget(m_cost);
     layout->addStretch(1);
 
-    const auto wish = [this] {
-        m_wish = tuning();
-        emit tuningChanged(*m_wish);
+    // Only what was touched: the fields show the rest rounded.
+    const auto wishes = [this](auto signalOf, auto* field, auto change) {
+        connect(field, signalOf, this, [this, change](auto value) {
+            if (!m_report)
+                return;
+            ServoTuning wish = m_wish.value_or(m_report->tuning);
+            change(wish, value);
+            m_wish = wish;
+            emit tuningChanged(wish);
+        });
     };
-    for (QDoubleSpinBox* box : {m_force, m_slide, m_gain})
-        connect(box, &QDoubleSpinBox::valueChanged, this, wish);
-    connect(m_moment, &QCheckBox::toggled, this, wish);
+    wishes(&QDoubleSpinBox::valueChanged, m_force,
+           [](ServoTuning& wish, double value) { wish.force_N = value; });
+    wishes(&QDoubleSpinBox::valueChanged, m_slide,
+           [](ServoTuning& wish, double value) { wish.slide_mPerS = 1e-3 * value; });
+    wishes(&QDoubleSpinBox::valueChanged, m_gain,
+           [](ServoTuning& wish, double value) { wish.gain = 0.01 * value; });
+    wishes(&QCheckBox::toggled, m_moment, [](ServoTuning& wish, bool value) { wish.moment = value; });
     connect(m_tasks, &QComboBox::activated, this,
             [this](int index) { emit taskRequested(static_cast<std::size_t>(index)); });
     retranslate();
@@ -173,7 +184,7 @@ void ServoPanel::showTexts() {
     const bool gone = output.contact == ContactState::lost;
     const bool searches = output.contact == ContactState::searching;
     paint(m_contact, gone ? colours.lost : searches ? colours.stale : colours.neutral);
-    const QString limits = ServoTexts::limits(output.limits);
+    const QString limits = ServoTexts::limits(m_report->recentLimits);
     m_limits->setText(limits.isEmpty() ? tr("No limit acts.") : tr("Limits that act: %1").arg(limits));
     paint(m_limits, limits.isEmpty() ? colours.neutral : colours.stale);
 }

@@ -33,6 +33,10 @@ Shown shownAs(int row, double compliance_mPerN) {
     return {1e3, QStringLiteral("mm")};
 }
 
+QString elementText(double value) {
+    return value > 0.0 ? QStringLiteral("1") : value < 0.0 ? QStringLiteral("\u22121") : QStringLiteral("0");
+}
+
 } // namespace
 
 ServoPicture::ServoPicture(QWidget* parent)
@@ -44,6 +48,31 @@ ServoPicture::ServoPicture(QWidget* parent)
 void ServoPicture::setReport(const std::optional<ServoReport>& report) {
     m_report = report;
     update();
+}
+
+std::array<QString, 3> ServoPicture::featureTexts(int row) const {
+    if (!m_report)
+        return {base::threeDigits(std::nullopt), base::threeDigits(std::nullopt),
+                base::threeDigits(std::nullopt)};
+    const ServoOutput& output = m_report->output;
+    const double factor = shownAs(row, m_report->normalCompliance_mPerN).factor;
+    const auto shown = [&](double value, bool known) {
+        return base::threeDigits(known ? std::optional(factor * value) : std::nullopt);
+    };
+    const bool known = output.known[static_cast<std::size_t>(row)];
+    return {shown(output.desired[row], true), shown(output.actual[row], known),
+            shown(output.desired[row] - output.actual[row], known)};
+}
+
+QStringList ServoPicture::matrixTexts(const Matrix6& matrix) {
+    QStringList rows;
+    for (int row = 0; row < kRows; ++row) {
+        QStringList elements;
+        for (int column = 0; column < kRows; ++column)
+            elements << elementText(matrix(row, column));
+        rows << elements.join(QLatin1Char(' '));
+    }
+    return rows;
 }
 
 double ServoPicture::lineHeight() const {
@@ -98,21 +127,17 @@ void ServoPicture::paintFeatures(QPainter& painter) const {
         rowFont.setBold(acts);
         painter.setFont(rowFont);
         painter.setPen(acts ? palette().color(QPalette::WindowText) : quiet);
-        const Shown shown = shownAs(row, m_report ? m_report->normalCompliance_mPerN : 1.0);
         painter.drawText(cell(row + 1, 0), Qt::AlignLeft | Qt::AlignVCenter,
                          ServoTexts::feature(row, output.edge));
-        const std::array<double, 3> values{output.desired[row], output.actual[row],
-                                           output.desired[row] - output.actual[row]};
-        for (int i = 0; i < 3; ++i) {
-            const std::optional<double> value =
-                m_report ? std::optional(shown.factor * values[static_cast<std::size_t>(i)]) : std::nullopt;
+        const std::array<QString, 3> values = featureTexts(row);
+        for (int i = 0; i < 3; ++i)
             base::drawTabularText(painter, cell(row + 1, i + 1), Qt::AlignRight | Qt::AlignVCenter,
-                                  base::threeDigits(value));
-        }
+                                  values[static_cast<std::size_t>(i)]);
         painter.setFont(font());
         painter.setPen(quiet);
         painter.drawText(QRectF(margin + 4.0 * column + 0.4 * em, (row + 1) * line, unitWidth, line),
-                         Qt::AlignLeft | Qt::AlignVCenter, shown.unit);
+                         Qt::AlignLeft | Qt::AlignVCenter,
+                         shownAs(row, m_report ? m_report->normalCompliance_mPerN : 1.0).unit);
     }
 }
 
@@ -139,10 +164,7 @@ void ServoPicture::paintMatrix(QPainter& painter, const QRectF& rect, const QStr
             painter.drawRect(square);
             painter.setPen(value != 0.0 ? base::readableOn(fill)
                                         : base::mixed(text, palette().color(QPalette::Base), 0.5));
-            const QString digit = value > 0.0   ? QStringLiteral("1")
-                                  : value < 0.0 ? QStringLiteral("\u22121")
-                                                : QStringLiteral("0");
-            painter.drawText(square, Qt::AlignCenter, digit);
+            painter.drawText(square, Qt::AlignCenter, elementText(value));
         }
 }
 

@@ -3,8 +3,10 @@
 
 #include "backend/servo/servo_link.h"
 
+#include <QStringList>
 #include <QWidget>
 
+#include <array>
 #include <optional>
 
 namespace teleta::servo {
@@ -18,6 +20,11 @@ public:
     explicit ServoPicture(QWidget* parent = nullptr);
 
     void setReport(const std::optional<ServoReport>& report);
+
+    /// What a row of the table says: desired, actual, error; a dash for what is not defined.
+    [[nodiscard]] std::array<QString, 3> featureTexts(int row) const;
+    /// The rows of a matrix as they are drawn.
+    [[nodiscard]] static QStringList matrixTexts(const Matrix6& matrix);
 
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }

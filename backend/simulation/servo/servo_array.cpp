@@ -4,11 +4,14 @@
 #include "backend/simulation/servo/servo_loop.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace teleta::simulation {
 
 namespace {
+
+constexpr double kRecent_s = 1.0;
 
 class ServoArray : public core::FrameGenerator {
 public:
@@ -24,7 +27,9 @@ public:
                         .unit = "N",
                         .nominalRate_Hz =
                             std::min(scene.servo().sensor.acquisition_Hz, m_loop->world().rate_Hz()),
-                        .simulated = true} {}
+                        .simulated = true} {
+        m_lastActed_s.fill(-kRecent_s - 1.0);
+    }
 
     [[nodiscard]] core::SourceDescription description() const override { return m_description; }
 
@@ -43,6 +48,7 @@ public:
     void restart() override {
         m_loop->restart();
         ++m_restarts;
+        m_lastActed_s.fill(-kRecent_s - 1.0);
     }
 
 private:
@@ -71,6 +77,7 @@ private:
         servo::ServoReport& report = m_link->reports.back();
         report.time_s = m_loop->world().time_s();
         report.output = output;
+        report.recentLimits = recentLimits();
         report.X_Base_Sensor = X_Base_Sensor;
         report.p_Base_Joint = m_loop->world().arm().posture().p_Base_Joint;
         report.normalCompliance_mPerN = m_plan.tasks[output.phase].normalCompliance_mPerN;
@@ -84,6 +91,19 @@ private:
         report.rate_Hz = m_loop->world().rate_Hz();
         report.restarts = m_restarts;
         m_link->reports.publish();
+    }
+
+    servo::ActiveLimits recentLimits() {
+        const double now_s = m_loop->world().time_s();
+        servo::ActiveLimits recent;
+        for (std::size_t i = 0; i < servo::kLimits; ++i) {
+            const auto limit = static_cast<servo::Limit>(i);
+            if (m_loop->output().limits.has(limit))
+                m_lastActed_s[i] = now_s;
+            if (now_s - m_lastActed_s[i] <= kRecent_s)
+                recent.set(limit);
+        }
+        return recent;
     }
 
     [[nodiscard]] servo::ServoStep step(bool stopped) const {
@@ -107,6 +127,7 @@ private:
         step.dzmpYTrue_m = loads.force_N > 0.0 ? loads.copX_m - loads.cocX_m : kNone;
         step.alphaZ_rad = features.alphaZ_rad.value_or(kNone);
         step.alphaZDesired_rad = output.desired[servo::kWz];
+        step.limits = output.limits;
         step.p_Base_Sensor = X_Base_Sensor.translation();
         if (!stopped && output.kind == servo::TaskKind::explore && features.active > 0)
             step.p_Base_Contact = X_Base_Sensor * Eigen::Vector3d(*features.cocX_m, *features.cocY_m, 0.0);
@@ -120,6 +141,7 @@ private:
     servo::ServoTuning m_tuning;
     core::SourceDescription m_description;
     std::uint64_t m_restarts = 0;
+    std::array<double, servo::kLimits> m_lastActed_s{};
 };
 
 } // namespace

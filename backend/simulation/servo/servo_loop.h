@@ -33,7 +33,7 @@ public:
                                                                          std::uint64_t seed);
 
     void restart();
-    /// hold: STOP; the reference stays.
+    /// hold: STOP; the reference becomes the measured pose and stays there.
     void next(bool hold = false);
 
     /// What happened in the last cycle.

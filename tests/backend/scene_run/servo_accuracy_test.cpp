@@ -70,32 +70,38 @@ private:
     std::vector<ordered_json> m_measures;
 };
 
+const std::vector<std::string> kExploring{"free_motion", "align", "edge_control", "explore"};
+
+std::vector<std::string> phasesOf(const ordered_json& run) {
+    std::vector<std::string> phases;
+    for (const ordered_json& phase : run["phases"])
+        phases.push_back(phase[0].get<std::string>());
+    return phases;
+}
+
 } // namespace
 
 TEST(ServoAccuracy, theStraightBarIsAlignedWithin10sInAllPhasesAndReconstructedWithin1mm) {
     const Runs runs("servo-straight-bar");
     ASSERT_EQ(runs.measures().size(), kSeeds);
-    for (const ordered_json& run : runs.measures()) {
-        const std::vector<std::string> order{"free_motion", "align", "edge_control", "explore"};
-        std::vector<std::string> phases;
-        for (const ordered_json& phase : run["phases"])
-            phases.push_back(phase[0].get<std::string>());
-        EXPECT_EQ(phases, order);
-    }
+    for (const ordered_json& run : runs.measures())
+        EXPECT_EQ(phasesOf(run), kExploring);
     EXPECT_LT(runs.largest("aligned_after_s"), 10.0);
     EXPECT_LT(runs.largest("reconstruction_rms_m"), 1e-3);
     EXPECT_GT(runs.smallest("path_length_m"), 0.1);
     (void)runs.largest("force_rms_error_n");
 }
 
-/// Also in the baseline's world, whose housing carries load once the array is tilted: the DZMP keeps it
-/// level.
+/// Over its bend of 120 mm. Also in the baseline's world, whose housing carries load once the array is
+/// tilted: the DZMP keeps it level.
 TEST(ServoAccuracy, theBentBarIsFollowedAt5NWithoutLosingContact) {
     for (const Runs& runs :
          {Runs("servo-bent-bar"), Runs("servo-bent-bar-baseline", {"dzmp = false", "dzmp = true"})}) {
+        for (const ordered_json& run : runs.measures())
+            EXPECT_EQ(phasesOf(run), kExploring);
         EXPECT_LT(runs.largest("force_rms_error_n"), 0.5);
         EXPECT_EQ(runs.largest("contact_lost_s"), 0.0);
-        EXPECT_GT(runs.smallest("path_length_m"), 0.085);
+        EXPECT_GT(runs.smallest("path_length_m"), 0.115);
         (void)runs.largest("force_max_error_n");
         EXPECT_LT(runs.largest("reconstruction_rms_m"), 1e-3);
     }
@@ -120,6 +126,7 @@ TEST(ServoAccuracy, aPointContactIsHeldInItsPlaceAndForceStillAndRolled) {
         const Runs runs(name);
         EXPECT_LT(runs.largest("cop_max_error_m"), 0.5e-3);
         EXPECT_LT(runs.largest("force_rms_error_n"), 0.05 * 4.0);
+        EXPECT_LT(runs.largest("force_settled_max_error_n"), 0.05 * 4.0);
         EXPECT_EQ(runs.largest("contact_lost_s"), 0.0);
     }
 }

@@ -207,7 +207,7 @@ TEST(ServoController, jointsAtTheirLimitsAndSingularArmsAreReported) {
     EXPECT_NEAR(singular.twist_Sensor[kZ], 0.0, 1e-9);
 }
 
-TEST(ServoController, stopHoldsTheCommandAndForgetsTheIntegrals) {
+TEST(ServoController, stopCommandsTheMeasuredPoseAndForgetsTheIntegrals) {
     ServoController controller = controllerOf(exploreTask(5.0, 0.005));
     ServoInput input = inputOf(feel(ContactType::edge, 4.0, 0.0, 0.0, 0.0, 0.0));
     ServoOutput out;
@@ -216,9 +216,15 @@ TEST(ServoController, stopHoldsTheCommandAndForgetsTheIntegrals) {
         input.X_Base_Sensor = out.X_Base_Sensor;
     }
     ASSERT_GT(out.integral[kZ], 0.0);
+    // The object keeps the array from where it is commanded to.
+    input.X_Base_Sensor.translation() += Vector3d(0.001, 0.0, 0.004);
+    const Isometry3d measured = input.X_Base_Sensor;
     input.hold = true;
     const ServoOutput held = controller.step(input);
-    EXPECT_EQ(held.X_Base_Sensor.matrix(), out.X_Base_Sensor.matrix());
+    EXPECT_EQ(held.X_Base_Sensor.matrix(), measured.matrix());
+    // It lets go there, and does not run after itself.
+    input.X_Base_Sensor.translation() += Vector3d(0.0, 0.0, 0.01);
+    EXPECT_EQ(controller.step(input).X_Base_Sensor.matrix(), measured.matrix());
     EXPECT_EQ(held.twist_Sensor.norm(), 0.0);
     EXPECT_EQ(held.actual, out.actual); // what is felt is still shown
     input.hold = false;

@@ -28,6 +28,7 @@ ServoReport exploring() {
     report.normalCompliance_mPerN = 1e-3;
     report.output.desired << -0.025, 0.0, 0.005, 0.0, 0.0, 0.0;
     report.output.actual << 0.001, 0.0, 0.0049, 0.0, 0.0002, 0.01;
+    report.output.known.fill(true);
     const ServoPlan plan = explorePlan();
     report.tasks = plan.tasks.size();
     for (std::size_t i = 0; i < report.tasks; ++i)
@@ -60,8 +61,8 @@ private slots:
         QVERIFY(panel.isEnabled());
         QCOMPARE(panel.taskText(), QStringLiteral("Explore"));
         QCOMPARE(panel.limitText(), QStringLiteral("No limit acts."));
-        report.output.limits.set(Limit::force);
-        report.output.limits.set(Limit::deviation);
+        report.recentLimits.set(Limit::force);
+        report.recentLimits.set(Limit::deviation);
         panel.setReport(report);
         QCOMPARE(panel.limitText(),
                  QStringLiteral("Limits that act: force, distance from the measured pose"));
@@ -214,6 +215,60 @@ private slots:
         panel.findChild<QCheckBox*>(QStringLiteral("servoMoment"))->click();
         QCOMPARE(spy.count(), 1);
         QCOMPARE(spy.front().front().value<ServoTuning>().force_N, 25.0);
+    }
+
+    void aWishChangesNothingElse() {
+        ServoPanel panel;
+        ServoReport report = exploring();
+        report.tuning.force_N = 5.25; // more digits than its field has
+        panel.setReport(report);
+        QSignalSpy spy(&panel, &ServoPanel::tuningChanged);
+        panel.findChild<QCheckBox*>(QStringLiteral("servoMoment"))->click();
+        QCOMPARE(spy.count(), 1);
+        const auto wish = spy.front().front().value<ServoTuning>();
+        QCOMPARE(wish.force_N, 5.25);
+        QVERIFY(!wish.moment);
+    }
+
+    /// Erratum 1: what is not defined is none, and not 0.
+    void whatIsNotDefinedIsADash() {
+        ServoPicture picture;
+        ServoReport report = exploring();
+        report.output.known = {true, true, true, false, false, false}; // a single taxel
+        picture.setReport(report);
+        const auto texts = [&](int row) {
+            std::array<QString, 3> shown = picture.featureTexts(row);
+            for (QString& text : shown)
+                text.remove(QChar(0x2007)); // keeps the width
+            return shown;
+        };
+        QCOMPARE(texts(kX)[1], QStringLiteral("1.00"));
+        QCOMPARE(texts(kZ)[1], QStringLiteral("4.90"));
+        QCOMPARE(texts(kZ)[2], QStringLiteral("0.10"));
+        for (const int row : {kWx, kWy, kWz}) {
+            QCOMPARE(texts(row)[0], QStringLiteral("0.00"));
+            QCOMPARE(texts(row)[1], QStringLiteral("\u2014"));
+            QCOMPARE(texts(row)[2], QStringLiteral("\u2014"));
+        }
+    }
+
+    /// The paper's (8) with beta = 1 and 0, and its projection of phase IV with erratum 3 and 5.
+    void theMatricesAreThoseOfThePaper() {
+        const auto rows = [](std::initializer_list<const char*> texts) {
+            QStringList list;
+            for (const char* text : texts)
+                list << QString::fromUtf8(text);
+            return list;
+        };
+        QCOMPARE(ServoPicture::matrixTexts(inverseTactileJacobian(true)),
+                 rows({"1 0 0 0 0 0", "0 1 0 0 0 0", "0 0 1 0 0 0", "0 \u22121 0 1 0 0", "\u22121 0 0 0 1 0",
+                       "0 0 0 0 0 1"}));
+        QCOMPARE(
+            ServoPicture::matrixTexts(inverseTactileJacobian(false)),
+            rows({"1 0 0 0 0 0", "0 1 0 0 0 0", "0 0 1 0 0 0", "0 0 0 1 0 0", "0 0 0 0 1 0", "0 0 0 0 0 0"}));
+        QCOMPARE(
+            ServoPicture::matrixTexts(projectionMatrix(exploreTask(5.0, 0.005).projection)),
+            rows({"1 0 0 0 0 0", "0 1 0 0 0 0", "0 0 1 0 0 0", "0 0 0 0 0 0", "0 0 0 0 1 0", "0 0 0 0 0 1"}));
     }
 
     void thePictureShowsOtherMatricesForAPointThanForAnEdge() {
