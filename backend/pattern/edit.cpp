@@ -181,7 +181,9 @@ Pattern mirrored(const Pattern& pattern, int axis) {
 }
 
 Pattern forOtherArm(const Pattern& pattern) {
-    return mirrored(pattern, 0);
+    Pattern other = mirrored(pattern, 0);
+    other.arm = pattern.arm == Arm::left ? Arm::right : Arm::left;
+    return other;
 }
 
 core::Expected<Pattern> stretched(const Pattern& pattern, double factor) {

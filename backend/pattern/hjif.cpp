@@ -27,6 +27,8 @@ struct HjifText {
 
 constexpr int kTimescale = 1000;
 constexpr int kRightForearm = 0x1000;
+constexpr int kLeftForearm = 0x2000;
+constexpr int kLeftWrist = 0x8000;
 constexpr double kDirectionLength = 127.0;
 constexpr long long kMostTicks = 1'000'000'000'000;
 
@@ -73,6 +75,15 @@ ordered_json effect(int id, const Track& stretch, const MotorProfile& motor) {
             {"phase", 0.0}, {"base_signal", "Sine"},  {"keyframes", std::move(keyframes)}};
 }
 
+/// Time at which the last tactor goes off.
+double lastOn_s(const Tracks& tracks) {
+    double end_s = 0.0;
+    for (const Track& track : tracks)
+        for (const Track& stretch : stretches(track))
+            end_s = std::max(end_s, stretch.back().time_s);
+    return end_s;
+}
+
 /// Tactor of a channel.
 std::size_t tactorOf(JsonReader& reader, const ordered_json& channel, std::size_t order) {
     const ordered_json* const found = reader.find(channel, "direction");
@@ -116,6 +127,13 @@ Track stretchOf(JsonReader& reader, const ordered_json& effect, double timescale
     return lines;
 }
 
+/// The arm of a channel; one that tells none is on the right one.
+Arm armOf(JsonReader& reader, const ordered_json& channel) {
+    const ordered_json* const mask = reader.find(channel, "body_part_mask");
+    const long long bits = mask == nullptr ? 0 : reader.integer(*mask, 0, 0xFFFF'FFFFLL);
+    return (bits & (kLeftForearm | kLeftWrist)) != 0 ? Arm::left : Arm::right;
+}
+
 void readChannel(JsonReader& reader, const ordered_json& channel, std::size_t tactor, double timescale,
                  TrackBuilder& tracks) {
     const double gain = reader.number(channel, "gain", 0.0, 1e6, 1.0);
@@ -139,11 +157,17 @@ core::Expected<std::string> patternToHjif(const Pattern& pattern, const std::str
     const MotorProfile motor = MotorProfile::assumedCoinMotor();
     const auto lowest_Hz = static_cast<long>(std::floor(steadySpeed_Hz(motor, motor.startDrive)));
     const auto highest_Hz = static_cast<long>(std::ceil(steadySpeed_Hz(motor, 1.0)));
+    const int forearm = pattern.arm == Arm::left ? kLeftForearm : kRightForearm;
+    const double end_s = lastOn_s(*tracks);
     ordered_json channels = ordered_json::array();
     for (std::size_t i = 0; i < core::kTactors; ++i) {
         ordered_json effects = ordered_json::array();
         for (const Track& stretch : stretches((*tracks)[i]))
             effects.push_back(effect(static_cast<int>(effects.size()), stretch, motor));
+        // The format has no length: silence at the end is an effect that does nothing.
+        if (i == 0 && toTicks(pattern.duration_s) > toTicks(end_s))
+            effects.push_back(
+                effect(static_cast<int>(effects.size()), {{end_s, 0.0}, {pattern.duration_s, 0.0}}, motor));
         ordered_json band{{"band_type", "VectorialWave"},
                           {"lower_frequency_limit", lowest_Hz},
                           {"upper_frequency_limit", highest_Hz},
@@ -152,14 +176,14 @@ core::Expected<std::string> patternToHjif(const Pattern& pattern, const std::str
                             {"description", "tactor " + std::to_string(i + 1)},
                             {"gain", 1.0},
                             {"mixing_coefficient", 1.0},
-                            {"body_part_mask", kRightForearm},
+                            {"body_part_mask", forearm},
                             {"reference_device_id", 0},
                             {"direction", direction(i)},
                             {"bands", ordered_json::array({std::move(band)})}});
     }
     ordered_json device{{"id", 0},
                         {"name", "Bracelet of six vibration motors"},
-                        {"body_part_mask", kRightForearm},
+                        {"body_part_mask", forearm},
                         {"minimum_frequency", lowest_Hz},
                         {"maximum_frequency", highest_Hz},
                         {"type", "ERM"}};
@@ -209,6 +233,8 @@ core::Expected<Pattern> patternFromHjif(std::string text, const std::string& fil
                 break;
             }
             taken[tactor] = true;
+            if (const Arm arm = armOf(reader, channel); arm == Arm::left)
+                pattern.arm = arm;
             readChannel(reader, channel, tactor, timescale, tracks);
         }
     }

@@ -38,8 +38,11 @@ struct Finding {
     Span span;
     double value = 0.0;
     double limit = 0.0;
-    std::optional<double> suggestion; ///< what fixed() sets: a length, turns, a start or a duration
-    bool suggestsTurns = false;       ///< of a ring
+    /// What fixed() sets: a length, turns, a start, a duration, or of a beat the factor by which the
+    /// intensity of one motor is to fall.
+    std::optional<double> suggestion;
+    bool suggestsTurns = false; ///< of a ring
+    int weaker = -1;            ///< of a beat: the motor whose intensity is to fall
 };
 
 /// Looks where a pattern breaks the laws, objects in their order, then tracks, then pairs of motors; at most

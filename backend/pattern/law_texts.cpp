@@ -57,18 +57,23 @@ QString describeAdvice(const Finding& finding) {
     const double suggestion = finding.suggestion.value_or(0.0);
     switch (finding.law) {
     case Law::burstTooShort:
-        return finding.suggestsTurns ? LawText::tr("Give the ring %1 turns.").arg(number(suggestion))
-                                     : LawText::tr("Make it %1 long.").arg(ms(finding.limit));
+        return finding.suggestsTurns
+                   ? LawText::tr("Give the ring %1 turns.").arg(number(suggestion))
+                   : LawText::tr("Make it %1 long.").arg(ms(finding.suggestion.value_or(finding.limit)));
     case Law::ringTooFast:
-        return finding.suggestion ? LawText::tr("Give the ring %1 turns.").arg(number(suggestion))
-                                  : LawText::tr("Make the ring %1 long.").arg(ms(finding.limit));
+        return finding.suggestsTurns ? LawText::tr("Give the ring %1 turns.").arg(number(suggestion))
+                                     : LawText::tr("Make the ring %1 long.").arg(ms(finding.limit));
     case Law::onsetOffLaw:
         return LawText::tr("Let the law of apparent motion set them %1 apart.").arg(ms(suggestion));
     case Law::sharedPhantoms:
         return LawText::tr("Let it begin at %1 s, when the other one is over.").arg(number(suggestion));
     case Law::beating:
-        return LawText::tr("Give both the same intensity, or make them %1 Hz different.")
-            .arg(number(finding.limit));
+        return finding.suggestion
+                   ? LawText::tr("Make motor %1 weaker there, by %2 %, so that they are %3 Hz apart.")
+                         .arg(QString::number(finding.weaker + 1), number(100.0 * (1.0 - suggestion)),
+                              number(finding.limit))
+                   : LawText::tr("Give both the same intensity, or make them %1 Hz different.")
+                         .arg(number(finding.limit));
     case Law::cutOff:
         return LawText::tr("Let the pattern last %1 s.").arg(number(suggestion));
     }

@@ -18,6 +18,7 @@ constexpr Names<Task, 3> kTasks{
     {{Task::shape, "shape"}, {Task::stiffness, "stiffness"}, {Task::other, "other"}}};
 constexpr Names<Condition, 3> kConditions{
     {{Condition::none, ""}, {Condition::constant, "static"}, {Condition::dynamic, "dynamic"}}};
+constexpr Names<Arm, 2> kArms{{{Arm::right, "right"}, {Arm::left, "left"}}};
 constexpr Names<Easing, 5> kEasings{{{Easing::linear, "linear"},
                                      {Easing::hold, "hold"},
                                      {Easing::easeIn, "ease-in"},
@@ -61,6 +62,9 @@ const char* toString(Task task) {
 const char* toString(Condition condition) {
     return nameOf(kConditions, condition);
 }
+const char* toString(Arm arm) {
+    return nameOf(kArms, arm);
+}
 const char* toString(Easing easing) {
     return nameOf(kEasings, easing);
 }
@@ -69,6 +73,9 @@ std::optional<Task> taskFrom(std::string_view text) {
 }
 std::optional<Condition> conditionFrom(std::string_view text) {
     return valueOf(kConditions, text);
+}
+std::optional<Arm> armFrom(std::string_view text) {
+    return valueOf(kArms, text);
 }
 std::optional<Easing> easingFrom(std::string_view text) {
     return valueOf(kEasings, text);

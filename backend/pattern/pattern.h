@@ -31,6 +31,9 @@ using Tracks = std::array<Track, core::kTactors>;
 enum class Task { shape, stiffness, other };
 enum class Condition { none, constant, dynamic };
 
+/// The arm that wears the bracelet: counter-clockwise is outwards on one and inwards on the other.
+enum class Arm { right, left };
+
 /// What six tactors do over a time. Tracks and objects play together; where they meet on a tactor the
 /// stronger one counts. Tactor i sits at 60 i degrees, counter-clockwise is the rising order.
 struct Pattern {
@@ -42,6 +45,7 @@ struct Pattern {
     std::string name;
     Task task = Task::other;
     Condition condition = Condition::none;
+    Arm arm = Arm::right;
     std::string notes;
     std::vector<std::string> tags;
     double duration_s = 0.0;
@@ -56,9 +60,11 @@ struct Pattern {
 /// "ease-in-out".
 [[nodiscard]] const char* toString(Task task);
 [[nodiscard]] const char* toString(Condition condition);
+[[nodiscard]] const char* toString(Arm arm);
 [[nodiscard]] const char* toString(Easing easing);
 [[nodiscard]] std::optional<Task> taskFrom(std::string_view text);
 [[nodiscard]] std::optional<Condition> conditionFrom(std::string_view text);
+[[nodiscard]] std::optional<Arm> armFrom(std::string_view text);
 [[nodiscard]] std::optional<Easing> easingFrom(std::string_view text);
 
 /// All six intensities at a time: the only source for picture, preview, simulation, file and hardware.

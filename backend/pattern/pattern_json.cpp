@@ -325,6 +325,8 @@ core::Expected<Pattern> patternFromJson(std::string text, const std::string& fil
     if (const ordered_json* condition = reader.find(root, "condition"))
         pattern.condition =
             named(reader, *condition, conditionFrom, Condition::none, "static, dynamic, \"\"");
+    if (const ordered_json* arm = reader.find(root, "arm"))
+        pattern.arm = named(reader, *arm, armFrom, Arm::right, "right, left");
     pattern.notes = reader.text(root, "notes", {});
     if (const ordered_json* tags = reader.find(root, "tags")) {
         for (const ordered_json& tag : reader.array(*tags, 0, Pattern::kMostObjects))
@@ -338,8 +340,8 @@ core::Expected<Pattern> patternFromJson(std::string text, const std::string& fil
         for (const ordered_json& value : reader.array(*objects, 0, Pattern::kMostObjects))
             pattern.objects.push_back(object(reader, value));
     }
-    pattern.unknown = unknownKeys(root, {"format", "version", "id", "name", "task", "condition", "notes",
-                                         "tags", "duration_s", "tracks", "objects"});
+    pattern.unknown = unknownKeys(root, {"format", "version", "id", "name", "task", "condition", "arm",
+                                         "notes", "tags", "duration_s", "tracks", "objects"});
     if (reader.error())
         return core::Unexpected(*reader.error());
     return pattern;
@@ -351,10 +353,12 @@ core::Expected<std::string> patternToJson(const Pattern& pattern) {
                       {"id", pattern.id},
                       {"name", pattern.name},
                       {"task", toString(pattern.task)},
-                      {"condition", toString(pattern.condition)},
-                      {"notes", pattern.notes},
-                      {"tags", pattern.tags},
-                      {"duration_s", pattern.duration_s}};
+                      {"condition", toString(pattern.condition)}};
+    if (pattern.arm != Arm::right)
+        root["arm"] = toString(pattern.arm);
+    root["notes"] = pattern.notes;
+    root["tags"] = pattern.tags;
+    root["duration_s"] = pattern.duration_s;
     ordered_json tracks = ordered_json::array();
     for (const Track& track : pattern.tracks) {
         ordered_json points = ordered_json::array();

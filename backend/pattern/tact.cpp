@@ -104,6 +104,8 @@ void readEffect(JsonReader& reader, const ordered_json& effect, Pattern& pattern
     }
     const ordered_json& modes = reader.member(effect, "modes");
     const ordered_json* forearm = reader.find(modes, kLeft);
+    if (forearm != nullptr)
+        pattern.arm = Arm::left;
     if (forearm == nullptr)
         forearm = reader.find(modes, kRight);
     if (forearm == nullptr) {
@@ -152,12 +154,13 @@ core::Expected<std::string> patternToTact(const Pattern& pattern) {
                             {"playbackType", "NONE"},
                             {"pointList", std::move(points)}});
     }
+    const char* const side = pattern.arm == Arm::left ? kLeft : kRight;
     ordered_json forearm{{"mode", "DOT_MODE"},
                          {"dotMode", {{"dotConnected", false}, {"feedback", std::move(feedback)}}}};
     ordered_json effect{{"name", pattern.name},
                         {"startTime", 0},
                         {"offsetTime", duration_ms},
-                        {"modes", {{kLeft, std::move(forearm)}}}};
+                        {"modes", {{side, std::move(forearm)}}}};
     ordered_json layout = ordered_json::array();
     for (std::size_t i = 0; i < core::kTactors; ++i)
         layout.push_back({{"index", i},
@@ -169,7 +172,7 @@ core::Expected<std::string> patternToTact(const Pattern& pattern) {
          {{"name", pattern.name},
           {"description", pattern.notes},
           {"mediaFileDuration", 1e-3 * static_cast<double>(duration_ms)},
-          {"layout", {{"type", kLeft}, {"name", kLeft}, {"layouts", {{kLeft, std::move(layout)}}}}},
+          {"layout", {{"type", side}, {"name", side}, {"layouts", {{side, std::move(layout)}}}}},
           {"tracks", ordered_json::array({std::move(track)})}}},
         {"durationMillis", duration_ms},
         {"intervalMillis", kTactPiece_ms},

@@ -33,6 +33,7 @@ Pattern withoutTracks(const Pattern& pattern) {
     head.name = pattern.name;
     head.task = pattern.task;
     head.condition = pattern.condition;
+    head.arm = pattern.arm;
     head.notes = pattern.notes;
     head.tags = pattern.tags;
     head.duration_s = pattern.duration_s;

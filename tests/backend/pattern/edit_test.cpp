@@ -57,6 +57,10 @@ TEST(Edit, mirroringMovesTracksAndObjectsToTheOtherSide) {
     for (const int axis : {0, 1, 2, 5})
         expectMoved(pattern, mirrored(pattern, axis), [axis](int i) { return (axis - i + 12) % 6; });
     expectMoved(pattern, forOtherArm(forOtherArm(pattern)), [](int i) { return i; });
+    EXPECT_EQ(pattern.arm, Arm::right);
+    EXPECT_EQ(forOtherArm(pattern).arm, Arm::left);
+    EXPECT_EQ(forOtherArm(forOtherArm(pattern)).arm, Arm::right);
+    EXPECT_EQ(mirrored(pattern, 0).arm, Arm::right) << "on the same arm";
 }
 
 TEST(Edit, stretchingMultipliesAllTimes) {

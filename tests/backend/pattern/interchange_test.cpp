@@ -98,7 +98,48 @@ TEST(Hjif, hasWholeNumbersForTimesAndFrequenciesAndRisingPositions) {
         const Expected<Pattern> again = patternFromHjif(*text, "p.hjif");
         ASSERT_TRUE(again) << describe(again.error());
         EXPECT_LT(difference(pattern, *again, 0.0113), 0.005) << pattern.id;
+        EXPECT_NEAR(again->duration_s, pattern.duration_s, 0.0005) << pattern.id;
     }
+}
+
+TEST(Hjif, silenceAtTheEndComesBack) {
+    Pattern pattern;
+    pattern.duration_s = 3.0;
+    pattern.tracks[4] = {{0.5, 1.0}, {1.0, 1.0}};
+    const Expected<std::string> text = patternToHjif(pattern, "2026-01-31");
+    ASSERT_TRUE(text);
+    const json silence = json::parse(*text)["perceptions"][0]["channels"][0]["bands"][0]["effects"][0];
+    EXPECT_EQ(silence["position"], 1000);
+    ASSERT_EQ(silence["keyframes"].size(), 2U);
+    EXPECT_EQ(silence["keyframes"][1]["relative_position"], 2000);
+    EXPECT_EQ(silence["keyframes"][0]["amplitude_modulation"], 0.0);
+    EXPECT_EQ(silence["keyframes"][1]["amplitude_modulation"], 0.0);
+    const Expected<Pattern> again = patternFromHjif(*text, "p.hjif");
+    ASSERT_TRUE(again) << describe(again.error());
+    EXPECT_EQ(again->duration_s, 3.0);
+    EXPECT_EQ(again->tracks, pattern.tracks);
+    pattern.duration_s = 1.5;
+    pattern.tracks[4].clear();
+    const Expected<std::string> empty = patternToHjif(pattern, "2026-01-31");
+    ASSERT_TRUE(empty);
+    EXPECT_EQ(patternFromHjif(*empty, "p.hjif")->duration_s, 1.5) << "of nothing but silence";
+}
+
+// Masks of ISO/IEC 23090-31: right forearm 0x1000, left forearm 0x2000, left wrist 0x8000.
+TEST(Hjif, theArmIsInTheMaskOfTheBody) {
+    const std::string right = readAll(kData + "two_tactors.hjif");
+    EXPECT_EQ(patternFromHjif(right, "p.hjif")->arm, Arm::right);
+    std::string left = right;
+    for (std::size_t at = left.find(": 4096"); at != std::string::npos; at = left.find(": 4096"))
+        left.replace(at, 6, ": 8192");
+    const Expected<Pattern> pattern = patternFromHjif(left, "p.hjif");
+    ASSERT_TRUE(pattern) << describe(pattern.error());
+    EXPECT_EQ(pattern->arm, Arm::left);
+    const Expected<std::string> again = patternToHjif(*pattern, "2026-01-31");
+    ASSERT_TRUE(again);
+    EXPECT_EQ(json::parse(*again), json::parse(left));
+    EXPECT_EQ(patternFromHjif(changed(right, ": 4096", ": 32768"), "p.hjif")->arm, Arm::right)
+        << "the mask of the device, not of a channel";
 }
 
 TEST(Hjif, stepsWithinAStretchMoveAMillisecondAtMost) {
@@ -310,6 +351,26 @@ TEST(Tact, writesTheDotsOfTheHandWrittenFileAgain) {
     }
     EXPECT_EQ(effect["modes"]["ForearmL"]["dotMode"]["feedback"], expected);
     EXPECT_EQ(effect["offsetTime"], 2000);
+}
+
+TEST(Tact, theArmIsInTheNameOfTheLayout) {
+    const std::string left = readAll(kData + "dots.tact");
+    const Expected<Pattern> dots = patternFromTact(left, "p.tact");
+    ASSERT_TRUE(dots);
+    EXPECT_EQ(dots->arm, Arm::left);
+    EXPECT_EQ(json::parse(*patternToTact(*dots))["project"]["layout"]["type"], "ForearmL");
+    std::string other = left;
+    for (std::size_t at = other.find("ForearmL"); at != std::string::npos; at = other.find("ForearmL"))
+        other.replace(at, 8, "ForearmR");
+    const Expected<Pattern> right = patternFromTact(other, "p.tact");
+    ASSERT_TRUE(right) << describe(right.error());
+    EXPECT_EQ(right->arm, Arm::right);
+    EXPECT_EQ(right->tracks, dots->tracks);
+    const json project = json::parse(*patternToTact(*right))["project"];
+    EXPECT_EQ(project["layout"]["type"], "ForearmR");
+    EXPECT_TRUE(project["layout"]["layouts"].contains("ForearmR"));
+    EXPECT_TRUE(project["tracks"][0]["effects"][0]["modes"].contains("ForearmR"));
+    EXPECT_FALSE(project["tracks"][0]["effects"][0]["modes"].contains("ForearmL"));
 }
 
 TEST(Tact, slopesBecomePiecesOf20Milliseconds) {

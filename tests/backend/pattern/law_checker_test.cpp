@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+#include <variant>
+
 using namespace teleta::pattern;
 
 namespace {
@@ -57,9 +60,12 @@ TEST(LawChecker, advisesFewerTurnsToARingThatIsTooFast) {
     EXPECT_NEAR(finding.value, 2.0 / 6.0, 1e-12);
     EXPECT_EQ(finding.limit, 0.4);
     EXPECT_EQ(finding.suggestion, 5.0);
-    const auto hopeless = check(withObjects({Ring{0.0, 0.3, 1, 0, true, std::nullopt, 1.0}}, 2.0));
-    ASSERT_EQ(hopeless.size(), 1U);
-    EXPECT_FALSE(fixed(withObjects({Ring{}}, 2.0), hopeless[0]));
+    const Pattern tooShort = withObjects({Ring{0.0, 0.3, 2, 0, true, std::nullopt, 1.0}}, 2.0);
+    const Finding longer = onlyFixable(tooShort);
+    EXPECT_EQ(longer.suggestion, 0.4) << "no number of turns would do";
+    const Ring ring = std::get<Ring>(fixed(tooShort, longer)->objects[0].form);
+    EXPECT_EQ(ring.turns, 1);
+    EXPECT_EQ(ring.duration_s, 0.4);
 }
 
 TEST(LawChecker, findsBurstsThatAreShorterThanTheRiseOfTheMotor) {
@@ -79,6 +85,49 @@ TEST(LawChecker, findsBurstsThatAreShorterThanTheRiseOfTheMotor) {
     EXPECT_EQ(findings[0].tactors, std::vector{4});
     EXPECT_NEAR(findings[0].span.begin_s, 0.5, 1e-12);
     EXPECT_NEAR(findings[0].value, 0.02, 1e-12);
+    const Finding lengthened = onlyFixable(track);
+    const Track longer = fixed(track, lengthened)->tracks[4];
+    EXPECT_DOUBLE_EQ(longer.back().time_s, 0.5 + rise_s);
+    EXPECT_EQ((Track(longer.begin(), longer.begin() + 5)),
+              (Track(track.tracks[4].begin(), track.tracks[4].begin() + 5)))
+        << "what lies before it stays";
+    // What follows begins when the longer burst ends, and a burst at the end makes the pattern longer.
+    track.tracks[4] = {{0.9, 1.0}, {0.92, 1.0}, {0.92, 0.0}, {0.93, 0.0}, {0.93, 0.5}, {1.0, 0.5}};
+    const auto merged = fixed(track, check(track).at(0));
+    ASSERT_TRUE(merged);
+    EXPECT_TRUE(check(*merged).empty());
+    EXPECT_EQ(merged->duration_s, 1.0);
+    track.tracks[4] = {{0.98, 1.0}, {1.0, 1.0}};
+    EXPECT_DOUBLE_EQ(fixed(track, check(track).at(0))->duration_s, 0.98 + rise_s);
+}
+
+// Around the arm at a steady pace: a point between two motors, so that each is on for two steps of 60
+// degrees.
+TEST(LawChecker, findsStrokesThatPassMotorsFasterThanTheyRise) {
+    const double rise_s = MotorProfile::assumedCoinMotor().riseTime_s;
+    const auto around = [](double length_s) {
+        Stroke stroke;
+        const double turn_rad = 2.0 * std::numbers::pi;
+        stroke.points = {{0.0, 0.0, 0.5}, {length_s, turn_rad, 0.5}};
+        return withObjects({stroke}, 3.0);
+    };
+    EXPECT_TRUE(check(around(2.0)).empty());
+    const Finding finding = onlyFixable(around(0.06));
+    EXPECT_EQ(finding.law, Law::burstTooShort);
+    EXPECT_EQ(finding.object, 0U);
+    EXPECT_EQ(finding.limit, rise_s);
+    EXPECT_GE(finding.tactors.size(), 5U);
+    EXPECT_LT(finding.value, 0.06 / 2.0);
+    // A tap is one motor for as long as it lasts.
+    Stroke tap;
+    tap.points = {{0.0, 0.0, 0.0}, {0.02, 0.0, 0.0}};
+    const Finding tapped = onlyFixable(withObjects({tap}, 1.0));
+    EXPECT_NEAR(tapped.value, 0.02, 1e-4);
+    EXPECT_EQ(tapped.tactors, std::vector{0});
+    tap.points[1].time_s = 1.1 * rise_s;
+    EXPECT_TRUE(check(withObjects({tap}, 1.0)).empty());
+    tap.points[1].time_s = 0.0;
+    EXPECT_TRUE(check(withObjects({tap}, 1.0)).empty()) << "plays nothing";
 }
 
 TEST(LawChecker, findsOnsetsOffTheLawOfApparentMotion) {
@@ -115,7 +164,17 @@ TEST(LawChecker, findsMotorsThatBeat) {
     EXPECT_EQ(findings[0].law, Law::beating);
     EXPECT_EQ(findings[0].tactors, (std::vector{1, 4}));
     EXPECT_NEAR(findings[0].value, 5.0, 1e-9);
-    EXPECT_FALSE(fixed(pattern, findings[0]));
+    // 10 Hz below 0.93: 0.93 - 10 / (2/3 x 250) = 0.87 of the scale.
+    EXPECT_EQ(onlyFixable(pattern).weaker, 1);
+    const Pattern apart = *fixed(pattern, findings[0]);
+    EXPECT_NEAR(apart.tracks[1][0].intensity, 0.87, 1e-6);
+    EXPECT_NEAR(apart.tracks[1][1].intensity, 0.87, 1e-6);
+    EXPECT_EQ(apart.tracks[4], pattern.tracks[4]);
+    Pattern byObject = pattern;
+    byObject.tracks[1].clear();
+    byObject.objects.push_back({"", Ramp{0.0, 1.0, {1}, 0.9, 0.9, Easing::linear}, {}});
+    ASSERT_EQ(check(byObject).size(), 1U);
+    EXPECT_FALSE(fixed(byObject, check(byObject)[0])) << "the ramp drives it, not its track";
     pattern.duration_s = 0.15; // less than a period of 0.2 s
     pattern.tracks[1].back().time_s = pattern.tracks[4].back().time_s = 0.15;
     EXPECT_TRUE(check(pattern).empty());

@@ -96,7 +96,24 @@ TEST(PatternJson, everyBuiltInPatternAndEveryObjectComesBackAsItWas) {
     }
 }
 
+TEST(PatternJson, theArmIsAKeyOfItsOwnAndRightWithoutIt) {
+    Pattern pattern;
+    pattern.id = "x";
+    pattern.duration_s = 1.0;
+    EXPECT_EQ(patternToJson(pattern)->find("arm"), std::string::npos);
+    EXPECT_EQ(patternFromJson(*patternToJson(pattern), "p.json")->arm, Arm::right);
+    pattern.arm = Arm::left;
+    const Expected<std::string> text = patternToJson(pattern);
+    ASSERT_TRUE(text);
+    EXPECT_NE(text->find("\"arm\": \"left\""), std::string::npos);
+    const Expected<Pattern> again = patternFromJson(*text, "p.json");
+    ASSERT_TRUE(again);
+    EXPECT_EQ(*again, pattern);
+    EXPECT_TRUE(again->unknown.empty());
+}
+
 TEST(PatternJson, aWrongValueIsRefusedWithItsPlace) {
+    expectErrorAt(minimalWith(R"("duration_s": 1, "arm": "third",)"), 4, 25);
     expectErrorAt(minimalWith(R"("duration_s": "1",)"), 4, 15);
     expectErrorAt(minimalWith(R"("duration_s": -1,)"), 4, 15);
     expectErrorAt(minimalWith(R"("version": 2,)"), 3, 12);
