@@ -12,6 +12,7 @@ standard input it takes, and answers with "done":
     fault none
     fault exception                 requests are refused with exception 2 and not carried out
     fault silent                    carried out, no answer
+    fault drop                      not carried out, no answer: the request was lost on its way
     fault late SECONDS              carried out, then answered late
     fault garbage                   carried out, answered with bytes that are no answer
     hangup                          closes the connections
@@ -39,11 +40,14 @@ class Registers(ModbusSlaveContext):
             hr=ModbusSequentialDataBlock(0, [0] * 1000), ir=ModbusSequentialDataBlock(0, [0] * 1000), zero_mode=True
         )
         self.refuses = False
+        self.drops = False
 
     def validate(self, fc_as_hex, address, count=1):
         return not self.refuses and super().validate(fc_as_hex, address, count)
 
     def setValues(self, fc_as_hex, address, values):
+        if self.drops:
+            return
         super().setValues(fc_as_hex, address, values)
         say("write", address, *values)
 
@@ -61,7 +65,7 @@ class Peer:
         self.server = None
 
     def answer(self, response):
-        if self.fault == "silent":
+        if self.fault in ("silent", "drop"):
             response.should_respond = False
         elif self.fault == "late":
             time.sleep(self.delay_s)
@@ -85,6 +89,7 @@ class Peer:
             self.fault = words[0]
             self.delay_s = float(words[1]) if len(words) > 1 else 0.0
             self.registers.refuses = self.fault == "exception"
+            self.registers.drops = self.fault == "drop"
         elif verb == "hangup":
             for connection in list(self.server.active_connections.values()):
                 connection.transport.abort()

@@ -169,6 +169,15 @@ protected:
         EXPECT_EQ(motorLines().back(), kDrivenLine);
     }
 
+    void expectSafeAfterNonsense() {
+        ASSERT_EQ(write(kDriven).outcome, WriteOutcome::written);
+        ASSERT_TRUE(m_server.command("fault garbage"));
+        EXPECT_EQ(write(kDriven).outcome, WriteOutcome::lost);
+        ASSERT_TRUE(m_server.command("fault none"));
+        ASSERT_TRUE(live());
+        EXPECT_EQ(motorLines().back(), kZero);
+    }
+
     void readsEveryType() {
         for (const char* line : {"float 100 3.25", "float 102 -1e10 swapped", "int 104 -1570796",
                                  "int 106 -2147483648 swapped", "set 108 64536 250"})
@@ -269,15 +278,16 @@ TEST_F(ModbusPeerTest, isSafeWhenTheServerAnswersLate) {
     expectSafeLoss("fault late 0.3", "did not answer in time");
 }
 
+TEST_F(ModbusPeerTest, isSafeWhenRequestsAreLostOnTheirWay) {
+    serveTcp();
+    open();
+    expectSafeLoss("fault drop", "did not answer in time");
+}
+
 TEST_F(ModbusPeerTest, isSafeWhenTheServerAnswersNonsense) {
     serveTcp();
     open();
-    ASSERT_EQ(write(kDriven).outcome, WriteOutcome::written);
-    ASSERT_TRUE(m_server.command("fault garbage"));
-    EXPECT_EQ(write(kDriven).outcome, WriteOutcome::lost);
-    ASSERT_TRUE(m_server.command("fault none"));
-    ASSERT_TRUE(live());
-    EXPECT_EQ(motorLines().back(), kZero);
+    expectSafeAfterNonsense();
 }
 
 TEST_F(ModbusPeerTest, isSafeWhenTheServerHangsUp) {
@@ -379,6 +389,21 @@ TEST_F(ModbusRtuPeerTest, drivesTheMotorsFromZeroToZero) {
 TEST_F(ModbusRtuPeerTest, isSafeWhenTheServerStopsAnswering) {
     open();
     expectSafeLoss("fault silent", "did not answer in time");
+}
+
+TEST_F(ModbusRtuPeerTest, isSafeWhenRequestsAreLostOnTheirWay) {
+    open();
+    expectSafeLoss("fault drop", "did not answer in time");
+}
+
+TEST_F(ModbusRtuPeerTest, isSafeWhenTheServerAnswersLate) {
+    open();
+    expectSafeLoss("fault late 0.3", "did not answer in time");
+}
+
+TEST_F(ModbusRtuPeerTest, isSafeWhenTheServerAnswersNonsense) {
+    open();
+    expectSafeAfterNonsense();
 }
 
 TEST_F(ModbusRtuPeerTest, isSafeWhenTheServerAnswersWithExceptions) {
