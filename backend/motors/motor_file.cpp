@@ -3,6 +3,7 @@
 
 #include "backend/core/number_text.h"
 #include "backend/core/output_file.h"
+#include "backend/motors/toml_string.h"
 #include "backend/scene/toml_table.h"
 
 #include <QCoreApplication>
@@ -91,22 +92,6 @@ core::Expected<MotorCalibration> readDocument(const TomlDocument& document) {
     return calibration;
 }
 
-/// As a basic string of TOML.
-std::string quoted(const std::string& text) {
-    constexpr char kHex[] = "0123456789ABCDEF";
-    std::string result = "\"";
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (c == '"' || c == '\\')
-            (result += '\\') += c;
-        else if (byte < 0x20 || byte == 0x7F)
-            ((result += "\\u00") += kHex[byte >> 4U]) += kHex[byte & 15U];
-        else
-            result += c;
-    }
-    return result + '"';
-}
-
 std::string number(double value) {
     const std::string text(core::NumberText(value).view());
     return text;
@@ -158,19 +143,19 @@ std::string motorsText(const MotorCalibration& calibration) {
     const auto line = [&text](std::string_view key, const std::string& value) {
         (((text += key) += " = ") += value) += '\n';
     };
-    line("format", quoted(kFormat));
+    line("format", quotedToml(kFormat));
     line("version", std::to_string(kVersion));
-    line("bracelet", quoted(calibration.bracelet));
+    line("bracelet", quotedToml(calibration.bracelet));
     for (const CalibratedMotor& motor : calibration.motors) {
         const pattern::MotorProfile& profile = motor.profile;
         text += "\n[[motor]]\n";
         if (!profile.name.empty())
-            line("name", quoted(profile.name));
-        line("start_from", quoted(std::string(kOrigins[static_cast<std::size_t>(motor.startFrom)])));
+            line("name", quotedToml(profile.name));
+        line("start_from", quotedToml(std::string(kOrigins[static_cast<std::size_t>(motor.startFrom)])));
         line("start_drive", number(profile.startDrive));
         line("start_error", number(motor.startError));
         line("full_drive", number(profile.fullDrive));
-        line("lag_from", quoted(std::string(kOrigins[static_cast<std::size_t>(motor.lagFrom)])));
+        line("lag_from", quotedToml(std::string(kOrigins[static_cast<std::size_t>(motor.lagFrom)])));
         line("rise_s", number(profile.riseTime_s));
         line("rise_error_s", number(motor.riseError_s));
         line("fall_s", number(profile.fallTime_s));

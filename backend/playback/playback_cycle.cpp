@@ -39,9 +39,13 @@ PlaybackCycle::PlaybackCycle(core::BraceletSource& bracelet, const core::StopSwi
 }
 
 std::int64_t PlaybackCycle::run(PlayerCommands commands) {
+    const std::uint64_t settledBefore = m_status.settled;
+    m_status.settled = std::max(m_status.settled, commands.newest);
     if (m_stopSwitch.engaged()) {
         if (m_mode != PlayerMode::idle || commands.start)
             end(PlayerEnding::stopSwitch);
+        else if (m_status.settled != settledBefore)
+            publish();
         takeSettings(commands);
         return core::PacingClock::kNever_ns;
     }
@@ -50,6 +54,10 @@ std::int64_t PlaybackCycle::run(PlayerCommands commands) {
     takeSettings(commands);
     if (commands.start)
         std::visit([this](auto& request) { begin(std::move(request)); }, *commands.start);
+    else if (m_status.settled != settledBefore)
+        publish();
+    if (commands.change)
+        change(std::move(*commands.change));
     if (commands.loop)
         m_status.loop = *commands.loop;
     if (commands.seek_s)
@@ -100,6 +108,7 @@ void PlaybackCycle::begin(ProgramRequest request) {
     m_status.position_s = 0.0;
     m_status.duration_s = m_program.duration_s > 0.0 && m_program.evaluate ? m_program.duration_s : 0.0;
     m_status.loop = request.loop;
+    m_status.program = request.number;
     beginAny(PlayerMode::program);
     // The same instant as the first deadline's, so that the cycles fill the program exactly.
     m_anchorPosition_s = 0.0;
@@ -142,6 +151,18 @@ void PlaybackCycle::beginAny(PlayerMode mode) {
         end(PlayerEnding::deviceLost);
     else
         publish();
+}
+
+void PlaybackCycle::change(ProgramChange change) {
+    if (m_mode != PlayerMode::program || change.number != m_status.program || !change.program.evaluate ||
+        !(change.program.duration_s > 0.0) || !std::isfinite(change.shift_s))
+        return;
+    m_program = std::move(change.program);
+    m_status.duration_s = m_program.duration_s;
+    m_anchorPosition_s += change.shift_s;
+    // What lies before the new begin is not played.
+    if (const std::int64_t now = now_ns(); programPosition_s(now) < 0.0)
+        moveTo(0.0, now);
 }
 
 /// A time that is no number, or the end of an endless program, changes nothing.

@@ -44,6 +44,7 @@ private:
     void begin(ProgramRequest request);
     void begin(LiveRequest);
     void beginAny(PlayerMode mode);
+    void change(ProgramChange change);
     void moveTo(double position_s, std::int64_t now_ns);
     void end(PlayerEnding ending, std::string message = {});
 

@@ -17,17 +17,38 @@ Player::~Player() {
     m_thread.join();
 }
 
-void Player::play(Program program, bool loop, double from_s) {
+std::uint64_t Player::play(Program program, bool loop, double from_s) {
+    std::uint64_t number = 0;
     command([&](PlayerCommands& commands) {
-        commands.start = ProgramRequest{std::move(program), loop, from_s};
+        number = commands.newest = ++m_programs;
+        commands.start = ProgramRequest{std::move(program), loop, from_s, number};
+        commands.change.reset();
         commands.loop.reset();
         commands.seek_s.reset();
+    });
+    return number;
+}
+
+void Player::change(std::uint64_t number, Program program, double shift_s) {
+    command([&](PlayerCommands& commands) {
+        if (commands.seek_s)
+            *commands.seek_s += shift_s;
+        auto* request = commands.start ? std::get_if<ProgramRequest>(&*commands.start) : nullptr;
+        if (request != nullptr && request->number == number) {
+            request->program = std::move(program);
+            request->from_s += shift_s;
+            return;
+        }
+        const double before_s =
+            commands.change && commands.change->number == number ? commands.change->shift_s : 0.0;
+        commands.change = ProgramChange{std::move(program), before_s + shift_s, number};
     });
 }
 
 void Player::startLive() {
     command([this](PlayerCommands& commands) {
         commands.start = LiveRequest{};
+        commands.change.reset();
         commands.loop.reset();
         commands.seek_s.reset();
         // What was posted before is not what is asked for now.
@@ -39,6 +60,7 @@ void Player::stop() {
     command([](PlayerCommands& commands) {
         commands.stop = true;
         commands.start.reset();
+        commands.change.reset();
         commands.loop.reset();
         commands.seek_s.reset();
     });

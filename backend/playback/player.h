@@ -29,8 +29,13 @@ public:
     Player(const Player&) = delete;
     Player& operator=(const Player&) = delete;
 
-    /// Replaces what is played.
-    void play(Program program, bool loop = false, double from_s = 0.0);
+    /// Replaces what is played. Returns the number of the program, counted from 1, by which PlayerStatus
+    /// tells whether it is this one that plays.
+    std::uint64_t play(Program program, bool loop = false, double from_s = 0.0);
+    /// Goes on with another program without a break when the one with that number plays, else nothing
+    /// happens. shift_s: of the position, for a program that begins elsewhere in the same pattern; a position
+    /// before its begin becomes its begin, one after its end ends it or begins it anew.
+    void change(std::uint64_t number, Program program, double shift_s = 0.0);
     /// Follows setpoints from now on.
     void startLive();
     void stop();
@@ -63,8 +68,9 @@ private:
 
     std::mutex m_mutex;
     std::condition_variable m_condition;
-    PlayerCommands m_commands; ///< guarded by m_mutex
-    bool m_commanded = false;  ///< guarded by m_mutex
+    PlayerCommands m_commands;    ///< guarded by m_mutex
+    bool m_commanded = false;     ///< guarded by m_mutex
+    std::uint64_t m_programs = 0; ///< guarded by m_mutex: number of the newest one
     std::atomic<core::ThreadUrgency> m_urgency{core::ThreadUrgency::ordinary};
     bool m_takesSetpoint = false; ///< guarded by m_mutex: a setpoint ends the wait
 

@@ -65,6 +65,8 @@ struct PlayerStatus {
     std::string message;       ///< with sourceFailed: text of the exception, not translated
     std::int64_t begun_ns = 0; ///< steady time at which the playing began; tells one from another
     std::int64_t ended_ns = 0; ///< steady time of the zero frame that ended it; 0 while it runs
+    std::uint64_t program = 0; ///< number of the newest program that began, see Player::play
+    std::uint64_t settled = 0; ///< number of the newest program that began or was dropped before it could
     double position_s = 0.0;   ///< in the program, of the newest frame
     double duration_s = 0.0;   ///< of the program
     bool loop = false;         ///< the program begins anew at its end
@@ -104,6 +106,13 @@ struct ProgramRequest {
     Program program;
     bool loop = false;
     double from_s = 0.0;
+    std::uint64_t number = 0;
+};
+/// Another program in place of the one with that number, while it plays.
+struct ProgramChange {
+    Program program;
+    double shift_s = 0.0; ///< of the position
+    std::uint64_t number = 0;
 };
 struct LiveRequest {};
 
@@ -113,8 +122,11 @@ struct PlayerCommands {
     std::optional<SafetyLimits> limits;
     std::optional<DriveRanges> ranges;
     std::optional<std::variant<ProgramRequest, LiveRequest>> start;
+    std::optional<ProgramChange> change;
     std::optional<bool> loop;
     std::optional<double> seek_s;
+    std::uint64_t newest =
+        0; ///< number of the newest program that was asked for, also of one that was dropped
 };
 
 } // namespace teleta::playback

@@ -137,10 +137,14 @@ void PatternDocument::markSaved(const QString& path) {
     m_undo->setClean();
     m_autosave.stop();
     ++m_gesture;
-    if (path != m_path) {
-        m_path = path;
-        emit pathChanged();
-    }
+    setPath(path);
+}
+
+void PatternDocument::setPath(const QString& path) {
+    if (path == m_path)
+        return;
+    m_path = path;
+    emit pathChanged();
 }
 
 void PatternDocument::setMotors(const MotorProfiles& motors) {

@@ -51,6 +51,8 @@ public:
     [[nodiscard]] bool isDirty() const { return !m_undo->isClean(); }
     /// The pattern, as it is now, lies in a file.
     void markSaved(const QString& path);
+    /// The pattern has a file from now on, which holds an earlier state of it.
+    void setPath(const QString& path);
     [[nodiscard]] QUndoStack* undoStack() const { return m_undo; }
     /// How long after the first edit since the last one autosaveDue() comes.
     void setAutosaveDelay(int delay_ms) { m_autosave.setInterval(delay_ms); }

@@ -112,7 +112,9 @@ PatternEditor::PatternEditor(QWidget* parent)
         m_inspector->setLoop(m_timeline->loop());
         if (m_timeline->loop())
             m_loop->setChecked(true);
+        emit loopingChanged();
     });
+    connect(m_loop, &QAction::toggled, this, &PatternEditor::loopingChanged);
     connect(m_inspector, &PatternInspector::loopEdited, this, [this](double begin_s, double end_s) {
         m_timeline->setLoop(begin_s < end_s ? std::optional(Span{begin_s, end_s}) : std::nullopt);
     });
@@ -145,6 +147,7 @@ void PatternEditor::makeActions() {
     m_play = action(base::themeIcon(base::Icon::play), {}, [this] { togglePlay(); });
     m_stop = action({}, {}, [this] { emit stopRequested(); });
     m_loop = action(base::themeIcon(base::Icon::loop), {}, [] {});
+    m_loop->setObjectName(QStringLiteral("loop"));
     m_loop->setCheckable(true);
     QUndoStack* stack = m_document->undoStack();
     m_undo = action({}, QKeySequence::Undo, [stack] { stack->undo(); });
@@ -348,6 +351,8 @@ void PatternEditor::addObject(const ObjectForm& form) {
 void PatternEditor::updateTitle() {
     const QString name = QString::fromStdString(m_document->pattern().name);
     QString text = name.isEmpty() ? tr("Untitled") : name;
+    text +=
+        QStringLiteral(" · ") + (m_document->pattern().arm == Arm::left ? tr("left arm") : tr("right arm"));
     if (m_document->isBuiltIn())
         text += QStringLiteral(" · ") + tr("built-in, edits make a copy");
     else if (m_document->isDirty())

@@ -55,6 +55,8 @@ signals:
     void playRequested(const teleta::pattern::Pattern& pattern);
     void stopRequested();
     void playheadMoved(double t_s);
+    /// Whether it is to loop, or the range of the loop.
+    void loopingChanged();
     void newRequested();
     /// A built-in id or a path from the library; empty: the user is to be asked for a file.
     void openRequested(const QString& idOrPath);

@@ -7,6 +7,7 @@
 #include "backend/core/stop_switch.h"
 #include "backend/core/wakeup.h"
 #include "backend/motors/motor_file.h"
+#include "backend/motors/wearer_limits.h"
 #include "backend/playback/pattern_program.h"
 #include "backend/playback/player.h"
 #include "devices/bracelet/hid_bracelet.h"
@@ -213,6 +214,9 @@ core::Expected<void> playPattern(const pattern::Pattern& pattern, const PlayOpti
     const auto motors = motorsOf(options.motorsPath, bracelet.description().serial);
     if (!motors)
         return core::Unexpected(motors.error());
+    const auto limits = motors::findLimits(bracelet.description().serial);
+    if (!limits)
+        return core::Unexpected(limits.error());
     bracelet.start(wakeup);
     const std::int64_t begin_ns = core::steadyNow_ns();
     while (bracelet.connection() == 0 && !interrupted() &&
@@ -227,7 +231,8 @@ core::Expected<void> playPattern(const pattern::Pattern& pattern, const PlayOpti
             {}});
     }
 
-    playback::Player player(bracelet, stop, {.ranges = playback::rangesOf(*motors)});
+    playback::Player player(
+        bracelet, stop, {.limits = {.userLimit = limits->strongest}, .ranges = playback::rangesOf(*motors)});
     player.play(playback::programOf(pattern), options.measure_s.has_value());
     waitFor(player, options.measure_s);
     const Measured program = measuredBy(player);

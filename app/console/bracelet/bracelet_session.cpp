@@ -51,9 +51,18 @@ BraceletSession::BraceletSession(std::unique_ptr<core::BraceletSource> source, c
     else if (*found)
         m_calibration = std::move(**found);
     m_calibration.bracelet = serial;
+    if (auto limits = motors::findLimits(serial)) {
+        m_limits = std::move(*limits);
+    } else {
+        m_limitsError = limits.error();
+        m_limits.bracelet = serial;
+        m_limits.strongest.fill(motors::kUnknownStrongest);
+    }
     m_source->start(m_wakeup);
     m_player = std::make_unique<playback::Player>(
-        *m_source, stop, playback::PlayerConfig{.ranges = playback::rangesOf(m_calibration.profiles())});
+        *m_source, stop,
+        playback::PlayerConfig{.limits = {.userLimit = m_limits.strongest},
+                               .ranges = playback::rangesOf(m_calibration.profiles())});
 }
 
 BraceletSession::~BraceletSession() {

@@ -6,6 +6,7 @@
 #include "backend/core/stop_switch.h"
 #include "backend/core/wakeup.h"
 #include "backend/motors/motor_file.h"
+#include "backend/motors/wearer_limits.h"
 #include "backend/playback/player.h"
 
 #include <memory>
@@ -42,11 +43,18 @@ public:
     /// Why that file could not be used.
     [[nodiscard]] const std::optional<core::Error>& calibrationError() const { return m_calibrationError; }
 
+    /// How strong its wearer wants it to be at most; the player keeps to it.
+    [[nodiscard]] const motors::WearerLimits& limits() const { return m_limits; }
+    /// Why what was set before is not known: then it is weak.
+    [[nodiscard]] const std::optional<core::Error>& limitsError() const { return m_limitsError; }
+
 private:
     core::Wakeup m_wakeup; ///< nobody waits for it: the views look at 30 Hz
     std::unique_ptr<core::BraceletSource> m_source;
     motors::MotorCalibration m_calibration;
     std::optional<core::Error> m_calibrationError;
+    motors::WearerLimits m_limits;
+    std::optional<core::Error> m_limitsError;
     std::unique_ptr<playback::Player> m_player;
 };
 

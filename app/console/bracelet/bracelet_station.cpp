@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/bracelet/bracelet_station.h"
 
+#include "app/console/background.h"
 #include "backend/core/device_state.h"
 #include "backend/core/steady_time.h"
 #include "backend/pattern/built_in_patterns.h"
@@ -16,6 +17,7 @@ namespace {
 
 /// How strong a tactor is that is held to be felt: clearly, but not all it has.
 constexpr double kHeldIntensity = 0.75;
+constexpr int kKeepSoon_ms = 300;
 
 playback::Program builtIn(const std::string& id) {
     const pattern::Pattern* pattern = pattern::findBuiltIn(id);
@@ -33,9 +35,16 @@ BraceletStation::BraceletStation(core::StopSwitch& stop, QObject* parent)
             session->player().play(std::move(program));
     }))
     , m_library(builtIn) {
+    m_keeping.setMaxThreadCount(1);
+    m_keepSoon.setSingleShot(true);
+    m_keepSoon.setInterval(kKeepSoon_ms);
+    connect(&m_keepSoon, &QTimer::timeout, this, &BraceletStation::keepLimits);
 }
 
 BraceletStation::~BraceletStation() {
+    if (m_keepSoon.isActive())
+        keepLimits();
+    m_keeping.waitForDone();
     m_slot->set(nullptr);
 }
 
@@ -44,10 +53,14 @@ void BraceletStation::letGo() {
     m_held.reset();
     if (!m_session)
         return;
+    if (m_keepSoon.isActive())
+        keepLimits();
     close(std::exchange(m_session, nullptr));
     m_calibration = {};
+    m_limits = {};
     emit sessionChanged();
     emit calibrationChanged(m_calibration);
+    emit strongestChanged(m_limits.strongest);
 }
 
 void BraceletStation::close(std::shared_ptr<BraceletSession> session) {
@@ -88,8 +101,12 @@ void BraceletStation::takeOpened() {
         m_session = std::move(*session);
         m_slot->set(m_reserved ? nullptr : m_session);
         m_calibration = m_session->calibration();
+        m_limits = m_session->limits();
         emit sessionChanged();
         emit calibrationChanged(m_calibration);
+        emit strongestChanged(m_limits.strongest);
+        if (m_session->limitsError())
+            emit strongestFailed(*m_session->limitsError());
         if (m_session->calibrationError())
             emit calibrationFailed(*m_session->calibrationError());
     } else if (wanted) {
@@ -113,9 +130,18 @@ void BraceletStation::setMode(pipeline::FeedbackMode mode) {
     m_feedback->setMode(mode);
 }
 
-void BraceletStation::play(playback::Program program, bool loop, double from_s) {
+std::uint64_t BraceletStation::play(playback::Program program, bool loop, double from_s) {
+    return m_session && !m_reserved ? m_session->player().play(std::move(program), loop, from_s) : 0;
+}
+
+void BraceletStation::change(std::uint64_t number, playback::Program program, double shift_s) {
     if (m_session && !m_reserved)
-        m_session->player().play(std::move(program), loop, from_s);
+        m_session->player().change(number, std::move(program), shift_s);
+}
+
+void BraceletStation::setLoop(bool loop) {
+    if (m_session && !m_reserved)
+        m_session->player().setLoop(loop);
 }
 
 void BraceletStation::seek(double time_s) {
@@ -135,6 +161,29 @@ void BraceletStation::applyCalibration() {
         m_session->player().setRanges(playback::rangesOf(m_calibration.profiles()));
 }
 
+void BraceletStation::setStrongest(const core::Intensities& strongest) {
+    if (!m_session)
+        return;
+    m_limits.strongest = strongest;
+    m_session->player().setLimits({.userLimit = strongest});
+    m_keepSoon.start();
+    emit strongestChanged(m_limits.strongest);
+}
+
+void BraceletStation::keepLimits() {
+    m_keepSoon.stop();
+    runInBackground(
+        m_keeping, this,
+        [limits = m_limits] {
+            const std::string path = motors::limitsPath(limits.bracelet);
+            return path.empty() ? core::Expected<void>() : motors::writeLimits(limits, path);
+        },
+        [this](core::Expected<void> written) {
+            if (!written)
+                emit strongestFailed(written.error());
+        });
+}
+
 void BraceletStation::stopPlaying() {
     if (m_session && !m_reserved)
         m_session->player().stop();
@@ -145,6 +194,18 @@ std::optional<double> BraceletStation::playingPosition_s() const {
         return std::nullopt;
     const playback::PlayerStatus status = m_session->player().status();
     return status.mode == playback::PlayerMode::program ? std::optional(status.position_s) : std::nullopt;
+}
+
+bool BraceletStation::isPlaying(std::uint64_t number) const {
+    if (!m_session || number == 0)
+        return false;
+    const playback::PlayerStatus status = m_session->player().status();
+    return number > status.settled ||
+           (number == status.program && status.mode == playback::PlayerMode::program);
+}
+
+bool BraceletStation::isDriven() const {
+    return m_session && m_session->player().status().mode != playback::PlayerMode::idle;
 }
 
 void BraceletStation::hold(std::optional<std::size_t> tactor) {

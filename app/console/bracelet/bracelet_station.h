@@ -9,6 +9,8 @@
 
 #include <QObject>
 #include <QString>
+#include <QThreadPool>
+#include <QTimer>
 
 #include <cstddef>
 #include <cstdint>
@@ -49,6 +51,12 @@ public:
     /// Takes effect with the next frame; of a reserved bracelet, when it is given back. Writes no file.
     void setCalibration(const motors::MotorCalibration& calibration);
 
+    /// How strong each motor may be at most, 0 .. 1, whoever drives the bracelet; of none, full.
+    [[nodiscard]] const core::Intensities& strongest() const { return m_limits.strongest; }
+    /// Takes effect with the next frame, also while the bracelet is reserved, and is kept in a file for this
+    /// bracelet soon. Without a bracelet: ignored.
+    void setStrongest(const core::Intensities& strongest);
+
     /// For the arm whose touches are to be felt. It goes on telling what would be played without a bracelet.
     [[nodiscard]] const std::shared_ptr<pipeline::TactileFeedback>& feedback() const { return m_feedback; }
     void setMap(const pattern::PatternMap& map);
@@ -56,13 +64,21 @@ public:
     void setLibrary(pipeline::TactileFeedback::Library library);
     void setMode(pipeline::FeedbackMode mode);
 
-    /// Plays a program from a time on, once or again and again.
-    void play(playback::Program program, bool loop, double from_s = 0.0);
+    /// Plays a program from a time on, once or again and again. Its number tells it from what others play; 0:
+    /// there is nothing to play it on.
+    std::uint64_t play(playback::Program program, bool loop, double from_s = 0.0);
+    /// Goes on with another program in place of the one with that number, see Player::change.
+    void change(std::uint64_t number, playback::Program program, double shift_s);
+    void setLoop(bool loop);
     /// Goes on somewhere else in what is played.
     void seek(double time_s);
     void stopPlaying();
     /// Where the pattern that is played stands; empty while none is.
     [[nodiscard]] std::optional<double> playingPosition_s() const;
+    /// The one with that number has not ended yet, and nothing else is played instead.
+    [[nodiscard]] bool isPlaying(std::uint64_t number) const;
+    /// Something is played, held or felt.
+    [[nodiscard]] bool isDriven() const;
     /// Lets one tactor be felt while it is held; empty: none.
     void hold(std::optional<std::size_t> tactor);
 
@@ -95,6 +111,9 @@ signals:
     void calibrationChanged(const teleta::motors::MotorCalibration& calibration);
     /// The file with the motors' profile cannot be used.
     void calibrationFailed(const core::Error& error);
+    void strongestChanged(const teleta::core::Intensities& strongest);
+    /// What was set of strongest() before is not known, or could not be kept.
+    void strongestFailed(const core::Error& error);
     /// Something new was recognised, or its onset became known.
     void felt(const FeedbackEvent& event);
 
@@ -109,12 +128,16 @@ private:
     void close(std::shared_ptr<BraceletSession> session);
     void takeOpened();
     void applyCalibration();
+    void keepLimits();
     void repeatHold();
 
     core::StopSwitch& m_stop;
     BraceletChoice m_choice = BraceletChoice::none;
     QString m_deviceFile;
     motors::MotorCalibration m_calibration;
+    motors::WearerLimits m_limits;
+    QTimer m_keepSoon;     ///< a slider that moves is not kept at each step
+    QThreadPool m_keeping; ///< of one thread: the last limits are the ones that stay
     std::vector<Opening> m_openings;
     std::vector<std::future<void>> m_closings;
     std::uint64_t m_chosen = 0;                 ///< number of the newest choice

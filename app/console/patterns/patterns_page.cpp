@@ -8,6 +8,7 @@
 #include "backend/pattern/pattern_format.h"
 #include "widgets/base/theme.h"
 #include "widgets/bracelet/bracelet_view.h"
+#include "widgets/bracelet/strength_panel.h"
 #include "widgets/pattern/pattern_document.h"
 #include "widgets/pattern/pattern_editor.h"
 #include "widgets/pattern/pattern_library.h"
@@ -70,10 +71,18 @@ PatternsPage::PatternsPage(BraceletStation& station, PatternCollection& collecti
     , m_recover(new QPushButton(m_recovery))
     , m_discard(new QPushButton(m_recovery))
     , m_editor(new editor::PatternEditor(this))
-    , m_picture(new bracelet::BraceletView) {
+    , m_playback(new PatternPlayback(station, *m_editor, this))
+    , m_picture(new bracelet::BraceletView)
+    , m_strength(new bracelet::StrengthPanel) {
     setAcceptDrops(true);
     m_writing.setMaxThreadCount(1);
-    m_editor->setBraceletPicture(m_picture);
+    auto* bracelet = new QWidget;
+    auto* braceletLayout = new QVBoxLayout(bracelet);
+    braceletLayout->setContentsMargins(0, 0, 0, 0);
+    braceletLayout->setSpacing(0);
+    braceletLayout->addWidget(m_picture, 1);
+    braceletLayout->addWidget(m_strength);
+    m_editor->setBraceletPicture(bracelet);
     m_recoveryText->setWordWrap(true);
     m_recover->setObjectName(QStringLiteral("recover"));
     m_discard->setObjectName(QStringLiteral("discardRecovered"));
@@ -97,6 +106,7 @@ PatternsPage::PatternsPage(BraceletStation& station, PatternCollection& collecti
 
     connectEditor();
     connectCollection();
+    connectStrength();
     connect(m_recover, &QPushButton::clicked, this, &PatternsPage::recover);
     connect(m_discard, &QPushButton::clicked, this, &PatternsPage::discardRecovered);
     connect(m_keeper, &RecoveryKeeper::found, this, [this] {
@@ -114,15 +124,6 @@ PatternsPage::PatternsPage(BraceletStation& station, PatternCollection& collecti
 
 void PatternsPage::connectEditor() {
     using editor::PatternEditor;
-    connect(m_editor, &PatternEditor::playRequested, this, &PatternsPage::play);
-    connect(m_editor, &PatternEditor::stopRequested, this, [this] {
-        m_station.stopPlaying();
-        m_editor->setPlaying(false);
-    });
-    connect(m_editor, &PatternEditor::playheadMoved, this, [this](double time_s) {
-        if (m_editor->isPlaying())
-            m_station.seek(time_s - m_playedFrom_s);
-    });
     connect(m_editor, &PatternEditor::newRequested, this, [this] { whenSettled([this] { openNew(); }); });
     connect(m_editor, &PatternEditor::openRequested, this, [this](const QString& idOrPath) {
         if (idOrPath.isEmpty())
@@ -157,6 +158,22 @@ void PatternsPage::connectEditor() {
             });
 }
 
+void PatternsPage::connectStrength() {
+    const auto show = [this] {
+        m_strength->setStrongest(m_station.strongest());
+        m_strength->setEnabled(m_station.session() != nullptr);
+    };
+    connect(m_strength, &bracelet::StrengthPanel::strongestChanged, &m_station,
+            &BraceletStation::setStrongest);
+    connect(&m_station, &BraceletStation::strongestChanged, this, show);
+    connect(&m_station, &BraceletStation::sessionChanged, this, show);
+    connect(&m_station, &BraceletStation::strongestFailed, this, [this](const core::Error& error) {
+        report(tr("How strong the bracelet may be could not be read or kept: look at the slider Strongest."),
+               error);
+    });
+    show();
+}
+
 void PatternsPage::connectCollection() {
     editor::PatternLibrary* library = m_editor->library();
     connect(library, &editor::PatternLibrary::renameRequested, &m_collection, &PatternCollection::rename);
@@ -167,7 +184,9 @@ void PatternsPage::connectCollection() {
             [this] { m_editor->library()->setNotice(m_collection.lastDone(), m_collection.canUndo()); });
     connect(&m_collection, &PatternCollection::failed, this, [this](const QString& what, const auto& error) {
         m_afterSaving = nullptr;
+        m_saveAgain = false;
         disconnect(m_adding);
+        m_adding = {};
         report(what, error);
     });
     connect(&m_collection, &PatternCollection::removed, this, [this](const QString& path) {
@@ -200,7 +219,11 @@ void PatternsPage::showOwn() {
 }
 
 void PatternsPage::showPattern(Pattern pattern, const QString& path, bool unsaved) {
-    m_station.stopPlaying();
+    ++m_shown;
+    ++m_asked;
+    m_saveAgain = false;
+    m_afterSaving = nullptr;
+    m_playback->stop();
     m_editor->document()->setPattern(std::move(pattern), path, unsaved);
     if (unsaved)
         m_keeper->keep(
@@ -237,15 +260,25 @@ void PatternsPage::open(const QString& idOrPath) {
 }
 
 void PatternsPage::openNow(const QString& idOrPath) {
-    load(idOrPath, [this, idOrPath](const std::shared_ptr<const Pattern>& pattern) {
-        if (pattern::findBuiltIn(idOrPath.toStdString()) != nullptr) {
-            showPattern(*pattern, {});
+    // A file takes its time: only what was asked for last is shown, and not over edits made meanwhile.
+    load(idOrPath, [this, idOrPath, number = ++m_asked](const std::shared_ptr<const Pattern>& pattern) {
+        if (number != m_asked)
             return;
-        }
-        // Another format holds less than a pattern has: what is edited does not go back into its file.
-        showPattern(*pattern, isOwnFormat(idOrPath) ? idOrPath : QString());
-        emit used(idOrPath);
+        whenSettled([this, idOrPath, number, pattern] {
+            if (number == m_asked)
+                showOpened(*pattern, idOrPath);
+        });
     });
+}
+
+void PatternsPage::showOpened(const Pattern& pattern, const QString& idOrPath) {
+    if (pattern::findBuiltIn(idOrPath.toStdString()) != nullptr) {
+        showPattern(pattern, {});
+        return;
+    }
+    // Another format holds less than a pattern has: what is edited does not go back into its file.
+    showPattern(pattern, isOwnFormat(idOrPath) ? idOrPath : QString());
+    emit used(idOrPath);
 }
 
 void PatternsPage::openNew() {
@@ -263,21 +296,36 @@ void PatternsPage::save() {
     } else if (!m_collection.isPossible()) {
         askForFile(true);
     } else {
+        // Until its file is known, once more would make a second one.
+        m_saveAgain = static_cast<bool>(m_adding);
+        if (m_saveAgain)
+            return;
         Pattern pattern = m_editor->document()->pattern();
         if (pattern.name.empty())
             pattern.name = tr("New pattern").toStdString();
-        disconnect(m_adding);
         m_adding = connect(
             &m_collection, &PatternCollection::added, this,
-            [this, revision = m_editor->document()->revision()](const QString& added) {
-                if (revision == m_editor->document()->revision())
-                    m_editor->document()->markSaved(added);
-                settled(true);
+            [this, revision = m_editor->document()->revision(), shown = m_shown](const QString& added) {
+                m_adding = {};
+                if (shown == m_shown)
+                    takeAdded(added, revision);
                 emit used(added);
             },
             Qt::SingleShotConnection);
         m_collection.add(pattern);
     }
+}
+
+void PatternsPage::takeAdded(const QString& path, quint64 revision) {
+    editor::PatternDocument* document = m_editor->document();
+    if (revision == document->revision())
+        document->markSaved(path);
+    else
+        document->setPath(path);
+    if (std::exchange(m_saveAgain, false) && hasUnsaved())
+        write(path);
+    else
+        settled(true);
 }
 
 void PatternsPage::saveAs(const QString& path) {
@@ -447,35 +495,10 @@ void PatternsPage::inform(const QString& what) {
     m_messages->post({chrome::Message::Severity::information, what, {}, {}});
 }
 
-void PatternsPage::play() {
-    if (!m_station.isFree()) {
-        m_editor->setPlaying(false);
-        return;
-    }
-    const double duration_s = m_editor->document()->pattern().duration_s;
-    const auto& loop = m_editor->timeline()->loop();
-    const pattern::Span range = m_editor->looping() && loop ? *loop : pattern::Span{0.0, duration_s};
-    double from_s = m_editor->timeline()->playhead_s();
-    if (!(from_s >= range.begin_s && from_s < range.end_s))
-        from_s = range.begin_s;
-    auto compiled = std::make_shared<const pattern::CompiledPattern>(m_editor->document()->compiled());
-    m_playedFrom_s = range.begin_s;
-    m_station.play({[compiled = std::move(compiled), begin_s = range.begin_s](double t_s) {
-                        return compiled->evaluate(begin_s + t_s);
-                    },
-                    range.end_s - range.begin_s},
-                   m_editor->looping(), from_s - range.begin_s);
-    m_editor->setPlaying(true);
-}
-
 void PatternsPage::tick() {
-    const auto playing = m_station.playingPosition_s();
-    if (m_editor->isPlaying() != playing.has_value())
-        m_editor->setPlaying(playing.has_value());
-    if (playing)
-        m_editor->setPlayhead(m_playedFrom_s + *playing);
-    m_picture->setIntensities(m_station.given());
-    m_picture->setNote(m_station.note());
+    m_playback->tick();
+    m_picture->setIntensities(m_playback->intensities());
+    m_picture->setNote(m_playback->note());
     m_picture->setHoldable(m_station.isFree());
     m_picture->setTitle(QString::fromStdString(m_editor->document()->pattern().name));
     m_picture->setProvenance(m_station.isSimulated() ? base::Provenance::simulated : base::Provenance::live);

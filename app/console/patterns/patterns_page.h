@@ -3,6 +3,7 @@
 
 #include "app/console/bracelet/bracelet_station.h"
 #include "app/console/patterns/pattern_collection.h"
+#include "app/console/patterns/pattern_playback.h"
 #include "app/console/patterns/recovery_keeper.h"
 #include "backend/pattern/sampled_output.h"
 #include "widgets/chrome/message_bar.h"
@@ -19,7 +20,8 @@ class QPushButton;
 
 namespace teleta::bracelet {
 class BraceletView;
-}
+class StrengthPanel;
+} // namespace teleta::bracelet
 namespace teleta::editor {
 class PatternEditor;
 }
@@ -73,14 +75,16 @@ protected:
 private:
     void connectEditor();
     void connectCollection();
+    void connectStrength();
     void openNow(const QString& idOrPath);
+    void showOpened(const pattern::Pattern& pattern, const QString& idOrPath);
+    void takeAdded(const QString& path, quint64 revision);
     void showPattern(pattern::Pattern pattern, const QString& path, bool unsaved = false);
     void write(const QString& path);
     void load(const QString& idOrPath, std::function<void(std::shared_ptr<const pattern::Pattern>)> use);
     void showOwn();
     void showRecovery();
     void settled(bool saved);
-    void play();
     [[nodiscard]] QFileDialog* fileDialog(const QString& title, bool save);
     void askForFile(bool save);
     void askForExport();
@@ -96,11 +100,15 @@ private:
     QPushButton* m_recover;
     QPushButton* m_discard;
     editor::PatternEditor* m_editor;
+    PatternPlayback* m_playback;
     bracelet::BraceletView* m_picture;
+    bracelet::StrengthPanel* m_strength;
     QThreadPool m_writing;               ///< of one thread: the last save is the one that stays
     QMetaObject::Connection m_adding;    ///< to the end of a save as one of the user's own
     std::function<void()> m_afterSaving; ///< goes on when what is being saved is saved
-    double m_playedFrom_s = 0.0;         ///< where the program that is played begins in the pattern
+    bool m_saveAgain = false;            ///< when the pattern that is being added has its file
+    std::uint64_t m_shown = 0;           ///< counts the patterns that were shown
+    std::uint64_t m_asked = 0;           ///< number of the newest one that was asked for
 };
 
 } // namespace teleta::console

@@ -3,6 +3,7 @@
 #include "app/console/patterns/patterns_page.h"
 #include "backend/pattern/built_in_patterns.h"
 #include "backend/pattern/pattern_file.h"
+#include "backend/pattern/pattern_json.h"
 #include "widgets/pattern/law_list.h"
 #include "widgets/pattern/pattern_editor.h"
 #include "widgets/pattern/pattern_library.h"
@@ -27,6 +28,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QThreadPool>
 #include <QTimer>
 #include <QTreeWidget>
 
@@ -34,6 +36,7 @@
 #include <cmath>
 #include <cstring>
 #include <memory>
+#include <sys/stat.h>
 
 using namespace teleta;
 using namespace teleta::console;
@@ -71,6 +74,13 @@ void draw(editor::StrokePad& pad, const QPointF& from, const QPointF& to) {
     for (int k = 1; k <= kSteps; ++k)
         send(QEvent::MouseMove, from + (to - from) * k / kSteps, 1000 + static_cast<quint64>(50 * k));
     send(QEvent::MouseButtonRelease, to, 1000 + 50 * kSteps);
+}
+
+/// As somebody at the other end of a pipe.
+void writeTo(const QString& pipe, const std::string& text) {
+    QFile file(pipe);
+    if (!file.open(QIODevice::WriteOnly) || file.write(text.data(), static_cast<qint64>(text.size())) < 0)
+        qFatal("cannot write to the pipe");
 }
 
 /// Types a path into the file dialog that is open.
@@ -300,6 +310,70 @@ private slots:
         answer(QMessageBox::Discard);
         QVERIFY(went);
         QTRY_VERIFY(QDir(recovery()).entryList({"*.json"}).isEmpty());
+    }
+
+    void aFileThatIsReadForLongDoesNotReplaceEditsMadeMeanwhile() {
+        // A pipe is read until somebody has written to it.
+        const QString slow = m_folder->filePath("slow.json");
+        QCOMPARE(mkfifo(qPrintable(slow), 0600), 0);
+        const auto text = pattern::patternToJson(edited());
+        QVERIFY(text);
+        QSignalSpy opened(&document(), &editor::PatternDocument::patternOpened);
+        m_page->open(slow);
+        document().addPoint(0, {0.5, 0.7});
+        document().setName("Mine");
+        QVERIFY(m_page->hasUnsaved());
+        writeTo(slow, *text);
+        QTRY_VERIFY(m_page->findChild<QMessageBox*>());
+        QVERIFY(opened.isEmpty());
+        auto* box = m_page->findChild<QMessageBox*>();
+        QTest::mouseClick(box->button(QMessageBox::Cancel), Qt::LeftButton);
+        QTRY_VERIFY(!m_page->findChild<QMessageBox*>());
+        QVERIFY(opened.isEmpty());
+        QCOMPARE(document().pattern().name, std::string("Mine"));
+        QVERIFY(m_page->hasUnsaved());
+        QVERIFY(document().undoStack()->canUndo());
+        m_page->open(slow);
+        QTRY_VERIFY(m_page->findChild<QMessageBox*>());
+        box = m_page->findChild<QMessageBox*>();
+        QTest::mouseClick(box->button(QMessageBox::Discard), Qt::LeftButton);
+        writeTo(slow, *text);
+        QTRY_COMPARE(document().pattern().id, std::string("mine.edited"));
+    }
+
+    void theFileThatWasAskedForLastIsTheOneThatIsShown() {
+        const QString slow = m_folder->filePath("slow.json");
+        QCOMPARE(mkfifo(qPrintable(slow), 0600), 0);
+        Pattern other = edited();
+        other.id = "mine.other";
+        const auto text = pattern::patternToJson(edited());
+        QVERIFY(text);
+        const QString quick = m_folder->filePath("quick.json");
+        QVERIFY(pattern::savePattern(other, quick.toStdString()));
+        m_page->open(slow);
+        m_page->open(quick);
+        QTRY_COMPARE(document().pattern().id, std::string("mine.other"));
+        QSignalSpy opened(&document(), &editor::PatternDocument::patternOpened);
+        writeTo(slow, *text);
+        // On the same pool and from the same thread: when this has come, that has.
+        QThreadPool::globalInstance()->waitForDone();
+        QCoreApplication::processEvents();
+        QVERIFY(opened.isEmpty());
+        QCOMPARE(document().path(), quick);
+    }
+
+    void aNewPatternThatIsSavedTwiceAtOnceHasOneFileWithItsLastEdit() {
+        m_page->openNew();
+        document().setName("Twice");
+        m_page->save();
+        document().addPoint(2, {0.5, 0.25});
+        m_page->save();
+        QTRY_VERIFY(!m_page->hasUnsaved());
+        QTRY_COMPARE(document().path(), m_folder->filePath("patterns/twice.json"));
+        QCOMPARE(QDir(m_folder->filePath("patterns")).entryList({"*.json"}), QStringList("twice.json"));
+        const auto saved = pattern::loadPattern(document().path().toStdString());
+        QVERIFY(saved);
+        QCOMPARE(saved->tracks[2].size(), std::size_t(1));
     }
 
     void aFileThatIsDroppedIsOpened() {

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/patterns/patterns_page.h"
+#include "backend/pattern/built_in_patterns.h"
+#include "widgets/bracelet/bracelet_view.h"
+#include "widgets/pattern/pattern_editor.h"
+#include "widgets/pattern/timeline_view.h"
+
+#include <QAction>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+
+#include <cmath>
+#include <memory>
+
+using namespace teleta;
+using namespace teleta::console;
+using pattern::Pattern;
+
+namespace {
+
+Pattern steadyPattern(double intensity, double duration_s) {
+    Pattern pattern;
+    pattern.id = "mine.steady";
+    pattern.name = "Steady";
+    pattern.duration_s = duration_s;
+    pattern.tracks[1] = {{0.0, intensity}, {duration_s, intensity}};
+    return pattern;
+}
+
+} // namespace
+
+/// What the Patterns page plays, with and without a simulated bracelet.
+class PatternPlaybackTest : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    core::StopSwitch m_stop;
+    std::unique_ptr<BraceletStation> m_station;
+    std::unique_ptr<PatternCollection> m_collection;
+    std::unique_ptr<PatternsPage> m_page;
+    QTimer m_clock;
+
+    [[nodiscard]] editor::PatternEditor& editor() const { return m_page->editor(); }
+    [[nodiscard]] double playhead_s() const { return editor().timeline()->playhead_s(); }
+    [[nodiscard]] core::Intensities pictured() const {
+        return m_page->findChild<bracelet::BraceletView*>()->intensities();
+    }
+    void space() { QTest::keyClick(editor().timeline(), Qt::Key_Space); }
+    void connectBracelet() {
+        m_station->choose(BraceletChoice::simulated);
+        QTRY_VERIFY(m_station->isReady());
+    }
+
+private slots:
+    void init() {
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_stop.release();
+        m_station = std::make_unique<BraceletStation>(m_stop);
+        m_collection = std::make_unique<PatternCollection>(m_folder->filePath("patterns"));
+        m_page = std::make_unique<PatternsPage>(*m_station, *m_collection, QString());
+        m_page->resize(1500, 900);
+        m_page->show();
+        m_clock.disconnect();
+        connect(&m_clock, &QTimer::timeout, this, [this] {
+            m_station->tick();
+            m_page->tick();
+        });
+        m_clock.start(10);
+    }
+    void cleanup() {
+        m_clock.stop();
+        m_page.reset();
+        m_collection.reset();
+        m_station.reset();
+    }
+
+    void thePictureShowsThePatternAtThePlayheadWhileNothingDrivesTheBracelet() {
+        Pattern ramp = steadyPattern(0.0, 2.0);
+        ramp.tracks[4] = {{0.0, 0.0}, {2.0, 1.0}};
+        editor().document()->setPattern(ramp);
+        editor().setPlayhead(0.5);
+        QTRY_COMPARE(pictured()[4], 0.25);
+        connectBracelet();
+        editor().setPlayhead(1.5);
+        QTRY_COMPARE(pictured()[4], 0.75);
+        QCOMPARE(m_station->given()[4], 0.0);
+    }
+
+    void withoutABraceletItPlaysOnTheScreenAndSaysSo() {
+        editor().document()->setPattern(steadyPattern(0.5, 0.4));
+        space();
+        QVERIFY(editor().isPlaying());
+        QTRY_VERIFY(
+            m_page->findChild<bracelet::BraceletView*>()->accessibleDescription().contains("only shown"));
+        QTRY_VERIFY(playhead_s() > 0.1);
+        QCOMPARE(pictured()[1], 0.5);
+        QTRY_VERIFY(!editor().isPlaying());
+        QCOMPARE(playhead_s(), 0.4);
+        // Once more, as a loop: it begins anew until it is stopped.
+        editor().findChild<QAction*>("loop")->setChecked(true);
+        space();
+        QTRY_VERIFY(playhead_s() > 0.2);
+        QTRY_VERIFY(playhead_s() < 0.2);
+        QTRY_VERIFY(playhead_s() > 0.2);
+        QVERIFY(editor().isPlaying());
+        space();
+        QVERIFY(!editor().isPlaying());
+    }
+
+    void editsAreFeltWhileThePatternPlays() {
+        connectBracelet();
+        editor().document()->setPattern(steadyPattern(0.5, 60.0));
+        space();
+        QTRY_COMPARE(m_station->given()[1], 0.5);
+        const std::int64_t begun_ns = m_station->session()->player().status().begun_ns;
+        const double before_s = playhead_s();
+        // More edits at once than are followed: the last one counts.
+        for (int k = 1; k <= 20; ++k) {
+            editor().document()->replacePoint({1, 0}, {0.0, 0.5 + 0.01 * k});
+            editor().document()->replacePoint({1, 1}, {60.0, 0.5 + 0.01 * k});
+        }
+        QTRY_VERIFY(std::abs(m_station->given()[1] - 0.7) < 1e-9);
+        QVERIFY(editor().isPlaying());
+        QVERIFY(playhead_s() >= before_s);
+        QCOMPARE(m_station->session()->player().status().begun_ns, begun_ns);
+        // An undo is an edit like any other.
+        editor().document()->undoStack()->undo();
+        editor().document()->undoStack()->undo();
+        QTRY_VERIFY(std::abs(m_station->given()[1] - 0.69) < 1e-9);
+    }
+
+    void theLoopAndItsRangeCanBeChangedWhileItPlays() {
+        connectBracelet();
+        Pattern ramp = steadyPattern(0.0, 0.5);
+        ramp.tracks[1] = {{0.0, 0.0}, {0.5, 1.0}};
+        editor().document()->setPattern(ramp);
+        auto* loop = editor().findChild<QAction*>("loop");
+        space();
+        loop->setChecked(true);
+        const auto status = [this] { return m_station->session()->player().status(); };
+        QTRY_VERIFY(status().loop);
+        QTRY_VERIFY(playhead_s() > 0.3);
+        QTRY_VERIFY(playhead_s() < 0.2);
+        editor().timeline()->setLoop(pattern::Span{0.2, 0.3});
+        QTRY_COMPARE(status().duration_s, 0.3 - 0.2);
+        const auto inRange = [this] { return playhead_s() >= 0.2 - 1e-9 && playhead_s() <= 0.3 + 1e-9; };
+        QTRY_VERIFY(inRange() && playhead_s() > 0.26);
+        QTRY_VERIFY(inRange() && playhead_s() < 0.24);
+        QVERIFY(inRange());
+        QVERIFY(editor().isPlaying());
+        loop->setChecked(false);
+        QTRY_VERIFY(!editor().isPlaying());
+        QCOMPARE(status().ending, playback::PlayerEnding::finished);
+        QCOMPARE(status().duration_s, 0.5);
+    }
+
+    void aPatternThatSomebodyElsePlaysMovesNoPlayhead() {
+        connectBracelet();
+        editor().document()->setPattern(steadyPattern(0.5, 60.0));
+        editor().setPlayhead(5.0);
+        const playback::Program other{[](double) { return core::Intensities{0.25}; }, 30.0};
+        m_station->play(other, false);
+        QTRY_COMPARE(m_station->given()[0], 0.25);
+        QTRY_COMPARE(pictured()[0], 0.25);
+        QVERIFY(!editor().isPlaying());
+        QCOMPARE(playhead_s(), 5.0);
+        // It takes the bracelet, and loses it to the next one.
+        space();
+        QTRY_COMPARE(m_station->given()[1], 0.5);
+        QTRY_VERIFY(playhead_s() > 5.05);
+        m_station->play(other, false, 20.0);
+        QTRY_VERIFY(!editor().isPlaying());
+        QVERIFY(playhead_s() < 20.0);
+        editor().document()->setName("Another name");
+        editor().timeline()->setLoop(pattern::Span{1.0, 2.0});
+        QTRY_COMPARE(m_station->given()[0], 0.25);
+        QVERIFY(m_station->playingPosition_s().value_or(0.0) >= 20.0);
+    }
+
+    void itStopsWithTheBraceletAndWithSTOP() {
+        connectBracelet();
+        editor().document()->setPattern(steadyPattern(0.5, 60.0));
+        space();
+        QTRY_COMPARE(m_station->given()[1], 0.5);
+        m_stop.engage();
+        QTRY_VERIFY(!editor().isPlaying());
+        m_stop.release();
+        space();
+        QTRY_COMPARE(m_station->given()[1], 0.5);
+        m_station->choose(BraceletChoice::none);
+        QTRY_VERIFY(!editor().isPlaying());
+    }
+};
+
+QTEST_MAIN(PatternPlaybackTest)
+#include "pattern_playback_test.moc"

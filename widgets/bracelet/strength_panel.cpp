@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/bracelet/strength_panel.h"
+
+#include "widgets/base/theme.h"
+
+#include <QEvent>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace teleta::bracelet {
+
+namespace {
+
+constexpr int kFull_percent = 100;
+
+int percentOf(double share) {
+    return static_cast<int>(std::lround(kFull_percent * share));
+}
+
+void setQuietly(QSlider* slider, int value) {
+    const QSignalBlocker quiet(slider);
+    slider->setValue(value);
+}
+
+} // namespace
+
+StrengthPanel::StrengthPanel(QWidget* parent)
+    : QWidget(parent)
+    , m_all(makeRow(this))
+    , m_eachButton(new QToolButton(this))
+    , m_eachPart(new QWidget(this)) {
+    m_eachButton->setCheckable(true);
+    m_eachButton->setArrowType(Qt::RightArrow);
+    m_eachButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_eachButton->setAutoRaise(true);
+    auto* top = new QHBoxLayout;
+    top->addWidget(m_all.label);
+    top->addWidget(m_all.slider, 1);
+    top->addWidget(m_all.value);
+    top->addWidget(m_eachButton);
+    // Two columns: the panel lies beside other things and has to be flat.
+    auto* grid = new QGridLayout(m_eachPart);
+    grid->setContentsMargins(0, 0, 0, 0);
+    constexpr int kRows = static_cast<int>(core::kTactors) / 2;
+    for (std::size_t i = 0; i < core::kTactors; ++i) {
+        m_each[i] = makeRow(m_eachPart);
+        const int row = static_cast<int>(i) % kRows;
+        const int column = 3 * (static_cast<int>(i) / kRows);
+        grid->addWidget(m_each[i].label, row, column);
+        grid->addWidget(m_each[i].slider, row, column + 1);
+        grid->addWidget(m_each[i].value, row, column + 2);
+        grid->setColumnStretch(column + 1, 1);
+        connect(m_each[i].slider, &QSlider::valueChanged, this, [this, i](int percent) {
+            m_strongest[i] = static_cast<double>(percent) / kFull_percent;
+            showValues();
+            emit strongestChanged(m_strongest);
+        });
+    }
+    m_eachPart->hide();
+    auto* layout = new QVBoxLayout(this);
+    const int margin = base::grid(this, 0.5);
+    layout->setContentsMargins(2 * margin, margin, 2 * margin, margin);
+    layout->setSpacing(margin);
+    layout->addLayout(top);
+    layout->addWidget(m_eachPart);
+    connect(m_all.slider, &QSlider::valueChanged, this, [this](int percent) {
+        m_strongest.fill(static_cast<double>(percent) / kFull_percent);
+        showValues();
+        emit strongestChanged(m_strongest);
+    });
+    connect(m_eachButton, &QToolButton::toggled, this, [this](bool shown) {
+        m_eachButton->setArrowType(shown ? Qt::DownArrow : Qt::RightArrow);
+        m_eachPart->setVisible(shown);
+    });
+    retranslate();
+}
+
+StrengthPanel::Row StrengthPanel::makeRow(QWidget* parent) {
+    Row row{new QLabel(parent), new QSlider(Qt::Horizontal, parent), new QLabel(parent)};
+    row.slider->setRange(0, kFull_percent);
+    row.slider->setPageStep(kFull_percent / 10);
+    row.slider->setMinimumWidth(base::em(this, 4));
+    row.value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    row.value->setMinimumWidth(base::em(this, 3));
+    row.label->setBuddy(row.slider);
+    return row;
+}
+
+void StrengthPanel::setStrongest(const core::Intensities& strongest) {
+    for (std::size_t i = 0; i < core::kTactors; ++i)
+        m_strongest[i] = strongest[i] > 0.0 ? std::min(strongest[i], 1.0) : 0.0;
+    showValues();
+}
+
+void StrengthPanel::showValues() {
+    const QLocale locale;
+    const auto show = [&locale](const Row& row, const QString& text, double share) {
+        setQuietly(row.slider, percentOf(share));
+        row.value->setText(text.arg(locale.toString(percentOf(share))));
+    };
+    for (std::size_t i = 0; i < core::kTactors; ++i)
+        show(m_each[i], tr("%1 %"), m_strongest[i]);
+    const auto [lowest, highest] = std::ranges::minmax(m_strongest);
+    show(m_all, percentOf(lowest) == percentOf(highest) ? tr("%1 %") : tr("to %1 %"), highest);
+}
+
+void StrengthPanel::retranslate() {
+    m_all.label->setText(tr("Stron&gest"));
+    m_all.slider->setAccessibleName(tr("Strongest, all motors"));
+    m_eachButton->setText(tr("Each motor"));
+    const QString help = tr("How strong the motors may be at most, whatever is played, held or felt on this "
+                            "bracelet. It is kept for the bracelet.");
+    m_all.slider->setToolTip(help);
+    m_eachButton->setToolTip(tr("A limit for each motor"));
+    for (std::size_t i = 0; i < core::kTactors; ++i) {
+        m_each[i].label->setText(tr("Motor &%1").arg(i + 1));
+        m_each[i].slider->setAccessibleName(tr("Strongest, motor %1").arg(i + 1));
+        m_each[i].slider->setToolTip(help);
+    }
+    showValues();
+}
+
+void StrengthPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+} // namespace teleta::bracelet
