@@ -14,7 +14,8 @@
 namespace teleta::cost {
 
 /// ladder,rung,parameter,error_mean,error_p95,error_max,error_unit,time_median_s,time_p99_s,samples,pareto
-/// One row a rung; pareto: yes or no; NA: a refused time, an error that a rung does not have.
+/// One row a rung; pareto: yes or no; NA: a refused time, an error that a rung does not have. time_p99_s is
+/// over trials: of means where a trial puts many short calls together.
 inline constexpr std::array<std::string_view, 11> kCostColumns{
     "ladder",     "rung",          "parameter",  "error_mean", "error_p95", "error_max",
     "error_unit", "time_median_s", "time_p99_s", "samples",    "pareto"};

@@ -15,9 +15,11 @@ struct RungCost {
     double errorP95 = 0.0;
     double errorMax = 0.0;
     double timeMedian_s = 0.0; ///< of one call; NaN: refused, the machine was too noisy
+    /// NaN: refused. Where calls are so short that a trial puts many of them together, this is of their
+    /// means.
     double timeP99_s = 0.0;
     std::size_t samples = 0; ///< timed trials
-    /// How unevenly the machine ran meanwhile: see measureLadder(). NaN: not known (read from a file).
+    /// How unevenly the machine ran meanwhile: see measureLadders(). NaN: not known (read from a file).
     double spread = 0.0;
     bool pareto = false; ///< no other rung is both as quick and as exact
 

@@ -27,6 +27,8 @@ struct RecordedStreamText {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double kHuge = 1e12;
+constexpr double kMostTaxels =
+    static_cast<double>(core::ArrayLayout::kMaximumSide) * core::ArrayLayout::kMaximumSide;
 
 /// Taxels that are dead have no tare.
 ordered_json tareJson(const std::vector<float>& tare) {
@@ -83,8 +85,8 @@ ChannelSettings readSettings(core::JsonReader& reader, const ordered_json& json,
     segmentation.noiseHeight = reader.number(json, "noise_height", 0.0, 1.0, segmentation.noiseHeight);
     segmentation.noiseHeight_N =
         reader.number(json, "noise_height_absolute", 0.0, kHuge, segmentation.noiseHeight_N);
-    segmentation.minimumTaxels = static_cast<int>(reader.number(
-        json, "minimum_taxels", 1.0, core::ArrayLayout::kMaximumSide, segmentation.minimumTaxels));
+    segmentation.minimumTaxels =
+        static_cast<int>(reader.number(json, "minimum_taxels", 1.0, kMostTaxels, segmentation.minimumTaxels));
     settings.loadUnit = reader.text(json, "load_unit", settings.loadUnit);
     return settings;
 }
@@ -270,13 +272,16 @@ core::Expected<RecordedArm> recordedArm(const recording::StreamInfo& stream, con
 
 core::Expected<std::vector<RecordedSource>> recordedSources(const recording::Recording& recording) {
     std::vector<RecordedSource> sources;
+    std::optional<core::Error> why;
     const std::vector<recording::StreamInfo>& streams = recording.streams();
     for (std::size_t i = 0; i < streams.size(); ++i) {
         if (streams[i].kind != recording::StreamKind::array)
             continue;
         auto array = recordedArray(streams[i], recording.path());
-        if (!array)
-            return core::Unexpected(array.error());
+        if (!array) {
+            why = why.value_or(array.error());
+            continue;
+        }
         sources.push_back({.arrayStream = i, .array = std::move(*array), .jointStream = {}, .arm = {}});
     }
     for (std::size_t i = 0; i < streams.size(); ++i) {
@@ -284,7 +289,7 @@ core::Expected<std::vector<RecordedSource>> recordedSources(const recording::Rec
             continue;
         auto arm = recordedArm(streams[i], recording.path());
         if (!arm)
-            return core::Unexpected(arm.error());
+            continue;
         const auto skin = std::ranges::find_if(sources, [&](const RecordedSource& source) {
             return streams[source.arrayStream].name == arm->skinStream;
         });
@@ -293,6 +298,8 @@ core::Expected<std::vector<RecordedSource>> recordedSources(const recording::Rec
             skin->arm = std::move(arm->description);
         }
     }
+    if (sources.empty() && why)
+        return core::Unexpected(*why);
     if (sources.empty())
         return core::Unexpected(
             core::Error{core::ErrorKind::refused,

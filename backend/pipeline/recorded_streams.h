@@ -67,7 +67,8 @@ struct RecordedSource {
     std::optional<std::size_t> jointStream; ///< empty: the array was on its own
     core::ArmDescription arm;
 };
-/// Every array of a recording, in its order. Error: as above; refused: it has none.
+/// Every array of a recording, in its order; what is not described is left out. Error: as above when none is;
+/// refused: it has none.
 [[nodiscard]] core::Expected<std::vector<RecordedSource>>
 recordedSources(const recording::Recording& recording);
 

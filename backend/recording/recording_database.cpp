@@ -177,6 +177,10 @@ core::Expected<void> RecordingDatabase::openForReading() {
         checkFile().and_then([&] { return connect(QStringLiteral(";QSQLITE_OPEN_READONLY")); }).and_then([&] {
             return checkKind(schema);
         });
+    // Killed while the file was made or completed: what it had begun has to be taken back, which is writing.
+    if (!opened && opened.error().kind == core::ErrorKind::ioFailed &&
+        QFile::exists(QString::fromStdString(m_path) + QStringLiteral("-journal")))
+        opened = connect({}).and_then([&] { return checkKind(schema); });
     if (!opened && opened.error().kind == core::ErrorKind::ioFailed &&
         !QFileInfo(QFileInfo(QString::fromStdString(m_path)).path()).isWritable())
         opened.error().expected =

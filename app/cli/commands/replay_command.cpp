@@ -84,6 +84,13 @@ ReplayCommand::chooseSource(const recording::Recording& recording) const {
     });
     if (found != sources->end())
         return std::move(*found);
+    // What is there under that name may not be described.
+    for (const recording::StreamInfo& stream : recording.streams()) {
+        if (stream.name != m_stream || stream.kind != recording::StreamKind::array)
+            continue;
+        if (const auto array = pipeline::recordedArray(stream, recording.path()); !array)
+            return core::Unexpected(array.error());
+    }
     QStringList names;
     for (const pipeline::RecordedSource& source : *sources)
         names << QString::fromStdString(recording.streams()[source.arrayStream].name);

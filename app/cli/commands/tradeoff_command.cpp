@@ -30,7 +30,7 @@ core::Expected<void> printLadders(const std::vector<cost::Ladder>& ladders, bool
     nlohmann::ordered_json document = nlohmann::ordered_json::array();
     std::vector<std::pair<QString, QString>> fields;
     for (const cost::Ladder& ladder : ladders) {
-        document.push_back({{"id", ladder.name},
+        document.push_back({{"ladder", ladder.name},
                             {"name", ladder.title},
                             {"truth", ladder.truth},
                             {"error_unit", ladder.errorUnit},

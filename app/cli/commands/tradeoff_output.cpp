@@ -96,6 +96,9 @@ core::Expected<void> printTables(const cost::Measurement& measured, std::span<co
     }
     text += TradeoffOutputText::tr("* no other rung is both as quick and as exact. Measured in %1 s.")
                 .arg(forPeople(measured.wall_s, 3)) +
+            QLatin1Char('\n') +
+            TradeoffOutputText::tr(
+                "Calls of a few microseconds are timed together; their 99 % is one of means.") +
             QLatin1Char('\n');
     core::OutputFile output = core::OutputFile::standardOutput();
     output.write(text.toStdString());

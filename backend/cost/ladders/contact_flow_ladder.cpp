@@ -126,10 +126,13 @@ Ladder contactFlowLadder() {
                      }
                      core::Expected<std::vector<vision::CameraContact>> found;
                      trial.timed(1, [&] { found = finder->find(frame.full); });
-                     const bool missed = !found || found->empty();
-                     trial.error(
-                         ((missed ? middleOfTube_m() : found->front().p_Sensor_Centre_m) - frame.truth_m)
-                             .norm());
+                     if (!found || found->empty()) {
+                         trial.error((middleOfTube_m() - frame.truth_m).norm());
+                         return;
+                     }
+                     // One ball presses: a second contact is an error of its own.
+                     for (const vision::CameraContact& contact : *found)
+                         trial.error((contact.p_Sensor_Centre_m - frame.truth_m).norm());
                  }});
         }
         return rungs;

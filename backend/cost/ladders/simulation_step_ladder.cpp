@@ -73,7 +73,7 @@ void advance(simulation::FlexibleArm& arm, std::size_t segment, double step_s, b
 
 using TorqueTruth = std::vector<arm::JointVector>;
 
-/// Joint torques at the end of each segment: explicit steps of 1 and 2 us, and what is left of the error of
+/// Joint torques at the end of each segment: explicit steps of 4 and 2 us, and what is left of the error of
 /// first order taken off (Richardson).
 TorqueTruth fineSolution() {
     TorqueTruth truth;

@@ -90,6 +90,22 @@ TEST_F(ReplayCommand, framesThatAreMissingAreTold) {
     EXPECT_EQ(splitCsv(readAll(m_folder.path("f.csv"))).size(), 1U + std::stoul(whole));
 }
 
+TEST_F(ReplayCommand, aStreamThatIsNotDescribedDoesNotHideTheOthers) {
+    const std::string folder = m_folder.path("arm");
+    ASSERT_EQ(run({"simulate", "teleta-touch", "--duration", "0.5", "--out", folder}).exitCode, 0);
+    const std::string arm = folder + "/recording.teleta";
+    askFile(arm, QStringLiteral("UPDATE stream SET details = 'nonsense' WHERE kind = 'joints'"));
+    const ProgramResult replayed = run({"replay", arm, "--out", m_folder.path("f.csv")});
+    EXPECT_EQ(replayed.exitCode, 0) << replayed.err;
+    askFile(arm, QStringLiteral("UPDATE stream SET details = 'nonsense'"));
+    for (const std::vector<std::string>& options :
+         {std::vector<std::string>{"replay", arm}, {"replay", arm, "--stream", "frames"}}) {
+        const ProgramResult refused = run(options);
+        EXPECT_EQ(refused.exitCode, 3);
+        EXPECT_NE(refused.err.find("frames"), std::string::npos) << refused.err;
+    }
+}
+
 TEST_F(ReplayCommand, aStreamIsChosenByItsName) {
     EXPECT_EQ(run({"replay", recording(), "--stream", "frames", "--out", m_folder.path("f.csv")}).exitCode,
               0);

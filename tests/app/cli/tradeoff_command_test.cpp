@@ -82,7 +82,7 @@ TEST_F(TradeoffCommand, listsItsLadders) {
     for (const char* name : {"contact-flow", "camera-calibration", "undistortion", "contour", "stiffness",
                              "tactile-features", "simulation-step", "scene-effects", "statistics"})
         EXPECT_TRUE(std::ranges::any_of(ordered_json::parse(list.out), [&](const ordered_json& ladder) {
-            return ladder["id"] == name && !ladder["truth"].get<std::string>().empty();
+            return ladder["ladder"] == name && !ladder["truth"].get<std::string>().empty();
         })) << name;
 }
 

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/cost/ladders/exact_camera.h"
 #include "backend/cost/ladders/ladders.h"
+#include "backend/simulation/camera/simulated_tube.h"
+#include "backend/vision/nominal_camera.h"
 
 #include <gtest/gtest.h>
 
@@ -133,6 +136,35 @@ TEST(StatisticsLadder, takingTheBiasOffPays) {
     EXPECT_LT(scores.at("bootstrap-miller-1000"), scores.at("bootstrap-1000"));
     for (const auto& [name, score] : scores)
         EXPECT_GT(score, 0.0) << name;
+}
+
+// The finder's camera model is the renderer's, too: a mistake in it would cancel out. So what is behind each
+// pixel of the rendered tube is compared with the projection that is written out once more.
+TEST(ContactFlowLadder, theRenderedTubeIsWhereTheFormulaOfTheLensPutsIt) {
+    scene::Scene scene;
+    scene.duration_s = 1.0;
+    scene.rate_Hz = 40.0;
+    scene.world = scene::CameraWorld{};
+    const auto lens = vision::nominalCamera(1640, 1232).camera().parameters().distortion;
+    scene.effects.push_back(
+        {"", scene::LensDistortionSpec{{lens.k1, lens.k2, lens.k3, lens.k4, lens.k5, lens.k6}, {}}});
+    const auto tube = simulation::SimulatedTube::make(scene, 1);
+    ASSERT_TRUE(tube) << core::describe(tube.error());
+    const vision::CameraParameters& camera = (*tube)->camera().camera().parameters();
+    const cv::Mat2f& places = (*tube)->renderer().places();
+    int compared = 0;
+    for (int row = 0; row < places.rows; row += 37) {
+        for (int column = 0; column < places.cols; column += 37) {
+            const cv::Vec2f place = places(row, column);
+            if (!std::isfinite(place[0]) || !std::isfinite(place[1]))
+                continue;
+            const Eigen::Vector2d pixel = exactPixel(camera, tubePoint_m(place[0], place[1]));
+            EXPECT_NEAR(pixel.x(), column, 0.01) << row;
+            EXPECT_NEAR(pixel.y(), row, 0.01) << column;
+            ++compared;
+        }
+    }
+    EXPECT_GT(compared, 100);
 }
 
 TEST(ContactFlowLadder, findsWhatWasRendered) {

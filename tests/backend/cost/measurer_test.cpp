@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/core/elapsed.h"
+#include "backend/core/steady_time.h"
+#include "backend/cost/frontier.h"
 #include "backend/cost/measurer.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numeric>
+#include <thread>
 #include <vector>
 
 using namespace teleta;
@@ -94,7 +101,7 @@ TEST(Measurer, refusesTimesThatNoMachineIsQuietEnoughForAndSaysHowNoisyItWas) {
     settings.attempts = 2;
     const auto measured = measureLadders(ladders, settings);
     const RungCost& rung = measured->ladders[0].rungs[0];
-    EXPECT_EQ(asked.size(), 2 * (kWarmUps + 30)) << "as often as there are attempts";
+    EXPECT_EQ(asked.size(), 2 * (kWarmUps + 30 * (1 + kMostRepeats))) << "as often as there are attempts";
     EXPECT_FALSE(rung.isTimed());
     EXPECT_TRUE(std::isnan(rung.timeP99_s));
     EXPECT_DOUBLE_EQ(rung.errorMean, 15.5) << "errors do not depend on the machine";
@@ -103,17 +110,72 @@ TEST(Measurer, refusesTimesThatNoMachineIsQuietEnoughForAndSaysHowNoisyItWas) {
     EXPECT_EQ(measured->refused(), 1U);
 }
 
-TEST(Measurer, sharesTheTimeOfATrialBetweenItsCalls) {
+TEST(Measurer, sharesTheTimeOfATrialBetweenItsCallsAndTellsWhatOthersTook) {
+    static constexpr double kSleep_s = 0.02;
     Trial trial(0);
-    trial.timed(1, [] {
-        volatile double x = 0.0;
-        for (int i = 0; i < 100'000; ++i)
-            x = x + 1.0;
-    });
-    const double one_s = trial.time_s();
-    EXPECT_GT(one_s, 0.0);
-    EXPECT_GE(trial.takenAway(), 0.0);
-    EXPECT_LE(trial.takenAway(), 1.0);
+    const std::int64_t before_ns = core::steadyNow_ns();
+    trial.timed(10, [] { std::this_thread::sleep_for(std::chrono::duration<double>(kSleep_s)); });
+    const double around_s = core::elapsed_s(before_ns, core::steadyNow_ns());
+    EXPECT_GE(10.0 * trial.time_s(), kSleep_s);
+    EXPECT_LE(10.0 * trial.time_s(), around_s);
+    EXPECT_GT(trial.takenAway(), 0.5) << "who sleeps has no processor";
+}
+
+TEST(Measurer, timesADisturbedTrialAgainAndKeepsTheErrorsOfTheFirstTime) {
+    std::vector<std::size_t> asked;
+    const Rung rung{"a", "", [&asked](Trial& trial) {
+                        const bool again = std::ranges::count(asked, trial.index()) > 0;
+                        asked.push_back(trial.index());
+                        trial.timed(1, [&] {
+                            if (trial.index() == 7 && !again)
+                                std::this_thread::sleep_for(std::chrono::milliseconds(20));
+                        });
+                        trial.error(trial.index() == 7 && again ? 100.0 : 1.0);
+                    }};
+    const std::array ladders{ladderOf("one", {rung})};
+    MeasureSettings settings;
+    settings.attempts = 1;
+    const RungCost cost = measureLadders(ladders, settings)->ladders[0].rungs[0];
+    EXPECT_GE(std::ranges::count(asked, 7U), 2);
+    EXPECT_DOUBLE_EQ(cost.errorMax, 1.0);
+}
+
+TEST(Measurer, doesNotKnowTheRareLongCallsWhereOneTrialStaysDisturbed) {
+    const Rung rung{"a", "", [](Trial& trial) {
+                        trial.timed(1, [&] {
+                            if (trial.index() == 7)
+                                std::this_thread::sleep_for(std::chrono::milliseconds(5));
+                        });
+                        trial.error(1.0);
+                    }};
+    const std::array ladders{ladderOf("one", {rung})};
+    const RungCost cost = measureLadders(ladders)->ladders[0].rungs[0];
+    EXPECT_TRUE(std::isnan(cost.timeP99_s));
+    EXPECT_EQ(bestWithin(std::span(&cost, 1), 10.0), nullptr);
+}
+
+TEST(Measurer, refusesTimesThatWereTakenWhileTheMachineWasSlowerThanForOthers) {
+    const auto rung = [](const char* name, double time_s) {
+        return RungCost{.name = name,
+                        .parameter = {},
+                        .errorMean = 1.0,
+                        .timeMedian_s = time_s,
+                        .timeP99_s = time_s,
+                        .spread = 0.1,
+                        .pareto = true};
+    };
+    std::array ladders{LadderCost{"one", "m", {rung("a", 1.0), rung("b", 0.5)}},
+                       LadderCost{"two", "m", {rung("c", 1.0)}}};
+    constexpr std::array kLoops_s{1.2e-4, 1.5e-4, 1.0e-4};
+    refuseSlowed(ladders, kLoops_s, 0.25);
+    EXPECT_TRUE(ladders[0].rungs[0].isTimed());
+    EXPECT_NEAR(ladders[0].rungs[0].spread, 0.2, 1e-12);
+    EXPECT_FALSE(ladders[0].rungs[1].isTimed());
+    EXPECT_NEAR(ladders[0].rungs[1].spread, 0.5, 1e-12);
+    EXPECT_TRUE(ladders[0].rungs[0].pareto) << "what has no time beats nothing";
+    EXPECT_FALSE(ladders[0].rungs[1].pareto);
+    EXPECT_TRUE(ladders[1].rungs[0].isTimed());
+    EXPECT_NEAR(ladders[1].rungs[0].spread, 0.1, 1e-12);
 }
 
 TEST(Measurer, keepsWhatItHasWhenItIsEndedAndReportsProgressThatNeverFalls) {
@@ -134,6 +196,7 @@ TEST(Measurer, keepsWhatItHasWhenItIsEndedAndReportsProgressThatNeverFalls) {
     ASSERT_EQ(measured->ladders.size(), 1U);
     ASSERT_EQ(measured->ladders[0].rungs.size(), 1U);
     EXPECT_EQ(measured->ladders[0].rungs[0].name, "a");
+    EXPECT_FALSE(measured->ladders[0].rungs[0].pareto) << "what was not measured may beat it";
     EXPECT_TRUE(third.empty());
 }
 

@@ -2,9 +2,11 @@
 #include "tests/backend/recording/recorded_files.h"
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <limits>
+#include <sys/mount.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -214,4 +216,75 @@ TEST_F(RecorderFaults, aFullDiskEndsTheRecordingWithAMessageAndLeavesWhatWasWrit
     for (std::size_t i = 0; i < all.time_ns.size(); ++i)
         ASSERT_EQ(all.values[i * kTaxels], static_cast<float>(i));
     EXPECT_EQ(askFile(path(), QStringLiteral("PRAGMA integrity_check")), "ok");
+}
+
+// A disk of 256 kB, where this may be made.
+TEST_F(RecorderFaults, aDiskThatHasNoRoomLeftIsToldAsThatAndLeavesWhatWasWritten) {
+    const std::string disk = m_folder.path("disk");
+    std::filesystem::create_directory(disk);
+    if (mount("none", disk.c_str(), "tmpfs", 0, "size=256k") != 0)
+        GTEST_SKIP() << "no disk can be mounted here";
+    const std::string file = disk + "/run.teleta";
+    std::uint64_t written = 0;
+    core::Error error;
+    {
+        auto recorder = start(file).value();
+        const auto tap = recorder->addStream(arrayInfo());
+        for (int i = 0; recorder->status().state == RecorderStatus::State::recording; ++i) {
+            appendFrame(*tap, m_start_ns + i, static_cast<float>(i));
+            std::this_thread::sleep_for(std::chrono::microseconds(20));
+        }
+        const auto stopped = recorder->stop();
+        EXPECT_FALSE(stopped);
+        error = stopped ? core::Error{} : stopped.error();
+        written = recorder->status().frames;
+    }
+    EXPECT_EQ(error.kind, core::ErrorKind::ioFailed);
+    EXPECT_EQ(error.message, "the disk is full");
+    // Its log takes no room any more where it is read.
+    const std::string copy = m_folder.path("copy.teleta");
+    for (const char* part : {"", "-wal"})
+        std::filesystem::copy_file(file + part, copy + part);
+    EXPECT_EQ(umount(disk.c_str()), 0);
+    const auto recording = Recording::open(copy);
+    ASSERT_TRUE(recording) << core::describe(recording.error());
+    EXPECT_FALSE(recording->isComplete());
+    EXPECT_GE(readAllFrames(recording->reader(0)).time_ns.size(), written);
+    EXPECT_GT(written, 0U);
+}
+
+TEST_F(RecorderFaults, aRecordingThatWasCutOffIsNotReadWhereItCannotBeCompletedAndThatIsTold) {
+    namespace fs = std::filesystem;
+    const fs::path cut = m_folder.path("cut");
+    fs::create_directory(cut);
+    {
+        auto recorder = start(path()).value();
+        appendFrame(*recorder->addStream(arrayInfo()), m_start_ns, 1.0F);
+        while (recorder->status().frames < 1)
+            std::this_thread::yield();
+        // As a killed program leaves it.
+        for (const char* part : {"", "-wal"})
+            fs::copy_file(path() + part, cut / (std::string("run.teleta") + part));
+    }
+    for (const auto& entry : fs::directory_iterator(cut))
+        fs::permissions(entry.path(), fs::perms(0444));
+    fs::permissions(m_folder.path("."), fs::perms(0755));
+    fs::permissions(cut, fs::perms(0555));
+    constexpr uid_t kNobody = 65'534;
+    const uid_t user = geteuid();
+    if (user == 0) {
+        ASSERT_EQ(setresuid(kNobody, kNobody, user), 0); // also what access() looks at
+    }
+    const auto opened = Recording::open((cut / "run.teleta").string());
+    if (user == 0) {
+        ASSERT_EQ(setresuid(user, user, user), 0);
+    }
+    fs::permissions(cut, fs::perms(0755));
+    ASSERT_FALSE(opened);
+    EXPECT_EQ(opened.error().kind, core::ErrorKind::ioFailed);
+    EXPECT_NE(opened.error().expected.find("has to be completed"), std::string::npos)
+        << core::describe(opened.error());
+    const auto recording = Recording::open((cut / "run.teleta").string());
+    ASSERT_TRUE(recording) << core::describe(recording.error());
+    EXPECT_EQ(readAllFrames(recording->reader(0)).time_ns.size(), 1U);
 }
