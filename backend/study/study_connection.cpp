@@ -14,6 +14,8 @@
 #include <QUrlQuery>
 #include <QUuid>
 
+#include <fcntl.h>
+#include <unistd.h>
 #include <utility>
 
 namespace teleta::study {
@@ -30,6 +32,14 @@ constexpr QLatin1String kTryLock("SELECT pg_try_advisory_lock(hashtext(?), ?)");
 
 std::string fileIn(const std::string& folder) {
     return QDir(QString::fromStdString(folder)).filePath(QStringLiteral("study.sqlite")).toStdString();
+}
+
+bool canBeWritten(const std::string& folder) {
+    return faccessat(AT_FDCWD, folder.c_str(), W_OK, AT_EACCESS) == 0;
+}
+
+bool hasLog(const QString& file) {
+    return QFileInfo(file + QStringLiteral("-wal")).size() > 0;
 }
 
 /// A value as libpq reads it, also with blanks and quotes.
@@ -69,6 +79,7 @@ StudyConnection::~StudyConnection() {
     // The server notices the end of a connection a little later.
     for (const long long key : std::set<long long>(m_locks))
         unlock(key);
+    leaveFile();
     m_database.close();
     m_database = QSqlDatabase();
     QSqlDatabase::removeDatabase(m_name);
@@ -135,32 +146,94 @@ core::Expected<void> StudyConnection::open(Purpose purpose) {
                 {}});
         if (const core::Expected<void> configured = configureServer(); !configured)
             return configured;
-    } else {
-        m_database.setDatabaseName(QString::fromStdString(m_shownName));
-        m_database.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=%1").arg(kWaitForOthers_ms));
-        if (purpose == Purpose::open && !QFileInfo::exists(QString::fromStdString(m_shownName)))
-            return core::Unexpected(
-                core::Error{core::ErrorKind::notFound,
-                            ConnectionText::tr("there is no study here").toStdString(),
-                            ConnectionText::tr("a folder with study.sqlite").toStdString(),
-                            {m_location.folder}});
+    } else if (const core::Expected<void> configured = configureFile(purpose); !configured) {
+        return configured;
     }
+    if (m_isReadOnly)
+        return connect().and_then([&] { return readFile(); });
     return connect().and_then([&] { return chooseSchema(purpose); }).and_then([&] {
         return migrateSchema(m_database, m_shownName,
                              [this](const QSqlError& error) { return kindOf(error); });
     });
 }
 
+core::Expected<void> StudyConnection::configureFile(Purpose purpose) {
+    const QString file = QString::fromStdString(m_shownName);
+    if (purpose != Purpose::create && !QFileInfo::exists(file))
+        return core::Unexpected(core::Error{core::ErrorKind::notFound,
+                                            ConnectionText::tr("there is no study here").toStdString(),
+                                            ConnectionText::tr("a folder with study.sqlite").toStdString(),
+                                            {m_location.folder}});
+    QString options = QStringLiteral("QSQLITE_BUSY_TIMEOUT=%1").arg(kWaitForOthers_ms);
+    m_database.setDatabaseName(file);
+    m_isReadOnly = purpose == Purpose::read;
+    if (m_isReadOnly) {
+        options += QStringLiteral(";QSQLITE_OPEN_READONLY");
+        // SQLite would have to make the files of the log, empty as they are; nobody can change the study
+        // here.
+        if (!canBeWritten(m_location.folder) && !hasLog(file)) {
+            m_database.setDatabaseName(QString::fromLatin1(QUrl::fromLocalFile(file).toEncoded()) +
+                                       QStringLiteral("?immutable=1"));
+            options += QStringLiteral(";QSQLITE_OPEN_URI");
+        }
+    }
+    m_database.setConnectOptions(options);
+    return {};
+}
+
+/// The schema of a study that is only looked at.
+core::Expected<void> StudyConnection::readFile() {
+    QSqlQuery query(m_database);
+    const bool isRead = query.exec(QStringLiteral("PRAGMA user_version")) && query.next();
+    const bool canWrite = canBeWritten(m_location.folder);
+    const int schema = isRead ? query.value(0).toInt() : 0;
+    query.finish();
+    // SQLite cannot always read a log that it may not write.
+    if (canWrite && (!isRead || (schema >= 0 && schema < currentSchema()))) {
+        m_database.close();
+        return open(Purpose::open);
+    }
+    if (!isRead && hasLog(QString::fromStdString(m_shownName)))
+        return core::Unexpected(core::Error{
+            core::ErrorKind::ioFailed,
+            ConnectionText::tr("the program that ran this study was interrupted, and its last trials are in "
+                               "%1, which can only be read where something can be written")
+                .arg(QStringLiteral("study.sqlite-wal"))
+                .toStdString(),
+            ConnectionText::tr("a copy of the whole folder in a place that can be written").toStdString(),
+            {m_shownName}});
+    if (!isRead)
+        return failed(ConnectionText::tr("cannot read the study: %1"), query.lastError());
+    if (schema >= 0 && schema < currentSchema())
+        return core::Unexpected(core::Error{
+            core::ErrorKind::refused,
+            ConnectionText::tr("an older program made this study, and it cannot be brought up to date here")
+                .toStdString(),
+            ConnectionText::tr("a copy of the whole folder in a place that can be written").toStdString(),
+            {m_shownName}});
+    return migrateSchema(m_database, m_shownName, [this](const QSqlError& error) { return kindOf(error); });
+}
+
+/// Without its log the file can be read everywhere. While somebody else has it open the log stays.
+void StudyConnection::leaveFile() {
+    if (isServer() || m_isReadOnly || !m_database.isOpen())
+        return;
+    QSqlQuery query(m_database);
+    (void)(query.exec(QStringLiteral("PRAGMA busy_timeout = 0")) &&
+           query.exec(QStringLiteral("PRAGMA journal_mode = DELETE")));
+}
+
 core::Expected<void> StudyConnection::connect() {
     if (!m_database.open())
         return failed(ConnectionText::tr("cannot open the study: %1"), m_database.lastError());
     const auto settings =
-        isServer() ? QStringList{QStringLiteral("SET client_min_messages = error"),
+        isServer()     ? QStringList{QStringLiteral("SET client_min_messages = error"),
                                  QStringLiteral("SET synchronous_commit = on"),
                                  QStringLiteral("SET statement_timeout = %1").arg(3 * kWaitForOthers_ms)}
-                   : QStringList{QStringLiteral("PRAGMA journal_mode = WAL"),
-                                 QStringLiteral("PRAGMA synchronous = FULL"),
-                                 QStringLiteral("PRAGMA foreign_keys = ON")};
+        : m_isReadOnly ? QStringList{}
+                       : QStringList{QStringLiteral("PRAGMA journal_mode = WAL"),
+                                     QStringLiteral("PRAGMA synchronous = FULL"),
+                                     QStringLiteral("PRAGMA foreign_keys = ON")};
     for (const QString& setting : settings) {
         QSqlQuery query(m_database);
         if (!query.exec(setting))
@@ -176,7 +249,7 @@ core::Expected<void> StudyConnection::chooseSchema(Purpose purpose) {
     if (!found)
         return core::Unexpected(found.error());
     if (!found->next()) {
-        if (purpose == Purpose::open)
+        if (purpose != Purpose::create)
             return core::Unexpected(
                 core::Error{core::ErrorKind::notFound,
                             ConnectionText::tr("the server has no study \"%1\"").arg(m_schema).toStdString(),
@@ -316,8 +389,10 @@ core::ErrorKind StudyConnection::kindOf(const QSqlError& error) const {
 }
 
 core::Unexpected StudyConnection::failed(const QString& what, const QSqlError& error) const {
-    const QString reason =
-        error.databaseText().isEmpty() ? error.driverText() : error.databaseText().simplified();
+    QString reason = error.databaseText().isEmpty() ? error.driverText() : error.databaseText().simplified();
+    constexpr int kReadOnly = 8;
+    if (!isServer() && (error.nativeErrorCode().toInt() & 0xFF) == kReadOnly)
+        reason = ConnectionText::tr("it cannot be written here, only be looked at");
     return core::Unexpected(core::Error{kindOf(error), what.arg(reason).toStdString(), {}, {m_shownName}});
 }
 

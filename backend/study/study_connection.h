@@ -36,11 +36,16 @@ struct StoreLocation {
 [[nodiscard]] std::string shownServer(const std::string& url);
 
 /// A connection of Qt to the database of a study, SQLite or PostgreSQL, with what differs between them.
-/// SQLite: write-ahead log, synchronous FULL. PostgreSQL: a connection that was lost is opened again at the
-/// next statement. Thread: the one that made it.
+/// SQLite: write-ahead log while somebody may write, synchronous FULL; the last one who leaves takes the log
+/// away, so that the file alone is the study and can be read where nothing can be written. PostgreSQL: a
+/// connection that was lost is opened again at the next statement. Thread: the one that made it.
 class StudyConnection {
 public:
-    enum class Purpose { create, open };
+    enum class Purpose {
+        create,
+        open,
+        read, ///< nothing is written, but an older schema is brought up to date where that is possible
+    };
 
     explicit StudyConnection(StoreLocation location);
     ~StudyConnection();
@@ -59,6 +64,8 @@ public:
     /// All that the function does, or nothing of it.
     [[nodiscard]] core::Expected<void> inTransaction(const std::function<core::Expected<void>()>& work);
 
+    /// Only to be looked at: opened to be read.
+    [[nodiscard]] bool isReadOnly() const { return m_isReadOnly; }
     [[nodiscard]] bool isServer() const { return !m_location.server.empty(); }
     [[nodiscard]] std::size_t reconnections() const { return m_reconnections; }
     [[nodiscard]] const StoreLocation& location() const { return m_location; }
@@ -78,7 +85,10 @@ public:
 
 private:
     [[nodiscard]] core::Expected<void> configureServer();
+    [[nodiscard]] core::Expected<void> configureFile(Purpose purpose);
     [[nodiscard]] core::Expected<void> connect();
+    [[nodiscard]] core::Expected<void> readFile();
+    void leaveFile();
     [[nodiscard]] core::Expected<void> chooseSchema(Purpose purpose);
     [[nodiscard]] core::Expected<void> reconnect();
     [[nodiscard]] core::Expected<void> lockAgain();
@@ -94,6 +104,7 @@ private:
     std::set<long long> m_locks;
     std::size_t m_reconnections = 0;
     bool m_inTransaction = false;
+    bool m_isReadOnly = false;
 };
 
 } // namespace teleta::study

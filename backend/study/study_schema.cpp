@@ -144,25 +144,32 @@ core::Expected<void> migrateSchema(QSqlDatabase& database, const std::string& na
     const auto failed = [&](const QString& what, const QSqlError& error) {
         return refused(kindOf(error), what.arg(error.databaseText()));
     };
+    const auto usable = [&](int found) -> core::Expected<void> {
+        if (found < 0)
+            return refused(core::ErrorKind::badInput,
+                           SchemaText::tr("another program made this database (schema %1)").arg(found));
+        if (found > currentSchema())
+            return refused(core::ErrorKind::refused,
+                           SchemaText::tr("a newer program made this study (schema %1, this one knows %2)")
+                               .arg(found)
+                               .arg(currentSchema()));
+        return {};
+    };
     if (!isServer(database)) {
         // Most often there is nothing to do, and then nobody has to wait.
         QSqlQuery query(database);
-        if (query.exec(QStringLiteral("PRAGMA user_version")) && query.next() &&
-            query.value(0).toInt() == currentSchema())
-            return {};
+        if (query.exec(QStringLiteral("PRAGMA user_version")) && query.next()) {
+            const int found = query.value(0).toInt();
+            if (found < 0 || found >= currentSchema())
+                return usable(found);
+        }
     }
     Migration migration(database);
     const std::optional<int> found = migration.begin();
     if (!found)
         return failed(SchemaText::tr("cannot read the study: %1"), migration.lastError());
-    if (*found < 0)
-        return refused(core::ErrorKind::badInput,
-                       SchemaText::tr("another program made this database (schema %1)").arg(*found));
-    if (*found > currentSchema())
-        return refused(core::ErrorKind::refused,
-                       SchemaText::tr("a newer program made this study (schema %1, this one knows %2)")
-                           .arg(*found)
-                           .arg(currentSchema()));
+    if (const core::Expected<void> isUsable = usable(*found); !isUsable)
+        return isUsable;
     for (int schema = *found; schema < currentSchema(); ++schema) {
         if (!migration.step(schema))
             return failed(SchemaText::tr("cannot write the study: %1"), migration.lastError());

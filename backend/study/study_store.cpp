@@ -121,17 +121,26 @@ core::Expected<void> StudyStore::ownFolder() const {
                                     : core::Expected<void>();
 }
 
+bool StudyStore::isReadOnly() const {
+    return m_connection->isReadOnly();
+}
+
 core::Expected<StudyStore> StudyStore::openForReading(const StoreLocation& location) {
+    return opened(location, StudyConnection::Purpose::read);
+}
+
+core::Expected<StudyStore> StudyStore::opened(const StoreLocation& location,
+                                              StudyConnection::Purpose purpose) {
     StudyStore store(std::make_shared<StudyConnection>(location));
-    if (const core::Expected<void> opened = store.m_connection->open(StudyConnection::Purpose::open); !opened)
-        return core::Unexpected(opened.error());
-    if (const core::Expected<void> read = store.readHead(); !read)
-        return core::Unexpected(read.error());
+    if (const core::Expected<void> done =
+            store.m_connection->open(purpose).and_then([&] { return store.readHead(); });
+        !done)
+        return core::Unexpected(done.error());
     return store;
 }
 
 core::Expected<StudyStore> StudyStore::open(const StoreLocation& location) {
-    core::Expected<StudyStore> store = openForReading(location);
+    core::Expected<StudyStore> store = opened(location, StudyConnection::Purpose::open);
     if (store && store->m_connection->isServer()) {
         if (const core::Expected<void> owned = store->ownFolder(); !owned)
             return core::Unexpected(owned.error());

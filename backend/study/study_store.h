@@ -96,7 +96,8 @@ public:
     [[nodiscard]] static core::Expected<StudyStore> open(const StoreLocation& location);
 
     /// The same for somebody who only reads and does not touch the folder, beside the one who runs the study:
-    /// trials that wait stay the other's to send.
+    /// trials that wait stay the other's to send. Also where nothing can be written, a read-only medium for
+    /// example; a study that was interrupted and one of an older program have to be copied from there first.
     [[nodiscard]] static core::Expected<StudyStore> openForReading(const StoreLocation& location);
 
     ~StudyStore();
@@ -106,6 +107,8 @@ public:
     [[nodiscard]] const StudyHead& head() const { return m_head; }
     [[nodiscard]] const StoreLocation& location() const;
     [[nodiscard]] const std::string& folder() const;
+    /// Opened for reading: whatever would write is refused.
+    [[nodiscard]] bool isReadOnly() const;
     /// The file, or the server without any password: for people.
     [[nodiscard]] const std::string& shownName() const;
 
@@ -158,6 +161,8 @@ public:
 
 private:
     explicit StudyStore(std::shared_ptr<StudyConnection> connection);
+    [[nodiscard]] static core::Expected<StudyStore> opened(const StoreLocation& location,
+                                                           StudyConnection::Purpose purpose);
     [[nodiscard]] core::Expected<void> readHead();
     [[nodiscard]] core::Expected<void> insertTrial(long long session, const StoredTrial& trial);
     [[nodiscard]] core::Expected<void> insertUnlessKept(long long session, const StoredTrial& trial);

@@ -42,19 +42,37 @@ core::Unexpected mixedModes(const core::SourcePlace& place, Mode one, Mode other
                     SourceText::tr("one mode, or to be told which one counts").toStdString(), place});
 }
 
+core::Unexpected twoPeople(const core::SourcePlace& place, std::string_view participant,
+                           const std::string& before) {
+    return core::Unexpected(core::Error{
+        core::ErrorKind::refused,
+        SourceText::tr("%1 has trials in %2 too: these may be two people, or the same trials "
+                       "twice")
+            .arg(shown(participant), QString::fromStdString(before))
+            .toStdString(),
+        SourceText::tr("each participant in one study, under a name of their own").toStdString(), place});
+}
+
 /// Reads the fields of one file's rows.
 class RowReader {
 public:
     RowReader(const core::CsvReader& csv, const std::vector<std::size_t>& needed)
         : m_csv(csv)
+        , m_file(csv.place(0).file)
         , m_needed(needed)
         , m_mode(optionalColumn("mode"))
         , m_outcome(optionalColumn("outcome"))
-        , m_time(optionalColumn("response_time_s")) {}
+        , m_time(optionalColumn("response_time_s"))
+        , m_session(optionalColumn("session_id"))
+        , m_trial(optionalColumn("trial"))
+        , m_attempt(optionalColumn("attempt")) {}
 
     /// False: the row does not count.
     [[nodiscard]] core::Expected<bool> read(const std::vector<std::string_view>& fields, ModeFilter& modes,
                                             TalliedTrial& trial) const;
+    /// Error: the row may not be counted with those before it.
+    [[nodiscard]] core::Expected<void> take(const std::vector<std::string_view>& fields,
+                                            const TalliedTrial& trial, TrialOrigins& origins) const;
 
 private:
     [[nodiscard]] std::optional<std::size_t> optionalColumn(std::string_view name) const {
@@ -75,12 +93,17 @@ private:
     }
 
     [[nodiscard]] core::Expected<bool> hasCountedMode(std::string_view text, ModeFilter& modes) const;
+    [[nodiscard]] core::Expected<std::size_t> number(std::size_t column, std::string_view text) const;
 
     const core::CsvReader& m_csv;
+    const std::string m_file;
     const std::vector<std::size_t>& m_needed;
     std::optional<std::size_t> m_mode;
     std::optional<std::size_t> m_outcome;
     std::optional<std::size_t> m_time;
+    std::optional<std::size_t> m_session;
+    std::optional<std::size_t> m_trial;
+    std::optional<std::size_t> m_attempt;
 };
 
 core::Expected<bool> RowReader::hasCountedMode(std::string_view text, ModeFilter& modes) const {
@@ -147,6 +170,38 @@ core::Expected<bool> RowReader::read(const std::vector<std::string_view>& fields
     return counts;
 }
 
+core::Expected<std::size_t> RowReader::number(std::size_t column, std::string_view text) const {
+    std::size_t value = 0;
+    const auto [stop, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (code != std::errc{} || stop != text.data() + text.size() || value == 0)
+        return wrong(column, text, SourceText::tr("a whole number from 1 on"));
+    return value;
+}
+
+core::Expected<void> RowReader::take(const std::vector<std::string_view>& fields, const TalliedTrial& trial,
+                                     TrialOrigins& origins) const {
+    if (const auto before = origins.takeFromFile(trial.participant, m_file))
+        return twoPeople(m_csv.place(m_needed[0]), trial.participant, *before);
+    if (!m_session || !m_trial || !m_attempt || isMissing(fields[*m_session]) ||
+        isMissing(fields[*m_trial]) || isMissing(fields[*m_attempt]))
+        return {};
+    const core::Expected<std::size_t> shownTrial = number(*m_trial, fields[*m_trial]);
+    if (!shownTrial)
+        return core::Unexpected(shownTrial.error());
+    const core::Expected<std::size_t> attempt = number(*m_attempt, fields[*m_attempt]);
+    if (!attempt)
+        return core::Unexpected(attempt.error());
+    if (!origins.addTrial({trial.participant, fields[*m_session], trial.phase, *shownTrial, *attempt}))
+        return core::Unexpected(core::Error{core::ErrorKind::refused,
+                                            SourceText::tr("trial %1 of session %2 of %3 was counted before")
+                                                .arg(*shownTrial)
+                                                .arg(shown(fields[*m_session]), shown(trial.participant))
+                                                .toStdString(),
+                                            SourceText::tr("each trial once").toStdString(),
+                                            m_csv.place(*m_trial)});
+    return {};
+}
+
 } // namespace
 
 core::Expected<void> tallyCsv(const std::string& path, ModeFilter& modes, TrialTally& tally,
@@ -166,18 +221,22 @@ core::Expected<void> tallyCsv(const std::string& path, ModeFilter& modes, TrialT
             return core::Unexpected(more.error());
         if (!*more)
             return {};
+        if (row % kRowsBetweenQuestions == 0 && !goOn(csv->bytesRead()))
+            return core::Unexpected(core::Error{
+                core::ErrorKind::cancelled, SourceText::tr("interrupted").toStdString(), {}, {path}});
         const core::Expected<bool> counts = reader.read(fields, modes, trial);
         if (!counts)
             return core::Unexpected(counts.error());
-        if (*counts && !tally.add(trial))
+        if (!*counts)
+            continue;
+        if (const core::Expected<void> taken = reader.take(fields, trial, tally.origins()); !taken)
+            return taken;
+        if (!tally.add(trial))
             return core::Unexpected(
                 core::Error{core::ErrorKind::badInput,
                             SourceText::tr("there are too many different patterns").toStdString(),
                             SourceText::tr("%1 at most").arg(TrialTally::kMostNames).toStdString(),
                             csv->place((*needed)[4])});
-        if (row % kRowsBetweenQuestions == 0 && !goOn(csv->bytesRead()))
-            return core::Unexpected(core::Error{
-                core::ErrorKind::cancelled, SourceText::tr("interrupted").toStdString(), {}, {path}});
     }
 }
 
@@ -192,6 +251,7 @@ core::Expected<void> tallyStore(const StudyStore& store, ModeFilter& modes, Tria
     if (!participants)
         return core::Unexpected(participants.error());
     for (const Participant& participant : *participants) {
+        bool isTaken = false;
         const std::vector<PlannedSession> plan =
             planSessions(head.protocol, head.seed, participant.enrolment);
         const core::Expected<std::vector<SessionRecord>> sessions = store.sessions(participant);
@@ -207,6 +267,11 @@ core::Expected<void> tallyStore(const StudyStore& store, ModeFilter& modes, Tria
                 const TrialResult& result = stored.result;
                 if (!result.isComplete())
                     continue;
+                if (!isTaken) {
+                    if (const auto before = tally.origins().takeFromStore(participant.id, store.shownName()))
+                        return twoPeople({store.shownName()}, participant.id, *before);
+                    isTaken = true;
+                }
                 const std::string_view response =
                     result.response ? std::string_view(task.patterns.at(*result.response).letter)
                                     : std::string_view();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/study/trial.h"
+#include "backend/study/trial_origins.h"
 
 #include <compare>
 #include <cstddef>
@@ -48,12 +49,16 @@ public:
     /// False, and nothing is counted, when more than kMostNames patterns have different names.
     [[nodiscard]] bool add(const TalliedTrial& trial);
 
+    /// Where what is counted came from; whoever adds trials keeps it.
+    [[nodiscard]] TrialOrigins& origins() { return m_origins; }
+
     [[nodiscard]] const std::map<Key, Cell>& cells() const { return m_cells; }
     [[nodiscard]] const std::vector<std::string>& names() const { return m_names; }
 
 private:
     [[nodiscard]] std::size_t indexOf(std::string_view name);
 
+    TrialOrigins m_origins;
     std::map<Key, Cell> m_cells;
     std::vector<std::string> m_names;
     std::pair<const Key, Cell>* m_last = nullptr; ///< rows of a file come session by session

@@ -467,50 +467,5 @@ TEST_F(StudyStoreTest, numbersDoNotDependOnTheLocale) {
 }
 
 // Root may write anywhere, so that another user has to try.
-TEST_F(StudyStoreTest, aReadOnlyFolderIsAnErrorAndKeepsWhatIsThere) {
-    SessionRecord session;
-    {
-        StudyStore store = create();
-        const PlannedSession plan = planSessions(store.head().protocol, store.head().seed, 0)[0];
-        session = store.beginSession(store.enrol("P07").value(), 0, plan, kNow).value();
-        ASSERT_TRUE(store.keepTrial(session, answered(), kNow));
-    }
-    namespace fs = std::filesystem;
-    fs::permissions(m_folder.path("."), fs::perms(0755));
-    fs::permissions(folder(), fs::perms(0555));
-    fs::create_directory(m_folder.path("bare"));
-    fs::permissions(m_folder.path("bare"), fs::perms(0555));
-    for (const auto& file : fs::directory_iterator(folder()))
-        fs::permissions(file.path(), fs::perms(0444));
-    constexpr uid_t kNobody = 65'534;
-    const uid_t user = geteuid();
-    if (user == 0) {
-        ASSERT_EQ(seteuid(kNobody), 0);
-    }
-    const auto created = StudyStore::create(m_folder.path("other"), head());
-    // The folder is there but takes no file.
-    const auto createdInIt = StudyStore::create(m_folder.path("bare"), head());
-    bool refusedToOpen = false;
-    bool refusedToKeep = false;
-    {
-        auto store = StudyStore::open(folder());
-        refusedToOpen = !store && store.error().kind == core::ErrorKind::ioFailed;
-        TrialResult next = answered();
-        next.planned.trial = 9;
-        next.trialInBlock = 9;
-        refusedToKeep = store && !store->keepTrial(session, next, kNow) &&
-                        store->keepTrial(session, next, kNow).error().kind == core::ErrorKind::ioFailed;
-    }
-    ASSERT_EQ(seteuid(user), 0);
-    EXPECT_EQ(created.error().kind, core::ErrorKind::ioFailed);
-    ASSERT_FALSE(createdInIt);
-    EXPECT_EQ(createdInIt.error().kind, core::ErrorKind::ioFailed);
-    EXPECT_TRUE(fs::is_empty(m_folder.path("bare")));
-    EXPECT_TRUE(refusedToOpen || refusedToKeep);
-    fs::permissions(folder(), fs::perms(0755));
-    for (const auto& file : fs::directory_iterator(folder()))
-        fs::permissions(file.path(), fs::perms(0644));
-    EXPECT_EQ(StudyStore::open(folder())->trials(session)->size(), 1U);
-}
 
 } // namespace teleta::study

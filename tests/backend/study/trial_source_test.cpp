@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/study/study_export.h"
 #include "backend/study/trial_source.h"
 #include "tests/backend/core/temporary_folder.h"
+#include "tests/backend/study/small_protocol.h"
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <map>
 
 namespace teleta::study {
@@ -117,6 +120,93 @@ TEST_F(TrialSourceTest, refusesATableOfMoreNamesThanPatternsCanHave) {
     ASSERT_FALSE(done);
     EXPECT_EQ(done.error().kind, core::ErrorKind::badInput);
     EXPECT_EQ(done.error().where.line, 1001);
+}
+
+TEST_F(TrialSourceTest, refusesATrialThatIsThereTwice) {
+    const std::string head = kHead + ",session_id,trial,attempt\n";
+    const std::string row = "P1,shape,static,test,A,A,20261103T142233,";
+    // The same number in another phase, session or attempt, or of another participant, is another trial.
+    const std::string others = "P1,shape,static,practice,A,A,20261103T142233,1,1\n"
+                               "P1,shape,static,test,A,A,20261103T142234,1,1\n"
+                               "P2,shape,static,test,A,A,20261103T142233,1,1\n";
+    ASSERT_TRUE(read(head + row + "1,1\n" + row + "2,1\n" + row + "1,2\n" + others));
+    EXPECT_EQ(trials(), 6);
+    for (const char* again : {"1,1", "2,1", "1,2"}) {
+        const auto done = read(head + row + "1,1\n" + row + "2,1\n" + row + "1,2\n" + others + row + again);
+        ASSERT_FALSE(done) << again;
+        EXPECT_EQ(done.error().kind, core::ErrorKind::refused);
+        EXPECT_EQ(done.error().where.line, 8);
+        EXPECT_EQ(done.error().where.column, 42);
+        EXPECT_NE(done.error().message.find("20261103T142233"), std::string::npos) << done.error().message;
+    }
+    // What names no trial is what other programs write.
+    EXPECT_TRUE(read(head + row + "NA,NA\n" + row + "NA,NA\n"));
+    EXPECT_TRUE(read(kHead + "\nP1,shape,static,test,A,A\nP1,shape,static,test,A,A\n"));
+    expectWrong(head + row + "one,1\n", 2, 42);
+    expectWrong(head + row + "1,0\n", 2, 44);
+    expectWrong(head + row + "18446744073709551616,1\n", 2, 42);
+    // Numbers that no bit is kept for.
+    ASSERT_TRUE(read(head + row + "18446744073709551615,1\n"));
+    EXPECT_FALSE(read(head + row + "18446744073709551615,1\n" + row + "18446744073709551615,1\n"));
+}
+
+TEST_F(TrialSourceTest, aFileThatIsReadAgainUnderAnotherNameIsRefused) {
+    const std::string text = kHead + ",session_id,trial,attempt\nP1,shape,static,test,A,A,s,1,1\n";
+    ASSERT_TRUE(read(text));
+    const std::string copy = m_folder.write("copy.csv", text);
+    const auto done = tallyCsv(copy, m_modes, m_tally, [](std::uint64_t) { return true; });
+    ASSERT_FALSE(done);
+    EXPECT_EQ(done.error().where.file, copy);
+    EXPECT_EQ(done.error().where.line, 2);
+}
+
+TEST_F(TrialSourceTest, peopleOfOneNameInTwoStudiesAreNotOne) {
+    const auto study = [&](const std::string& name, const std::string& person) {
+        StudyHead head;
+        head.protocol = smallProtocol();
+        head.mode = Mode::pilot;
+        head.created = QDateTime(QDate(2026, 11, 3), QTime(9, 0), Qt::UTC);
+        StudyStore store = std::move(StudyStore::create(m_folder.path(name), head).value());
+        const Participant participant = store.enrol(person).value();
+        const PlannedSession plan = planSessions(head.protocol, head.seed, 0).front();
+        const SessionRecord session = store.beginSession(participant, 0, plan, head.created).value();
+        TrialResult result;
+        result.planned = {Phase::test, 1, 1, 1, plan.test.front()};
+        result.outcome = Outcome::timeout;
+        EXPECT_TRUE(store.keepTrial(session, result, head.created));
+        EXPECT_TRUE(exportSession(store, participant, session, ExportFormat::psychds));
+        return store;
+    };
+    const StudyStore one = study("one", "P01");
+    const StudyStore other = study("other", "P01");
+    const StudyStore third = study("third", "P02");
+    ASSERT_TRUE(tallyStore(one, m_modes, m_tally));
+    ASSERT_TRUE(tallyStore(third, m_modes, m_tally));
+    EXPECT_EQ(trials(), 2);
+    const auto merged = tallyStore(other, m_modes, m_tally);
+    ASSERT_FALSE(merged);
+    EXPECT_EQ(merged.error().kind, core::ErrorKind::refused);
+    const std::string text = core::describe(merged.error());
+    EXPECT_NE(text.find("P01"), std::string::npos) << text;
+    EXPECT_NE(text.find(one.shownName()), std::string::npos) << text;
+    EXPECT_NE(text.find(other.shownName()), std::string::npos) << text;
+
+    // A study and what was exported of it, in both orders.
+    std::string exported;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(m_folder.path("third")))
+        if (entry.path().string().ends_with("_data.csv"))
+            exported = entry.path().string();
+    const auto goOn = [](std::uint64_t) { return true; };
+    const auto twice = tallyCsv(exported, m_modes, m_tally, goOn);
+    ASSERT_FALSE(twice);
+    EXPECT_EQ(twice.error().where.file, exported);
+    EXPECT_EQ(twice.error().where.line, 2);
+    EXPECT_NE(twice.error().message.find(third.shownName()), std::string::npos) << twice.error().message;
+    m_tally = {};
+    ASSERT_TRUE(tallyCsv(exported, m_modes, m_tally, goOn));
+    const auto after = tallyStore(third, m_modes, m_tally);
+    ASSERT_FALSE(after);
+    EXPECT_NE(after.error().message.find(exported), std::string::npos) << after.error().message;
 }
 
 } // namespace teleta::study
