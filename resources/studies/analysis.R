@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Analyses a study again, with R alone (no packages).
 #   Rscript analysis.R [FOLDER] [OUT]
-# FOLDER holds the exported trials (data/.../*_data.csv), or else the results of an analysis (confusion_long.csv);
-# summary_r.csv and anova_r.csv are written to OUT. Both are the present folder unless named.
+# FOLDER holds the exported trials (data/.../*_data.csv), or else the results of an analysis (confusion_long.csv, which
+# has no response times); summary_r.csv, group_r.csv and anova_r.csv are written to OUT. Both are the present folder
+# unless named. Their columns are those of summary.csv, group.csv and anova.csv, but the bootstrap interval, which
+# depends on the random numbers that it draws.
 
 arguments <- commandArgs(trailingOnly = TRUE)
 folder <- if (length(arguments) > 0) arguments[1] else "."
@@ -12,42 +14,106 @@ dir.create(out, showWarnings = FALSE, recursive = TRUE)
 # Everything is read as text, since R would take the patterns T and F for logical values.
 read <- function(file) read.csv(file, colClasses = "character", na.strings = "NA", encoding = "UTF-8")
 
+names_of <- function(rows) {
+    answers <- rows[c("stimulus", "response")]
+    lapply(split(unlist(answers), rep(rows$task, 2)), function(letters) unique(letters[!is.na(letters) & letters != "NONE"]))
+}
+
 files <- list.files(file.path(folder, "data"), "_task-.*_data\\.csv$", recursive = TRUE, full.names = TRUE)
 keys <- c("participant_id", "task", "condition", "stimulus", "response")
 if (length(files) > 0) {
     trials <- do.call(rbind, lapply(files, read))
-    trials <- trials[trials$phase == "test" & trials$outcome %in% c("correct", "incorrect", "timeout"), ]
+    trials <- trials[trials$outcome %in% c("correct", "incorrect", "timeout"), ]
+    patterns_of_task <- names_of(trials)
+    trials <- trials[trials$phase == "test", ]
+    trials$response_time_s <- as.numeric(trials$response_time_s)
+    times <- trials[trials$outcome == "correct" & !is.na(trials$response_time_s), ]
     trials$response[is.na(trials$response)] <- "NONE"
     counts <- aggregate(list(count = rep(1, nrow(trials))), trials[keys], sum)
 } else {
     counts <- read(file.path(folder, "confusion_long.csv"))
+    patterns_of_task <- names_of(counts[counts$participant_id != "GROUP" & as.numeric(counts$count) > 0, ])
+    times <- NULL
     counts <- counts[counts$phase == "test" & counts$participant_id != "GROUP", c(keys, "count")]
     counts$count <- as.numeric(counts$count)
 }
 counts$correct <- ifelse(counts$stimulus == counts$response, counts$count, 0)
 
-# Participants: accuracy with Wilson's and the exact interval.
+# Information transfer of a confusion matrix, and what it has too much on average (Miller and Madow).
+transfer_of <- function(part) {
+    table <- xtabs(count ~ stimulus + response, part)
+    table <- table[rowSums(table) > 0, colSums(table) > 0, drop = FALSE]
+    share <- table / sum(table)
+    expected <- outer(rowSums(share), colSums(share))
+    bits <- max(0, sum(ifelse(share > 0, share * log2(share / expected), 0)))
+    bias <- (nrow(table) - 1) * (ncol(table) - 1) / (2 * sum(table) * log(2))
+    data.frame(it_bits = bits, it_bias_bits = bias, it_corrected_bits = bits - bias)
+}
+
+# Participants: accuracy with Wilson's and the exact interval, and against chance.
 summary_of <- function(part) {
     n <- sum(part$count)
     x <- sum(part$correct)
     wilson <- suppressWarnings(prop.test(x, n, correct = FALSE))$conf.int
     exact <- binom.test(x, n)$conf.int
-    data.frame(participant_id = part$participant_id[1], task = part$task[1], condition = part$condition[1], n = n,
-               n_correct = x, accuracy = x / n, wilson_lo = wilson[1], wilson_hi = wilson[2], cp_lo = exact[1],
-               cp_hi = exact[2])
+    own <- times$response_time_s[times$participant_id == part$participant_id[1] & times$task == part$task[1] &
+                                 times$condition == part$condition[1]]
+    cbind(data.frame(participant_id = part$participant_id[1], task = part$task[1], condition = part$condition[1],
+                     n = n, n_correct = x, n_timeout = sum(part$count[part$response == "NONE"]), accuracy = x / n,
+                     wilson_lo = wilson[1], wilson_hi = wilson[2], cp_lo = exact[1], cp_hi = exact[2],
+                     p_chance = pbinom(x - 1, n, 1 / length(patterns_of_task[[part$task[1]]]), lower.tail = FALSE)),
+          transfer_of(part),
+          data.frame(rt_median_s = if (length(own) > 0) median(own) else NA,
+                     rt_n = if (is.null(times)) NA else length(own)))
 }
 summaries <- do.call(rbind, lapply(split(counts, counts[c("participant_id", "task", "condition")], drop = TRUE),
                                    summary_of))
 
+# Groups: the interval of the mean over participants from Student's t, and the transfer of all answers together.
+group_of <- function(part) {
+    own <- summaries[summaries$task == part$task[1] & summaries$condition == part$condition[1], ]
+    m <- nrow(own)
+    deviation <- if (m > 1) sd(own$accuracy) else NA
+    half <- if (m > 1) qt(0.975, m - 1) * deviation / sqrt(m) else NA
+    patterns <- length(patterns_of_task[[part$task[1]]])
+    cbind(data.frame(task = part$task[1], condition = part$condition[1], participants = m,
+                     accuracy_mean = mean(own$accuracy), accuracy_sd = deviation, t_lo = mean(own$accuracy) - half,
+                     t_hi = mean(own$accuracy) + half, n = sum(part$count)),
+          transfer_of(part), data.frame(it_few_trials = as.integer(sum(part$count) < 5 * patterns^2)))
+}
+groups <- do.call(rbind, lapply(split(counts, counts[c("task", "condition")], drop = TRUE), group_of))
+
 # ANOVA within participants of the share of correct answers in each cell.
-line_of <- function(task, effect, stimulus, table, corrected) {
+# cells: one row a participant; contrasts: orthonormal columns of the effect; errors: sums of squares of all errors.
+epsilons_of <- function(cells, contrasts) {
+    k <- ncol(contrasts)
+    if (k == 1)
+        return(c(1, 1))
+    covariance <- cov(cells %*% contrasts)
+    gg <- sum(diag(covariance))^2 / (k * sum(covariance^2))
+    n <- nrow(cells)
+    denominator <- k * (n - 1 - k * gg)
+    c(gg, if (denominator > 1e-12) min(1, (n * k * gg - 2) / denominator) else NA)
+}
+
+differences <- function(levels) {
+    helmert <- contr.helmert(levels)
+    sweep(helmert, 2, sqrt(colSums(helmert^2)), "/")
+}
+averages <- function(levels) matrix(1 / sqrt(levels), levels, 1)
+
+line_of <- function(task, effect, stimulus, table, corrected, cells, contrasts, errors) {
     if (table[2, "Sum Sq"] <= 1e-20)
         return(NULL)
+    epsilons <- epsilons_of(cells, contrasts)
     data.frame(task = task, effect = effect, stimulus = stimulus, df1 = table[1, "Df"], df2 = table[2, "Df"],
                ss = table[1, "Sum Sq"], ss_error = table[2, "Sum Sq"], f = table[1, "F value"],
-               p = table[1, "Pr(>F)"],
+               p = table[1, "Pr(>F)"], eps_gg = epsilons[1],
                p_gg = if (is.null(corrected)) table[1, "Pr(>F)"] else corrected[1, "G-G Pr"],
-               p_hf = if (is.null(corrected)) table[1, "Pr(>F)"] else corrected[1, "H-F Pr"])
+               eps_hf = epsilons[2],
+               p_hf = if (is.null(corrected)) table[1, "Pr(>F)"] else corrected[1, "H-F Pr"],
+               partial_eta2 = table[1, "Sum Sq"] / sum(table[, "Sum Sq"]),
+               generalized_eta2 = table[1, "Sum Sq"] / (table[1, "Sum Sq"] + errors), n = nrow(cells))
 }
 
 anova_of <- function(part) {
@@ -65,39 +131,49 @@ anova_of <- function(part) {
     cells <- t(sapply(people, function(person) mapply(value, person, as.character(design$c), as.character(design$p))))
     complete <- cells[rowSums(is.na(cells)) == 0, , drop = FALSE]
     n <- nrow(complete)
+    kinds <- c(length(conditions), length(patterns))
     lines <- NULL
+    one_way <- function(effect, stimulus, columns) {
+        columns <- columns[rowSums(is.na(columns)) == 0, , drop = FALSE]
+        m <- nrow(columns)
+        if (m < 2)
+            return(NULL)
+        levels <- factor(seq_len(ncol(columns)))
+        long <- data.frame(y = as.vector(columns), s = factor(rep(seq_len(m), ncol(columns))), c = rep(levels, each = m))
+        fit <- summary(aov(y ~ c + Error(s / c), data = long))
+        table <- fit[["Error: s:c"]][[1]]
+        line_of(task, effect, stimulus, table,
+                if (ncol(columns) > 2) anova(lm(columns ~ 1), M = ~c, X = ~1, idata = data.frame(c = levels),
+                                             test = "Spherical"),
+                columns, differences(ncol(columns)),
+                table[2, "Sum Sq"] + fit[["Error: s"]][[1]]["Residuals", "Sum Sq"])
+    }
+    if (length(conditions) == 1 && length(patterns) > 1)
+        return(one_way("pattern", NA, cells))
     if (n >= 2 && length(conditions) >= 2) {
         long <- data.frame(y = as.vector(complete), s = factor(rep(seq_len(n), ncol(complete))),
                            c = rep(design$c, each = n), p = rep(design$p, each = n))
         fit <- summary(aov(y ~ c * p + Error(s / (c * p)), data = long))
         model <- lm(complete ~ 1)
         corrected <- function(M, X) anova(model, M = M, X = X, idata = design, test = "Spherical")
-        several <- length(conditions) > 2
+        several <- kinds[1] > 2
+        errors <- sum(sapply(fit, function(stratum) stratum[[1]]["Residuals", "Sum Sq"]))
+        two_way <- function(effect, stratum, first, second, corrected)
+            line_of(task, effect, NA, fit[[stratum]][[1]], corrected, complete, kronecker(first, second), errors)
         lines <- rbind(
-            line_of(task, "condition", NA, fit[["Error: s:c"]][[1]], if (several) corrected(~c, ~1)),
-            line_of(task, "pattern", NA, fit[["Error: s:p"]][[1]],
-                    if (length(patterns) > 2) corrected(~c + p, ~c)),
-            line_of(task, "condition:pattern", NA, fit[["Error: s:c:p"]][[1]],
-                    if (several || length(patterns) > 2) corrected(~c * p, ~c + p)))
-        for (pattern in patterns) {
-            columns <- cells[, design$p == pattern, drop = FALSE]
-            columns <- columns[rowSums(is.na(columns)) == 0, , drop = FALSE]
-            m <- nrow(columns)
-            if (m < 2)
-                next
-            long <- data.frame(y = as.vector(columns), s = factor(rep(seq_len(m), ncol(columns))),
-                               c = factor(rep(conditions, each = m)))
-            table <- summary(aov(y ~ c + Error(s / c), data = long))[["Error: s:c"]][[1]]
-            within <- data.frame(c = factor(conditions))
-            lines <- rbind(lines, line_of(task, "condition", pattern, table,
-                                          if (several) anova(lm(columns ~ 1), M = ~c, X = ~1, idata = within,
-                                                             test = "Spherical")))
-        }
+            two_way("condition", "Error: s:c", differences(kinds[1]), averages(kinds[2]), if (several) corrected(~c, ~1)),
+            two_way("pattern", "Error: s:p", averages(kinds[1]), differences(kinds[2]),
+                    if (kinds[2] > 2) corrected(~c + p, ~c)),
+            two_way("condition:pattern", "Error: s:c:p", differences(kinds[1]), differences(kinds[2]),
+                    if (several || kinds[2] > 2) corrected(~c * p, ~c + p)))
     }
+    for (pattern in if (length(conditions) >= 2) patterns)
+        lines <- rbind(lines, one_way("condition", pattern, cells[, design$p == pattern, drop = FALSE]))
     lines
 }
 anovas <- do.call(rbind, lapply(split(counts, counts$task), anova_of))
 
+write.csv(groups, file.path(out, "group_r.csv"), row.names = FALSE, quote = FALSE)
 write.csv(summaries, file.path(out, "summary_r.csv"), row.names = FALSE, quote = FALSE)
 if (!is.null(anovas)) {
     write.csv(anovas, file.path(out, "anova_r.csv"), row.names = FALSE, quote = FALSE)

@@ -64,12 +64,23 @@ TEST(StudyR, theScriptThatComesWithAStudyGivesTheSameNumbersInR) {
     };
     ASSERT_EQ(inR(study), 0) << "from the exported trials";
     ASSERT_EQ(inR(results), 0) << "from the confusion matrices";
-    const std::vector<std::string> anova = {"df1", "df2", "ss", "ss_error", "f", "p", "p_gg", "p_hf"};
-    const std::vector<std::string> summary = {"n",         "n_correct", "accuracy", "wilson_lo",
-                                              "wilson_hi", "cp_lo",     "cp_hi"};
+    const std::vector<std::string> anova = {
+        "df1",    "df2",  "ss",           "ss_error",         "f", "p", "eps_gg", "p_gg",
+        "eps_hf", "p_hf", "partial_eta2", "generalized_eta2", "n"};
+    const std::vector<std::string> summary = {"n",         "n_correct", "n_timeout",    "accuracy",
+                                              "wilson_lo", "wilson_hi", "cp_lo",        "cp_hi",
+                                              "p_chance",  "it_bits",   "it_bias_bits", "it_corrected_bits"};
+    const std::vector<std::string> group = {
+        "participants", "accuracy_mean", "accuracy_sd",       "t_lo",         "t_hi", "n",
+        "it_bits",      "it_bias_bits",  "it_corrected_bits", "it_few_trials"};
     for (const std::string& from : {study, results}) {
         expectSame(tableOf(results + "/anova.csv", 3), tableOf(from + "/anova_r.csv", 3), anova);
         expectSame(tableOf(results + "/summary.csv", 3), tableOf(from + "/summary_r.csv", 3), summary);
+        expectSame(tableOf(results + "/group.csv", 2), tableOf(from + "/group_r.csv", 2), group);
     }
+    expectSame(tableOf(results + "/summary.csv", 3), tableOf(study + "/summary_r.csv", 3),
+               {"rt_median_s", "rt_n"});
     EXPECT_EQ(tableOf(study + "/summary_r.csv", 3).size(), 24U);
+    EXPECT_EQ(tableOf(study + "/group_r.csv", 2).size(), 4U);
+    EXPECT_EQ(tableOf(study + "/anova_r.csv", 3).size(), tableOf(results + "/anova.csv", 3).size());
 }
