@@ -532,12 +532,16 @@ void MainWindow::saveState() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (m_patterns->hasUnsaved() && !m_closing) {
+    if (!m_closing && (m_patterns->hasUnsaved() || !m_study->isSettled())) {
         event->ignore();
-        showPage(QLatin1String(kPatterns));
+        showPage(QLatin1String(m_patterns->hasUnsaved() ? kPatterns : kStudy));
         m_patterns->whenSettled([this] {
-            m_closing = true;
-            close();
+            if (!m_study->isSettled())
+                showPage(QLatin1String(kStudy));
+            m_study->whenSettled([this] {
+                m_closing = true;
+                close();
+            });
         });
         return;
     }

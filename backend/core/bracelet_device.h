@@ -75,6 +75,8 @@ struct BraceletTelemetry {
     Drive written{};                  ///< newest frame
     std::uint64_t framesWritten = 0;  ///< since start, with the zero frames that the device adds
     std::uint64_t framesEchoed = 0;   ///< confirmed by the board
+    std::uint64_t newestSent = 0;     ///< number of the newest frame that was handed to the link
+    std::uint64_t newestEchoed = 0;   ///< number of the newest frame that the board confirmed; 0: none
     std::uint64_t framesLost = 0;     ///< never confirmed although a later one was, or in flight at a loss
     std::uint64_t strayEchoes = 0;    ///< answers to no frame that waits for one
     std::uint64_t damagedReports = 0; ///< reports that were not understood

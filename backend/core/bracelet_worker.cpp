@@ -222,6 +222,8 @@ void BraceletWorker::setState(DeviceState state, std::string message) {
 
 void BraceletWorker::publish() {
     m_telemetryNow.framesEchoed = m_ledger.echoed();
+    m_telemetryNow.newestSent = m_ledger.sent();
+    m_telemetryNow.newestEchoed = m_ledger.newestEchoed();
     m_telemetryNow.framesLost = m_ledger.lost();
     m_telemetryNow.strayEchoes = m_ledger.stray();
     m_telemetry.set(m_telemetryNow);

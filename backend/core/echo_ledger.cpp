@@ -20,7 +20,7 @@ void EchoLedger::echo(std::uint16_t sequence) {
     }
     const std::uint64_t frame = m_sent - behind;
     m_lost += frame - m_settled - 1;
-    m_settled = frame;
+    m_settled = m_newestEchoed = frame;
     ++m_echoed;
 }
 

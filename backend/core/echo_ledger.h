@@ -21,6 +21,8 @@ public:
 
     [[nodiscard]] std::uint64_t sent() const { return m_sent; }
     [[nodiscard]] std::uint64_t echoed() const { return m_echoed; }
+    /// Number of the newest frame that was echoed, not wrapped; 0: none.
+    [[nodiscard]] std::uint64_t newestEchoed() const { return m_newestEchoed; }
     [[nodiscard]] std::uint64_t lost() const { return m_lost; }
     [[nodiscard]] std::uint64_t stray() const { return m_stray; }
     [[nodiscard]] std::uint64_t inFlight() const { return m_sent - m_settled; }
@@ -29,6 +31,7 @@ private:
     std::uint64_t m_sent = 0;
     std::uint64_t m_settled = 0; ///< newest frame that was echoed or given up
     std::uint64_t m_echoed = 0;
+    std::uint64_t m_newestEchoed = 0;
     std::uint64_t m_lost = 0;
     std::uint64_t m_stray = 0;
 };

@@ -85,11 +85,13 @@ void PlaybackCycle::close() {
 }
 
 PlayerCounters PlaybackCycle::counters() const {
-    const std::uint64_t lost = m_bracelet.telemetry().framesLost;
+    const core::BraceletTelemetry telemetry = m_bracelet.telemetry();
+    const std::uint64_t lost = telemetry.framesLost;
     const std::scoped_lock lock(m_countersMutex);
     PlayerCounters counters = m_counters;
     // A bracelet that was started anew counts from 0.
     counters.framesLost = lost >= m_lostBefore ? lost - m_lostBefore : lost;
+    counters.confirmed = telemetry.newestEchoed > m_sentBefore;
     counters.setpointsReplaced = m_setpoints.replaced() - m_replacedBefore;
     counters.writeMedian_ns = m_timings.write.quantile_ns(0.5);
     counters.writeLongest_ns = m_timings.write.longest_ns();
@@ -138,13 +140,14 @@ void PlaybackCycle::beginAny(PlayerMode mode) {
     m_extraWritten = false;
     m_connection = m_bracelet.connection();
     {
-        const std::uint64_t lost = m_bracelet.telemetry().framesLost;
+        const core::BraceletTelemetry telemetry = m_bracelet.telemetry();
         const std::scoped_lock lock(m_countersMutex);
         m_counters = {};
         m_counters.begun_ns = now;
         m_timings = {};
         m_rate.reset();
-        m_lostBefore = lost;
+        m_lostBefore = telemetry.framesLost;
+        m_sentBefore = telemetry.newestSent;
         m_replacedBefore = m_setpoints.replaced();
     }
     if (m_connection == 0)

@@ -96,6 +96,7 @@ private:
     PlayerTimings m_timings;
     core::RateMeter m_rate;
     std::uint64_t m_lostBefore = 0;
+    std::uint64_t m_sentBefore = 0; ///< number of the last frame before the playing
     std::uint64_t m_replacedBefore = 0;
 };
 

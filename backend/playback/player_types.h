@@ -79,6 +79,7 @@ struct PlayerCounters {
     std::uint64_t framesWritten = 0;
     std::uint64_t deadlineMisses = 0;    ///< deadlines that passed without a frame of their own
     std::uint64_t framesLost = 0;        ///< not confirmed by the board
+    bool confirmed = false;              ///< the board confirmed a frame of this playing
     std::uint64_t watchdogTrips = 0;     ///< times that setpoints stayed away
     std::uint64_t setpointsReplaced = 0; ///< by a newer one before a frame took them
     double rate_Hz = 0.0;                ///< achieved

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/rehearsal.h"
 
+#include "backend/pattern/built_in_patterns.h"
 #include "backend/study/due_questionnaires.h"
 #include "backend/study/session.h"
 #include "backend/study/simulated_participant.h"
@@ -26,6 +27,12 @@ constexpr std::int64_t kBetweenTrials_ns = 1'000'000'000;
 constexpr qint64 kBetweenSessions_s = 3600;
 constexpr std::uint64_t kAnswersOfSession = 2; // parts 0 and 1 of the session's seed are its orders
 
+/// A pattern ends by itself, and is cut off where the protocol says so.
+double lengthOf_s(const std::string& id, const Protocol& protocol) {
+    const pattern::Pattern* stimulus = pattern::findBuiltIn(id);
+    return stimulus == nullptr ? protocol.stimulus_s : std::min(stimulus->duration_s, protocol.stimulus_s);
+}
+
 /// Shows one trial to the participant and passes on what it does.
 void showTrial(Session& session, const SimulatedParticipant::Answer& answer,
                const RehearsalCast::Shown& shown, double stimulus_s, std::int64_t& now_ns) {
@@ -35,7 +42,7 @@ void showTrial(Session& session, const SimulatedParticipant::Answer& answer,
     const std::int64_t onset_ns = now_ns + std::llround(shown.latency_s * 1e9);
     const std::int64_t end_ns = onset_ns + std::llround(stimulus_s * 1e9);
     const std::int64_t answer_ns = onset_ns + std::llround(answer.time_s * 1e9);
-    session.stimulusStarted(onset_ns);
+    session.stimulusStarted(onset_ns, end_ns);
     now_ns = end_ns;
     const KeyPress press{answer.response, "simulated", std::to_string(answer.response.value_or(0) + 1),
                          answer_ns, false};
@@ -185,10 +192,9 @@ core::Expected<void> Rehearsal::runSession(const Participant& participant, std::
         const SimulatedParticipant::Answer answer = m_cast.answer
                                                         ? m_cast.answer(task, condition, trial.stimulus, seed)
                                                         : simulated.answer(trial.stimulus, seed);
-        const RehearsalCast::Shown shown =
-            m_cast.show ? m_cast.show(stimulusId(task, task.patterns[trial.stimulus], condition), seed)
-                        : RehearsalCast::Shown{};
-        showTrial(*session, answer, shown, head.protocol.stimulus_s, now_ns);
+        const std::string stimulus = stimulusId(task, task.patterns[trial.stimulus], condition);
+        const RehearsalCast::Shown shown = m_cast.show ? m_cast.show(stimulus, seed) : RehearsalCast::Shown{};
+        showTrial(*session, answer, shown, lengthOf_s(stimulus, head.protocol), now_ns);
         // The store keeps milliseconds, and the next trial begins at what it keeps, resumed or not.
         now_ns = (now_ns + 999'999) / 1'000'000 * 1'000'000;
         m_progress.simulated_s = before_s + static_cast<double>(now_ns - start_ns) * 1e-9;

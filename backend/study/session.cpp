@@ -84,6 +84,11 @@ bool Session::windowIsOpen() const {
            (m_stage == Stage::stimulus && m_window == ResponseWindow::fromOnset);
 }
 
+/// The window may have opened since.
+bool Session::windowIsOpenAt(std::int64_t time_ns) const {
+    return windowIsOpen() && time_ns >= (m_window == ResponseWindow::fromOnset ? m_onset_ns : *m_end_ns);
+}
+
 std::optional<std::int64_t> Session::deadline_ns() const {
     if (!windowIsOpen())
         return std::nullopt;
@@ -104,10 +109,11 @@ bool Session::startTrial(std::int64_t time_ns) {
     return true;
 }
 
-void Session::stimulusStarted(std::int64_t time_ns) {
+void Session::stimulusStarted(std::int64_t time_ns, std::optional<std::int64_t> due_ns) {
     if (m_stage != Stage::starting)
         return;
     m_onset_ns = time_ns;
+    m_due_ns = due_ns.value_or(time_ns + m_stimulus_ns);
     m_trial.deviceLatency_ms = seconds(time_ns - m_request_ns) * 1e3;
     m_stage = Stage::stimulus;
 }
@@ -135,9 +141,9 @@ void Session::press(const KeyPress& press) {
         return;
     const bool wasOpen = windowIsOpen();
     advance(press.time_ns);
-    if (!windowIsOpen()) {
+    if (!windowIsOpenAt(press.time_ns)) {
         // A press after the limit is late, not early for the next trial.
-        if (!wasOpen && (m_stage == Stage::ready || isRunning()))
+        if ((!wasOpen || windowIsOpen()) && (m_stage == Stage::ready || isRunning()))
             ++m_trial.earlyPresses;
         return;
     }
@@ -145,7 +151,7 @@ void Session::press(const KeyPress& press) {
     m_trial.responseDevice = press.device;
     m_trial.responseKey = press.key;
     m_trial.responseTime_s = seconds(press.time_ns - m_onset_ns);
-    m_trial.responseTimeOffset_s = seconds(press.time_ns - m_end_ns.value_or(m_onset_ns + m_stimulus_ns));
+    m_trial.responseTimeOffset_s = seconds(press.time_ns - m_end_ns.value_or(m_due_ns));
     complete(*press.response == m_trial.planned.stimulus ? Outcome::correct : Outcome::incorrect,
              press.time_ns);
 }

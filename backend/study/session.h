@@ -37,11 +37,11 @@ enum class Stage {
 /// One participant's session: practice, then test, of one task under one condition. The caller shows the
 /// stimulus and passes on what happens with its time on the steady clock; the session decides what it means.
 /// Whoever drives it takes each result and keeps it before the next trial may start.
-/// Answers count from the onset (or end, as the protocol says) until the limit, ends included. Keys that
-/// repeat by themselves, and those that are still down from before, do not count; the others outside of the
-/// window are early presses. A trial that ends by a device fault or an abort is shown again at the end of its
-/// phase with attempt + 1.
-/// Thread: one. Times must not go back.
+/// Answers count from the onset (or end, as the protocol says) until the limit, ends included, by the time of
+/// the press, also when it comes to be known later than the onset or end. Keys that repeat by themselves, and
+/// those that are still down from before, do not count; the others outside of the window are early presses. A
+/// trial that ends by a device fault or an abort is shown again at the end of its phase with attempt + 1.
+/// Thread: one. Times must not go back, but those of presses.
 class Session {
 public:
     /// done: results that were kept when this session was interrupted, in their order; the session goes on
@@ -72,7 +72,9 @@ public:
     /// waits to be taken.
     [[nodiscard]] bool startTrial(std::int64_t time_ns);
 
-    void stimulusStarted(std::int64_t time_ns);
+    /// due_ns: when the stimulus will end by itself, from which the time of an answer before its end is told;
+    /// empty: as late as the protocol lets it.
+    void stimulusStarted(std::int64_t time_ns, std::optional<std::int64_t> due_ns = {});
     void stimulusEnded(std::int64_t time_ns);
 
     /// The participant wants to feel the stimulus again: back to starting. False when the protocol does not
@@ -106,6 +108,7 @@ private:
 
     [[nodiscard]] bool isRunning() const;
     [[nodiscard]] bool windowIsOpen() const;
+    [[nodiscard]] bool windowIsOpenAt(std::int64_t time_ns) const;
     void complete(Outcome outcome, std::int64_t time_ns);
     void showAgain(PlannedTrial trial);
 
@@ -122,6 +125,7 @@ private:
     std::int64_t m_begin_ns;
     std::int64_t m_request_ns = 0;
     std::int64_t m_onset_ns = 0;
+    std::int64_t m_due_ns = 0;
     std::optional<std::int64_t> m_end_ns;
     TrialResult m_trial; ///< of the current trial, as far as it is known
     std::set<std::string> m_held;

@@ -204,8 +204,8 @@ bool ParticipantWindow::event(QEvent* event) {
     switch (event->type()) {
     case QEvent::TouchBegin:
     case QEvent::TouchUpdate: {
-        const std::int64_t time_ns = m_clock();
         auto* touch = static_cast<QTouchEvent*>(event);
+        const std::int64_t time_ns = timeOf(*touch);
         for (const QEventPoint& point : touch->points()) {
             if (point.state() == QEventPoint::Pressed)
                 pressAt(point.position(), QStringLiteral("touch"), time_ns);
@@ -224,12 +224,17 @@ bool ParticipantWindow::event(QEvent* event) {
     }
 }
 
+/// Every event of an input device shows how late events are handled.
+std::int64_t ParticipantWindow::timeOf(const QInputEvent& event) {
+    return m_eventClock.time_ns(event.timestamp(), m_clock());
+}
+
 void ParticipantWindow::keyPressEvent(QKeyEvent* event) {
     if (m_scene.state == State::questionnaire) {
         QWidget::keyPressEvent(event);
         return;
     }
-    const std::int64_t time_ns = m_clock();
+    const std::int64_t time_ns = timeOf(*event);
     const std::optional<PhysicalKey> key = physicalKey(*event);
     if (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) {
         QWidget::keyPressEvent(event);
@@ -261,6 +266,7 @@ void ParticipantWindow::keyPressEvent(QKeyEvent* event) {
 }
 
 void ParticipantWindow::keyReleaseEvent(QKeyEvent* event) {
+    (void)timeOf(*event);
     const std::optional<PhysicalKey> key = physicalKey(*event);
     if (!key || event->isAutoRepeat()) {
         QWidget::keyReleaseEvent(event);
@@ -271,7 +277,7 @@ void ParticipantWindow::keyReleaseEvent(QKeyEvent* event) {
 }
 
 void ParticipantWindow::mousePressEvent(QMouseEvent* event) {
-    const std::int64_t time_ns = m_clock();
+    const std::int64_t time_ns = timeOf(*event);
     if (event->button() == Qt::LeftButton)
         pressAt(event->position(), pointerDevice(*event), time_ns);
 }
@@ -281,6 +287,7 @@ void ParticipantWindow::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void ParticipantWindow::mouseReleaseEvent(QMouseEvent* event) {
+    (void)timeOf(*event);
     if (event->button() == Qt::LeftButton)
         releasePointer();
 }

@@ -3,6 +3,7 @@
 
 #include "backend/study/questionnaire.h"
 #include "backend/study/session.h"
+#include "widgets/study/event_clock.h"
 #include "widgets/study/participant_scene.h"
 
 #include <QWidget>
@@ -13,6 +14,7 @@
 #include <vector>
 
 class QGridLayout;
+class QInputEvent;
 class QLabel;
 
 namespace teleta::studyview {
@@ -23,7 +25,7 @@ class QuestionnaireForm;
 /// The participant's own window: the answers as large buttons, and nothing else. Answers come by the digits
 /// of keyboard and keypad, mouse and touch; Space asks for the next trial, R for the stimulus once more where
 /// that is allowed. Questionnaires take the place of the answers. It decides nothing: each press goes out
-/// with the time of its arrival. Thread: GUI.
+/// with the time at which it was made, also when a busy program handles it later. Thread: GUI.
 class ParticipantWindow : public QWidget {
     Q_OBJECT
 
@@ -70,11 +72,13 @@ protected:
 private:
     void arrange();
     void refresh();
+    [[nodiscard]] std::int64_t timeOf(const QInputEvent& event);
     void pressAt(const QPointF& at, const QString& device, std::int64_t time_ns);
     void releasePointer();
     void releaseAll();
 
     Clock m_clock;
+    EventClock m_eventClock;
     std::vector<AnswerChoice> m_choices;
     ParticipantScene m_scene;
     QLabel* m_title;

@@ -18,6 +18,8 @@ namespace {
 /// How strong a tactor is that is held to be felt: clearly, but not all it has.
 constexpr double kHeldIntensity = 0.75;
 constexpr int kKeepSoon_ms = 300;
+/// An idle bracelet reports ten times a second.
+constexpr std::int64_t kStaleAfter_ns = core::staleAfter_ns(10.0);
 
 playback::Program builtIn(const std::string& id) {
     const pattern::Pattern* pattern = pattern::findBuiltIn(id);
@@ -266,6 +268,15 @@ bool BraceletStation::isReady() const {
     return m_session && m_session->source().connection() != 0 && !m_stop.engaged();
 }
 
+bool BraceletStation::isAnswering() const {
+    return isReady() && stateNow() == core::DeviceState::live;
+}
+
+core::DeviceState BraceletStation::stateNow() const {
+    const core::DeviceStatus status = m_session->source().status();
+    return core::observedState(status.state, status.lastData_ns, core::steadyNow_ns(), kStaleAfter_ns);
+}
+
 bool BraceletStation::isSimulated() const {
     return m_session && m_session->source().description().simulated;
 }
@@ -280,6 +291,10 @@ QString BraceletStation::note() const {
     if (m_session->source().connection() == 0)
         return tr("The bracelet is not connected. %1")
             .arg(QString::fromStdString(m_session->source().status().message));
+    if (stateNow() == core::DeviceState::connecting)
+        return tr("Connecting to the bracelet\u2026");
+    if (!isAnswering())
+        return tr("The bracelet does not answer.");
     if (m_reserved)
         return tr("A study uses the bracelet.");
     if (!m_calibration.measured())
@@ -298,10 +313,7 @@ std::optional<chrome::DeviceReading> BraceletStation::reading() const {
     const core::DeviceStatus status = m_session->source().status();
     const std::int64_t now_ns = core::steadyNow_ns();
     reading.provenance = isSimulated() ? base::Provenance::simulated : base::Provenance::live;
-    // An idle bracelet reports ten times a second.
-    constexpr double kIdleRate_Hz = 10.0;
-    reading.state =
-        core::observedState(status.state, status.lastData_ns, now_ns, core::staleAfter_ns(kIdleRate_Hz));
+    reading.state = stateNow();
     reading.age_s = status.lastData_ns > 0 ? static_cast<double>(now_ns - status.lastData_ns) * 1e-9 : 0.0;
     reading.rate_Hz = status.rate_Hz;
     reading.lost = status.framesLost;

@@ -92,6 +92,8 @@ public:
     [[nodiscard]] core::Intensities given() const;
     /// Connected, and not stopped.
     [[nodiscard]] bool isReady() const;
+    /// Ready, and its reports arrive: what is played is felt.
+    [[nodiscard]] bool isAnswering() const;
     /// Ready, and not reserved: what is asked to be played is played.
     [[nodiscard]] bool isFree() const { return isReady() && !m_reserved; }
     /// One line on the state; empty when there is nothing to say.
@@ -124,6 +126,8 @@ private:
         std::future<core::Expected<std::shared_ptr<BraceletSession>>> result;
     };
 
+    /// Of the bracelet that is connected, as it is seen from here.
+    [[nodiscard]] core::DeviceState stateNow() const;
     void letGo();
     void close(std::shared_ptr<BraceletSession> session);
     void takeOpened();

@@ -43,7 +43,7 @@ QString words(const playback::PlayerStatus& status) {
 } // namespace
 
 QString BraceletStimulus::obstacle() const {
-    return m_station.isReady() ? QString() : m_station.note();
+    return m_station.isAnswering() ? QString() : m_station.note();
 }
 
 QString BraceletStimulus::description() const {
@@ -52,7 +52,7 @@ QString BraceletStimulus::description() const {
         return m_station.note();
     const core::BraceletDescription& bracelet = session->source().description();
     const QString name = QString::fromStdString(bracelet.name);
-    if (!m_station.isReady())
+    if (!m_station.isAnswering())
         return m_station.note();
     const playback::PlayerCounters counters = session->player().counters();
     if (counters.framesWritten == 0)
@@ -96,11 +96,21 @@ StimulusState BraceletStimulus::state(std::int64_t now_ns) const {
         return state;
     }
     const playback::PlayerCounters counters = m_session->player().counters();
-    state.onset_ns = counters.onset_ns;
+    // A write that succeeds does not say that anything is felt.
+    state.onset_ns = counters.confirmed ? counters.onset_ns : 0;
+    state.due_ns = status.begun_ns + std::llround(1e9 * status.duration_s);
     state.frameWrite_ms = static_cast<double>(counters.writeLongest_ns) * 1e-6;
     state.framesMissed = counters.deadlineMisses + counters.framesLost;
+    if (!m_stop.engaged() && m_station.isReady() && !m_station.isAnswering()) {
+        state.failure = StimulusText::tr("the bracelet does not answer");
+        return state;
+    }
     if (status.mode == playback::PlayerMode::program)
         return state;
+    if (status.ending == playback::PlayerEnding::finished && !counters.confirmed) {
+        state.failure = StimulusText::tr("the bracelet did not confirm that it got the stimulus");
+        return state;
+    }
     if (status.ending == playback::PlayerEnding::finished) {
         state.end_ns = status.ended_ns;
         // A pattern that is off all the time begins when it is played.
@@ -124,7 +134,9 @@ void UnplayedStimulus::begin(const pattern::Pattern& pattern, double atMost_s, s
 }
 
 StimulusState UnplayedStimulus::state(std::int64_t now_ns) const {
-    return {.onset_ns = m_onset_ns, .end_ns = m_end_ns != 0 && now_ns >= m_end_ns ? m_end_ns : 0};
+    return {.onset_ns = m_onset_ns,
+            .due_ns = m_end_ns,
+            .end_ns = m_end_ns != 0 && now_ns >= m_end_ns ? m_end_ns : 0};
 }
 
 } // namespace teleta::console

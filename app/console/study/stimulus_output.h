@@ -13,7 +13,9 @@ namespace teleta::console {
 
 /// How far a stimulus is. Times are on the steady clock.
 struct StimulusState {
-    std::int64_t onset_ns = 0;                    ///< first frame other than zero; 0: not yet
+    /// First frame other than zero; 0: not yet, or the device has not confirmed any frame yet.
+    std::int64_t onset_ns = 0;
+    std::int64_t due_ns = 0;                      ///< when it ends by itself; 0: unknown
     std::int64_t end_ns = 0;                      ///< it came to its end; 0: not yet
     std::optional<double> frameWrite_ms = {};     ///< longest write of a frame; empty: nothing was written
     std::optional<std::size_t> framesMissed = {}; ///< deadlines without a frame, and frames that were lost

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/study/study_controller.h"
 
+#include "app/console/background.h"
+#include "app/console/study/study_writing.h"
 #include "backend/study/study_export.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QDir>
+#include <QFileInfo>
 
 #include <algorithm>
 #include <cmath>
@@ -33,6 +36,14 @@ std::int64_t beganAt_ns(const OpenedSession& session, std::int64_t now_ns, const
         elapsed_s =
             std::max(elapsed_s, result.onset_s + result.duration_s + result.responseTime_s.value_or(0.0));
     return now_ns - std::llround(1e9 * std::max(elapsed_s, 0.0));
+}
+
+/// Where nothing can be written a study can still be looked at.
+core::Expected<StudyStore> openedOrShown(const study::StoreLocation& location) {
+    const QFileInfo folder(QString::fromStdString(location.folder));
+    return location.server.empty() && folder.isDir() && !folder.isWritable()
+               ? StudyStore::openForReading(location)
+               : StudyStore::open(location);
 }
 
 /// The store becomes another one only when all of that study could be read.
@@ -181,9 +192,8 @@ void StudyController::open(const study::StoreLocation& location) {
                              : QString::fromStdString(study::shownServer(location.server));
     const QString what = tr("%1 could not be opened.", "a folder").arg(name);
     if (mayChange(what))
-        askForOverview(what, [location](StudyDesk::Store& store) {
-            return replaced(store, StudyStore::open(location));
-        });
+        askForOverview(
+            what, [location](StudyDesk::Store& store) { return replaced(store, openedOrShown(location)); });
 }
 
 void StudyController::create(const study::StoreLocation& location, const study::StudyHead& head) {
@@ -349,9 +359,9 @@ std::vector<study::RunCheck> StudyController::checks() const {
     } else if (const auto& open = m_station.session()) {
         now.braceletName = open->source().description().name;
         now.braceletIsSimulated = m_station.isSimulated();
-        now.bracelet = m_stop.engaged()      ? study::BraceletCondition::stopped
-                       : m_station.isReady() ? study::BraceletCondition::live
-                                             : study::BraceletCondition::notLive;
+        now.bracelet = m_stop.engaged()          ? study::BraceletCondition::stopped
+                       : m_station.isAnswering() ? study::BraceletCondition::live
+                                                 : study::BraceletCondition::notLive;
     }
     return study::preRunChecks(now);
 }
@@ -517,6 +527,23 @@ void StudyController::keepNote(const QString& text) {
                             written.exported.error());
             }
         });
+}
+
+void StudyController::write(const QString& format) {
+    if (!m_overview)
+        return;
+    const auto done = [this](const core::Expected<QString>& folder) {
+        if (folder)
+            emit written(*folder);
+        else
+            emit failed(tr("The export failed."), folder.error());
+    };
+    // Figures take their time; a session that runs does not wait for them.
+    if (format == QLatin1String("psychds"))
+        m_desk.ask([format](StudyDesk::Store& store) { return writeStudy(*store, format); }, done);
+    else
+        runInBackground(
+            this, [location = m_overview->location, format] { return writeStudy(location, format); }, done);
 }
 
 void StudyController::rehearse() {

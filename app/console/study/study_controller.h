@@ -55,6 +55,8 @@ public:
     /// Forgets a session that is over, and chooses the participant's next one.
     void leaveSession();
     void keepNote(const QString& text);
+    /// Writes the files of the whole study, see writeStudy(). written() tells when.
+    void write(const QString& format);
     void setNoiseConfirmed(bool confirmed);
 
     /// A simulated study: runs all sessions of all participants that are still open, one after another.
@@ -105,6 +107,7 @@ signals:
     void rehearsed();
     void enrolled(const QString& id);
     void noteNotKept(const QString& text);
+    void written(const QString& folder);
     void failed(const QString& what, const teleta::core::Error& error);
 
 private:

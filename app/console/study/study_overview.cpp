@@ -47,7 +47,7 @@ std::optional<std::size_t> ParticipantOverview::nextSession() const {
 }
 
 core::Expected<StudyOverview> overviewOf(const study::StudyStore& store) {
-    StudyOverview overview{store.location(), store.shownName(), store.head(), {}};
+    StudyOverview overview{store.location(), store.shownName(), store.head(), {}, store.isReadOnly()};
     const auto participants = store.participants();
     if (!participants)
         return core::Unexpected(participants.error());

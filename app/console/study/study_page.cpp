@@ -6,12 +6,7 @@
 #include "app/console/study/protocol_dialog.h"
 #include "app/console/study/server_fields.h"
 #include "app/console/study/server_study_dialog.h"
-#include "backend/figure/figure_file.h"
-#include "backend/study/study_export.h"
-#include "backend/study/study_figures.h"
-#include "backend/study/study_report.h"
-#include "backend/study/study_results.h"
-#include "backend/study/trial_source.h"
+#include "app/console/study/study_writing.h"
 #include "widgets/base/theme.h"
 #include "widgets/chrome/empty_state.h"
 #include "widgets/study/confusion_view.h"
@@ -55,65 +50,6 @@ QString studiesFolder() {
         .filePath(QStringLiteral("TeleTA"));
 }
 
-/// On a pool thread, with a connection of its own.
-core::Expected<std::vector<study::TaskResults>> resultsOf(const study::StudyStore& store) {
-    study::ModeFilter modes;
-    study::TrialTally tally;
-    if (const core::Expected<void> counted = study::tallyStore(store, modes, tally); !counted)
-        return core::Unexpected(counted.error());
-    return study::studyResults(tally);
-}
-
-core::Expected<std::vector<study::TaskResults>> resultsOf(const study::StoreLocation& location) {
-    const core::Expected<study::StudyStore> store = study::StudyStore::openForReading(location);
-    if (!store)
-        return core::Unexpected(store.error());
-    return resultsOf(*store);
-}
-
-/// Tables, figures and report of a study in its folder "results", which is returned.
-core::Expected<QString> writeAnalysis(const study::StudyStore& store, const QDir& study) {
-    const core::Expected<std::vector<study::TaskResults>> tasks = resultsOf(store);
-    if (!tasks)
-        return core::Unexpected(tasks.error());
-    const QString results = study.filePath(QStringLiteral("results"));
-    const std::string folder = results.toStdString();
-    const study::Mode mode = store.head().mode;
-    const std::vector<study::FigureFormat> formats = {
-        {"svg", {}},
-        {"pdf", [](const std::string& svg) { return figure::pdfOf(svg); }},
-        {"png", [](const std::string& svg) { return figure::pngOf(svg); }}};
-    const bool onServer = !store.location().server.empty();
-    const study::ReportHeading heading{StudyPage::tr("Results of the study").toStdString(),
-                                       mode,
-                                       {onServer ? store.shownName() : study.path().toStdString()},
-                                       QCoreApplication::applicationVersion().toStdString()};
-    return study::writeResults(*tasks, folder)
-        .and_then([&] { return study::writeFigures(*tasks, folder, mode, formats); })
-        .and_then([&] { return study::writeReport(*tasks, heading, folder); })
-        .map([&] { return results; });
-}
-
-/// The folder that was written. On a pool thread too.
-core::Expected<QString> exportTo(const study::StoreLocation& location, const QString& format) {
-    const QDir study(QString::fromStdString(location.folder));
-    const core::Expected<study::StudyStore> store = study::StudyStore::openForReading(location);
-    if (!store)
-        return core::Unexpected(store.error());
-    if (format == QLatin1String("analysis"))
-        return writeAnalysis(*store, study);
-    const bool bids = format == QLatin1String("bids");
-    const bool excel = format == QLatin1String("excel");
-    return study::exportStudy(*store, bids    ? study::ExportFormat::bids
-                                      : excel ? study::ExportFormat::excel
-                                              : study::ExportFormat::psychds)
-        .map([&](std::size_t) {
-            return study.filePath(bids    ? QStringLiteral("bids")
-                                  : excel ? QStringLiteral("excel")
-                                          : QStringLiteral("data"));
-        });
-}
-
 QString newFolder(const QString& kind) {
     return QDir(studiesFolder())
         .filePath(kind + QDateTime::currentDateTime().toString(QStringLiteral("-yyyyMMdd'T'HHmmss")));
@@ -138,7 +74,8 @@ StudyPage::StudyPage(BraceletStation& station, core::StopSwitch& stop, StudyCont
     // A window of nobody's: a dialog of the experimenter would block one of the console's.
     , m_participant(std::make_unique<studyview::ParticipantWindow>([this] { return m_controller.now_ns(); }))
     , m_placement(*m_participant, *this)
-    , m_results(new studyview::ResultsView(this)) {
+    , m_results(new studyview::ResultsView(this))
+    , m_leaving(new StudyLeaving(m_controller, *this)) {
     m_participant->setAttribute(Qt::WA_QuitOnClose, false); // it does not keep the program open
     build();
     connectViews();
@@ -290,8 +227,15 @@ void StudyPage::connectViews() {
                 m_rehearseWhenOpened = false;
                 report(what, error);
             });
+    connect(&m_controller, &StudyController::written, this, [this](const QString& folder) {
+        m_messages->post({chrome::Message::Severity::information, tr("Written: %1").arg(folder), {}, {}});
+    });
     connect(&m_controller, &StudyController::opened, this, [this] {
-        if (m_controller.foundInterrupted())
+        if (m_controller.overview()->isReadOnly)
+            m_messages->post({chrome::Message::Severity::information,
+                              tr("This study can only be looked at: nothing can be written here."),
+                              tr("Copy its whole folder to go on with it."), QString()});
+        else if (m_controller.foundInterrupted())
             m_messages->post(
                 {chrome::Message::Severity::warning, tr("A session of this study was interrupted."),
                  tr("Nothing that was answered is lost. Go on with it, or choose another one."), QString()});
@@ -553,15 +497,7 @@ void StudyPage::analyse() {
 }
 
 void StudyPage::exportStudy(const QString& format) {
-    runInBackground(
-        this, [location = m_controller.overview()->location, format] { return exportTo(location, format); },
-        [this](const core::Expected<QString>& written) {
-            if (written)
-                m_messages->post(
-                    {chrome::Message::Severity::information, tr("Written: %1").arg(*written), {}, {}});
-            else
-                report(tr("The export failed."), written.error());
-        });
+    m_controller.write(format);
 }
 
 void StudyPage::report(const QString& what, const core::Error& error) {

@@ -4,6 +4,7 @@
 #include "app/console/study/noise_player.h"
 #include "app/console/study/participant_placement.h"
 #include "app/console/study/study_controller.h"
+#include "app/console/study/study_leaving.h"
 #include "app/console/study/study_scenes.h"
 #include "widgets/chrome/message_bar.h"
 
@@ -47,6 +48,9 @@ public:
     void watchRehearsal(const QString& folder = {});
     /// The same with the study of a scene.
     void watchScene(const study::StudyScene& scene, std::uint64_t seed, const QString& folder = {});
+    /// Whether the study can be left, and what to do once it can; see StudyLeaving.
+    [[nodiscard]] bool isSettled() const { return m_leaving->isSettled(); }
+    void whenSettled(std::function<void()> goOn) { m_leaving->whenSettled(std::move(goOn)); }
     /// Names of views for bringForward().
     [[nodiscard]] static QStringList viewNames();
     void bringForward(const QString& view);
@@ -104,6 +108,7 @@ private:
     std::unique_ptr<studyview::ParticipantWindow> m_participant;
     ParticipantPlacement m_placement;
     studyview::ResultsView* m_results;
+    StudyLeaving* m_leaving;
     bool m_outdated = true;   ///< there are trials that the results do not have
     bool m_analysing = false; ///< on a pool thread
     QString m_choicesOf;      ///< session whose answers the participant's window has

@@ -18,6 +18,9 @@ namespace {
 /// How often a running trial looks at its device and its limit. Times do not depend on it: stimuli and
 /// presses carry their own.
 constexpr int kPoll_ms = 4;
+/// How often it looks once more after the limit before the limit counts: a press that was made in time may
+/// wait behind whatever kept the event loop.
+constexpr int kTurnsForInput = 3;
 
 bool isRunning(Stage stage) {
     return stage == Stage::starting || stage == Stage::stimulus || stage == Stage::answering;
@@ -32,7 +35,7 @@ StudyRunner::StudyRunner(const core::StopSwitch& stop, Clock clock, Keep keep, Q
     , m_keep(std::move(keep)) {
     m_timer.setTimerType(Qt::PreciseTimer);
     m_timer.setInterval(kPoll_ms);
-    connect(&m_timer, &QTimer::timeout, this, &StudyRunner::poll);
+    connect(&m_timer, &QTimer::timeout, this, &StudyRunner::turn);
 }
 
 core::Expected<void> StudyRunner::begin(StimulusOutput& output, const study::Protocol& protocol,
@@ -74,13 +77,16 @@ void StudyRunner::clear() {
     m_results.clear();
     m_hold = Hold::none;
     m_reason.clear();
-    m_pauseWanted = m_nextWanted = m_keeping = m_concluded = false;
+    m_pauseWanted = m_nextWanted = m_keeping = m_concluded = m_testBegun = false;
     emit changed();
 }
 
 void StudyRunner::next(std::int64_t time_ns) {
     poll();
-    if (!m_session || m_hold != Hold::none)
+    if (!m_session)
+        return;
+    letPass(time_ns);
+    if (m_hold != Hold::none)
         return;
     if (m_session->stage() == Stage::feedback) {
         m_session->feedbackSeen();
@@ -141,7 +147,8 @@ void StudyRunner::follow(std::int64_t until_ns) {
         return;
     const StimulusState state = m_output->state(until_ns);
     if (m_session->stage() == Stage::starting && state.onset_ns != 0 && state.onset_ns <= until_ns)
-        m_session->stimulusStarted(state.onset_ns);
+        m_session->stimulusStarted(state.onset_ns,
+                                   state.due_ns != 0 ? std::optional(state.due_ns) : std::nullopt);
     if (!state.failure.isEmpty())
         fail(state.failure, m_stop.engaged() ? Hold::stopped : Hold::deviceLost, until_ns);
     else if (m_session->stage() == Stage::stimulus && state.end_ns != 0 && state.end_ns <= until_ns)
@@ -165,13 +172,37 @@ void StudyRunner::poll() {
         follow(now_ns);
         if (m_stop.engaged() && isRunning(m_session->stage()))
             fail(tr("STOP was pressed"), Hold::stopped, now_ns);
-        m_session->advance(now_ns);
         settle();
     } else if (m_stop.engaged() && m_hold == Hold::none && !m_concluded) {
         hold(Hold::stopped, tr("STOP was pressed"));
     }
     if (m_session && (stage != m_session->stage() || held != m_hold))
         emit changed();
+}
+
+void StudyRunner::turn() {
+    poll();
+    const std::optional<std::int64_t> deadline = m_session ? m_session->deadline_ns() : std::nullopt;
+    const std::int64_t now_ns = m_clock();
+    if (!deadline || now_ns <= *deadline)
+        m_turnsLate = 0;
+    else if (++m_turnsLate > kTurnsForInput)
+        letPass(now_ns);
+}
+
+/// Everything that was done before this time must have been handled.
+void StudyRunner::letPass(std::int64_t time_ns) {
+    const Stage stage = m_session->stage();
+    m_session->advance(time_ns);
+    settle();
+    if (m_session && stage != m_session->stage())
+        emit changed();
+}
+
+bool StudyRunner::isPracticeOver() const {
+    const study::PlannedTrial* current = m_session->current();
+    return current != nullptr && current->phase == Phase::test && !m_results.empty() &&
+           m_results.back().planned.phase == Phase::practice;
 }
 
 void StudyRunner::hold(Hold why, const QString& reason) {
@@ -197,11 +228,8 @@ void StudyRunner::settle() {
         keep(*result);
         emit trialEnded(*result);
     }
-    const study::PlannedTrial* current = m_session->current();
-    const bool practiceOver = current != nullptr && current->phase == Phase::test && !m_results.empty() &&
-                              m_results.back().planned.phase == Phase::practice;
     if (m_session->stage() == Stage::ready && m_hold == Hold::none) {
-        if (practiceOver)
+        if (isPracticeOver() && !m_testBegun)
             hold(Hold::blockEnd);
         else if (std::exchange(m_pauseWanted, false))
             hold(Hold::paused);
@@ -264,6 +292,8 @@ void StudyRunner::goOn() {
     m_hold = Hold::none;
     m_reason.clear();
     m_session->goOn();
+    // Whatever held it there, the experimenter has let the test begin.
+    m_testBegun = m_session->stage() == Stage::ready && isPracticeOver();
     emit changed();
 }
 

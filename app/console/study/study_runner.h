@@ -50,7 +50,7 @@ public:
     /// Forgets the session; a trial that runs is not kept and will be shown again.
     void clear();
 
-    /// What the participant does, each with the time of its arrival.
+    /// What the participant does, each with the time of its input event and in this order.
     void next(std::int64_t time_ns);
     void replay(std::int64_t time_ns);
     void press(const study::KeyPress& press);
@@ -62,8 +62,8 @@ public:
     void abort();
     void retry();
 
-    /// Lets time pass: STOP, device and time limits. By itself while a trial runs; otherwise whoever shows
-    /// it.
+    /// Looks at STOP and device. By itself while a trial runs, and then at its limit too; otherwise whoever
+    /// shows it.
     void poll();
 
     [[nodiscard]] bool isActive() const { return m_session.has_value(); }
@@ -94,6 +94,9 @@ private:
     void showStimulus(std::int64_t time_ns);
     void follow(std::int64_t until_ns);
     void fail(const QString& reason, Hold hold, std::int64_t time_ns);
+    void turn();
+    void letPass(std::int64_t time_ns);
+    [[nodiscard]] bool isPracticeOver() const;
     void settle();
     void keep(const study::TrialResult& result);
     void hold(Hold hold, const QString& reason = {});
@@ -114,7 +117,9 @@ private:
     bool m_nextWanted = false; ///< asked for while the last result was being kept
     bool m_keeping = false;
     bool m_concluded = false;
-    std::uint64_t m_run = 0; ///< tells the answers of this session's keeper from those of an earlier one
+    bool m_testBegun = false; ///< the experimenter let the test follow the practice
+    int m_turnsLate = 0;      ///< since the limit
+    std::uint64_t m_run = 0;  ///< tells the answers of this session's keeper from those of an earlier one
 };
 
 } // namespace teleta::console

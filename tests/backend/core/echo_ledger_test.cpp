@@ -80,3 +80,16 @@ TEST(EchoLedger, countsTheFramesOfABoardThatNeverAnswers) {
     EXPECT_EQ(ledger.lost(), 100'000U - EchoLedger::kLongestFlight);
     EXPECT_EQ(ledger.inFlight(), EchoLedger::kLongestFlight);
 }
+
+TEST(EchoLedger, tellsTheNewestFrameThatWasEchoedAcrossTheWrapAndTheEndOfAConnection) {
+    EchoLedger ledger;
+    EXPECT_EQ(ledger.newestEchoed(), 0U);
+    for (int i = 1; i <= 70'000; ++i)
+        (void)ledger.send();
+    ledger.echo(static_cast<std::uint16_t>(69'990));
+    EXPECT_EQ(ledger.newestEchoed(), 69'990U);
+    ledger.echo(static_cast<std::uint16_t>(69'980));
+    EXPECT_EQ(ledger.newestEchoed(), 69'990U) << "a stray one";
+    ledger.endConnection();
+    EXPECT_EQ(ledger.newestEchoed(), 69'990U) << "what was given up was not echoed";
+}

@@ -511,6 +511,19 @@ TEST_F(PlaybackCycleTest, countsTheFramesLostSinceItBegan) {
     EXPECT_EQ(m_cycle->counters().framesWritten, 1U);
 }
 
+TEST_F(PlaybackCycleTest, countsAsConfirmedByAFrameOfItsOwnOnly) {
+    make();
+    m_bracelet.setNumbers(300, 44);
+    play({[](double) { return all(0.5); }, 1.0});
+    EXPECT_FALSE(m_cycle->counters().confirmed);
+    m_bracelet.setNumbers(310, 300);
+    EXPECT_FALSE(m_cycle->counters().confirmed) << "the last frame before";
+    m_bracelet.setNumbers(310, 301);
+    EXPECT_TRUE(m_cycle->counters().confirmed);
+    play({[](double) { return all(0.5); }, 1.0});
+    EXPECT_FALSE(m_cycle->counters().confirmed);
+}
+
 TEST_F(PlaybackCycleTest, keepsTheHeatOfTheMotorsFromOneProgramToTheNext) {
     PlayerConfig config;
     config.clock = m_clock;

@@ -78,6 +78,12 @@ public:
         const std::scoped_lock lock(m_mutex);
         m_mute = mute;
     }
+    /// Of the newest frames that were sent and echoed.
+    void setNumbers(std::uint64_t sent, std::uint64_t echoed) {
+        const std::scoped_lock lock(m_mutex);
+        m_telemetry.newestSent = sent;
+        m_telemetry.newestEchoed = echoed;
+    }
     /// Runs in every write, before the frame is taken.
     void whileWriting(std::function<void()> act) { m_whileWriting = std::move(act); }
 

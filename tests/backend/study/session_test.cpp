@@ -271,4 +271,47 @@ TEST_F(SessionTest, refusesResultsOfAnotherPlan) {
     EXPECT_EQ(session.error().kind, core::ErrorKind::refused);
 }
 
+TEST_F(SessionTest, timesAnAnswerFromTheEndThatAShortStimulusWouldHaveHad) {
+    begin();
+    ASSERT_TRUE(m_session->startTrial(0));
+    m_session->stimulusStarted(at(1.0), at(1.3));
+    press(1.25, right());
+    TrialResult result = m_session->takeResult().value();
+    EXPECT_NEAR(result.responseTime_s.value(), 0.25, 1e-9);
+    EXPECT_NEAR(result.responseTimeOffset_s.value(), -0.05, 1e-9);
+    release(result.response.value());
+    ASSERT_TRUE(m_session->startTrial(at(2.0)));
+    m_session->stimulusStarted(at(3.0), at(3.3));
+    m_session->stimulusEnded(at(3.3));
+    press(3.35, right());
+    EXPECT_NEAR(m_session->takeResult()->responseTimeOffset_s.value(), 0.05, 1e-9);
+}
+
+TEST_F(SessionTest, takesAPressByItsOwnTimeAlthoughTheOnsetIsKnownBefore) {
+    begin();
+    ASSERT_TRUE(m_session->startTrial(0));
+    m_session->stimulusStarted(at(1.0));
+    press(0.999, right());
+    EXPECT_EQ(m_session->stage(), Stage::stimulus);
+    release(right());
+    press(1.0, right());
+    const TrialResult result = m_session->takeResult().value();
+    EXPECT_EQ(result.earlyPresses, 1U);
+    EXPECT_EQ(result.responseTime_s, 0.0);
+}
+
+TEST_F(SessionTest, takesAPressByItsOwnTimeAlthoughTheEndIsKnownBefore) {
+    Protocol protocol = smallProtocol();
+    protocol.window = ResponseWindow::fromEnd;
+    begin(protocol);
+    show(1.0);
+    press(2.9, right());
+    EXPECT_EQ(m_session->stage(), Stage::answering);
+    release(right());
+    press(3.0, right());
+    const TrialResult result = m_session->takeResult().value();
+    EXPECT_EQ(result.earlyPresses, 1U);
+    EXPECT_EQ(result.responseTimeOffset_s, 0.0);
+}
+
 } // namespace teleta::study

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/pattern/built_in_patterns.h"
 #include "tests/app/console/study/study_bench.h"
 #include "widgets/study/confusion_view.h"
 #include "widgets/study/result_table.h"
@@ -30,6 +31,12 @@ using test::kPatience_ms;
 /// A study from its participants to its results.
 class StudyPageTest : public QObject, protected test::StudyBench {
     Q_OBJECT
+
+    static void waysNotToAnswer() {
+        QTest::addColumn<double>("dropShare");
+        QTest::newRow("every frame is lost, although writing succeeds") << 1.0;
+        QTest::newRow("it takes frames and answers none") << 0.0;
+    }
 
 private slots:
     void init() { setUp(); }
@@ -133,6 +140,87 @@ private slots:
         QCOMPARE(trials.size(), std::size_t(7));
         QCOMPARE(trials.back().result.planned.trial, lost);
         QCOMPARE(trials.back().result.planned.attempt, std::size_t(2));
+    }
+
+    void aBraceletThatDoesNotAnswerPassesNoCheck_data() { waysNotToAnswer(); }
+    void aBraceletThatDoesNotAnswerPassesNoCheck() {
+        QFETCH(double, dropShare);
+        openStudy();
+        controller().setNoiseConfirmed(true);
+        QTRY_VERIFY_WITH_TIMEOUT(nextButton()->isEnabled(), kPatience_ms);
+        bracelet().setFaults({.mute = dropShare == 0.0, .dropShare = dropShare});
+        QTRY_VERIFY_WITH_TIMEOUT(!nextButton()->isEnabled(), kPatience_ms);
+        const auto& checks = m_page->sessionPanel().scene().checks;
+        QVERIFY(std::any_of(checks.begin(), checks.end(), [](const auto& check) {
+            return !check.passed && check.finding.contains(QStringLiteral("does not answer"));
+        }));
+        controller().begin();
+        QVERIFY(!runner().isActive());
+        bracelet().setFaults({});
+        QTRY_VERIFY_WITH_TIMEOUT(nextButton()->isEnabled(), kPatience_ms);
+    }
+
+    void anAnswerToWhatTheBraceletDidNotConfirmIsNone_data() { waysNotToAnswer(); }
+    void anAnswerToWhatTheBraceletDidNotConfirmIsNone() {
+        QFETCH(double, dropShare);
+        openStudy(Mode::pilot, 2.0);
+        beginSession();
+        finishPractice();
+        bracelet().setFaults({.mute = dropShare == 0.0, .dropShare = dropShare});
+        QTest::keyClick(window(), Qt::Key_Space);
+        QCOMPARE(stage(), Stage::starting);
+        answer(current().stimulus);
+        QTRY_COMPARE_WITH_TIMEOUT(runner().hold(), Hold::deviceLost, kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(kept().size(), std::size_t(3), kPatience_ms);
+        QCOMPARE(kept().back().result.outcome, Outcome::deviceError);
+        QCOMPARE(kept().back().result.earlyPresses, std::size_t(1));
+        QTRY_VERIFY_WITH_TIMEOUT(!nextButton()->isEnabled(), kPatience_ms);
+        bracelet().setFaults({});
+        QTRY_VERIFY_WITH_TIMEOUT(nextButton()->isEnabled(), kPatience_ms);
+        QTest::mouseClick(nextButton(), Qt::LeftButton);
+        doTrial();
+        QTRY_COMPARE_WITH_TIMEOUT(kept().size(), std::size_t(4), kPatience_ms);
+        QCOMPARE(kept().back().result.outcome, Outcome::correct);
+    }
+
+    void aBraceletThatGrowsSilentInMidStimulusCostsNoTrial() {
+        openStudy(Mode::pilot, 2.0);
+        beginSession();
+        finishPractice();
+        startTrial();
+        QCOMPARE(stage(), Stage::stimulus);
+        bracelet().setFaults({.dropShare = 1.0});
+        QTRY_COMPARE_WITH_TIMEOUT(runner().hold(), Hold::deviceLost, kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(kept().size(), std::size_t(3), kPatience_ms);
+        QCOMPARE(kept().back().result.outcome, Outcome::deviceError);
+        QVERIFY(runner().reason().contains(QStringLiteral("does not answer")));
+    }
+
+    void theTimeFromTheEndOfAShortPatternIsFromItsOwnEnd() {
+        m_more = "[[task]]\nid = \"stiffness\"\ncondition = [{ id = \"dynamic\" }]\n"
+                 "pattern = [{ letter = \"E\", name = \"soft\" }, { letter = \"D\", name = \"firm\" }]\n";
+        openStudy(Mode::pilot, 2.0);
+        const auto& sessions = controller().overview()->participants.front().sessions;
+        int stiffness = 0;
+        while (sessions[static_cast<std::size_t>(stiffness)].plan.task != 1)
+            ++stiffness;
+        controller().choose(0, stiffness);
+        beginSession();
+        for (int trial = 0; trial < 2; ++trial) {
+            startTrial();
+            answer(current().stimulus);
+        }
+        QTRY_COMPARE_WITH_TIMEOUT(kept().size(), std::size_t(2), kPatience_ms);
+        for (const study::StoredTrial& trial : kept()) {
+            const pattern::Pattern* pattern = pattern::findBuiltIn(
+                trial.result.planned.stimulus == 0 ? "stiffness.E.dynamic" : "stiffness.D.dynamic");
+            QVERIFY(pattern != nullptr && pattern->duration_s < 1.5);
+            // The first frame that is felt comes a little after the pattern's begin.
+            const double length_s =
+                trial.result.responseTime_s.value() - trial.result.responseTimeOffset_s.value();
+            QVERIFY2(length_s > pattern->duration_s - 0.2 && length_s <= pattern->duration_s + 0.2,
+                     qPrintable(QString::number(length_s)));
+        }
     }
 
     void stopHoldsTheSessionUntilItIsReleasedAndSomebodyGoesOn() {

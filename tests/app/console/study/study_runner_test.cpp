@@ -259,9 +259,84 @@ private slots:
         m_runner->poll();
         QVERIFY2(m_kept.empty(), "the limit itself still counts");
         pass(1);
-        m_runner->poll();
-        QCOMPARE(m_kept.size(), std::size_t(1));
+        QTRY_COMPARE(m_kept.size(), std::size_t(1));
         QCOMPARE(m_kept[0].outcome, Outcome::timeout);
+    }
+
+    void aPressThatWaitedWhileTheProgramWasBusyCountsFromWhenItWasMade() {
+        make();
+        // The system's clock, which the window learns from what is handled at once.
+        const auto send = [this](QEvent::Type type, int key, std::int64_t at_ns) {
+            QKeyEvent event(type, key, Qt::NoModifier);
+            event.setTimestamp(static_cast<quint64>((at_ns - 7 * kS) / kMs));
+            QApplication::sendEvent(m_window.get(), &event);
+        };
+        for (int i = 0; i < 3; ++i) {
+            pass(50 * kMs);
+            send(QEvent::KeyRelease, Qt::Key_2, m_now);
+        }
+        startTrial();
+        const std::int64_t onset = m_now;
+        endStimulus();
+        // What stands still is the event loop: it looks at the time first and then finds the press.
+        m_now = onset + 10'050 * kMs;
+        m_runner->poll();
+        send(QEvent::KeyPress, Qt::Key_1, onset + 9980 * kMs);
+        QCOMPARE(m_kept.size(), std::size_t(1));
+        QVERIFY(m_kept[0].outcome != Outcome::timeout);
+        QCOMPARE(m_kept[0].responseTime_s, std::optional(9.98));
+        send(QEvent::KeyRelease, Qt::Key_1, m_now);
+
+        startTrial();
+        const std::int64_t next = m_now;
+        endStimulus();
+        m_now = next + 10'050 * kMs;
+        m_runner->poll();
+        send(QEvent::KeyPress, Qt::Key_1, next + 10'001 * kMs);
+        QCOMPARE(m_kept.size(), std::size_t(2));
+        QCOMPARE(m_kept[1].outcome, Outcome::timeout);
+        QCOMPARE(m_kept[1].earlyPresses, std::size_t(0));
+    }
+
+    void anEarlyPressDoesNotHoldTheTestThatTheExperimenterHasBegun() {
+        make();
+        finishPractice();
+        digit(1);
+        QCOMPARE(m_runner->hold(), Hold::none);
+        startTrial();
+        endStimulus();
+        digit(2);
+        QCOMPARE(m_kept.size(), std::size_t(3));
+        QCOMPARE(m_kept[2].planned.phase, Phase::test);
+        QCOMPARE(m_kept[2].earlyPresses, std::size_t(1));
+    }
+
+    void theTestBeginsOnceAlthoughTheLastPracticeTrialIsStillBeingKept() {
+        make();
+        doTrial();
+        m_slowDisk = true;
+        doTrial();
+        space();
+        QCOMPARE(m_runner->hold(), Hold::blockEnd);
+        m_runner->goOn();
+        QCOMPARE(m_runner->hold(), Hold::none);
+        m_waiting.back()({});
+        QCOMPARE(m_runner->hold(), Hold::none);
+        m_slowDisk = false;
+        startTrial();
+    }
+
+    void anAnswerBeforeTheEndOfAShortStimulusIsTimedFromItsOwnEnd() {
+        make();
+        space();
+        pass(8 * kMs);
+        m_device->m_state = {.onset_ns = m_now, .due_ns = m_now + 300 * kMs};
+        m_runner->poll();
+        pass(250 * kMs);
+        digit(1);
+        QCOMPARE(m_kept.size(), std::size_t(1));
+        QCOMPARE(m_kept[0].responseTime_s, std::optional(0.25));
+        QVERIFY(std::abs(m_kept[0].responseTimeOffset_s.value() + 0.05) < 1e-9);
     }
 
     void ignoresAKeyThatIsHeldFromTheTrialBefore() {

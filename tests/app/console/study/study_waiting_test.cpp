@@ -32,6 +32,13 @@ class StudyWaitingTest : public QObject, protected test::StudyBench {
         QTRY_VERIFY_WITH_TIMEOUT(nextButton()->isEnabled(), kPatience_ms);
     }
     [[nodiscard]] QLineEdit* nameField() { return m_page->findChild<QLineEdit*>("participantId"); }
+    [[nodiscard]] QMessageBox* question(const char* name) { return m_page->findChild<QMessageBox*>(name); }
+    [[nodiscard]] QAbstractButton* buttonOf(const char* name, QMessageBox::ButtonRole role) {
+        for (QAbstractButton* button : question(name)->buttons())
+            if (question(name)->buttonRole(button) == role)
+                return button;
+        return nullptr;
+    }
     [[nodiscard]] bool isSaid(const QString& words) {
         const auto labels = m_page->messages().findChildren<QLabel*>();
         return std::any_of(labels.begin(), labels.end(),
@@ -134,6 +141,67 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(notes().size(), std::size_t(1), kPatience_ms);
         QCOMPARE(notes().front().text, std::string("too loud"));
         QVERIFY(note->text().isEmpty());
+    }
+
+    void aSessionIsNotEndedByClosingBeforeThatIsConfirmed() {
+        openStudy();
+        int gone = 0;
+        const auto leave = [&] { m_page->whenSettled([&gone] { ++gone; }); };
+        QVERIFY(m_page->isSettled());
+        leave();
+        QCOMPARE(gone, 1);
+        beginSession();
+        doTrial();
+        QTRY_VERIFY_WITH_TIMEOUT(!runner().isKeeping(), kPatience_ms);
+        QVERIFY(!m_page->isSettled());
+        leave();
+        leave();
+        QCOMPARE(m_page->findChildren<QMessageBox*>("endSession").size(), 1);
+        QTest::mouseClick(question("endSession")->button(QMessageBox::Cancel), Qt::LeftButton);
+        QCOMPARE(gone, 1);
+        QVERIFY(runner().isActive());
+        QTRY_VERIFY_WITH_TIMEOUT(question("endSession") == nullptr, kPatience_ms);
+        leave();
+        QTest::mouseClick(buttonOf("endSession", QMessageBox::AcceptRole), Qt::LeftButton);
+        QCOMPARE(gone, 2);
+        QCOMPARE(kept().size(), std::size_t(1));
+    }
+
+    void anAnswerThatIsNotKeptIsNotLostByClosingWithoutAWord() {
+        openStudy();
+        beginSession();
+        int gone = 0;
+        const auto leave = [&] { m_page->whenSettled([&gone] { ++gone; }); };
+        execute("ALTER TABLE trial RENAME TO hidden");
+        doTrial();
+        QTRY_COMPARE_WITH_TIMEOUT(runner().hold(), Hold::notKept, kPatience_ms);
+        QVERIFY(!m_page->isSettled());
+        leave();
+        QTest::mouseClick(question("notKept")->button(QMessageBox::Cancel), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(question("notKept") == nullptr, kPatience_ms);
+        QCOMPARE(gone, 0);
+        // It fails again, and is asked again.
+        leave();
+        QPointer<QMessageBox> first = question("notKept");
+        QTest::mouseClick(buttonOf("notKept", QMessageBox::AcceptRole), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(first == nullptr && question("notKept") != nullptr, kPatience_ms);
+        QCOMPARE(gone, 0);
+        execute("ALTER TABLE hidden RENAME TO trial");
+        QTest::mouseClick(buttonOf("notKept", QMessageBox::AcceptRole), Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(gone, 1, kPatience_ms);
+        QCOMPARE(kept().size(), std::size_t(1));
+    }
+
+    void anAnswerThatCannotBeKeptCanBeGivenUp() {
+        openStudy();
+        beginSession();
+        int gone = 0;
+        execute("ALTER TABLE trial RENAME TO hidden");
+        doTrial();
+        QTRY_COMPARE_WITH_TIMEOUT(runner().hold(), Hold::notKept, kPatience_ms);
+        m_page->whenSettled([&gone] { ++gone; });
+        QTest::mouseClick(buttonOf("notKept", QMessageBox::DestructiveRole), Qt::LeftButton);
+        QCOMPARE(gone, 1);
     }
 
     void aNoteThatIsKeptButNotExportedIsSaidToBeSafe() {

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/study/study_writing.h"
+
+#include "backend/figure/figure_file.h"
+#include "backend/study/study_export.h"
+#include "backend/study/study_figures.h"
+#include "backend/study/study_report.h"
+#include "backend/study/trial_source.h"
+
+#include <QCoreApplication>
+#include <QDir>
+
+#include <utility>
+
+namespace teleta::console {
+
+namespace {
+
+struct WritingText {
+    Q_DECLARE_TR_FUNCTIONS(StudyWriting)
+};
+
+/// Tables, figures and report of a study in its folder "results", which is returned.
+core::Expected<QString> writeAnalysis(const study::StudyStore& store, const QDir& study) {
+    const core::Expected<std::vector<study::TaskResults>> tasks = resultsOf(store);
+    if (!tasks)
+        return core::Unexpected(tasks.error());
+    const QString results = study.filePath(QStringLiteral("results"));
+    const std::string folder = results.toStdString();
+    const study::Mode mode = store.head().mode;
+    const std::vector<study::FigureFormat> formats = {
+        {"svg", {}},
+        {"pdf", [](const std::string& svg) { return figure::pdfOf(svg); }},
+        {"png", [](const std::string& svg) { return figure::pngOf(svg); }}};
+    const bool onServer = !store.location().server.empty();
+    const study::ReportHeading heading{WritingText::tr("Results of the study").toStdString(),
+                                       mode,
+                                       {onServer ? store.shownName() : study.path().toStdString()},
+                                       QCoreApplication::applicationVersion().toStdString()};
+    return study::writeResults(*tasks, folder)
+        .and_then([&] { return study::writeFigures(*tasks, folder, mode, formats); })
+        .and_then([&] { return study::writeReport(*tasks, heading, folder); })
+        .map([&] { return results; });
+}
+
+} // namespace
+
+core::Expected<std::vector<study::TaskResults>> resultsOf(const study::StudyStore& store) {
+    study::ModeFilter modes;
+    study::TrialTally tally;
+    if (const core::Expected<void> counted = study::tallyStore(store, modes, tally); !counted)
+        return core::Unexpected(counted.error());
+    return study::studyResults(tally);
+}
+
+core::Expected<std::vector<study::TaskResults>> resultsOf(const study::StoreLocation& location) {
+    const core::Expected<study::StudyStore> store = study::StudyStore::openForReading(location);
+    if (!store)
+        return core::Unexpected(store.error());
+    return resultsOf(*store);
+}
+
+core::Expected<QString> writeStudy(const study::StudyStore& store, const QString& format) {
+    const QDir study(QString::fromStdString(store.folder()));
+    if (format == QLatin1String("analysis"))
+        return writeAnalysis(store, study);
+    const bool bids = format == QLatin1String("bids");
+    const bool excel = format == QLatin1String("excel");
+    return study::exportStudy(store, bids    ? study::ExportFormat::bids
+                                     : excel ? study::ExportFormat::excel
+                                             : study::ExportFormat::psychds)
+        .map([&](std::size_t) {
+            return study.filePath(bids    ? QStringLiteral("bids")
+                                  : excel ? QStringLiteral("excel")
+                                          : QStringLiteral("data"));
+        });
+}
+
+core::Expected<QString> writeStudy(const study::StoreLocation& location, const QString& format) {
+    const core::Expected<study::StudyStore> store = study::StudyStore::openForReading(location);
+    if (!store)
+        return core::Unexpected(store.error());
+    return writeStudy(*store, format);
+}
+
+} // namespace teleta::console
