@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -74,7 +75,7 @@ core::Expected<std::vector<LadderCost>> readCostFile(const std::string& path) {
         std::array<double, kCostColumns.size()> numbers{};
         for (const std::size_t i : {3U, 4U, 5U, 7U, 8U, 9U}) {
             const std::optional<double> number = core::numberOrNA(field(i));
-            if (!number || *number < 0.0)
+            if (!number || (!std::isnan(*number) && *number < 0.0))
                 return core::Unexpected(badField(*reader, (*columns)[i], field(i),
                                                  CostFileText::tr("a number that is not negative, or NA")));
             numbers[i] = *number;
@@ -83,7 +84,7 @@ core::Expected<std::vector<LadderCost>> readCostFile(const std::string& path) {
             return core::Unexpected(
                 badField(*reader, (*columns)[10], field(10), CostFileText::tr("yes or no")));
         constexpr double kMostSamples = 1e9;
-        if (!(numbers[9] <= kMostSamples))
+        if (std::isnan(numbers[9]) || numbers[9] > kMostSamples)
             return core::Unexpected(
                 badField(*reader, (*columns)[9], field(9), CostFileText::tr("a number of samples")));
         auto ladder = std::ranges::find(ladders, field(0), &LadderCost::ladder);

@@ -32,7 +32,7 @@ const RungCost* bestWithin(std::span<const RungCost> rungs, double budget_s) {
     if (!(budget_s > 0.0))
         return best;
     for (const RungCost& rung : rungs) {
-        if (!isComplete(rung) || !(rung.timeP99_s <= budget_s))
+        if (!isComplete(rung) || std::isnan(rung.timeP99_s) || rung.timeP99_s > budget_s)
             continue;
         if (best == nullptr ||
             std::tie(rung.errorMean, rung.timeMedian_s) < std::tie(best->errorMean, best->timeMedian_s))

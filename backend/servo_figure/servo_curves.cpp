@@ -105,12 +105,12 @@ core::Expected<ServoCurves> readServoCurves(const std::string& path) {
         std::array<double, kNumbers> row{};
         for (std::size_t i = 0; i < kNumbers; ++i) {
             const std::optional<double> value = core::numberOrNA(fields[(*columns)[i]]);
-            if (!value || std::abs(*value) > kLargest)
+            if (!value || (std::isfinite(*value) && std::abs(*value) > kLargest))
                 return badField(*csv, (*columns)[i], CurvesText::tr("this is no number of a run"),
                                 CurvesText::tr("a number from -1e12 to 1e12, or NA"));
             row[i] = *value;
         }
-        if (!(row[0] >= before_s))
+        if (!std::isfinite(row[0]) || row[0] < before_s)
             return badField(*csv, (*columns)[0], CurvesText::tr("the time falls, or there is none"),
                             CurvesText::tr("times in order"));
         before_s = row[0];

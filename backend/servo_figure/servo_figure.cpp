@@ -78,7 +78,7 @@ std::vector<Lane> lanesFor(bool alone) {
 /// Beyond this there is no axis for it.
 bool isShown(double value) {
     constexpr double kLargestShown = 1e100;
-    return std::abs(value) < kLargestShown;
+    return std::isfinite(value) && std::abs(value) < kLargestShown;
 }
 
 struct Axis {

@@ -23,6 +23,11 @@ bool touchCsv(Bytes bytes);
 bool cameraPairs(Bytes bytes);
 bool motorRecording(Bytes bytes);
 bool trialCsv(Bytes bytes);
+bool servoCsv(Bytes bytes);
+bool costCsv(Bytes bytes);
+
+// Recordings.
+bool recording(Bytes bytes);
 
 // Patterns.
 bool patternJson(Bytes bytes);
