@@ -5,299 +5,299 @@
     <name>AblationText</name>
     <message>
         <source>interrupted before all runs were done</source>
-        <translation type="unfinished"></translation>
+        <translation>在全部运行完成前中断</translation>
     </message>
 </context>
 <context>
     <name>About</name>
     <message>
         <source>TeleTA Console</source>
-        <translation type="unfinished"></translation>
+        <translation>TeleTA Console</translation>
     </message>
     <message>
         <source>Shows, and lets the operator feel, what a remote robot arm touches.</source>
-        <translation type="unfinished"></translation>
+        <translation>显示远程机械臂所触碰的内容，并让操作者感受到它。</translation>
     </message>
     <message>
         <source>Free software under the GNU General Public License, version 3 or later. It comes without any warranty.</source>
-        <translation type="unfinished"></translation>
+        <translation>自由软件，采用 GNU 通用公共许可证第 3 版或更高版本。不提供任何担保。</translation>
     </message>
     <message>
         <source>About TeleTA Console</source>
-        <translation type="unfinished"></translation>
+        <translation>关于 TeleTA Console</translation>
     </message>
     <message>
         <source>Esc Esc, Ctrl+.</source>
-        <translation type="unfinished"></translation>
+        <translation>Esc Esc, Ctrl+.</translation>
     </message>
     <message>
         <source>STOP: whatever moves stops at once</source>
-        <translation type="unfinished"></translation>
+        <translation>STOP：立即停止一切运动</translation>
     </message>
     <message>
         <source>Ctrl+1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+1</translation>
     </message>
     <message>
         <source>Page Operate</source>
-        <translation type="unfinished"></translation>
+        <translation>“操作”页</translation>
     </message>
     <message>
         <source>Space</source>
-        <translation type="unfinished"></translation>
+        <translation>空格键</translation>
     </message>
     <message>
         <source>Play or pause, in the playback bar</source>
-        <translation type="unfinished"></translation>
+        <translation>在回放栏中：播放或暂停</translation>
     </message>
     <message>
         <source>Left, Right</source>
-        <translation type="unfinished"></translation>
+        <translation>左、右方向键</translation>
     </message>
     <message>
         <source>One frame back or forward, in the playback bar</source>
-        <translation type="unfinished"></translation>
+        <translation>在回放栏中：后退或前进一帧</translation>
     </message>
     <message>
         <source>Home, End</source>
-        <translation type="unfinished"></translation>
+        <translation>Home、End</translation>
     </message>
     <message>
         <source>Start or end of the recording, in the playback bar</source>
-        <translation type="unfinished"></translation>
+        <translation>在回放栏中：到记录的开头或末尾</translation>
     </message>
     <message>
         <source>Arrow keys</source>
-        <translation type="unfinished"></translation>
+        <translation>方向键</translation>
     </message>
     <message>
         <source>Move the read-out from taxel to taxel, in the heatmap</source>
-        <translation type="unfinished"></translation>
+        <translation>在热图中：逐个触元移动读数</translation>
     </message>
     <message>
         <source>Ctrl+wheel</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+滚轮</translation>
     </message>
     <message>
         <source>Zoom the picture or the time under the mouse</source>
-        <translation type="unfinished"></translation>
+        <translation>缩放鼠标处的图像或时间</translation>
     </message>
     <message>
         <source>Shift+wheel</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+滚轮</translation>
     </message>
     <message>
         <source>Scroll through time, in the charts</source>
-        <translation type="unfinished"></translation>
+        <translation>在曲线图中：沿时间滚动</translation>
     </message>
     <message>
         <source>1, 2, 3, 4</source>
-        <translation type="unfinished"></translation>
+        <translation>1、2、3、4</translation>
     </message>
     <message>
         <source>Front, top, side, isometric view, in the reconstruction</source>
-        <translation type="unfinished"></translation>
+        <translation>在重建视图中：前、顶、侧、等轴测视图</translation>
     </message>
     <message>
         <source>F11</source>
-        <translation type="unfinished"></translation>
+        <translation>F11</translation>
     </message>
     <message>
         <source>Full screen</source>
-        <translation type="unfinished"></translation>
+        <translation>全屏</translation>
     </message>
     <message>
         <source>Shift+F1</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+F1</translation>
     </message>
     <message>
         <source>What&apos;s This</source>
-        <translation type="unfinished"></translation>
+        <translation>这是什么</translation>
     </message>
     <message>
         <source>Keys</source>
-        <translation type="unfinished"></translation>
+        <translation>按键</translation>
     </message>
     <message>
         <source>Effect</source>
-        <translation type="unfinished"></translation>
+        <translation>作用</translation>
     </message>
     <message>
         <source>Shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>快捷键</translation>
     </message>
     <message>
         <source>Space, P</source>
-        <translation type="unfinished"></translation>
+        <translation>空格键、P</translation>
     </message>
     <message>
         <source>Play or pause; pen; in the timeline of a pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>在图案的时间轴中：播放或暂停；画笔</translation>
     </message>
     <message>
         <source>Ctrl+N, O, S, Shift+S, E</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+N、O、S、Shift+S、E</translation>
     </message>
     <message>
         <source>New, open, save, save as, export, on the page Patterns</source>
-        <translation type="unfinished"></translation>
+        <translation>在“图案”页：新建、打开、保存、另存为、导出</translation>
     </message>
     <message>
         <source>Ctrl+Z, Ctrl+Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Z、Ctrl+Y</translation>
     </message>
     <message>
         <source>Undo, redo, on the page Patterns</source>
-        <translation type="unfinished"></translation>
+        <translation>在“图案”页：撤销、重做</translation>
     </message>
     <message>
         <source>Ctrl+X, C, V, Shift+V, D</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+X、C、V、Shift+V、D</translation>
     </message>
     <message>
         <source>Cut, copy, paste in place, paste at the playhead, duplicate, in the timeline</source>
-        <translation type="unfinished"></translation>
+        <translation>在时间轴中：剪切、复制、原位粘贴、粘贴到播放头、创建副本</translation>
     </message>
     <message>
         <source>,  .  with Shift</source>
-        <translation type="unfinished"></translation>
+        <translation>,  .  可加 Shift</translation>
     </message>
     <message>
         <source>Breakpoint before or after, one more of them, in the timeline</source>
-        <translation type="unfinished"></translation>
+        <translation>在时间轴中：上一个或下一个节点，再多选一个</translation>
     </message>
     <message>
         <source>N, Shift+N</source>
-        <translation type="unfinished"></translation>
+        <translation>N、Shift+N</translation>
     </message>
     <message>
         <source>Next or previous object, in the timeline</source>
-        <translation type="unfinished"></translation>
+        <translation>在时间轴中：下一个或上一个对象</translation>
     </message>
     <message>
         <source>Enter, Insert, Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>Enter、Insert、Delete</translation>
     </message>
     <message>
         <source>Type numbers, add a breakpoint at the playhead, delete, in the timeline</source>
-        <translation type="unfinished"></translation>
+        <translation>在时间轴中：输入数值、在播放头处添加节点、删除</translation>
     </message>
     <message>
         <source>Arrow keys, with Shift</source>
-        <translation type="unfinished"></translation>
+        <translation>方向键，可加 Shift</translation>
     </message>
     <message>
         <source>Move what is selected, else the playhead and the lane, in the timeline</source>
-        <translation type="unfinished"></translation>
+        <translation>在时间轴中：移动所选内容，无选择时移动播放头和轨道</translation>
     </message>
     <message>
         <source>[  ]  \</source>
-        <translation type="unfinished"></translation>
+        <translation>[  ]  \</translation>
     </message>
     <message>
         <source>Begin of the loop, its end, no loop, in the timeline</source>
-        <translation type="unfinished"></translation>
+        <translation>在时间轴中：循环起点、循环终点、取消循环</translation>
     </message>
     <message>
         <source>Ctrl+[, Ctrl+], Ctrl+M, Ctrl+L</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+[、Ctrl+]、Ctrl+M、Ctrl+L</translation>
     </message>
     <message>
         <source>Rotate around the ring, mirror, other arm, on the page Patterns</source>
-        <translation type="unfinished"></translation>
+        <translation>在“图案”页：沿环旋转、镜像、换到另一只手臂</translation>
     </message>
     <message>
         <source>Ctrl+Alt+1 to 5</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Alt+1 至 5</translation>
     </message>
     <message>
         <source>Add a sweep, ring, phantom, ramp, pulse train at the playhead, on the page Patterns</source>
-        <translation type="unfinished"></translation>
+        <translation>在“图案”页：在播放头处添加扫动、环绕、幻象、斜坡、脉冲串</translation>
     </message>
     <message>
         <source>Ctrl++, Ctrl+-, Ctrl+0</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl++、Ctrl+-、Ctrl+0</translation>
     </message>
     <message>
         <source>Zoom in, out, to fit, in the timeline</source>
-        <translation type="unfinished"></translation>
+        <translation>在时间轴中：放大、缩小、适合窗口</translation>
     </message>
     <message>
         <source>F2, Ctrl+D, Delete, Ctrl+Z</source>
-        <translation type="unfinished"></translation>
+        <translation>F2、Ctrl+D、Delete、Ctrl+Z</translation>
     </message>
     <message>
         <source>Rename, duplicate, delete, undo, in the library of patterns</source>
-        <translation type="unfinished"></translation>
+        <translation>在图案库中：重命名、创建副本、删除、撤销</translation>
     </message>
 </context>
 <context>
     <name>Age</name>
     <message>
         <source>%1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s</translation>
     </message>
     <message>
         <source>%1 min</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 min</translation>
     </message>
     <message>
         <source>%1 h</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 h</translation>
     </message>
 </context>
 <context>
     <name>BakeText</name>
     <message>
         <source>the pattern has too many corners</source>
-        <translation type="unfinished"></translation>
+        <translation>图案的拐点过多</translation>
     </message>
     <message>
         <source>at most %1 breakpoints</source>
-        <translation type="unfinished"></translation>
+        <translation>至多 %1 个节点</translation>
     </message>
 </context>
 <context>
     <name>Bracelet</name>
     <message>
         <source>The connection to the bracelet was lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>与手环的连接已断开。</translation>
     </message>
     <message>
         <source>a USB device %1</source>
-        <translation type="unfinished"></translation>
+        <translation>USB 设备 %1</translation>
     </message>
     <message>
         <source>a USB device %1 with the serial number %2</source>
-        <translation type="unfinished"></translation>
+        <translation>USB 设备 %1，序列号 %2</translation>
     </message>
     <message>
         <source>No bracelet is plugged in.</source>
-        <translation type="unfinished"></translation>
+        <translation>未插入手环。</translation>
     </message>
     <message>
         <source>The device does not answer as a bracelet does.</source>
-        <translation type="unfinished"></translation>
+        <translation>设备的应答不像手环。</translation>
     </message>
     <message>
         <source>a feature report of layout version %1</source>
-        <translation type="unfinished"></translation>
+        <translation>布局版本为 %1 的特征报告</translation>
     </message>
     <message>
         <source>Bracelet %1</source>
-        <translation type="unfinished"></translation>
+        <translation>手环 %1</translation>
     </message>
     <message>
         <source>The bracelet at %1 may not be opened.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有权限打开位于 %1 的手环。</translation>
     </message>
     <message>
         <source>read and write access to it, which the udev rule gives</source>
-        <translation type="unfinished"></translation>
+        <translation>对它的读写权限，由 udev 规则授予</translation>
     </message>
     <message>
         <source>The bracelet at %1 cannot be opened.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法打开位于 %1 的手环。</translation>
     </message>
 </context>
 <context>
@@ -305,495 +305,495 @@
     <message>
         <source>%1, ready</source>
         <comment>bracelet</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1，就绪</translation>
     </message>
     <message>
         <source>%1, ready; last stimulus: %2 frames, longest write %3 ms, %4 late, %5 lost</source>
         <comment>bracelet</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1，就绪；上一个刺激：%2 帧，最长写入 %3 ms，%4 帧延迟，%5 帧丢失</translation>
     </message>
     <message>
         <source>the bracelet was lost</source>
-        <translation type="unfinished"></translation>
+        <translation>手环已断开</translation>
     </message>
     <message>
         <source>STOP was pressed</source>
-        <translation type="unfinished"></translation>
+        <translation>按下了 STOP</translation>
     </message>
     <message>
         <source>the bracelet did not begin</source>
-        <translation type="unfinished"></translation>
+        <translation>手环没有开始</translation>
     </message>
     <message>
         <source>something else used the bracelet</source>
-        <translation type="unfinished"></translation>
+        <translation>手环被其他任务占用</translation>
     </message>
     <message>
         <source>No bracelet: this rehearsal runs too fast to be played</source>
-        <translation type="unfinished"></translation>
+        <translation>没有手环：此次预演速度过快，无法播放</translation>
     </message>
 </context>
 <context>
     <name>CalibrateCommand</name>
     <message>
         <source>Pairs</source>
-        <translation type="unfinished"></translation>
+        <translation>点对</translation>
     </message>
     <message>
         <source>Kept</source>
-        <translation type="unfinished"></translation>
+        <translation>保留</translation>
     </message>
     <message>
         <source>3D to 2D</source>
-        <translation type="unfinished"></translation>
+        <translation>3D 到 2D</translation>
     </message>
     <message>
         <source>%1 px on average, %2 px rms</source>
-        <translation type="unfinished"></translation>
+        <translation>平均 %1 px，均方根 %2 px</translation>
     </message>
     <message>
         <source>2D to 3D</source>
-        <translation type="unfinished"></translation>
+        <translation>2D 到 3D</translation>
     </message>
     <message>
         <source>%1 mm on average</source>
-        <translation type="unfinished"></translation>
+        <translation>平均 %1 mm</translation>
     </message>
     <message>
         <source>Uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>不确定度</translation>
     </message>
     <message>
         <source>%1 mm of a point on the surface, by the camera alone</source>
-        <translation type="unfinished"></translation>
+        <translation>仅由相机引起的表面点不确定度 %1 mm</translation>
     </message>
     <message>
         <source>Valid radius</source>
-        <translation type="unfinished"></translation>
+        <translation>有效半径</translation>
     </message>
     <message>
         <source>%1 px</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 px</translation>
     </message>
     <message>
         <source>Focal lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>焦距</translation>
     </message>
     <message>
         <source>%1, %2 px</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2 px</translation>
     </message>
     <message>
         <source>Principal point</source>
-        <translation type="unfinished"></translation>
+        <translation>主点</translation>
     </message>
     <message>
         <source>Camera centre</source>
-        <translation type="unfinished"></translation>
+        <translation>相机中心</translation>
     </message>
     <message>
         <source>%1, %2, %3 m</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2, %3 m</translation>
     </message>
     <message>
         <source>Mirrored</source>
-        <translation type="unfinished"></translation>
+        <translation>镜像</translation>
     </message>
     <message>
         <source>yes</source>
-        <translation type="unfinished"></translation>
+        <translation>是</translation>
     </message>
     <message>
         <source>no</source>
-        <translation type="unfinished"></translation>
+        <translation>否</translation>
     </message>
     <message>
         <source>Residuals</source>
-        <translation type="unfinished"></translation>
+        <translation>残差</translation>
     </message>
     <message>
         <source>neighbours are alike: the pairs hold something that this camera does not</source>
-        <translation type="unfinished"></translation>
+        <translation>相邻残差相似：点对中含有此相机模型未包含的因素</translation>
     </message>
     <message>
         <source>without a pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>无规律</translation>
     </message>
     <message>
         <source>Camera and lens of a tactile cylinder from pairs of pixels and points</source>
-        <translation type="unfinished"></translation>
+        <translation>由像素与点的点对求触觉圆柱的相机和镜头</translation>
     </message>
     <message>
         <source>CSV with the columns u_px,v_px,x_m,y_m,z_m, at least 6 rows</source>
-        <translation type="unfinished"></translation>
+        <translation>CSV，含列 u_px,v_px,x_m,y_m,z_m，至少 6 行</translation>
     </message>
     <message>
         <source>Width of the image, px</source>
-        <translation type="unfinished"></translation>
+        <translation>图像宽度，px</translation>
     </message>
     <message>
         <source>Height of the image, px</source>
-        <translation type="unfinished"></translation>
+        <translation>图像高度，px</translation>
     </message>
     <message>
         <source>Radius of the elastomer, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>弹性体半径，mm</translation>
     </message>
     <message>
         <source>Length of the elastomer, from z = 0 of the sensor frame, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>弹性体长度，自传感器坐标系 z = 0 起，mm</translation>
     </message>
     <message>
         <source>robust: camera and lens, wrong pairs are left out; paper: linear, without a lens, drops pairs that are off by more than 2 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>robust：相机和镜头，剔除错误点对；paper：线性，不含镜头，剔除偏差超过 2 mm 的点对</translation>
     </message>
     <message>
         <source>Write the camera to this file</source>
-        <translation type="unfinished"></translation>
+        <translation>将相机写入此文件</translation>
     </message>
     <message>
         <source>Write each pair with what the camera makes of it as CSV</source>
-        <translation type="unfinished"></translation>
+        <translation>将每个点对及相机对它的计算结果写为 CSV</translation>
     </message>
 </context>
 <context>
     <name>Camera</name>
     <message>
         <source>The camera gives no frames any more.</source>
-        <translation type="unfinished"></translation>
+        <translation>相机不再提供帧。</translation>
     </message>
     <message>
         <source>camera %1 cannot be opened</source>
-        <translation type="unfinished"></translation>
+        <translation>无法打开相机 %1</translation>
     </message>
     <message>
         <source>the file does not exist</source>
-        <translation type="unfinished"></translation>
+        <translation>文件不存在</translation>
     </message>
     <message>
         <source>this is a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>这是文件夹</translation>
     </message>
     <message>
         <source>a video, or the number of a camera</source>
-        <translation type="unfinished"></translation>
+        <translation>视频，或相机编号</translation>
     </message>
     <message>
         <source>the file is no video that can be read</source>
-        <translation type="unfinished"></translation>
+        <translation>该文件不是可读取的视频</translation>
     </message>
     <message>
         <source>a video, a pattern like frame_%04d.png, or the number of a camera</source>
-        <translation type="unfinished"></translation>
+        <translation>视频、形如 frame_%04d.png 的编号格式，或相机编号</translation>
     </message>
 </context>
 <context>
     <name>CameraCalibration</name>
     <message>
         <source>interrupted</source>
-        <translation type="unfinished"></translation>
+        <translation>已中断</translation>
     </message>
     <message>
         <source>the file has too many pairs</source>
-        <translation type="unfinished"></translation>
+        <translation>文件中的点对过多</translation>
     </message>
     <message>
         <source>at most %1</source>
-        <translation type="unfinished"></translation>
+        <translation>至多 %1</translation>
     </message>
 </context>
 <context>
     <name>CameraFile</name>
     <message>
         <source>this is no camera matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>这不是相机矩阵</translation>
     </message>
     <message>
         <source>this is no camera file</source>
-        <translation type="unfinished"></translation>
+        <translation>这不是相机文件</translation>
     </message>
     <message>
         <source>the file is of a newer version</source>
-        <translation type="unfinished"></translation>
+        <translation>文件版本较新</translation>
     </message>
     <message>
         <source>the cylinder has no length</source>
-        <translation type="unfinished"></translation>
+        <translation>圆柱没有长度</translation>
     </message>
 </context>
 <context>
     <name>CameraPicture</name>
     <message>
         <source>Contact %1</source>
-        <translation type="unfinished"></translation>
+        <translation>接触 %1</translation>
     </message>
     <message>
         <source>at %1 along the tube, %2° around it</source>
-        <translation type="unfinished"></translation>
+        <translation>沿管 %1，绕管 %2°</translation>
     </message>
     <message>
         <source>standard deviation %1</source>
-        <translation type="unfinished"></translation>
+        <translation>标准差 %1</translation>
     </message>
     <message>
         <source>moved %1 since it began</source>
-        <translation type="unfinished"></translation>
+        <translation>自开始以来移动了 %1</translation>
     </message>
     <message>
         <source>%1 deep</source>
-        <translation type="unfinished"></translation>
+        <translation>深 %1</translation>
     </message>
     <message>
         <source>No picture yet</source>
-        <translation type="unfinished"></translation>
+        <translation>尚无图像</translation>
     </message>
     <message>
         <source>BUMP</source>
-        <translation type="unfinished"></translation>
+        <translation>碰撞</translation>
     </message>
     <message>
         <source>followed</source>
-        <translation type="unfinished"></translation>
+        <translation>跟随中</translation>
     </message>
     <message>
         <source>PAUSED</source>
-        <translation type="unfinished"></translation>
+        <translation>已暂停</translation>
     </message>
     <message>
         <source>Displacement × %1</source>
-        <translation type="unfinished"></translation>
+        <translation>位移 × %1</translation>
     </message>
 </context>
 <context>
     <name>CameraText</name>
     <message>
         <source>a parameter is out of range</source>
-        <translation type="unfinished"></translation>
+        <translation>参数超出范围</translation>
     </message>
     <message>
         <source>the focal lengths in K are not positive</source>
-        <translation type="unfinished"></translation>
+        <translation>K 中的焦距不为正</translation>
     </message>
     <message>
         <source>R is no rotation</source>
-        <translation type="unfinished"></translation>
+        <translation>R 不是旋转矩阵</translation>
     </message>
     <message>
         <source>the distortion folds on the axis already</source>
-        <translation type="unfinished"></translation>
+        <translation>畸变在光轴上已发生折叠</translation>
     </message>
 </context>
 <context>
     <name>ChartText</name>
     <message>
         <source>correct answers</source>
-        <translation type="unfinished"></translation>
+        <translation>正确回答</translation>
     </message>
     <message>
         <source>correct, %</source>
-        <translation type="unfinished"></translation>
+        <translation>正确率，%</translation>
     </message>
     <message>
         <source>chance</source>
-        <translation type="unfinished"></translation>
+        <translation>随机水平</translation>
     </message>
     <message>
         <source>correct answers by pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>各图案的正确回答</translation>
     </message>
     <message>
         <source>response times</source>
-        <translation type="unfinished"></translation>
+        <translation>反应时间</translation>
     </message>
     <message>
         <source>median of correct answers, s</source>
-        <translation type="unfinished"></translation>
+        <translation>正确回答的中位数，s</translation>
     </message>
     <message>
         <source>information transfer</source>
-        <translation type="unfinished"></translation>
+        <translation>信息传输量</translation>
     </message>
     <message>
         <source>bit</source>
-        <translation type="unfinished"></translation>
+        <translation>bit</translation>
     </message>
     <message>
         <source>all patterns told apart</source>
-        <translation type="unfinished"></translation>
+        <translation>全部图案均可区分</translation>
     </message>
     <message>
         <source>measured</source>
-        <translation type="unfinished"></translation>
+        <translation>实测</translation>
     </message>
     <message>
         <source>less bias</source>
-        <translation type="unfinished"></translation>
+        <translation>减去偏差</translation>
     </message>
 </context>
 <context>
     <name>ConfusionPicture</name>
     <message>
         <source>answered, % of the row</source>
-        <translation type="unfinished"></translation>
+        <translation>回答，占行的 %</translation>
     </message>
     <message>
         <source>answered</source>
-        <translation type="unfinished"></translation>
+        <translation>回答</translation>
     </message>
     <message>
         <source>presented</source>
-        <translation type="unfinished"></translation>
+        <translation>呈现</translation>
     </message>
 </context>
 <context>
     <name>ConsoleOptions</name>
     <message>
         <source>--%1 %2: expected a number from %3 to %4</source>
-        <translation type="unfinished"></translation>
+        <translation>--%1 %2：应为 %3 至 %4 的数</translation>
     </message>
     <message>
         <source>--%1 %2: expected a whole number from %3 to %4</source>
-        <translation type="unfinished"></translation>
+        <translation>--%1 %2：应为 %3 至 %4 的整数</translation>
     </message>
     <message>
         <source>FILE</source>
-        <translation type="unfinished"></translation>
+        <translation>文件</translation>
     </message>
     <message>
         <source>Seed of the simulated scenes (default 1).</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟场景的种子（默认 1）。</translation>
     </message>
     <message>
         <source>N</source>
-        <translation type="unfinished"></translation>
+        <translation>N</translation>
     </message>
     <message>
         <source>Play back recorded frames, CSV time_s,t0,t1,... (repeatable; the options below go with the recordings in their order).</source>
-        <translation type="unfinished"></translation>
+        <translation>回放记录的帧，CSV time_s,t0,t1,...（可重复；以下选项按顺序对应各记录）。</translation>
     </message>
     <message>
         <source>Rows of the array (default: by the number of taxels).</source>
-        <translation type="unfinished"></translation>
+        <translation>阵列的行数（默认由触元数决定）。</translation>
     </message>
     <message>
         <source>Columns of the array.</source>
-        <translation type="unfinished"></translation>
+        <translation>阵列的列数。</translation>
     </message>
     <message>
         <source>Distance between taxels in mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>触元间距，单位 mm。</translation>
     </message>
     <message>
         <source>MM</source>
-        <translation type="unfinished"></translation>
+        <translation>MM</translation>
     </message>
     <message>
         <source>Recording of the unloaded array, subtracted from the frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>空载阵列的记录，将从各帧中减去。</translation>
     </message>
     <message>
         <source>The values fall under load.</source>
-        <translation type="unfinished"></translation>
+        <translation>数值随载荷增大而下降。</translation>
     </message>
     <message>
         <source>Load per raw unit (default 1).</source>
-        <translation type="unfinished"></translation>
+        <translation>每原始单位的载荷（默认 1）。</translation>
     </message>
     <message>
         <source>G</source>
-        <translation type="unfinished"></translation>
+        <translation>G</translation>
     </message>
     <message>
         <source>Unit of the loads (default N or counts, by the array).</source>
-        <translation type="unfinished"></translation>
+        <translation>载荷的单位（默认 N 或计数，视阵列而定）。</translation>
     </message>
     <message>
         <source>NAME</source>
-        <translation type="unfinished"></translation>
+        <translation>名称</translation>
     </message>
     <message>
         <source>Load from which a taxel is in contact (default 0.2).</source>
-        <translation type="unfinished"></translation>
+        <translation>触元视为接触的最小载荷（默认 0.2）。</translation>
     </message>
     <message>
         <source>LOAD</source>
-        <translation type="unfinished"></translation>
+        <translation>载荷</translation>
     </message>
     <message>
         <source>Play at this rate in Hz instead of the recorded times.</source>
-        <translation type="unfinished"></translation>
+        <translation>以此频率（Hz）播放，而非按记录的时间。</translation>
     </message>
     <message>
         <source>HZ</source>
-        <translation type="unfinished"></translation>
+        <translation>HZ</translation>
     </message>
     <message>
         <source>Open the sources listed in a TOML file.</source>
-        <translation type="unfinished"></translation>
+        <translation>打开 TOML 文件中列出的数据源。</translation>
     </message>
     <message>
         <source>Page to show: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>要显示的页面：%1。</translation>
     </message>
     <message>
         <source>light, dark or system.</source>
-        <translation type="unfinished"></translation>
+        <translation>light、dark 或 system。</translation>
     </message>
     <message>
         <source>Language, for example en, ja, fr, zh_CN.</source>
-        <translation type="unfinished"></translation>
+        <translation>语言，例如 en、ja、fr、zh_CN。</translation>
     </message>
     <message>
         <source>CODE</source>
-        <translation type="unfinished"></translation>
+        <translation>代码</translation>
     </message>
     <message>
         <source>Save a picture of the window as PNG and quit.</source>
-        <translation type="unfinished"></translation>
+        <translation>将窗口图像保存为 PNG 并退出。</translation>
     </message>
     <message>
         <source>Seconds to wait before the picture (default 3).</source>
-        <translation type="unfinished"></translation>
+        <translation>截图前等待的秒数（默认 3）。</translation>
     </message>
     <message>
         <source>S</source>
-        <translation type="unfinished"></translation>
+        <translation>S</translation>
     </message>
     <message>
         <source>Size of the window, for example 1600x1000.</source>
-        <translation type="unfinished"></translation>
+        <translation>窗口大小，例如 1600x1000。</translation>
     </message>
     <message>
         <source>WxH</source>
-        <translation type="unfinished"></translation>
+        <translation>宽x高</translation>
     </message>
     <message>
         <source>Run for so many seconds, print how long the event loop was busy, quit.</source>
-        <translation type="unfinished"></translation>
+        <translation>运行指定秒数，输出事件循环的繁忙时间，然后退出。</translation>
     </message>
     <message>
         <source>Start with the default layout and settings, and save none.</source>
-        <translation type="unfinished"></translation>
+        <translation>以默认布局和设置启动，且不保存任何设置。</translation>
     </message>
     <message>
         <source>unexpected argument &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>意外的参数“%1”</translation>
     </message>
     <message>
         <source>--page %1: expected one of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>--page %1：应为 %2 之一</translation>
     </message>
     <message>
         <source>--theme %1: expected light, dark or system</source>
-        <translation type="unfinished"></translation>
+        <translation>--theme %1：应为 light、dark 或 system</translation>
     </message>
     <message>
         <source>--size %1: expected WIDTHxHEIGHT, from 320x240 to 16384x16384</source>
-        <translation type="unfinished"></translation>
+        <translation>--size %1：应为 宽x高，从 320x240 到 16384x16384</translation>
     </message>
     <message>
         <source>--dock %1: expected one of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>--dock %1：应为 %2 之一</translation>
     </message>
     <message>
         <source>Shows what a remote robot arm touches: where, how hard, how stiff, what shape.
@@ -803,816 +803,822 @@ Examples:
   teleta-console --replay run.csv --rows 64 --columns 27 --tare empty.csv --threshold 10
   teleta-console --camera 0 --camera-model camera.json
   teleta-console --sources both-arrays.toml --theme dark</source>
-        <translation type="unfinished"></translation>
+        <translation>显示远程机械臂所触碰的内容：位置、力度、刚度、形状。
+
+示例：
+  teleta-console --scene tactile-indenter
+  teleta-console --replay run.csv --rows 64 --columns 27 --tare empty.csv --threshold 10
+  teleta-console --camera 0 --camera-model camera.json
+  teleta-console --sources both-arrays.toml --theme dark</translation>
     </message>
     <message>
         <source>Open a simulated scene: a file, or the name of one that comes with the program (repeatable).</source>
-        <translation type="unfinished"></translation>
+        <translation>打开模拟场景：文件，或程序自带场景的名称（可重复）。</translation>
     </message>
     <message>
         <source>SCENE</source>
-        <translation type="unfinished"></translation>
+        <translation>场景</translation>
     </message>
     <message>
         <source>Open a camera in the soft tube by its number, or a video of one.</source>
-        <translation type="unfinished"></translation>
+        <translation>按编号打开软管中的相机，或打开其视频。</translation>
     </message>
     <message>
         <source>FILE|N</source>
-        <translation type="unfinished"></translation>
+        <translation>文件|N</translation>
     </message>
     <message>
         <source>Calibration of that camera (JSON of teleta calibrate).</source>
-        <translation type="unfinished"></translation>
+        <translation>该相机的标定（teleta calibrate 的 JSON）。</translation>
     </message>
     <message>
         <source>Open a pattern file, or a built-in pattern by its id, on the Patterns page.</source>
-        <translation type="unfinished"></translation>
+        <translation>在“图案”页打开图案文件，或按 ID 打开内置图案。</translation>
     </message>
     <message>
         <source>Folder of your own patterns (default: the user&apos;s data folder).</source>
-        <translation type="unfinished"></translation>
+        <translation>您自己的图案所在文件夹（默认：用户数据文件夹）。</translation>
     </message>
     <message>
         <source>FOLDER</source>
-        <translation type="unfinished"></translation>
+        <translation>文件夹</translation>
     </message>
     <message>
         <source>View of the Operate page (%1) or of the Study page (%2) to bring to the front.</source>
-        <translation type="unfinished"></translation>
+        <translation>要置于前台的“操作”页视图（%1）或“研究”页视图（%2）。</translation>
     </message>
     <message>
         <source>Calibrate the cylinder camera with these pairs (CSV).</source>
-        <translation type="unfinished"></translation>
+        <translation>用这些点对（CSV）标定圆柱相机。</translation>
     </message>
     <message>
         <source>Open the folder of a study, or a protocol (TOML) to begin one with.</source>
-        <translation type="unfinished"></translation>
+        <translation>打开研究文件夹，或用于新建研究的方案（TOML）。</translation>
     </message>
     <message>
         <source>PATH</source>
-        <translation type="unfinished"></translation>
+        <translation>路径</translation>
     </message>
     <message>
         <source>Let simulated participants go through the study, which is made if need be.</source>
-        <translation type="unfinished"></translation>
+        <translation>让模拟被试完成研究；必要时先创建研究。</translation>
     </message>
     <message>
         <source>Bracelet to drive: simulated, usb, none, or a file that describes a Modbus motor driver.</source>
-        <translation type="unfinished"></translation>
+        <translation>要驱动的手环：simulated、usb、none，或描述 Modbus 电机驱动器的文件。</translation>
     </message>
     <message>
         <source>WHICH</source>
-        <translation type="unfinished"></translation>
+        <translation>哪一个</translation>
     </message>
     <message>
         <source>--camera and --camera-model belong together: a camera is of no use without its calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>--camera 与 --camera-model 须同时使用：没有标定，相机无法使用</translation>
     </message>
 </context>
 <context>
     <name>ContactsCommand</name>
     <message>
         <source>Place, force and identity of each contact of each tactile frame</source>
-        <translation type="unfinished"></translation>
+        <translation>每个触觉帧中各接触的位置、力和标识</translation>
     </message>
 </context>
 <context>
     <name>ContourCommand</name>
     <message>
         <source>circle</source>
-        <translation type="unfinished"></translation>
+        <translation>圆</translation>
     </message>
     <message>
         <source>rectangle</source>
-        <translation type="unfinished"></translation>
+        <translation>矩形</translation>
     </message>
     <message>
         <source>triangle</source>
-        <translation type="unfinished"></translation>
+        <translation>三角形</translation>
     </message>
     <message>
         <source>arc</source>
-        <translation type="unfinished"></translation>
+        <translation>圆弧</translation>
     </message>
     <message>
         <source>line</source>
-        <translation type="unfinished"></translation>
+        <translation>直线</translation>
     </message>
     <message>
         <source>point</source>
-        <translation type="unfinished"></translation>
+        <translation>点</translation>
     </message>
     <message>
         <source>unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>未知</translation>
     </message>
     <message>
         <source>Points</source>
-        <translation type="unfinished"></translation>
+        <translation>点数</translation>
     </message>
     <message>
         <source>Shape</source>
-        <translation type="unfinished"></translation>
+        <translation>形状</translation>
     </message>
     <message>
         <source>%1 (confidence %2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1（置信度 %2）</translation>
     </message>
     <message>
         <source>Closed</source>
-        <translation type="unfinished"></translation>
+        <translation>闭合</translation>
     </message>
     <message>
         <source>yes</source>
-        <translation type="unfinished"></translation>
+        <translation>是</translation>
     </message>
     <message>
         <source>no</source>
-        <translation type="unfinished"></translation>
+        <translation>否</translation>
     </message>
     <message>
         <source>Length</source>
-        <translation type="unfinished"></translation>
+        <translation>长度</translation>
     </message>
     <message>
         <source>%1 m</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 m</translation>
     </message>
     <message>
         <source>Largest curvature</source>
-        <translation type="unfinished"></translation>
+        <translation>最大曲率</translation>
     </message>
     <message>
         <source>%1 1/m</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 1/m</translation>
     </message>
     <message>
         <source>Centre</source>
-        <translation type="unfinished"></translation>
+        <translation>中心</translation>
     </message>
     <message>
         <source>%1, %2 m</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2 m</translation>
     </message>
     <message>
         <source>Radius</source>
-        <translation type="unfinished"></translation>
+        <translation>半径</translation>
     </message>
     <message>
         <source>%1 m (points off by %2 m)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 m（点偏差 %2 m）</translation>
     </message>
     <message>
         <source>Vertex %1</source>
-        <translation type="unfinished"></translation>
+        <translation>顶点 %1</translation>
     </message>
     <message>
         <source>Shape, vertices and spline of a series of contact points</source>
-        <translation type="unfinished"></translation>
+        <translation>一系列接触点的形状、顶点和样条曲线</translation>
     </message>
     <message>
         <source>CSV with the columns x_m,y_m, in the order of touch</source>
-        <translation type="unfinished"></translation>
+        <translation>CSV，含列 x_m,y_m，按触碰顺序排列</translation>
     </message>
     <message>
         <source>approximating: the points are the control points; interpolating: the curve passes through them</source>
-        <translation type="unfinished"></translation>
+        <translation>approximating：点为控制点；interpolating：曲线通过各点</translation>
     </message>
     <message>
         <source>The contour comes back to its start; otherwise this is found out</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓回到起点；否则自动判定</translation>
     </message>
     <message>
         <source>Points of the curve, for the CSV and the largest curvature</source>
-        <translation type="unfinished"></translation>
+        <translation>曲线点数，用于 CSV 和最大曲率</translation>
     </message>
     <message>
         <source>An extent under this is a point, m</source>
-        <translation type="unfinished"></translation>
+        <translation>小于此范围视为一个点，m</translation>
     </message>
     <message>
         <source>Write the curve as CSV t,x_m,y_m,curvature_per_m, t from 0 to 1</source>
-        <translation type="unfinished"></translation>
+        <translation>将曲线写为 CSV t,x_m,y_m,curvature_per_m，t 从 0 到 1</translation>
     </message>
     <message>
         <source>the file has no points</source>
-        <translation type="unfinished"></translation>
+        <translation>文件中没有点</translation>
     </message>
     <message>
         <source>a coordinate is too large to compute with</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标过大，无法计算</translation>
     </message>
     <message>
         <source>a row for each contact point, in metres</source>
-        <translation type="unfinished"></translation>
+        <translation>每个接触点一行，单位为米</translation>
     </message>
 </context>
 <context>
     <name>ContourPicture</name>
     <message>
         <source>nothing explored yet</source>
-        <translation type="unfinished"></translation>
+        <translation>尚未探索</translation>
     </message>
     <message>
         <source>%1, confidence %2 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，置信度 %2 %</translation>
     </message>
     <message>
         <source>Touch an object from several sides: its outline appears here.</source>
-        <translation type="unfinished"></translation>
+        <translation>从多个侧面触碰物体：其轮廓将显示在此处。</translation>
     </message>
     <message numerus="yes">
         <source>%n point(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 个点</numerusform>
         </translation>
     </message>
     <message>
         <source>radius %1</source>
-        <translation type="unfinished"></translation>
+        <translation>半径 %1</translation>
     </message>
     <message>
         <source>edges %1</source>
-        <translation type="unfinished"></translation>
+        <translation>边 %1</translation>
     </message>
     <message>
         <source>points off by %1 (rms)</source>
-        <translation type="unfinished"></translation>
+        <translation>点偏差 %1（rms）</translation>
     </message>
     <message>
         <source>z %1</source>
-        <translation type="unfinished"></translation>
+        <translation>z %1</translation>
     </message>
     <message>
         <source>x [mm]</source>
-        <translation type="unfinished"></translation>
+        <translation>x [mm]</translation>
     </message>
     <message>
         <source>y [mm]</source>
-        <translation type="unfinished"></translation>
+        <translation>y [mm]</translation>
     </message>
 </context>
 <context>
     <name>CostFigure</name>
     <message>
         <source>Median time of one call</source>
-        <translation type="unfinished"></translation>
+        <translation>单次调用的中位时间</translation>
     </message>
     <message>
         <source>Mean error (share)</source>
-        <translation type="unfinished"></translation>
+        <translation>平均误差（比例）</translation>
     </message>
     <message>
         <source>Mean error (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>平均误差（%1）</translation>
     </message>
 </context>
 <context>
     <name>CostFigureText</name>
     <message>
         <source>Filled: no other rung is both as quick and as exact. Lines: to the 95 % error and the 99 % time.</source>
-        <translation type="unfinished"></translation>
+        <translation>实心：没有其他档级能同样快且同样精确。线段：至 95 % 误差和 99 % 时间。</translation>
     </message>
     <message>
         <source>Not measured, the machine was too noisy or there is no error: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>未测量、机器干扰过大或没有误差：%1。</translation>
     </message>
 </context>
 <context>
     <name>CostFile</name>
     <message>
         <source>a number that is not negative, or NA</source>
-        <translation type="unfinished"></translation>
+        <translation>非负数，或 NA</translation>
     </message>
     <message>
         <source>yes or no</source>
-        <translation type="unfinished"></translation>
+        <translation>yes 或 no</translation>
     </message>
     <message>
         <source>a number of samples</source>
-        <translation type="unfinished"></translation>
+        <translation>样本数</translation>
     </message>
 </context>
 <context>
     <name>CostFileText</name>
     <message>
         <source>&quot;%1&quot; is no value of the column %2</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不是列 %2 的有效值</translation>
     </message>
 </context>
 <context>
     <name>CostLadder</name>
     <message>
         <source>Calibration of the camera in the tube</source>
-        <translation type="unfinished"></translation>
+        <translation>管内相机的标定</translation>
     </message>
     <message>
         <source>distance of located points of the tube from the true ones; where the calibration is refused the camera of the data sheet stands in</source>
-        <translation type="unfinished"></translation>
+        <translation>管上定位点与真实点的距离；标定被拒绝时以数据手册中的相机代替</translation>
     </message>
     <message>
         <source>Contacts in a camera frame</source>
-        <translation type="unfinished"></translation>
+        <translation>相机帧中的接触</translation>
     </message>
     <message>
         <source>distance from the true contact on the tube; a contact that is missed counts with its distance from the tube&apos;s middle</source>
-        <translation type="unfinished"></translation>
+        <translation>与管上真实接触的距离；漏检的接触按其到管中部的距离计</translation>
     </message>
     <message>
         <source>Curve through contact points</source>
-        <translation type="unfinished"></translation>
+        <translation>通过接触点的曲线</translation>
     </message>
     <message>
         <source>distance of the true outline (circle, rectangle, bent profile) from the curve</source>
-        <translation type="unfinished"></translation>
+        <translation>真实轮廓（圆、矩形、弯曲型材）与曲线的距离</translation>
     </message>
     <message>
         <source>A frame of the scene &quot;tactile-indenter&quot; without one of its effects</source>
-        <translation type="unfinished"></translation>
+        <translation>去掉一种效应的“tactile-indenter”场景的一帧</translation>
     </message>
     <message>
         <source>difference of a taxel from the scene with all effects, root mean square of a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>触元与含全部效应的场景之差，按帧取均方根</translation>
     </message>
     <message>
         <source>10 ms of an arm that touches rubber</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂触碰橡胶的 10 ms</translation>
     </message>
     <message>
         <source>largest difference of a joint&apos;s torque from a solution with steps of 2 us</source>
-        <translation type="unfinished"></translation>
+        <translation>关节力矩与步长 2 us 的解的最大差值</translation>
     </message>
     <message>
         <source>Interval of the information transfer of a study</source>
-        <translation type="unfinished"></translation>
+        <translation>研究的信息传输量区间</translation>
     </message>
     <message>
         <source>score of the 95 % interval: its width, and 40 times how far the true transfer lies outside of it</source>
-        <translation type="unfinished"></translation>
+        <translation>95 % 区间的评分：区间宽度，加上 40 倍的真实传输量超出区间的距离</translation>
     </message>
     <message>
         <source>Stiffness of a touched object</source>
-        <translation type="unfinished"></translation>
+        <translation>被触碰物体的刚度</translation>
     </message>
     <message>
         <source>share of the true stiffness of the object; a bound counts as the value, a refused touch as 1</source>
-        <translation type="unfinished"></translation>
+        <translation>占物体真实刚度的比例；界限按数值计，被拒绝的触碰计为 1</translation>
     </message>
     <message>
         <source>Place of a contact on a tactile array</source>
-        <translation type="unfinished"></translation>
+        <translation>触觉阵列上接触的位置</translation>
     </message>
     <message>
         <source>distance from the lowest point of the ball that presses</source>
-        <translation type="unfinished"></translation>
+        <translation>与按压小球最低点的距离</translation>
     </message>
     <message>
         <source>Direction in which a pixel of the wide lens looks</source>
-        <translation type="unfinished"></translation>
+        <translation>广角镜头中像素的视线方向</translation>
     </message>
     <message>
         <source>angle from the direction of the point of the tube that the pixel shows</source>
-        <translation type="unfinished"></translation>
+        <translation>与该像素所示管上点方向的夹角</translation>
     </message>
 </context>
 <context>
     <name>CsvReaderText</name>
     <message>
         <source>opening was interrupted: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>打开操作被中断：%1</translation>
     </message>
     <message>
         <source>cannot open the file: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>无法打开文件：%1</translation>
     </message>
     <message>
         <source>cannot read the file: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>无法读取文件：%1</translation>
     </message>
     <message>
         <source>this is a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>这是文件夹</translation>
     </message>
     <message>
         <source>a CSV file</source>
-        <translation type="unfinished"></translation>
+        <translation>CSV 文件</translation>
     </message>
     <message>
         <source>the file is empty</source>
-        <translation type="unfinished"></translation>
+        <translation>文件为空</translation>
     </message>
     <message>
         <source>a header line with the names of the columns</source>
-        <translation type="unfinished"></translation>
+        <translation>含列名的标题行</translation>
     </message>
     <message>
         <source>the file is UTF-16</source>
-        <translation type="unfinished"></translation>
+        <translation>文件为 UTF-16 编码</translation>
     </message>
     <message>
         <source>UTF-8</source>
-        <translation type="unfinished"></translation>
+        <translation>UTF-8</translation>
     </message>
     <message>
         <source>text outside of the quotes of a column name</source>
-        <translation type="unfinished"></translation>
+        <translation>列名的引号之外有文本</translation>
     </message>
     <message>
         <source>a comma behind the closing quote</source>
-        <translation type="unfinished"></translation>
+        <translation>右引号之后的逗号</translation>
     </message>
     <message>
         <source>the line is longer than 16 MiB</source>
-        <translation type="unfinished"></translation>
+        <translation>该行超过 16 MiB</translation>
     </message>
     <message>
         <source>a closing quote</source>
-        <translation type="unfinished"></translation>
+        <translation>右引号</translation>
     </message>
     <message>
         <source>a line end</source>
-        <translation type="unfinished"></translation>
+        <translation>行尾</translation>
     </message>
     <message>
         <source>a quote is not closed</source>
-        <translation type="unfinished"></translation>
+        <translation>引号未闭合</translation>
     </message>
     <message>
         <source>a number, nan, inf or NA</source>
-        <translation type="unfinished"></translation>
+        <translation>数值、nan、inf 或 NA</translation>
     </message>
     <message>
         <source>a finite number</source>
-        <translation type="unfinished"></translation>
+        <translation>有限数</translation>
     </message>
     <message>
         <source>the field is empty</source>
-        <translation type="unfinished"></translation>
+        <translation>字段为空</translation>
     </message>
     <message>
         <source>%1 is not a number</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 不是数值</translation>
     </message>
     <message>
         <source>%1 is not a finite number</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 不是有限数</translation>
     </message>
     <message>
         <source>the column %1 is there twice</source>
-        <translation type="unfinished"></translation>
+        <translation>列 %1 出现两次</translation>
     </message>
     <message>
         <source>each name once</source>
-        <translation type="unfinished"></translation>
+        <translation>每个名称一次</translation>
     </message>
     <message>
         <source>missing columns: %1; the file has: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>缺少列：%1；文件中有：%2</translation>
     </message>
     <message>
         <source>the columns %1</source>
-        <translation type="unfinished"></translation>
+        <translation>列 %1</translation>
     </message>
     <message>
         <source>the row is too long: more than %1 values</source>
-        <translation type="unfinished"></translation>
+        <translation>该行过长：超过 %1 个值</translation>
     </message>
     <message>
         <source>one value a column: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>每列一个值：%1</translation>
     </message>
     <message>
         <source>the row is too short: %1 of %2 values</source>
-        <translation type="unfinished"></translation>
+        <translation>该行过短：%1 个值，应为 %2 个</translation>
     </message>
     <message>
         <source>a pipe has no positions to go to</source>
-        <translation type="unfinished"></translation>
+        <translation>管道不支持定位</translation>
     </message>
     <message>
         <source>a file</source>
-        <translation type="unfinished"></translation>
+        <translation>文件</translation>
     </message>
     <message>
         <source>text outside of the quotes of a value</source>
-        <translation type="unfinished"></translation>
+        <translation>值的引号之外有文本</translation>
     </message>
 </context>
 <context>
     <name>Demo</name>
     <message>
         <source>Demo: an arm touches five materials</source>
-        <translation type="unfinished"></translation>
+        <translation>演示：机械臂触碰五种材料</translation>
     </message>
     <message>
         <source>Sponge, rubber sponge, rubber, wood and metal: contact point, force, stiffness, bracelet</source>
-        <translation type="unfinished"></translation>
+        <translation>海绵、橡胶海绵、橡胶、木材和金属：接触点、力、刚度、手环</translation>
     </message>
     <message>
         <source>Demo: an arm explores a round object</source>
-        <translation type="unfinished"></translation>
+        <translation>演示：机械臂探索圆形物体</translation>
     </message>
     <message>
         <source>The forearm touches it from all around: contact points, spline, recognised shape</source>
-        <translation type="unfinished"></translation>
+        <translation>前臂从四周触碰物体：接触点、样条曲线、识别的形状</translation>
     </message>
     <message>
         <source>Demo: an arm explores a rectangular object</source>
-        <translation type="unfinished"></translation>
+        <translation>演示：机械臂探索矩形物体</translation>
     </message>
     <message>
         <source>The same with a box</source>
-        <translation type="unfinished"></translation>
+        <translation>同上，对象为盒子</translation>
     </message>
     <message>
         <source>Demo: an arm explores a triangular object</source>
-        <translation type="unfinished"></translation>
+        <translation>演示：机械臂探索三角形物体</translation>
     </message>
     <message>
         <source>The same with a triangular prism</source>
-        <translation type="unfinished"></translation>
+        <translation>同上，对象为三棱柱</translation>
     </message>
     <message>
         <source>Demo: an arm yields</source>
-        <translation type="unfinished"></translation>
+        <translation>演示：机械臂顺应</translation>
     </message>
     <message>
         <source>Somebody pushes the arm, then it meets an object, under joint admittance control</source>
-        <translation type="unfinished"></translation>
+        <translation>有人推动机械臂，随后它碰到物体，采用关节导纳控制</translation>
     </message>
     <message>
         <source>Demo: a ball and a bar</source>
-        <translation type="unfinished"></translation>
+        <translation>演示：小球与杆</translation>
     </message>
     <message>
         <source>A 6 x 14 array pressed by a ball that wanders, then by a bar that turns</source>
-        <translation type="unfinished"></translation>
+        <translation>6 x 14 阵列先由移动的小球按压，再由转动的杆按压</translation>
     </message>
     <message>
         <source>Demo: two contacts that meet</source>
-        <translation type="unfinished"></translation>
+        <translation>演示：两个相遇的接触</translation>
     </message>
     <message>
         <source>Two balls that approach each other until they touch, and part</source>
-        <translation type="unfinished"></translation>
+        <translation>两个小球相互靠近直至接触，然后分开</translation>
     </message>
     <message>
         <source>Demo: a pressure mat</source>
-        <translation type="unfinished"></translation>
+        <translation>演示：压力垫</translation>
     </message>
     <message>
         <source>A 64 x 27 mat under a body: a head, a trunk that turns, two heels</source>
-        <translation type="unfinished"></translation>
+        <translation>人体下的 64 x 27 压力垫：头部、转动的躯干、两个脚跟</translation>
     </message>
     <message>
         <source>Demo: something pokes a soft arm</source>
-        <translation type="unfinished"></translation>
+        <translation>演示：有物体戳软体臂</translation>
     </message>
     <message>
         <source>A camera inside the soft tube sees the bump; the arm draws back</source>
-        <translation type="unfinished"></translation>
+        <translation>软管内的相机看到碰撞；机械臂退缩</translation>
     </message>
     <message>
         <source>Demo: a finger turns a soft arm</source>
-        <translation type="unfinished"></translation>
+        <translation>演示：手指转动软体臂</translation>
     </message>
     <message>
         <source>The arm turns after a finger that goes round it</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂随绕其转动的手指转动</translation>
     </message>
     <message>
         <source>Demo: a finger leads a soft arm</source>
-        <translation type="unfinished"></translation>
+        <translation>演示：手指引导软体臂</translation>
     </message>
     <message>
         <source>The arm follows a finger along its axis</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂沿其轴线跟随手指</translation>
     </message>
     <message>
         <source>Demo: three fingers on a soft arm</source>
-        <translation type="unfinished"></translation>
+        <translation>演示：三根手指按在软体臂上</translation>
     </message>
     <message>
         <source>Contacts near the lens, in the middle and at the far end of the tube</source>
-        <translation type="unfinished"></translation>
+        <translation>接触位于镜头附近、管的中部和远端</translation>
     </message>
 </context>
 <context>
     <name>DeviceState</name>
     <message>
         <source>closed</source>
-        <translation type="unfinished"></translation>
+        <translation>已关闭</translation>
     </message>
     <message>
         <source>connecting</source>
-        <translation type="unfinished"></translation>
+        <translation>正在连接</translation>
     </message>
     <message>
         <source>live</source>
-        <translation type="unfinished"></translation>
+        <translation>实时</translation>
     </message>
     <message>
         <source>paused</source>
-        <translation type="unfinished"></translation>
+        <translation>已暂停</translation>
     </message>
     <message>
         <source>stale</source>
-        <translation type="unfinished"></translation>
+        <translation>数据过时</translation>
     </message>
     <message>
         <source>lost</source>
-        <translation type="unfinished"></translation>
+        <translation>已断开</translation>
     </message>
     <message>
         <source>reconnecting</source>
-        <translation type="unfinished"></translation>
+        <translation>正在重新连接</translation>
     </message>
     <message>
         <source>finished</source>
-        <translation type="unfinished"></translation>
+        <translation>已结束</translation>
     </message>
 </context>
 <context>
     <name>DevicesCommand</name>
     <message>
         <source>&quot;kind&quot; is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>缺少“kind”</translation>
     </message>
     <message>
         <source>kind = &quot;modbus&quot; or &quot;wts&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>kind = &quot;modbus&quot; 或 &quot;wts&quot;</translation>
     </message>
     <message>
         <source>Bracelet</source>
-        <translation type="unfinished"></translation>
+        <translation>手环</translation>
     </message>
     <message>
         <source>3D mouse</source>
-        <translation type="unfinished"></translation>
+        <translation>3D 鼠标</translation>
     </message>
     <message>
         <source>Tactile array</source>
-        <translation type="unfinished"></translation>
+        <translation>触觉阵列</translation>
     </message>
     <message>
         <source>Modbus device</source>
-        <translation type="unfinished"></translation>
+        <translation>Modbus 设备</translation>
     </message>
     <message>
         <source>%1 at %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，位于 %2</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>状态</translation>
     </message>
     <message>
         <source>not connected: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>未连接：%1</translation>
     </message>
     <message>
         <source>connected</source>
-        <translation type="unfinished"></translation>
+        <translation>已连接</translation>
     </message>
     <message>
         <source>Frames</source>
-        <translation type="unfinished"></translation>
+        <translation>帧</translation>
     </message>
     <message>
         <source>up to %1 Hz</source>
-        <translation type="unfinished"></translation>
+        <translation>最高 %1 Hz</translation>
     </message>
     <message>
         <source>Inputs</source>
-        <translation type="unfinished"></translation>
+        <translation>输入</translation>
     </message>
     <message>
         <source>No device is connected.</source>
-        <translation type="unfinished"></translation>
+        <translation>未连接任何设备。</translation>
     </message>
     <message>
         <source>What is connected, why not, and how fast it is</source>
-        <translation type="unfinished"></translation>
+        <translation>已连接的设备、未连接的原因及其速度</translation>
     </message>
     <message>
         <source>Connect to the device of this description and read it; its motors are set to zero</source>
-        <translation type="unfinished"></translation>
+        <translation>连接此描述文件所述的设备并读取；其电机置零</translation>
     </message>
 </context>
 <context>
     <name>EffectAblation</name>
     <message>
         <source>the spread of a measure needs at least two seeds</source>
-        <translation type="unfinished"></translation>
+        <translation>要得到测量量的离散度，至少需要两个种子</translation>
     </message>
 </context>
 <context>
     <name>Error</name>
     <message>
         <source> (expected %1)</source>
-        <translation type="unfinished"></translation>
+        <translation> （应为：%1）</translation>
     </message>
 </context>
 <context>
     <name>ExportCommand</name>
     <message numerus="yes">
         <source>%n row(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 行</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n damaged block(s) left out</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>略去 %n 个损坏的数据块</numerusform>
         </translation>
     </message>
     <message>
         <source>Note</source>
-        <translation type="unfinished"></translation>
+        <translation>备注</translation>
     </message>
     <message>
         <source>The recording was cut off; what had been written is there.</source>
-        <translation type="unfinished"></translation>
+        <translation>记录被截断；已写入的内容仍保留。</translation>
     </message>
     <message>
         <source>Write the streams of a recording as CSV files</source>
-        <translation type="unfinished"></translation>
+        <translation>将记录的数据流写为 CSV 文件</translation>
     </message>
     <message>
         <source>Recording of the console or of teleta simulate</source>
-        <translation type="unfinished"></translation>
+        <translation>控制台或 teleta simulate 的记录</translation>
     </message>
     <message>
         <source>Folder for a CSV file a stream and events.csv</source>
-        <translation type="unfinished"></translation>
+        <translation>存放各数据流 CSV 文件和 events.csv 的文件夹</translation>
     </message>
     <message>
         <source>Write over files that are there already</source>
-        <translation type="unfinished"></translation>
+        <translation>覆盖已有文件</translation>
     </message>
     <message>
         <source>another folder, or --force</source>
-        <translation type="unfinished"></translation>
+        <translation>另一个文件夹，或 --force</translation>
     </message>
 </context>
 <context>
     <name>ExportDialog</name>
     <message>
         <source>HJIF (ISO/IEC 23090-31)</source>
-        <translation type="unfinished"></translation>
+        <translation>HJIF (ISO/IEC 23090-31)</translation>
     </message>
     <message>
         <source>One channel a motor, with its place on the forearm. Can be read back.</source>
-        <translation type="unfinished"></translation>
+        <translation>每个电机一个通道，含其在前臂上的位置。可重新读取。</translation>
     </message>
     <message>
         <source>Haptic clips (.haptic in a zip)</source>
-        <translation type="unfinished"></translation>
+        <translation>触觉片段（zip 中的 .haptic）</translation>
     </message>
     <message>
         <source>One clip a motor. Can be read back.</source>
-        <translation type="unfinished"></translation>
+        <translation>每个电机一个片段。可重新读取。</translation>
     </message>
     <message>
         <source>AHAP (in a zip)</source>
-        <translation type="unfinished"></translation>
+        <translation>AHAP（zip 压缩包）</translation>
     </message>
     <message>
         <source>One file a motor, for Core Haptics.</source>
-        <translation type="unfinished"></translation>
+        <translation>每个电机一个文件，用于 Core Haptics。</translation>
     </message>
     <message>
         <source>tact</source>
-        <translation type="unfinished"></translation>
+        <translation>tact</translation>
     </message>
     <message>
         <source>Layout of six motors on the forearm, whole milliseconds. Can be read back.</source>
-        <translation type="unfinished"></translation>
+        <translation>前臂上六个电机的布局，整毫秒。可重新读取。</translation>
     </message>
     <message>
         <source>CSV table</source>
-        <translation type="unfinished"></translation>
+        <translation>CSV 表格</translation>
     </message>
     <message>
         <source>Columns time_s, t1 to t6: a sample a row.</source>
-        <translation type="unfinished"></translation>
+        <translation>列 time_s、t1 至 t6：每行一个样本。</translation>
     </message>
     <message>
         <source>WAV, six channels</source>
-        <translation type="unfinished"></translation>
+        <translation>WAV，六声道</translation>
     </message>
     <message>
         <source>The intensities as 16-bit samples, 1 is full scale.</source>
-        <translation type="unfinished"></translation>
+        <translation>强度以 16 位样本表示，1 为满量程。</translation>
     </message>
 </context>
 <context>
     <name>FeaturesCommand</name>
     <message>
         <source>Force, centres, moments and orientation of each tactile frame</source>
-        <translation type="unfinished"></translation>
+        <translation>每个触觉帧的力、中心、矩和方向</translation>
     </message>
 </context>
 <context>
@@ -1620,882 +1626,885 @@ Examples:
     <message>
         <source>Motor %1: %2</source>
         <comment>a motor, and what is wrong with the answers</comment>
-        <translation type="unfinished"></translation>
+        <translation>电机 %1：%2</translation>
     </message>
 </context>
 <context>
     <name>FeltThreshold</name>
     <message>
         <source>There are too few answers: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>回答过少：%1。</translation>
     </message>
     <message>
         <source>at least %1</source>
-        <translation type="unfinished"></translation>
+        <translation>至少 %1</translation>
     </message>
     <message>
         <source>Yes was answered although nothing was presented, %1 of %2 times.</source>
-        <translation type="unfinished"></translation>
+        <translation>未呈现任何刺激时回答了“是”，%2 次中有 %1 次。</translation>
     </message>
     <message>
         <source>yes only when something was clearly felt</source>
-        <translation type="unfinished"></translation>
+        <translation>仅在明确感觉到时回答“是”</translation>
     </message>
     <message>
         <source>Nothing was felt, not even at the highest drive.</source>
-        <translation type="unfinished"></translation>
+        <translation>即使在最高驱动量下也没有感觉到。</translation>
     </message>
     <message>
         <source>a connected motor that lies on the skin</source>
-        <translation type="unfinished"></translation>
+        <translation>已连接且贴在皮肤上的电机</translation>
     </message>
     <message>
         <source>Everything was felt, even at the lowest drive.</source>
-        <translation type="unfinished"></translation>
+        <translation>即使在最低驱动量下也都感觉到了。</translation>
     </message>
     <message>
         <source>no where nothing was felt</source>
-        <translation type="unfinished"></translation>
+        <translation>没有感觉到时回答“否”</translation>
     </message>
     <message>
         <source>The answers contradict each other: stronger was felt less often than weaker, or as often.</source>
-        <translation type="unfinished"></translation>
+        <translation>回答相互矛盾：较强的刺激被感觉到的次数不多于较弱的。</translation>
     </message>
     <message>
         <source>answers to what was felt; undo the wrong ones or begin anew</source>
-        <translation type="unfinished"></translation>
+        <translation>如实反映感觉的回答；请撤销错误的回答或重新开始</translation>
     </message>
 </context>
 <context>
     <name>FigureExport</name>
     <message>
         <source>The file could not be written: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>无法写入文件：%1</translation>
     </message>
     <message>
         <source>Unknown picture format &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>未知的图片格式“%1”</translation>
     </message>
 </context>
 <context>
     <name>FigureFile</name>
     <message>
         <source>the picture has no size</source>
-        <translation type="unfinished"></translation>
+        <translation>图片没有尺寸</translation>
     </message>
     <message>
         <source>the picture would have too many pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>图片像素过多</translation>
     </message>
 </context>
 <context>
     <name>FigureText</name>
     <message>
         <source>Actual pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>实际图案</translation>
     </message>
     <message>
         <source>cannot draw the picture: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>无法绘制图片：%1</translation>
     </message>
 </context>
 <context>
     <name>FileText</name>
     <message>
         <source>the ending of the name tells no format</source>
-        <translation type="unfinished"></translation>
+        <translation>无法由文件扩展名确定格式</translation>
     </message>
     <message>
         <source>one of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 之一</translation>
     </message>
 </context>
 <context>
     <name>FrameFileText</name>
     <message>
         <source>column %1 is &quot;%2&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 列为“%2”</translation>
     </message>
     <message>
         <source>there are no taxel columns</source>
-        <translation type="unfinished"></translation>
+        <translation>没有触元列</translation>
     </message>
     <message>
         <source>the columns time_s, t0, t1, ...</source>
-        <translation type="unfinished"></translation>
+        <translation>列 time_s, t0, t1, ...</translation>
     </message>
     <message>
         <source>the file has %1 taxel columns</source>
-        <translation type="unfinished"></translation>
+        <translation>文件有 %1 个触元列</translation>
     </message>
     <message>
         <source>%1 = %2 rows x %3 columns</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 = %2 行 x %3 列</translation>
     </message>
     <message>
         <source>the recording has no frames</source>
-        <translation type="unfinished"></translation>
+        <translation>记录中没有帧</translation>
     </message>
     <message>
         <source>at least one row behind the header</source>
-        <translation type="unfinished"></translation>
+        <translation>标题行之后至少一行</translation>
     </message>
     <message>
         <source>the time is %1</source>
-        <translation type="unfinished"></translation>
+        <translation>时间为 %1</translation>
     </message>
     <message>
         <source>a finite time in s</source>
-        <translation type="unfinished"></translation>
+        <translation>以 s 为单位的有限时间</translation>
     </message>
     <message>
         <source>the time goes back from %1 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>时间从 %1 倒退到 %2</translation>
     </message>
     <message>
         <source>times that do not decrease</source>
-        <translation type="unfinished"></translation>
+        <translation>不递减的时间</translation>
     </message>
 </context>
 <context>
     <name>FrameOptionText</name>
     <message>
         <source>%1 is given, a taxel from 0 to %2 is expected</source>
-        <translation type="unfinished"></translation>
+        <translation>给出的是 %1，应为 0 至 %2 的触元</translation>
     </message>
     <message>
         <source>Recorded frames: time_s,t0,t1,... with one row a frame, row-major</source>
-        <translation type="unfinished"></translation>
+        <translation>记录的帧：time_s,t0,t1,...，每帧一行，按行优先</translation>
     </message>
     <message>
         <source>Rows of the array</source>
-        <translation type="unfinished"></translation>
+        <translation>阵列的行数</translation>
     </message>
     <message>
         <source>Columns of the array</source>
-        <translation type="unfinished"></translation>
+        <translation>阵列的列数</translation>
     </message>
     <message>
         <source>Distance of neighbouring taxels in mm</source>
-        <translation type="unfinished"></translation>
+        <translation>相邻触元的间距，mm</translation>
     </message>
     <message>
         <source>Load in N from which a taxel is in contact</source>
-        <translation type="unfinished"></translation>
+        <translation>触元视为接触的最小载荷，N</translation>
     </message>
     <message>
         <source>Frames of the unloaded array; their mean is subtracted</source>
-        <translation type="unfinished"></translation>
+        <translation>空载阵列的帧；减去其平均值</translation>
     </message>
     <message>
         <source>The raw values fall under load</source>
-        <translation type="unfinished"></translation>
+        <translation>原始值随载荷增大而下降</translation>
     </message>
     <message>
         <source>N per raw unit</source>
-        <translation type="unfinished"></translation>
+        <translation>每原始单位的 N 数</translation>
     </message>
     <message>
         <source>Numbers of taxels to leave out, such as 0,17</source>
-        <translation type="unfinished"></translation>
+        <translation>要排除的触元编号，例如 0,17</translation>
     </message>
     <message>
         <source>Weight the taxels with their load to find the principal axis</source>
-        <translation type="unfinished"></translation>
+        <translation>按载荷对触元加权来求主轴</translation>
     </message>
     <message>
         <source>Find the threshold in each frame; --threshold is the least</source>
-        <translation type="unfinished"></translation>
+        <translation>在每帧中自动求阈值；--threshold 为下限</translation>
     </message>
     <message>
         <source>Force and centre of pressure over taxels in contact, not over the whole array</source>
-        <translation type="unfinished"></translation>
+        <translation>力和压力中心只对接触的触元计算，而非整个阵列</translation>
     </message>
     <message>
         <source>Summits that rise less than this share of the frame&apos;s peak are no contacts of their own</source>
-        <translation type="unfinished"></translation>
+        <translation>突起低于帧峰值此比例的峰顶不作为独立接触</translation>
     </message>
     <message>
         <source>Contacts of fewer taxels are dropped</source>
-        <translation type="unfinished"></translation>
+        <translation>触元数更少的接触将被舍弃</translation>
     </message>
     <message>
         <source>the output would replace the input</source>
-        <translation type="unfinished"></translation>
+        <translation>输出会覆盖输入</translation>
     </message>
 </context>
 <context>
     <name>GaugeTexts</name>
     <message>
         <source>no stiffness</source>
-        <translation type="unfinished"></translation>
+        <translation>无刚度</translation>
     </message>
     <message>
         <source>%1, level %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，等级 %2</translation>
     </message>
     <message>
         <source>taken as %1, level %2</source>
-        <translation type="unfinished"></translation>
+        <translation>按 %1 处理，等级 %2</translation>
     </message>
     <message>
         <source>%1, level %2, not certain</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，等级 %2，不确定</translation>
     </message>
     <message numerus="yes">
         <source>%n sample(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 个样本</numerusform>
         </translation>
     </message>
     <message>
         <source>%1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，%2</translation>
     </message>
     <message>
         <source>95 %: %1   %2</source>
-        <translation type="unfinished"></translation>
+        <translation>95 %：%1   %2</translation>
     </message>
     <message>
         <source>not told from rigid   %1</source>
-        <translation type="unfinished"></translation>
+        <translation>无法与刚体区分   %1</translation>
     </message>
     <message>
         <source>no interval known   %1</source>
-        <translation type="unfinished"></translation>
+        <translation>区间未知   %1</translation>
     </message>
     <message>
         <source>Stiffer than the link allows: check contact distance and link stiffness.</source>
-        <translation type="unfinished"></translation>
+        <translation>刚度超出连杆允许的范围：请检查接触距离和连杆刚度。</translation>
     </message>
     <message>
         <source>level %1, %2, the paper&apos;s object %3</source>
-        <translation type="unfinished"></translation>
+        <translation>等级 %1，%2，论文中的物体 %3</translation>
     </message>
     <message>
         <source>rigid</source>
-        <translation type="unfinished"></translation>
+        <translation>刚性</translation>
     </message>
     <message>
         <source>%1: from %2
 %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：不低于 %2
+%3</translation>
     </message>
     <message>
         <source>%1: under %2
 %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：低于 %2
+%3</translation>
     </message>
     <message>
         <source>%1: %2 to %3
 %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：%2 至 %3
+%4</translation>
     </message>
     <message>
         <source>No stiffness. %1</source>
-        <translation type="unfinished"></translation>
+        <translation>无刚度。%1</translation>
     </message>
     <message>
         <source>no touch yet</source>
-        <translation type="unfinished"></translation>
+        <translation>尚无触碰</translation>
     </message>
 </context>
 <context>
     <name>HandStation</name>
     <message>
         <source>3D mouse: none is plugged in.</source>
-        <translation type="unfinished"></translation>
+        <translation>3D 鼠标：未插入。</translation>
     </message>
     <message>
         <source>3D mouse: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>3D 鼠标：%1</translation>
     </message>
     <message>
         <source>3D mouse %1: moves the tip.</source>
-        <translation type="unfinished"></translation>
+        <translation>3D 鼠标 %1：移动末端。</translation>
     </message>
     <message>
         <source>3D mouse %1: hold its first button to move the tip.</source>
-        <translation type="unfinished"></translation>
+        <translation>3D 鼠标 %1：按住第一个按钮可移动末端。</translation>
     </message>
     <message>
         <source>3D mouse</source>
-        <translation type="unfinished"></translation>
+        <translation>3D 鼠标</translation>
     </message>
 </context>
 <context>
     <name>HeatmapPainter</name>
     <message>
         <source>x [mm]</source>
-        <translation type="unfinished"></translation>
+        <translation>x [mm]</translation>
     </message>
     <message>
         <source>y [mm]</source>
-        <translation type="unfinished"></translation>
+        <translation>y [mm]</translation>
     </message>
     <message>
         <source>fixed</source>
-        <translation type="unfinished"></translation>
+        <translation>固定</translation>
     </message>
     <message>
         <source>auto</source>
-        <translation type="unfinished"></translation>
+        <translation>自动</translation>
     </message>
     <message>
         <source>force</source>
-        <translation type="unfinished"></translation>
+        <translation>力</translation>
     </message>
     <message>
         <source>contacts</source>
-        <translation type="unfinished"></translation>
+        <translation>接触</translation>
     </message>
     <message>
         <source>type</source>
-        <translation type="unfinished"></translation>
+        <translation>类型</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>无</translation>
     </message>
     <message>
         <source>point</source>
-        <translation type="unfinished"></translation>
+        <translation>点</translation>
     </message>
     <message>
         <source>edge</source>
-        <translation type="unfinished"></translation>
+        <translation>边缘</translation>
     </message>
     <message>
         <source>centre of pressure</source>
-        <translation type="unfinished"></translation>
+        <translation>压力中心</translation>
     </message>
     <message>
         <source>centre of contact</source>
-        <translation type="unfinished"></translation>
+        <translation>接触中心</translation>
     </message>
     <message>
         <source>axis %1°</source>
-        <translation type="unfinished"></translation>
+        <translation>轴 %1°</translation>
     </message>
     <message>
         <source>threshold %1</source>
-        <translation type="unfinished"></translation>
+        <translation>阈值 %1</translation>
     </message>
     <message>
         <source>dead %1</source>
-        <translation type="unfinished"></translation>
+        <translation>失效 %1</translation>
     </message>
     <message>
         <source>Point at a taxel to read it.</source>
-        <translation type="unfinished"></translation>
+        <translation>将鼠标指向触元以读取数值。</translation>
     </message>
 </context>
 <context>
     <name>HeatmapView</name>
     <message>
         <source>dead</source>
-        <translation type="unfinished"></translation>
+        <translation>失效</translation>
     </message>
     <message>
         <source>contact #%1</source>
-        <translation type="unfinished"></translation>
+        <translation>接触 #%1</translation>
     </message>
     <message>
         <source>no contact</source>
-        <translation type="unfinished"></translation>
+        <translation>无接触</translation>
     </message>
     <message>
         <source>row %1, column %2   %3   %4   x %5 mm, y %6 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>行 %1，列 %2   %3   %4   x %5 mm，y %6 mm</translation>
     </message>
 </context>
 <context>
     <name>IdentifierText</name>
     <message>
         <source>&quot;%1&quot; cannot be part of a file name</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不能用于文件名</translation>
     </message>
     <message>
         <source>letters, digits, - and _</source>
-        <translation type="unfinished"></translation>
+        <translation>字母、数字、- 和 _</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is there twice</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”出现两次</translation>
     </message>
     <message>
         <source>each one once</source>
-        <translation type="unfinished"></translation>
+        <translation>每个一次</translation>
     </message>
 </context>
 <context>
     <name>Interruption</name>
     <message>
         <source>interrupted; the output ends with what was computed until then</source>
-        <translation type="unfinished"></translation>
+        <translation>已中断；输出截至中断前已计算的内容</translation>
     </message>
 </context>
 <context>
     <name>JsonDocument</name>
     <message>
         <source>the file is too large</source>
-        <translation type="unfinished"></translation>
+        <translation>文件过大</translation>
     </message>
     <message>
         <source>at most %1 MiB</source>
-        <translation type="unfinished"></translation>
+        <translation>至多 %1 MiB</translation>
     </message>
     <message>
         <source>the values are nested too deeply</source>
-        <translation type="unfinished"></translation>
+        <translation>值的嵌套过深</translation>
     </message>
     <message>
         <source>at most %1 levels</source>
-        <translation type="unfinished"></translation>
+        <translation>至多 %1 层</translation>
     </message>
     <message>
         <source>an object has the key &quot;%1&quot; twice</source>
-        <translation type="unfinished"></translation>
+        <translation>对象中的键“%1”出现两次</translation>
     </message>
     <message>
         <source>each key once</source>
-        <translation type="unfinished"></translation>
+        <translation>每个键一次</translation>
     </message>
     <message>
         <source>the JSON text is damaged or cut off</source>
-        <translation type="unfinished"></translation>
+        <translation>JSON 文本已损坏或被截断</translation>
     </message>
     <message>
         <source>JSON in UTF-8</source>
-        <translation type="unfinished"></translation>
+        <translation>UTF-8 编码的 JSON</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：%2</translation>
     </message>
     <message>
         <source>this is not an object</source>
-        <translation type="unfinished"></translation>
+        <translation>这不是对象</translation>
     </message>
     <message>
         <source>an object with the key &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>含键“%1”的对象</translation>
     </message>
     <message>
         <source>the key &quot;%1&quot; is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>缺少键“%1”</translation>
     </message>
     <message>
         <source>an array of length %1</source>
-        <translation type="unfinished"></translation>
+        <translation>长度为 %1 的数组</translation>
     </message>
     <message>
         <source>an array of length %1 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>长度为 %1 至 %2 的数组</translation>
     </message>
     <message>
         <source>the array has a wrong length</source>
-        <translation type="unfinished"></translation>
+        <translation>数组长度错误</translation>
     </message>
     <message>
         <source>this is not an array</source>
-        <translation type="unfinished"></translation>
+        <translation>这不是数组</translation>
     </message>
     <message>
         <source>a number from %1 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 至 %2 的数</translation>
     </message>
     <message>
         <source>this is not a number</source>
-        <translation type="unfinished"></translation>
+        <translation>这不是数</translation>
     </message>
     <message>
         <source>%1 is out of range</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 超出范围</translation>
     </message>
     <message>
         <source>this is not a whole number</source>
-        <translation type="unfinished"></translation>
+        <translation>这不是整数</translation>
     </message>
     <message>
         <source>a whole number from %1 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 至 %2 的整数</translation>
     </message>
     <message>
         <source>this is neither true nor false</source>
-        <translation type="unfinished"></translation>
+        <translation>这既不是 true 也不是 false</translation>
     </message>
     <message>
         <source>this is not text</source>
-        <translation type="unfinished"></translation>
+        <translation>这不是文本</translation>
     </message>
     <message>
         <source>text</source>
-        <translation type="unfinished"></translation>
+        <translation>文本</translation>
     </message>
 </context>
 <context>
     <name>LocateCommand</name>
     <message>
         <source>Points on the tactile cylinder that pixels of its camera show</source>
-        <translation type="unfinished"></translation>
+        <translation>相机像素所对应的触觉圆柱上的点</translation>
     </message>
     <message>
         <source>Camera file that teleta calibrate has written</source>
-        <translation type="unfinished"></translation>
+        <translation>teleta calibrate 写出的相机文件</translation>
     </message>
     <message>
         <source>CSV with the columns u_px,v_px</source>
-        <translation type="unfinished"></translation>
+        <translation>CSV，含列 u_px,v_px</translation>
     </message>
 </context>
 <context>
     <name>Modbus</name>
     <message>
         <source>%1 cannot be opened: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>无法打开 %1：%2</translation>
     </message>
     <message>
         <source>The device has no motors.</source>
-        <translation type="unfinished"></translation>
+        <translation>该设备没有电机。</translation>
     </message>
     <message>
         <source>a table [tactors] in its file</source>
-        <translation type="unfinished"></translation>
+        <translation>其文件中的表 [tactors]</translation>
     </message>
     <message>
         <source>The device tells no joints.</source>
-        <translation type="unfinished"></translation>
+        <translation>该设备不提供关节。</translation>
     </message>
     <message>
         <source>four tables [[joint]] in its file</source>
-        <translation type="unfinished"></translation>
+        <translation>其文件中的四个表 [[joint]]</translation>
     </message>
     <message>
         <source>illegal function</source>
-        <translation type="unfinished"></translation>
+        <translation>非法功能</translation>
     </message>
     <message>
         <source>illegal data address</source>
-        <translation type="unfinished"></translation>
+        <translation>非法数据地址</translation>
     </message>
     <message>
         <source>illegal data value</source>
-        <translation type="unfinished"></translation>
+        <translation>非法数据值</translation>
     </message>
     <message>
         <source>device failure</source>
-        <translation type="unfinished"></translation>
+        <translation>设备故障</translation>
     </message>
     <message>
         <source>acknowledge</source>
-        <translation type="unfinished"></translation>
+        <translation>确认</translation>
     </message>
     <message>
         <source>device busy</source>
-        <translation type="unfinished"></translation>
+        <translation>设备忙</translation>
     </message>
     <message>
         <source>negative acknowledge</source>
-        <translation type="unfinished"></translation>
+        <translation>否定确认</translation>
     </message>
     <message>
         <source>memory parity error</source>
-        <translation type="unfinished"></translation>
+        <translation>存储器奇偶校验错误</translation>
     </message>
     <message>
         <source>gateway path unavailable</source>
-        <translation type="unfinished"></translation>
+        <translation>网关路径不可用</translation>
     </message>
     <message>
         <source>the device behind the gateway does not answer</source>
-        <translation type="unfinished"></translation>
+        <translation>网关后的设备没有应答</translation>
     </message>
     <message>
         <source>not in the standard</source>
-        <translation type="unfinished"></translation>
+        <translation>标准中未定义</translation>
     </message>
     <message>
         <source>The server answered with exception %1: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>服务器以异常 %1 应答：%2。</translation>
     </message>
     <message>
         <source>The server did not answer in time.</source>
-        <translation type="unfinished"></translation>
+        <translation>服务器未及时应答。</translation>
     </message>
     <message>
         <source>The server&apos;s answer does not fit the request.</source>
-        <translation type="unfinished"></translation>
+        <translation>服务器的应答与请求不符。</translation>
     </message>
     <message>
         <source>The connection was lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>连接已断开。</translation>
     </message>
 </context>
 <context>
     <name>MotorFile</name>
     <message>
         <source>these values contradict each other</source>
-        <translation type="unfinished"></translation>
+        <translation>这些值相互矛盾</translation>
     </message>
     <message>
         <source>0 &lt; start_drive &lt; full_drive, a curve that rises from the start or before it to the drive 1</source>
-        <translation type="unfinished"></translation>
+        <translation>0 &lt; start_drive &lt; full_drive，曲线从启动点或其之前上升到驱动量 1</translation>
     </message>
     <message>
         <source>the file is of a newer version</source>
-        <translation type="unfinished"></translation>
+        <translation>文件版本较新</translation>
     </message>
     <message>
         <source>there are %1 motors</source>
-        <translation type="unfinished"></translation>
+        <translation>有 %1 个电机</translation>
     </message>
     <message>
         <source>the profile is of the bracelet &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>该配置属于手环“%1”</translation>
     </message>
 </context>
 <context>
     <name>MotorFit</name>
     <message>
         <source>The motor started at %1 of the full drive but stood at %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>电机曾在满驱动的 %1 处启动，却又在 %2 处停转。</translation>
     </message>
     <message>
         <source>a motor that starts at the same drive each time; look for a loose contact</source>
-        <translation type="unfinished"></translation>
+        <translation>每次在相同驱动量启动的电机；请检查是否接触不良</translation>
     </message>
     <message>
         <source>There is no step: the drive is the same all the time.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有阶跃：驱动量始终相同。</translation>
     </message>
     <message>
         <source>a staircase of drives from 0 to the full one</source>
-        <translation type="unfinished"></translation>
+        <translation>从 0 到满驱动的阶梯驱动</translation>
     </message>
     <message>
         <source>The full drive was never commanded: the highest is %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>从未给出满驱动指令：最高为 %1。</translation>
     </message>
     <message>
         <source>The recording does not begin at rest.</source>
-        <translation type="unfinished"></translation>
+        <translation>记录不是从静止开始。</translation>
     </message>
     <message>
         <source>a commanded drive of 0 at its begin</source>
-        <translation type="unfinished"></translation>
+        <translation>开始时指令驱动量为 0</translation>
     </message>
     <message>
         <source>The recording is too short: no drive was held for %1 s.</source>
-        <translation type="unfinished"></translation>
+        <translation>记录过短：没有驱动量保持 %1 s。</translation>
     </message>
     <message>
         <source>a drive that is held until the motor has followed, 0.3 s</source>
-        <translation type="unfinished"></translation>
+        <translation>保持到电机跟上的驱动量，0.3 s</translation>
     </message>
     <message>
         <source>The rise time cannot be told: %1 s with a standard error of %2 s.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法确定上升时间：%1 s，标准误 %2 s。</translation>
     </message>
     <message>
         <source>more samples a second, or less noise</source>
-        <translation type="unfinished"></translation>
+        <translation>每秒更多样本，或更低的噪声</translation>
     </message>
     <message>
         <source>The fall time cannot be told: %1 s with a standard error of %2 s.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法确定下降时间：%1 s，标准误 %2 s。</translation>
     </message>
     <message>
         <source>The motor does not follow the drive as a motor with a lag: the model explains %1 of the speed.</source>
-        <translation type="unfinished"></translation>
+        <translation>电机未按带滞后的电机那样跟随驱动量：模型仅能解释转速的 %1。</translation>
     </message>
     <message>
         <source>a recording of one motor, with the drive of the same time</source>
-        <translation type="unfinished"></translation>
+        <translation>单个电机的记录，含同一时刻的驱动量</translation>
     </message>
     <message>
         <source>The recording is too short: %1 samples.</source>
-        <translation type="unfinished"></translation>
+        <translation>记录过短：%1 个样本。</translation>
     </message>
     <message>
         <source>at least %1</source>
-        <translation type="unfinished"></translation>
+        <translation>至少 %1</translation>
     </message>
     <message>
         <source>The motor does not turn, not even at the full drive.</source>
-        <translation type="unfinished"></translation>
+        <translation>即使在满驱动下电机也不转。</translation>
     </message>
     <message>
         <source>a connected motor, and its sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>已连接的电机及其传感器</translation>
     </message>
     <message>
         <source>The speed is not 0 although nothing is commanded: %1 Hz.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有指令时转速却不为 0：%1 Hz。</translation>
     </message>
     <message>
         <source>a sensor without an offset, and a motor at rest at the begin</source>
-        <translation type="unfinished"></translation>
+        <translation>没有零点偏移的传感器，且电机开始时静止</translation>
     </message>
     <message>
         <source>The speed is clipped: it stays at the end of the sensor&apos;s range.</source>
-        <translation type="unfinished"></translation>
+        <translation>转速被削顶：停留在传感器量程的端点。</translation>
     </message>
     <message>
         <source>a sensor with a larger range</source>
-        <translation type="unfinished"></translation>
+        <translation>量程更大的传感器</translation>
     </message>
     <message>
         <source>The motor turned at one level of the drive only: neither its start nor its curve can be told.</source>
-        <translation type="unfinished"></translation>
+        <translation>电机仅在一个驱动量下转动：无法确定其启动点和曲线。</translation>
     </message>
     <message>
         <source>The drive never falls while the motor turns: the fall time cannot be told.</source>
-        <translation type="unfinished"></translation>
+        <translation>电机转动期间驱动量从未下降：无法确定下降时间。</translation>
     </message>
     <message>
         <source>a step down at the end</source>
-        <translation type="unfinished"></translation>
+        <translation>末尾有一个向下的阶跃</translation>
     </message>
     <message>
         <source>The samples do not tell the motor&apos;s lag.</source>
-        <translation type="unfinished"></translation>
+        <translation>样本不足以确定电机的滞后。</translation>
     </message>
     <message>
         <source>more samples a second during the steps</source>
-        <translation type="unfinished"></translation>
+        <translation>阶跃期间每秒更多样本</translation>
     </message>
     <message>
         <source>The speed is saturated: from %1 of the drive on it does not rise.</source>
-        <translation type="unfinished"></translation>
+        <translation>转速饱和：驱动量达到 %1 后不再上升。</translation>
     </message>
     <message>
         <source>a supply and a sensor that reach the full drive</source>
-        <translation type="unfinished"></translation>
+        <translation>能达到满驱动的电源和传感器</translation>
     </message>
     <message>
         <source>What was measured makes no motor: its speed does not rise with the drive.</source>
-        <translation type="unfinished"></translation>
+        <translation>测得的数据不符合电机特性：转速不随驱动量上升。</translation>
     </message>
 </context>
 <context>
     <name>MotorRecording</name>
     <message>
         <source>The bracelet does not measure its motors.</source>
-        <translation type="unfinished"></translation>
+        <translation>该手环不能测量自身的电机。</translation>
     </message>
     <message>
         <source>a recording with a sensor of your own, or answers of a person</source>
-        <translation type="unfinished"></translation>
+        <translation>用自备传感器所做的记录，或人的回答</translation>
     </message>
     <message>
         <source>The measurement was ended.</source>
-        <translation type="unfinished"></translation>
+        <translation>测量已终止。</translation>
     </message>
     <message>
         <source>the time does not rise</source>
-        <translation type="unfinished"></translation>
+        <translation>时间没有递增</translation>
     </message>
     <message>
         <source>a time above %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>大于 %1 s 的时间</translation>
     </message>
     <message>
         <source>the commanded drive is %1</source>
-        <translation type="unfinished"></translation>
+        <translation>指令驱动量为 %1</translation>
     </message>
     <message>
         <source>a share of the full drive, 0 to 1</source>
-        <translation type="unfinished"></translation>
+        <translation>占满驱动的比例，0 至 1</translation>
     </message>
     <message>
         <source>there is neither a column &quot;speed_hz&quot; nor &quot;signal&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>既没有列“speed_hz”，也没有列“signal”</translation>
     </message>
     <message>
         <source>times, drives and speeds are not equally many</source>
-        <translation type="unfinished"></translation>
+        <translation>时间、驱动量和转速的数目不一致</translation>
     </message>
     <message>
         <source>sample %1 is not a finite number</source>
-        <translation type="unfinished"></translation>
+        <translation>样本 %1 不是有限数</translation>
     </message>
     <message>
         <source>The recording does not begin at rest.</source>
-        <translation type="unfinished"></translation>
+        <translation>记录不是从静止开始。</translation>
     </message>
     <message>
         <source>at least %1 s with the commanded drive 0</source>
-        <translation type="unfinished"></translation>
+        <translation>指令驱动量为 0 的时间至少 %1 s</translation>
     </message>
     <message>
         <source>The signal is clipped: it stays at the end of its range.</source>
-        <translation type="unfinished"></translation>
+        <translation>信号被削顶：停留在其量程的端点。</translation>
     </message>
     <message>
         <source>a recording with less gain</source>
-        <translation type="unfinished"></translation>
+        <translation>增益较小的记录</translation>
     </message>
     <message>
         <source>The signal shows no vibration above its noise.</source>
-        <translation type="unfinished"></translation>
+        <translation>信号中没有高于噪声的振动。</translation>
     </message>
     <message>
         <source>a sensor on the motor, with a signal above four times its noise</source>
-        <translation type="unfinished"></translation>
+        <translation>装在电机上的传感器，信号高于其噪声的四倍</translation>
     </message>
     <message>
         <source>%1 samples a second are too few for %2 turns a second.</source>
-        <translation type="unfinished"></translation>
+        <translation>每秒 %1 个样本对每秒 %2 转而言过少。</translation>
     </message>
     <message>
         <source>at least %1 samples a turn</source>
-        <translation type="unfinished"></translation>
+        <translation>每转至少 %1 个样本</translation>
     </message>
 </context>
 <context>
     <name>Mouse3d</name>
     <message>
         <source>The 3D mouse at %1 may not be opened.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有权限打开位于 %1 的 3D 鼠标。</translation>
     </message>
     <message>
         <source>read and write access to it, which the udev rule gives</source>
-        <translation type="unfinished"></translation>
+        <translation>对它的读写权限，由 udev 规则授予</translation>
     </message>
     <message>
         <source>The 3D mouse at %1 cannot be opened.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法打开位于 %1 的 3D 鼠标。</translation>
     </message>
     <message>
         <source>No 3D mouse is plugged in.</source>
-        <translation type="unfinished"></translation>
+        <translation>未插入 3D 鼠标。</translation>
     </message>
     <message>
         <source>The 3D mouse was unplugged.</source>
-        <translation type="unfinished"></translation>
+        <translation>3D 鼠标已拔出。</translation>
     </message>
 </context>
 <context>
     <name>OutputFileText</name>
     <message>
         <source>cannot write: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>无法写入：%1</translation>
     </message>
     <message>
         <source>standard output</source>
-        <translation type="unfinished"></translation>
+        <translation>标准输出</translation>
     </message>
 </context>
 <context>
     <name>OutputText</name>
     <message>
         <source>Print one JSON document on standard output</source>
-        <translation type="unfinished"></translation>
+        <translation>在标准输出上输出一个 JSON 文档</translation>
     </message>
     <message>
         <source>Write the CSV to this file, which appears when it is complete</source>
-        <translation type="unfinished"></translation>
+        <translation>将 CSV 写入此文件，完成后才会出现</translation>
     </message>
 </context>
 <context>
@@ -2503,941 +2512,946 @@ Examples:
     <message>
         <source>%1: %2</source>
         <extracomment>A contact in the 3-D view: its number and its force</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>%1：%2</translation>
     </message>
     <message>
         <source>Each block: the largest of %1 × %1 taxels</source>
-        <translation type="unfinished"></translation>
+        <translation>每块：%1 × %1 个触元中的最大值</translation>
     </message>
     <message>
         <source>Cylinder enlarged to fit: radius %1, length %2</source>
-        <translation type="unfinished"></translation>
+        <translation>圆柱已放大以适应：半径 %1，长度 %2</translation>
     </message>
     <message>
         <source>Cylinder: radius %1, length %2</source>
-        <translation type="unfinished"></translation>
+        <translation>圆柱：半径 %1，长度 %2</translation>
     </message>
     <message>
         <source>Longest arrow: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>最长箭头：%1</translation>
     </message>
     <message>
         <source>Grid: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>网格：%1</translation>
     </message>
     <message>
         <source>%1: ± %2</source>
         <extracomment>A contact on the tube in the 3-D view: its number and the standard deviation of its centre</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>%1：± %2</translation>
     </message>
     <message>
         <source>BUMP</source>
-        <translation type="unfinished"></translation>
+        <translation>碰撞</translation>
     </message>
     <message>
         <source>followed</source>
-        <translation type="unfinished"></translation>
+        <translation>跟随中</translation>
     </message>
     <message>
         <source>Contact %1
 Force %2, peak %3
 x %4, y %5
 Area %6</source>
-        <translation type="unfinished"></translation>
+        <translation>接触 %1
+力 %2，峰值 %3
+x %4，y %5
+面积 %6</translation>
     </message>
     <message>
         <source>Tube: radius %1, length %2</source>
-        <translation type="unfinished"></translation>
+        <translation>软管：半径 %1，长度 %2</translation>
     </message>
     <message>
         <source>Displacement of the skin × %1, fainter where uncertain</source>
-        <translation type="unfinished"></translation>
+        <translation>皮肤位移 × %1，不确定处较淡</translation>
     </message>
     <message>
         <source>Ellipses hold the centres with 95 %</source>
-        <translation type="unfinished"></translation>
+        <translation>椭圆以 95 % 的概率包含中心</translation>
     </message>
 </context>
 <context>
     <name>PairText</name>
     <message>
         <source>points at several heights and all around the cylinder</source>
-        <translation type="unfinished"></translation>
+        <translation>位于多个高度且遍布圆柱四周的点</translation>
     </message>
     <message>
         <source>a coordinate is not a number, or too large</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标不是数，或过大</translation>
     </message>
     <message>
         <source>finite pixels and metres</source>
-        <translation type="unfinished"></translation>
+        <translation>有限的像素和米值</translation>
     </message>
     <message>
         <source>the image or the cylinder has no size</source>
-        <translation type="unfinished"></translation>
+        <translation>图像或圆柱没有尺寸</translation>
     </message>
     <message>
         <source>positive width, height and radius</source>
-        <translation type="unfinished"></translation>
+        <translation>为正的宽度、高度和半径</translation>
     </message>
     <message>
         <source>there are too few pairs: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>点对过少：%1</translation>
     </message>
     <message>
         <source>at least 6, better 50 or more</source>
-        <translation type="unfinished"></translation>
+        <translation>至少 6 个，最好 50 个或更多</translation>
     </message>
     <message>
         <source>the pairs repeat fewer than six different points</source>
-        <translation type="unfinished"></translation>
+        <translation>点对中重复的不同点少于六个</translation>
     </message>
     <message>
         <source>at least 6 different points, each with its own pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>至少 6 个不同的点，各有自己的像素</translation>
     </message>
     <message>
         <source>all points are on one line of the cylinder: the camera may turn about that line without a change in the image</source>
-        <translation type="unfinished"></translation>
+        <translation>所有点都在圆柱的同一条直线上：相机绕该直线转动时图像不变</translation>
     </message>
     <message>
         <source>all points are on one ring of the cylinder: the camera&apos;s distance and its focal length cannot be told apart</source>
-        <translation type="unfinished"></translation>
+        <translation>所有点都在圆柱的同一圆环上：无法区分相机距离与焦距</translation>
     </message>
     <message>
         <source>all points are in one plane: the camera&apos;s distance and its focal length cannot be told apart</source>
-        <translation type="unfinished"></translation>
+        <translation>所有点都在同一平面上：无法区分相机距离与焦距</translation>
     </message>
     <message>
         <source>no camera agrees with enough of the pairs</source>
-        <translation type="unfinished"></translation>
+        <translation>没有相机能与足够多的点对相符</translation>
     </message>
     <message>
         <source>half of the pairs and at least %1 in agreement: pixels in the order of their points, the right image size and cylinder radius</source>
-        <translation type="unfinished"></translation>
+        <translation>至少一半点对且至少 %1 个相符：像素与点的顺序一致，图像尺寸和圆柱半径正确</translation>
     </message>
     <message>
         <source>the pairs leave the camera undetermined: points on the surface would be uncertain by more than %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>点对不足以确定相机：表面点的不确定度将超过 %1 mm</translation>
     </message>
     <message>
         <source>more pairs, spread over the whole surface</source>
-        <translation type="unfinished"></translation>
+        <translation>更多点对，分布于整个表面</translation>
     </message>
     <message>
         <source>the lens model folds over within the pairs</source>
-        <translation type="unfinished"></translation>
+        <translation>镜头模型在点对范围内发生折叠</translation>
     </message>
     <message>
         <source>more pairs near the lens, where the distortion is strongest</source>
-        <translation type="unfinished"></translation>
+        <translation>在畸变最强的镜头附近采集更多点对</translation>
     </message>
 </context>
 <context>
     <name>PatternCommand</name>
     <message>
         <source>shape</source>
-        <translation type="unfinished"></translation>
+        <translation>形状</translation>
     </message>
     <message>
         <source>stiffness</source>
-        <translation type="unfinished"></translation>
+        <translation>刚度</translation>
     </message>
     <message>
         <source>other</source>
-        <translation type="unfinished"></translation>
+        <translation>其他</translation>
     </message>
     <message>
         <source>-</source>
-        <translation type="unfinished"></translation>
+        <translation>-</translation>
     </message>
     <message>
         <source>static</source>
-        <translation type="unfinished"></translation>
+        <translation>静态</translation>
     </message>
     <message>
         <source>dynamic</source>
-        <translation type="unfinished"></translation>
+        <translation>动态</translation>
     </message>
     <message>
         <source>Id</source>
-        <translation type="unfinished"></translation>
+        <translation>ID</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>名称</translation>
     </message>
     <message>
         <source>Task</source>
-        <translation type="unfinished"></translation>
+        <translation>任务</translation>
     </message>
     <message>
         <source>Condition</source>
-        <translation type="unfinished"></translation>
+        <translation>条件</translation>
     </message>
     <message>
         <source>Duration</source>
-        <translation type="unfinished"></translation>
+        <translation>时长</translation>
     </message>
     <message>
         <source>%1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s</translation>
     </message>
     <message>
         <source>Tags</source>
-        <translation type="unfinished"></translation>
+        <translation>标签</translation>
     </message>
     <message>
         <source>Objects</source>
-        <translation type="unfinished"></translation>
+        <translation>对象</translation>
     </message>
     <message>
         <source>%1 s: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s：%2</translation>
     </message>
     <message>
         <source>... (%1 breakpoints)</source>
-        <translation type="unfinished"></translation>
+        <translation>...（%1 个节点）</translation>
     </message>
     <message>
         <source>Tactor %1</source>
-        <translation type="unfinished"></translation>
+        <translation>振子 %1</translation>
     </message>
     <message>
         <source>Notes</source>
-        <translation type="unfinished"></translation>
+        <translation>备注</translation>
     </message>
     <message>
         <source>Object %1</source>
-        <translation type="unfinished"></translation>
+        <translation>对象 %1</translation>
     </message>
     <message>
         <source>Object %1 (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>对象 %1（%2）</translation>
     </message>
     <message>
         <source>Pattern file or id of a built-in pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>图案文件或内置图案的 ID</translation>
     </message>
     <message>
         <source>List the built-in patterns</source>
-        <translation type="unfinished"></translation>
+        <translation>列出内置图案</translation>
     </message>
     <message>
         <source>Show what a pattern consists of</source>
-        <translation type="unfinished"></translation>
+        <translation>显示图案的组成</translation>
     </message>
     <message>
         <source>Sample a pattern: rows time_s,t1..t6 over its duration</source>
-        <translation type="unfinished"></translation>
+        <translation>对图案采样：在其时长内逐行输出 time_s,t1..t6</translation>
     </message>
     <message>
         <source>Samples a second</source>
-        <translation type="unfinished"></translation>
+        <translation>每秒样本数</translation>
     </message>
     <message>
         <source>Write the CSV to this file, which appears when it is complete</source>
-        <translation type="unfinished"></translation>
+        <translation>将 CSV 写入此文件，完成后才会出现</translation>
     </message>
     <message>
         <source>Write a pattern in another format, told by the ending</source>
-        <translation type="unfinished"></translation>
+        <translation>以其他格式写出图案，格式由扩展名决定</translation>
     </message>
     <message>
         <source>File to write</source>
-        <translation type="unfinished"></translation>
+        <translation>要写入的文件</translation>
     </message>
     <message>
         <source>Say where a pattern breaks a law of what can be felt</source>
-        <translation type="unfinished"></translation>
+        <translation>指出图案违反感知规律之处</translation>
     </message>
     <message>
         <source>s</source>
-        <translation type="unfinished"></translation>
+        <translation>s</translation>
     </message>
     <message>
         <source>the ending of %1 tells no format; expected one of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的扩展名不对应任何格式；应为 %2 之一</translation>
     </message>
     <message>
         <source>%1 keeps all laws.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 符合所有规律。</translation>
     </message>
     <message>
         <source>%1, %2 s to %3 s: %4 %5</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，%2 s 至 %3 s：%4 %5</translation>
     </message>
     <message>
         <source>List, show, sample, convert, check and play the patterns of the bracelet</source>
-        <translation type="unfinished"></translation>
+        <translation>列出、显示、采样、转换、检查和播放手环的图案</translation>
     </message>
     <message>
         <source>Profile of the bracelet&apos;s motors, as the page Calibrate saves it</source>
-        <translation type="unfinished"></translation>
+        <translation>手环电机的配置，由“标定”页保存</translation>
     </message>
     <message>
         <source>What the motors will do; without --motors with an assumed motor: lag, start and speed are not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>电机的预期动作；不带 --motors 时采用假定的电机：滞后、启动点和转速均未经测量</translation>
     </message>
     <message>
         <source>Samples a second of CSV (default 200) and WAV (default 8000)</source>
-        <translation type="unfinished"></translation>
+        <translation>CSV（默认 200）和 WAV（默认 8000）的每秒样本数</translation>
     </message>
     <message>
         <source>CSV and WAV: what the motors will do, with an assumed motor: lag, start and speed are not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>CSV 和 WAV：电机的预期动作，采用假定的电机：滞后、启动点和转速均未经测量</translation>
     </message>
     <message>
         <source>Play a pattern on a bracelet</source>
-        <translation type="unfinished"></translation>
+        <translation>在手环上播放图案</translation>
     </message>
     <message>
         <source>usb, simulated, or a file that describes a Modbus motor driver</source>
-        <translation type="unfinished"></translation>
+        <translation>usb、simulated，或描述 Modbus 电机驱动器的文件</translation>
     </message>
     <message>
         <source>Play it over and over for so long, then live setpoints for as long again, and print how punctual the frames were</source>
-        <translation type="unfinished"></translation>
+        <translation>反复播放指定时长，再以实时设定值运行同样时长，并输出各帧的准时程度</translation>
     </message>
     <message>
         <source>%1 holds no samples: --rate and --predicted are for .csv and .wav files</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 不含样本：--rate 和 --predicted 用于 .csv 和 .wav 文件</translation>
     </message>
 </context>
 <context>
     <name>PatternFile</name>
     <message>
         <source>the pattern cannot be stretched like that</source>
-        <translation type="unfinished"></translation>
+        <translation>图案无法如此拉伸</translation>
     </message>
     <message>
         <source>a factor above 0 with which it lasts at most a day</source>
-        <translation type="unfinished"></translation>
+        <translation>大于 0 的倍数，且时长不超过一天</translation>
     </message>
     <message>
         <source>the times go back</source>
-        <translation type="unfinished"></translation>
+        <translation>时间倒退</translation>
     </message>
     <message>
         <source>a time that is not before the one in front of it</source>
-        <translation type="unfinished"></translation>
+        <translation>不早于前一个的时间</translation>
     </message>
     <message>
         <source>there is no tactor for the file &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>文件“%1”没有对应的振子</translation>
     </message>
     <message>
         <source>files tactor1.haptic to tactor6.haptic, each once</source>
-        <translation type="unfinished"></translation>
+        <translation>文件 tactor1.haptic 至 tactor6.haptic，每个一次</translation>
     </message>
     <message>
         <source>a pattern cannot hold this</source>
-        <translation type="unfinished"></translation>
+        <translation>图案无法容纳此内容</translation>
     </message>
     <message>
         <source>the times go back or on for too long</source>
-        <translation type="unfinished"></translation>
+        <translation>时间倒退或持续过久</translation>
     </message>
     <message>
         <source>there is no tactor left for this channel</source>
-        <translation type="unfinished"></translation>
+        <translation>该通道没有剩余的振子可用</translation>
     </message>
     <message>
         <source>six channels with directions 60 degrees apart</source>
-        <translation type="unfinished"></translation>
+        <translation>六个通道，方向相隔 60 度</translation>
     </message>
     <message>
         <source>this is another format</source>
-        <translation type="unfinished"></translation>
+        <translation>这是另一种格式</translation>
     </message>
     <message>
         <source>the file is of a newer version</source>
-        <translation type="unfinished"></translation>
+        <translation>文件版本较新</translation>
     </message>
     <message>
         <source>there is no such file or built-in pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>没有这样的文件或内置图案</translation>
     </message>
     <message>
         <source>a pattern file, or an id of teleta pattern list</source>
-        <translation type="unfinished"></translation>
+        <translation>图案文件，或 teleta pattern list 中的 ID</translation>
     </message>
     <message>
         <source>the file is too large</source>
-        <translation type="unfinished"></translation>
+        <translation>文件过大</translation>
     </message>
     <message>
         <source>at most %1 MiB</source>
-        <translation type="unfinished"></translation>
+        <translation>至多 %1 MiB</translation>
     </message>
     <message>
         <source>this format holds one tactor, the pattern uses more</source>
-        <translation type="unfinished"></translation>
+        <translation>此格式只容纳一个振子，而图案使用了更多</translation>
     </message>
     <message>
         <source>a name that ends with %1</source>
-        <translation type="unfinished"></translation>
+        <translation>以 %1 结尾的文件名</translation>
     </message>
     <message>
         <source>patterns are written in this format, but not read</source>
-        <translation type="unfinished"></translation>
+        <translation>此格式的图案只能写出，不能读取</translation>
     </message>
     <message>
         <source>this name is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>此名称未知</translation>
     </message>
     <message>
         <source>the pattern is too long for a WAV file</source>
-        <translation type="unfinished"></translation>
+        <translation>图案过长，无法存为 WAV 文件</translation>
     </message>
     <message>
         <source>at most 4 GiB of samples</source>
-        <translation type="unfinished"></translation>
+        <translation>至多 4 GiB 的样本</translation>
     </message>
     <message>
         <source>a time that is not before the start</source>
-        <translation type="unfinished"></translation>
+        <translation>不早于起点的时间</translation>
     </message>
     <message>
         <source>this effect is for other devices</source>
-        <translation type="unfinished"></translation>
+        <translation>此效果用于其他设备</translation>
     </message>
     <message>
         <source>the zip archive has too many files</source>
-        <translation type="unfinished"></translation>
+        <translation>zip 压缩包中的文件过多</translation>
     </message>
     <message>
         <source>at most %1</source>
-        <translation type="unfinished"></translation>
+        <translation>至多 %1</translation>
     </message>
     <message>
         <source>the unpacked zip archive is too large</source>
-        <translation type="unfinished"></translation>
+        <translation>解压后的 zip 内容过大</translation>
     </message>
     <message>
         <source>the folder cannot be made</source>
-        <translation type="unfinished"></translation>
+        <translation>无法创建文件夹</translation>
     </message>
     <message>
         <source>this format cannot hold another name</source>
-        <translation type="unfinished"></translation>
+        <translation>此格式无法容纳另一个名称</translation>
     </message>
     <message>
         <source>a pattern file that ends with .json</source>
-        <translation type="unfinished"></translation>
+        <translation>以 .json 结尾的图案文件</translation>
     </message>
     <message>
         <source>this is no recovery file</source>
-        <translation type="unfinished"></translation>
+        <translation>这不是恢复文件</translation>
     </message>
     <message>
         <source>the key &quot;recovery&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>键“recovery”</translation>
     </message>
     <message>
         <source>the rate of the samples is out of range</source>
-        <translation type="unfinished"></translation>
+        <translation>采样率超出范围</translation>
     </message>
     <message>
         <source>%1 to %2 a second</source>
-        <translation type="unfinished"></translation>
+        <translation>每秒 %1 至 %2</translation>
     </message>
     <message>
         <source>the values of a motor contradict each other</source>
-        <translation type="unfinished"></translation>
+        <translation>某个电机的值相互矛盾</translation>
     </message>
     <message>
         <source>a WAV file cannot have this rate</source>
-        <translation type="unfinished"></translation>
+        <translation>WAV 文件不支持此采样率</translation>
     </message>
     <message>
         <source>a whole number of samples a second</source>
-        <translation type="unfinished"></translation>
+        <translation>每秒整数个样本</translation>
     </message>
 </context>
 <context>
     <name>PatternLaws</name>
     <message>
         <source>%1 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ms</translation>
     </message>
     <message>
         <source>A burst of %1 is too short for the motor, which needs %2 to rise.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的短振对电机而言过短，电机需要 %2 才能升速。</translation>
     </message>
     <message>
         <source>A turn of the ring takes %1; its direction is felt reliably from %2 on.</source>
-        <translation type="unfinished"></translation>
+        <translation>环绕一圈用时 %1；从 %2 起才能可靠地感觉到方向。</translation>
     </message>
     <message>
         <source>The bursts begin %1 apart; they are felt as one motion with %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>各短振起始相隔 %1；相隔 %2 时会被感觉为一个连续的运动。</translation>
     </message>
     <message>
         <source>Object %1 plays on the same motor at the same time (tactors %2).</source>
-        <translation type="unfinished"></translation>
+        <translation>对象 %1 同时在同一电机上播放（振子 %2）。</translation>
     </message>
     <message>
         <source>Tactors %1 are at most %2 Hz apart in speed: they beat.</source>
-        <translation type="unfinished"></translation>
+        <translation>振子 %1 的转速相差至多 %2 Hz：会产生拍频。</translation>
     </message>
     <message>
         <source>It goes on until %1 s, but the pattern ends at %2 s.</source>
-        <translation type="unfinished"></translation>
+        <translation>它持续到 %1 s，而图案在 %2 s 结束。</translation>
     </message>
     <message>
         <source>Give the ring %1 turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>将环绕设为 %1 圈。</translation>
     </message>
     <message>
         <source>Make it %1 long.</source>
-        <translation type="unfinished"></translation>
+        <translation>将时长设为 %1。</translation>
     </message>
     <message>
         <source>Make the ring %1 long.</source>
-        <translation type="unfinished"></translation>
+        <translation>将环绕时长设为 %1。</translation>
     </message>
     <message>
         <source>Let the law of apparent motion set them %1 apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>按似动规律使其相隔 %1。</translation>
     </message>
     <message>
         <source>Let it begin at %1 s, when the other one is over.</source>
-        <translation type="unfinished"></translation>
+        <translation>让它在另一个结束后的 %1 s 开始。</translation>
     </message>
     <message>
         <source>Give both the same intensity, or make them %1 Hz different.</source>
-        <translation type="unfinished"></translation>
+        <translation>使两者强度相同，或使其相差 %1 Hz。</translation>
     </message>
     <message>
         <source>Let the pattern last %1 s.</source>
-        <translation type="unfinished"></translation>
+        <translation>将图案时长设为 %1 s。</translation>
     </message>
 </context>
 <context>
     <name>PatternPlay</name>
     <message>
         <source>the profile is of the bracelet &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>该配置属于手环“%1”</translation>
     </message>
     <message>
         <source>median %1, 99 % below %2, longest %3 us</source>
-        <translation type="unfinished"></translation>
+        <translation>中位数 %1，99 % 低于 %2，最长 %3 us</translation>
     </message>
     <message>
         <source>The bracelet was lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>手环已断开。</translation>
     </message>
     <message>
         <source>A frame was so late that the bracelet had stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>某一帧延迟过久，手环已停止。</translation>
     </message>
     <message>
         <source>Bracelet</source>
-        <translation type="unfinished"></translation>
+        <translation>手环</translation>
     </message>
     <message>
         <source>Rate</source>
-        <translation type="unfinished"></translation>
+        <translation>频率</translation>
     </message>
     <message>
         <source>%1 Hz, achieved %2 Hz</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Hz，实际 %2 Hz</translation>
     </message>
     <message>
         <source>Playback thread</source>
-        <translation type="unfinished"></translation>
+        <translation>播放线程</translation>
     </message>
     <message>
         <source>Frames</source>
-        <translation type="unfinished"></translation>
+        <translation>帧</translation>
     </message>
     <message>
         <source>Deadlines missed</source>
-        <translation type="unfinished"></translation>
+        <translation>错过的时限</translation>
     </message>
     <message>
         <source>Frames lost</source>
-        <translation type="unfinished"></translation>
+        <translation>丢失的帧</translation>
     </message>
     <message>
         <source>Late by</source>
-        <translation type="unfinished"></translation>
+        <translation>延迟</translation>
     </message>
     <message>
         <source>Write</source>
-        <translation type="unfinished"></translation>
+        <translation>写入</translation>
     </message>
     <message>
         <source>Setpoints</source>
-        <translation type="unfinished"></translation>
+        <translation>设定值</translation>
     </message>
     <message>
         <source>Misses meanwhile</source>
-        <translation type="unfinished"></translation>
+        <translation>期间错过次数</translation>
     </message>
     <message>
         <source>Snapshot to frame</source>
-        <translation type="unfinished"></translation>
+        <translation>从快照到帧</translation>
     </message>
     <message>
         <source>No bracelet answers.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有手环应答。</translation>
     </message>
 </context>
 <context>
     <name>ProgramText</name>
     <message>
         <source>Usage</source>
-        <translation type="unfinished"></translation>
+        <translation>用法</translation>
     </message>
     <message>
         <source>OPTIONS</source>
-        <translation type="unfinished"></translation>
+        <translation>选项</translation>
     </message>
     <message>
         <source>Options</source>
-        <translation type="unfinished"></translation>
+        <translation>选项</translation>
     </message>
     <message>
         <source>Arguments</source>
-        <translation type="unfinished"></translation>
+        <translation>参数</translation>
     </message>
     <message>
         <source>COMMAND</source>
-        <translation type="unfinished"></translation>
+        <translation>命令</translation>
     </message>
     <message>
         <source>Commands</source>
-        <translation type="unfinished"></translation>
+        <translation>命令</translation>
     </message>
     <message>
         <source>(required)</source>
-        <translation type="unfinished"></translation>
+        <translation>（必需）</translation>
     </message>
     <message>
         <source>Print this help</source>
-        <translation type="unfinished"></translation>
+        <translation>显示此帮助</translation>
     </message>
     <message>
         <source>teleta: %1
 %2 --help says more.
 </source>
-        <translation type="unfinished"></translation>
+        <translation>teleta: %1
+更多说明见 %2 --help。
+</translation>
     </message>
     <message>
         <source>Computes contacts, stiffness and shape from what a tactile robot arm has felt.</source>
-        <translation type="unfinished"></translation>
+        <translation>根据触觉机械臂的感知计算接触、刚度和形状。</translation>
     </message>
     <message>
         <source>Print the version</source>
-        <translation type="unfinished"></translation>
+        <translation>显示版本</translation>
     </message>
     <message>
         <source>Example:</source>
-        <translation type="unfinished"></translation>
+        <translation>示例：</translation>
     </message>
 </context>
 <context>
     <name>Provenance</name>
     <message>
         <source>SIMULATED</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟</translation>
     </message>
     <message>
         <source>RECORDED</source>
-        <translation type="unfinished"></translation>
+        <translation>记录</translation>
     </message>
 </context>
 <context>
     <name>RecordedStreamText</name>
     <message>
         <source>the stream &quot;%1&quot; is not described: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>数据流“%1”没有描述：%2</translation>
     </message>
 </context>
 <context>
     <name>RecordedStreams</name>
     <message>
         <source>it is no array</source>
-        <translation type="unfinished"></translation>
+        <translation>它不是阵列</translation>
     </message>
     <message>
         <source>it is no arm</source>
-        <translation type="unfinished"></translation>
+        <translation>它不是机械臂</translation>
     </message>
     <message>
         <source>the recording has no tactile array</source>
-        <translation type="unfinished"></translation>
+        <translation>记录中没有触觉阵列</translation>
     </message>
     <message>
         <source>a recording of an array or an arm</source>
-        <translation type="unfinished"></translation>
+        <translation>阵列或机械臂的记录</translation>
     </message>
 </context>
 <context>
     <name>Recording</name>
     <message>
         <source>block %1 of the stream &quot;%2&quot; is not whole</source>
-        <translation type="unfinished"></translation>
+        <translation>数据流“%2”的数据块 %1 不完整</translation>
     </message>
     <message>
         <source>the recording was never begun</source>
-        <translation type="unfinished"></translation>
+        <translation>记录从未开始</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no time</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不是时间</translation>
     </message>
     <message>
         <source>the stream &quot;%1&quot; is described by &quot;%2&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>数据流“%1”由“%2”描述</translation>
     </message>
     <message>
         <source>the stream &quot;%1&quot; has %2 columns instead of %3</source>
-        <translation type="unfinished"></translation>
+        <translation>数据流“%1”有 %2 列，应为 %3 列</translation>
     </message>
     <message>
         <source>there is a file of this name already</source>
-        <translation type="unfinished"></translation>
+        <translation>已存在同名文件</translation>
     </message>
     <message>
         <source>a new name</source>
-        <translation type="unfinished"></translation>
+        <translation>新名称</translation>
     </message>
     <message>
         <source>the recording cannot be written: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>无法写入记录：%1</translation>
     </message>
     <message>
         <source>a folder that can be written to</source>
-        <translation type="unfinished"></translation>
+        <translation>可写入的文件夹</translation>
     </message>
     <message>
         <source>there is no such file</source>
-        <translation type="unfinished"></translation>
+        <translation>没有这样的文件</translation>
     </message>
     <message>
         <source>this is no recording</source>
-        <translation type="unfinished"></translation>
+        <translation>这不是记录</translation>
     </message>
     <message>
         <source>a recording of this program</source>
-        <translation type="unfinished"></translation>
+        <translation>本程序的记录</translation>
     </message>
     <message>
         <source>this is an SQLite database, but no recording</source>
-        <translation type="unfinished"></translation>
+        <translation>这是 SQLite 数据库，但不是记录</translation>
     </message>
     <message>
         <source>the recording was made by a newer version of the program (format %1)</source>
-        <translation type="unfinished"></translation>
+        <translation>该记录由较新版本的程序生成（格式 %1）</translation>
     </message>
     <message>
         <source>format %1 or older</source>
-        <translation type="unfinished"></translation>
+        <translation>格式 %1 或更早</translation>
     </message>
     <message>
         <source>it has no format</source>
-        <translation type="unfinished"></translation>
+        <translation>它没有格式</translation>
     </message>
     <message>
         <source>a folder that can be written to: the recording was cut off and has to be completed</source>
-        <translation type="unfinished"></translation>
+        <translation>可写入的文件夹：该记录被截断，须补全</translation>
     </message>
     <message>
         <source>the disk is full</source>
-        <translation type="unfinished"></translation>
+        <translation>磁盘已满</translation>
     </message>
     <message>
         <source>the recording is damaged: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>记录已损坏：%1</translation>
     </message>
 </context>
 <context>
     <name>RecordingExport</name>
     <message>
         <source>the folder cannot be made or written to</source>
-        <translation type="unfinished"></translation>
+        <translation>无法创建或写入该文件夹</translation>
     </message>
     <message>
         <source>there is a file of this name already</source>
-        <translation type="unfinished"></translation>
+        <translation>已存在同名文件</translation>
     </message>
     <message>
         <source>another folder</source>
-        <translation type="unfinished"></translation>
+        <translation>另一个文件夹</translation>
     </message>
 </context>
 <context>
     <name>RegisterMapReader</name>
     <message>
         <source>&quot;scale&quot; is 0</source>
-        <translation type="unfinished"></translation>
+        <translation>“scale”为 0</translation>
     </message>
     <message>
         <source>the value of one count</source>
-        <translation type="unfinished"></translation>
+        <translation>一个计数对应的值</translation>
     </message>
     <message>
         <source>the last register would be beyond 65535</source>
-        <translation type="unfinished"></translation>
+        <translation>最后一个寄存器将超出 65535</translation>
     </message>
     <message>
         <source>an address of at most %1</source>
-        <translation type="unfinished"></translation>
+        <translation>至多为 %1 的地址</translation>
     </message>
     <message>
         <source>&quot;%1&quot; does not fit into the register</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”超出寄存器的表示范围</translation>
     </message>
     <message>
         <source>a value that type, scale and offset can express</source>
-        <translation type="unfinished"></translation>
+        <translation>类型、比例和偏移所能表示的值</translation>
     </message>
     <message>
         <source>&quot;full&quot; and &quot;off&quot; are the same</source>
-        <translation type="unfinished"></translation>
+        <translation>“full”与“off”相同</translation>
     </message>
     <message>
         <source>a value at which the motor runs as fast as it can</source>
-        <translation type="unfinished"></translation>
+        <translation>电机以最快速度运转时的值</translation>
     </message>
     <message>
         <source>a float has no bits to look at</source>
-        <translation type="unfinished"></translation>
+        <translation>浮点数没有可读取的位</translation>
     </message>
     <message>
         <source>one of: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>以下之一：%1</translation>
     </message>
     <message>
         <source>there is no input &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>没有输入“%1”</translation>
     </message>
     <message>
         <source>the name of an [[input]]</source>
-        <translation type="unfinished"></translation>
+        <translation>某个 [[input]] 的名称</translation>
     </message>
     <message>
         <source>the unit of &quot;%1&quot; is &quot;%2&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”的单位为“%2”</translation>
     </message>
     <message>
         <source>an input in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>单位为 %1 的输入</translation>
     </message>
     <message>
         <source>the name &quot;%1&quot; is used twice</source>
-        <translation type="unfinished"></translation>
+        <translation>名称“%1”使用了两次</translation>
     </message>
     <message>
         <source>a name of its own for each input</source>
-        <translation type="unfinished"></translation>
+        <translation>每个输入使用各自的名称</translation>
     </message>
     <message>
         <source>the number of joints is wrong: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>关节数错误：%1</translation>
     </message>
     <message>
         <source>%1, from the shoulder on</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，从肩部起</translation>
     </message>
     <message>
         <source>the watchdog is a register of a motor</source>
-        <translation type="unfinished"></translation>
+        <translation>看门狗占用了电机的寄存器</translation>
     </message>
     <message>
         <source>a register of its own</source>
-        <translation type="unfinished"></translation>
+        <translation>专用的寄存器</translation>
     </message>
     <message>
         <source>there is no motor to watch</source>
-        <translation type="unfinished"></translation>
+        <translation>没有可监视的电机</translation>
     </message>
     <message>
         <source>a table [tactors]</source>
-        <translation type="unfinished"></translation>
+        <translation>表 [tactors]</translation>
     </message>
     <message>
         <source>the file names no register</source>
-        <translation type="unfinished"></translation>
+        <translation>文件未指定任何寄存器</translation>
     </message>
     <message>
         <source>[tactors] or [[input]]</source>
-        <translation type="unfinished"></translation>
+        <translation>[tactors] 或 [[input]]</translation>
     </message>
     <message>
         <source>no such device comes with the program</source>
-        <translation type="unfinished"></translation>
+        <translation>程序未自带此设备</translation>
     </message>
     <message>
         <source>&quot;start&quot; is not between &quot;off&quot; and &quot;full&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>“start”不在“off”与“full”之间</translation>
     </message>
     <message>
         <source>the value of the weakest intensity</source>
-        <translation type="unfinished"></translation>
+        <translation>最弱强度对应的值</translation>
     </message>
     <message>
         <source>nothing turns the motors off when the program is killed or the line is cut</source>
-        <translation type="unfinished"></translation>
+        <translation>程序被终止或线路中断时，没有任何机制关闭电机</translation>
     </message>
     <message>
         <source>[watchdog] with the address of the driver&apos;s watchdog register, or with by_traffic = true where it turns them off when nothing is written</source>
-        <translation type="unfinished"></translation>
+        <translation>[watchdog]，给出驱动器看门狗寄存器的地址；若驱动器在无写入时自行关闭电机，则设 by_traffic = true</translation>
     </message>
     <message>
         <source>&quot;answer_timeout_s&quot; is too long for motors: STOP may have to wait for it</source>
-        <translation type="unfinished"></translation>
+        <translation>“answer_timeout_s”对电机而言过长：STOP 可能须等待它</translation>
     </message>
     <message>
         <source>at most %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>至多 %1 s</translation>
     </message>
 </context>
 <context>
     <name>ReplayCommand</name>
     <message numerus="yes">
         <source>%n damaged block(s) left out</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>略去 %n 个损坏的数据块</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n frame(s) lost at this speed</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>以此速度丢失 %n 帧</numerusform>
         </translation>
     </message>
     <message>
         <source>Play a recording through the processing of a device and print its features</source>
-        <translation type="unfinished"></translation>
+        <translation>让记录经过设备的处理流程回放，并输出其特征</translation>
     </message>
     <message>
         <source>Recording of the console or of teleta simulate</source>
-        <translation type="unfinished"></translation>
+        <translation>控制台或 teleta simulate 的记录</translation>
     </message>
     <message>
         <source>Name of the array&apos;s stream; otherwise the first array</source>
-        <translation type="unfinished"></translation>
+        <translation>阵列数据流的名称；默认为第一个阵列</translation>
     </message>
     <message>
         <source>Times the recorded speed; otherwise as fast as possible</source>
-        <translation type="unfinished"></translation>
+        <translation>相对记录速度的倍数；默认尽可能快</translation>
     </message>
     <message>
         <source>Load from which a taxel is in contact; otherwise as it was recorded</source>
-        <translation type="unfinished"></translation>
+        <translation>触元视为接触的最小载荷；默认与记录时相同</translation>
     </message>
     <message>
         <source>the recording has the arrays %1</source>
-        <translation type="unfinished"></translation>
+        <translation>记录中有阵列 %1</translation>
     </message>
     <message numerus="yes">
         <source>%n frame(s) were not printed</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 帧未输出</numerusform>
         </translation>
     </message>
 </context>
@@ -3445,11 +3459,11 @@ Area %6</source>
     <name>ReplayDevice</name>
     <message>
         <source>only a file can be played, not a pipe</source>
-        <translation type="unfinished"></translation>
+        <translation>只能播放文件，不能播放管道</translation>
     </message>
     <message>
         <source>the recording has no frames</source>
-        <translation type="unfinished"></translation>
+        <translation>记录中没有帧</translation>
     </message>
 </context>
 <context>
@@ -3457,1995 +3471,1995 @@ Area %6</source>
     <message>
         <source>en</source>
         <comment>language of the report, as BCP 47 has it</comment>
-        <translation type="unfinished"></translation>
+        <translation>zh-Hans</translation>
     </message>
     <message>
         <source>Data: %1. TeleTA Console %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>数据：%1。TeleTA Console %2。</translation>
     </message>
     <message>
         <source>Compute it again</source>
-        <translation type="unfinished"></translation>
+        <translation>重新计算</translation>
     </message>
     <message>
         <source>analysis.R beside this page computes accuracy, intervals and the analysis of variance again from confusion_long.csv: Rscript analysis.R</source>
-        <translation type="unfinished"></translation>
+        <translation>本页旁的 analysis.R 可由 confusion_long.csv 重新计算正确率、区间和方差分析：Rscript analysis.R</translation>
     </message>
 </context>
 <context>
     <name>ResidualPicture</name>
     <message>
         <source>Image: no pairs yet</source>
-        <translation type="unfinished"></translation>
+        <translation>图像：尚无点对</translation>
     </message>
     <message>
         <source>Unrolled cylinder: no pairs yet</source>
-        <translation type="unfinished"></translation>
+        <translation>展开的圆柱：尚无点对</translation>
     </message>
     <message>
         <source>Image: from the pixel to where the camera projects its point</source>
-        <translation type="unfinished"></translation>
+        <translation>图像：从像素指向相机对其点的投影</translation>
     </message>
     <message>
         <source>Unrolled cylinder: from the point to where its pixel is located</source>
-        <translation type="unfinished"></translation>
+        <translation>展开的圆柱：从点指向其像素的定位处</translation>
     </message>
     <message>
         <source>u to the right, v down, px</source>
-        <translation type="unfinished"></translation>
+        <translation>u 向右，v 向下，px</translation>
     </message>
     <message>
         <source>angle, degrees; z upwards, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>角度，度；z 向上，mm</translation>
     </message>
     <message>
         <source>arrows %1 times</source>
-        <translation type="unfinished"></translation>
+        <translation>箭头放大 %1 倍</translation>
     </message>
     <message>
         <source>x: wrong pair   o: excluded   dashed: valid radius</source>
-        <translation type="unfinished"></translation>
+        <translation>x：错误点对   o：已排除   虚线：有效半径</translation>
     </message>
     <message>
         <source>along z −%1</source>
-        <translation type="unfinished"></translation>
+        <translation>沿 z −%1</translation>
     </message>
     <message>
         <source>+%1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>+%1 mm</translation>
     </message>
 </context>
 <context>
     <name>ResultsContent</name>
     <message>
         <source>all participants</source>
-        <translation type="unfinished"></translation>
+        <translation>全部被试</translation>
     </message>
     <message>
         <source>Right answers, 95 % Wilson interval</source>
-        <translation type="unfinished"></translation>
+        <translation>正确回答，95 % Wilson 区间</translation>
     </message>
     <message>
         <source>Right answers, mean of participants, 95 % t interval</source>
-        <translation type="unfinished"></translation>
+        <translation>正确回答，被试平均值，95 % t 区间</translation>
     </message>
     <message>
         <source>right, %</source>
-        <translation type="unfinished"></translation>
+        <translation>正确，%</translation>
     </message>
     <message>
         <source>chance</source>
-        <translation type="unfinished"></translation>
+        <translation>随机水平</translation>
     </message>
     <message>
         <source>test</source>
-        <translation type="unfinished"></translation>
+        <translation>测试</translation>
     </message>
     <message>
         <source>Each pattern: %1</source>
         <comment>conditions</comment>
-        <translation type="unfinished"></translation>
+        <translation>各图案：%1</translation>
     </message>
     <message>
         <source> against </source>
-        <translation type="unfinished"></translation>
+        <translation> 对 </translation>
     </message>
     <message>
         <source>Each pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>各图案</translation>
     </message>
     <message>
         <source>p %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>p %1%2</translation>
     </message>
     <message>
         <source>%1, %2</source>
         <comment>condition, participant</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1，%2</translation>
     </message>
     <message>
         <source>Median response time</source>
-        <translation type="unfinished"></translation>
+        <translation>反应时间中位数</translation>
     </message>
     <message>
         <source>Median response times, 95 % t interval</source>
-        <translation type="unfinished"></translation>
+        <translation>反应时间中位数，95 % t 区间</translation>
     </message>
     <message>
         <source>s from the onset</source>
-        <translation type="unfinished"></translation>
+        <translation>自起始起，s</translation>
     </message>
     <message>
         <source>right answers of the test</source>
-        <translation type="unfinished"></translation>
+        <translation>测试的正确回答</translation>
     </message>
     <message>
         <source>Condition</source>
-        <translation type="unfinished"></translation>
+        <translation>条件</translation>
     </message>
     <message>
         <source>Participants</source>
-        <translation type="unfinished"></translation>
+        <translation>被试</translation>
     </message>
     <message>
         <source>Right %</source>
-        <translation type="unfinished"></translation>
+        <translation>正确 %</translation>
     </message>
     <message>
         <source>SD</source>
-        <translation type="unfinished"></translation>
+        <translation>SD</translation>
     </message>
     <message>
         <source>95 % t interval</source>
-        <translation type="unfinished"></translation>
+        <translation>95 % t 区间</translation>
     </message>
     <message>
         <source>Trials</source>
-        <translation type="unfinished"></translation>
+        <translation>试次</translation>
     </message>
     <message>
         <source>IT bit</source>
-        <translation type="unfinished"></translation>
+        <translation>IT bit</translation>
     </message>
     <message>
         <source>Bias bit</source>
-        <translation type="unfinished"></translation>
+        <translation>偏差 bit</translation>
     </message>
     <message>
         <source>IT corrected</source>
-        <translation type="unfinished"></translation>
+        <translation>校正后 IT</translation>
     </message>
     <message>
         <source>95 % bootstrap</source>
-        <translation type="unfinished"></translation>
+        <translation>95 % 自助法</translation>
     </message>
     <message>
         <source>Mean of the participants&apos; shares of right answers</source>
-        <translation type="unfinished"></translation>
+        <translation>各被试正确率的平均值</translation>
     </message>
     <message>
         <source>Standard deviation between participants</source>
-        <translation type="unfinished"></translation>
+        <translation>被试间的标准差</translation>
     </message>
     <message>
         <source>Of the mean, from Student&apos;s t over participants</source>
-        <translation type="unfinished"></translation>
+        <translation>平均值的区间，由被试间的学生 t 分布求得</translation>
     </message>
     <message>
         <source>Of all participants together</source>
-        <translation type="unfinished"></translation>
+        <translation>全部被试合计</translation>
     </message>
     <message>
         <source>Information transfer of the pooled matrix, as counted</source>
-        <translation type="unfinished"></translation>
+        <translation>合并矩阵的信息传输量，按计数直接求得</translation>
     </message>
     <message>
         <source>By how much it is too high on average: (R-1)(C-1) / (2 n ln 2)</source>
-        <translation type="unfinished"></translation>
+        <translation>平均偏高的量：(R-1)(C-1) / (2 n ln 2)</translation>
     </message>
     <message>
         <source>Measured less bias</source>
-        <translation type="unfinished"></translation>
+        <translation>实测值减去偏差</translation>
     </message>
     <message>
         <source>Of the measured transfer, participants drawn with replacement</source>
-        <translation type="unfinished"></translation>
+        <translation>实测传输量的区间，对被试有放回抽样</translation>
     </message>
     <message>
         <source>Participant</source>
-        <translation type="unfinished"></translation>
+        <translation>被试</translation>
     </message>
     <message>
         <source>Right</source>
-        <translation type="unfinished"></translation>
+        <translation>正确</translation>
     </message>
     <message>
         <source>No answer</source>
-        <translation type="unfinished"></translation>
+        <translation>未回答</translation>
     </message>
     <message>
         <source>Wilson 95 %</source>
-        <translation type="unfinished"></translation>
+        <translation>Wilson 95 %</translation>
     </message>
     <message>
         <source>Clopper-Pearson 95 %</source>
-        <translation type="unfinished"></translation>
+        <translation>Clopper-Pearson 95 %</translation>
     </message>
     <message>
         <source>p by chance</source>
-        <translation type="unfinished"></translation>
+        <translation>随机 p 值</translation>
     </message>
     <message>
         <source>Median s</source>
-        <translation type="unfinished"></translation>
+        <translation>中位数 s</translation>
     </message>
     <message>
         <source>of n</source>
-        <translation type="unfinished"></translation>
+        <translation>样本数 n</translation>
     </message>
     <message>
         <source>In time</source>
-        <translation type="unfinished"></translation>
+        <translation>按时</translation>
     </message>
     <message>
         <source>Probability of so many right answers, or more, by guessing</source>
-        <translation type="unfinished"></translation>
+        <translation>靠猜测得到这么多或更多正确回答的概率</translation>
     </message>
     <message>
         <source>Information transfer as counted</source>
-        <translation type="unfinished"></translation>
+        <translation>按计数直接求得的信息传输量</translation>
     </message>
     <message>
         <source>By how much it is too high on average</source>
-        <translation type="unfinished"></translation>
+        <translation>平均偏高的量</translation>
     </message>
     <message>
         <source>Response time of right answers</source>
-        <translation type="unfinished"></translation>
+        <translation>正确回答的反应时间</translation>
     </message>
     <message>
         <source>Effect</source>
-        <translation type="unfinished"></translation>
+        <translation>效应</translation>
     </message>
     <message>
         <source>Pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>图案</translation>
     </message>
     <message>
         <source>df</source>
-        <translation type="unfinished"></translation>
+        <translation>df</translation>
     </message>
     <message>
         <source>F</source>
-        <translation type="unfinished"></translation>
+        <translation>F</translation>
     </message>
     <message>
         <source>p</source>
-        <translation type="unfinished"></translation>
+        <translation>p</translation>
     </message>
     <message>
         <source>eps GG</source>
-        <translation type="unfinished"></translation>
+        <translation>eps GG</translation>
     </message>
     <message>
         <source>p GG</source>
-        <translation type="unfinished"></translation>
+        <translation>p GG</translation>
     </message>
     <message>
         <source>eps HF</source>
-        <translation type="unfinished"></translation>
+        <translation>eps HF</translation>
     </message>
     <message>
         <source>p HF</source>
-        <translation type="unfinished"></translation>
+        <translation>p HF</translation>
     </message>
     <message>
         <source>partial eta²</source>
-        <translation type="unfinished"></translation>
+        <translation>偏 eta²</translation>
     </message>
     <message>
         <source>gen. eta²</source>
-        <translation type="unfinished"></translation>
+        <translation>广义 eta²</translation>
     </message>
     <message>
         <source>n</source>
-        <translation type="unfinished"></translation>
+        <translation>n</translation>
     </message>
     <message>
         <source>Note</source>
-        <translation type="unfinished"></translation>
+        <translation>备注</translation>
     </message>
     <message>
         <source>A comparison of the conditions for this pattern alone</source>
-        <translation type="unfinished"></translation>
+        <translation>仅就此图案比较各条件</translation>
     </message>
     <message>
         <source>Greenhouse and Geisser</source>
-        <translation type="unfinished"></translation>
+        <translation>Greenhouse-Geisser</translation>
     </message>
     <message>
         <source>Huynh and Feldt, at most 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Huynh-Feldt，至多为 1</translation>
     </message>
     <message>
         <source>Generalised eta squared</source>
-        <translation type="unfinished"></translation>
+        <translation>广义 eta 平方</translation>
     </message>
     <message>
         <source>Participants that are complete</source>
-        <translation type="unfinished"></translation>
+        <translation>数据完整的被试</translation>
     </message>
     <message>
         <source>without %1</source>
-        <translation type="unfinished"></translation>
+        <translation>不含 %1</translation>
     </message>
     <message>
         <source>The information transfer of few trials is too high: with %1 trials, somebody who only guesses shows %2 bit on average. Read the corrected value beside it.</source>
-        <translation type="unfinished"></translation>
+        <translation>试次较少时信息传输量偏高：%1 个试次时，仅凭猜测平均也会得到 %2 bit。请看旁边的校正值。</translation>
     </message>
     <message>
         <source>With fewer than 5 k² trials even the corrected value is rough.</source>
-        <translation type="unfinished"></translation>
+        <translation>试次少于 5 k² 时，校正值也只是粗略估计。</translation>
     </message>
     <message>
         <source>There is one condition only, so the patterns are compared.</source>
-        <translation type="unfinished"></translation>
+        <translation>只有一个条件，因此比较各图案。</translation>
     </message>
     <message>
         <source>Within participants, condition × pattern, of the shares of right answers; below, the conditions compared for each pattern.</source>
-        <translation type="unfinished"></translation>
+        <translation>对正确率的被试内分析，条件 × 图案；下方为各图案的条件比较。</translation>
     </message>
 </context>
 <context>
     <name>RunText</name>
     <message>
         <source>STOP ended the measurement.</source>
-        <translation type="unfinished"></translation>
+        <translation>STOP 终止了测量。</translation>
     </message>
     <message>
         <source>release STOP and measure again</source>
-        <translation type="unfinished"></translation>
+        <translation>解除 STOP 并重新测量</translation>
     </message>
     <message>
         <source>The bracelet was lost during the measurement.</source>
-        <translation type="unfinished"></translation>
+        <translation>测量期间手环断开。</translation>
     </message>
     <message>
         <source>connect it and measure again</source>
-        <translation type="unfinished"></translation>
+        <translation>连接手环并重新测量</translation>
     </message>
     <message>
         <source>The computer was too slow for the measurement: the bracelet stood still meanwhile.</source>
-        <translation type="unfinished"></translation>
+        <translation>计算机过慢，无法完成测量：期间手环曾停止。</translation>
     </message>
     <message>
         <source>measure again with less other work</source>
-        <translation type="unfinished"></translation>
+        <translation>减少其他任务后重新测量</translation>
     </message>
     <message>
         <source>Something else was played meanwhile.</source>
-        <translation type="unfinished"></translation>
+        <translation>期间播放了其他内容。</translation>
     </message>
     <message>
         <source>measure again</source>
-        <translation type="unfinished"></translation>
+        <translation>重新测量</translation>
     </message>
 </context>
 <context>
     <name>Scene</name>
     <message>
         <source>the frame rate of the scene is not a positive number</source>
-        <translation type="unfinished"></translation>
+        <translation>场景的帧率不是正数</translation>
     </message>
     <message>
         <source>the size of the tactile array is out of range</source>
-        <translation type="unfinished"></translation>
+        <translation>触觉阵列的尺寸超出范围</translation>
     </message>
     <message>
         <source>a property of the tactile array is out of range</source>
-        <translation type="unfinished"></translation>
+        <translation>触觉阵列的某个属性超出范围</translation>
     </message>
     <message>
         <source>the size of indenter &quot;%1&quot; is out of range</source>
-        <translation type="unfinished"></translation>
+        <translation>压头“%1”的尺寸超出范围</translation>
     </message>
     <message>
         <source>the motion of indenter &quot;%1&quot; is not a series of rising times</source>
-        <translation type="unfinished"></translation>
+        <translation>压头“%1”的运动不是时间递增的序列</translation>
     </message>
     <message>
         <source>a parameter of effect &quot;%1&quot; is out of range</source>
-        <translation type="unfinished"></translation>
+        <translation>效应“%1”的某个参数超出范围</translation>
     </message>
     <message>
         <source>effect &quot;%1&quot; is listed twice</source>
-        <translation type="unfinished"></translation>
+        <translation>效应“%1”列出了两次</translation>
     </message>
     <message>
         <source>a property of the arm is out of range</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂的某个属性超出范围</translation>
     </message>
     <message>
         <source>a property of the joint controllers is out of range</source>
-        <translation type="unfinished"></translation>
+        <translation>关节控制器的某个属性超出范围</translation>
     </message>
     <message>
         <source>a property of the arm&apos;s skin is out of range</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂皮肤的某个属性超出范围</translation>
     </message>
     <message>
         <source>a property of object &quot;%1&quot; is out of range</source>
-        <translation type="unfinished"></translation>
+        <translation>物体“%1”的某个属性超出范围</translation>
     </message>
     <message>
         <source>the program of the arm is out of range</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂的程序超出范围</translation>
     </message>
     <message>
         <source>effect &quot;%1&quot; needs an arm</source>
-        <translation type="unfinished"></translation>
+        <translation>效应“%1”需要机械臂</translation>
     </message>
     <message>
         <source>a property of the camera is out of range</source>
-        <translation type="unfinished"></translation>
+        <translation>相机的某个属性超出范围</translation>
     </message>
     <message>
         <source>a property of the soft tube is out of range</source>
-        <translation type="unfinished"></translation>
+        <translation>软管的某个属性超出范围</translation>
     </message>
     <message>
         <source>a finger&apos;s size or motion is out of range</source>
-        <translation type="unfinished"></translation>
+        <translation>手指的尺寸或运动超出范围</translation>
     </message>
     <message>
         <source>a number of the probing is out of range</source>
-        <translation type="unfinished"></translation>
+        <translation>探测的某个数值超出范围</translation>
     </message>
     <message>
         <source>what the arm under the soft tube does is out of range</source>
-        <translation type="unfinished"></translation>
+        <translation>软管下方机械臂的动作超出范围</translation>
     </message>
     <message>
         <source>a property of the servoing arm, its sensor, object or task is out of range</source>
-        <translation type="unfinished"></translation>
+        <translation>伺服机械臂、其传感器、物体或任务的某个属性超出范围</translation>
     </message>
     <message>
         <source>a camera has no effect &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>相机没有效应“%1”</translation>
     </message>
     <message>
         <source>effect &quot;%1&quot; needs a camera</source>
-        <translation type="unfinished"></translation>
+        <translation>效应“%1”需要相机</translation>
     </message>
     <message>
         <source>effect &quot;%1&quot; needs a servoing arm</source>
-        <translation type="unfinished"></translation>
+        <translation>效应“%1”需要伺服机械臂</translation>
     </message>
     <message>
         <source>the scene is not that of a tactile array</source>
-        <translation type="unfinished"></translation>
+        <translation>该场景不是触觉阵列的场景</translation>
     </message>
     <message>
         <source>the scene is not that of an arm</source>
-        <translation type="unfinished"></translation>
+        <translation>该场景不是机械臂的场景</translation>
     </message>
     <message>
         <source>the scene is not that of a camera in a soft tube</source>
-        <translation type="unfinished"></translation>
+        <translation>该场景不是软管内相机的场景</translation>
     </message>
     <message>
         <source>the scene is not that of a servoing arm</source>
-        <translation type="unfinished"></translation>
+        <translation>该场景不是伺服机械臂的场景</translation>
     </message>
 </context>
 <context>
     <name>SceneReader</name>
     <message>
         <source>the keyframes are not in the order of time</source>
-        <translation type="unfinished"></translation>
+        <translation>关键帧未按时间顺序排列</translation>
     </message>
     <message>
         <source>a time after %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>晚于 %1 s 的时间</translation>
     </message>
     <message>
         <source>the motion does not end where it starts</source>
-        <translation type="unfinished"></translation>
+        <translation>运动没有回到起点</translation>
     </message>
     <message>
         <source>a last keyframe like the first one</source>
-        <translation type="unfinished"></translation>
+        <translation>与第一个相同的最后一个关键帧</translation>
     </message>
     <message>
         <source>which taxels are dead is not clear</source>
-        <translation type="unfinished"></translation>
+        <translation>无法确定哪些触元失效</translation>
     </message>
     <message>
         <source>either &quot;count&quot; or &quot;taxels&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>“count”或“taxels”二者之一</translation>
     </message>
     <message>
         <source>the effect is listed twice</source>
-        <translation type="unfinished"></translation>
+        <translation>该效应列出了两次</translation>
     </message>
     <message>
         <source>each effect at most once</source>
-        <translation type="unfinished"></translation>
+        <translation>每个效应至多一次</translation>
     </message>
     <message>
         <source>the arm starts outside the range of its joints</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂的起始位置超出关节范围</translation>
     </message>
     <message>
         <source>%1 from %2 to %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，从 %2 到 %3</translation>
     </message>
     <message>
         <source>the waypoints are not in the order of time</source>
-        <translation type="unfinished"></translation>
+        <translation>路径点未按时间顺序排列</translation>
     </message>
     <message>
         <source>the program has no object to touch</source>
-        <translation type="unfinished"></translation>
+        <translation>程序没有可触碰的物体</translation>
     </message>
     <message>
         <source>at least one [[object]]</source>
-        <translation type="unfinished"></translation>
+        <translation>至少一个 [[object]]</translation>
     </message>
     <message>
         <source>the camera is too far from the tube&apos;s axis</source>
-        <translation type="unfinished"></translation>
+        <translation>相机离管轴过远</translation>
     </message>
     <message>
         <source>less than %1 m</source>
-        <translation type="unfinished"></translation>
+        <translation>小于 %1 m</translation>
     </message>
     <message>
         <source>the dots touch each other</source>
-        <translation type="unfinished"></translation>
+        <translation>圆点相互接触</translation>
     </message>
     <message>
         <source>less than the pitch of %1 m</source>
-        <translation type="unfinished"></translation>
+        <translation>小于 %1 m 的间距</translation>
     </message>
     <message>
         <source>there would be too few or too many dots</source>
-        <translation type="unfinished"></translation>
+        <translation>圆点将过少或过多</translation>
     </message>
     <message>
         <source>more than %1 m and less than the radius of %2 m</source>
-        <translation type="unfinished"></translation>
+        <translation>大于 %1 m 且小于 %2 m 的半径</translation>
     </message>
     <message>
         <source>this is deeper than the skin gives way</source>
-        <translation type="unfinished"></translation>
+        <translation>这超过了皮肤可压缩的深度</translation>
     </message>
     <message>
         <source>there is no tray to keep level</source>
-        <translation type="unfinished"></translation>
+        <translation>没有需要保持水平的托盘</translation>
     </message>
     <message>
         <source>an [object.hinge]</source>
-        <translation type="unfinished"></translation>
+        <translation>[object.hinge]</translation>
     </message>
 </context>
 <context>
     <name>SceneRecording</name>
     <message>
         <source>another program reads the recording, which keeps this name</source>
-        <translation type="unfinished"></translation>
+        <translation>另一个程序正在读取该记录，记录保留此名称</translation>
     </message>
 </context>
 <context>
     <name>SceneRun</name>
     <message>
         <source>the folder cannot be made or written to</source>
-        <translation type="unfinished"></translation>
+        <translation>无法创建或写入该文件夹</translation>
     </message>
     <message>
         <source>the image cannot be written</source>
-        <translation type="unfinished"></translation>
+        <translation>无法写入图像</translation>
     </message>
     <message>
         <source>the protocol has a stimulus that does not come with the program</source>
-        <translation type="unfinished"></translation>
+        <translation>方案中的某个刺激未随程序提供</translation>
     </message>
     <message>
         <source>tasks, letters and conditions whose patterns come with the program</source>
-        <translation type="unfinished"></translation>
+        <translation>图案随程序提供的任务、字母和条件</translation>
     </message>
 </context>
 <context>
     <name>ServoCurves</name>
     <message>
         <source>this is no number of a run</source>
-        <translation type="unfinished"></translation>
+        <translation>这不是运行数据的有效数值</translation>
     </message>
     <message>
         <source>a number from -1e12 to 1e12, or NA</source>
-        <translation type="unfinished"></translation>
+        <translation>-1e12 至 1e12 的数，或 NA</translation>
     </message>
     <message>
         <source>the time falls, or there is none</source>
-        <translation type="unfinished"></translation>
+        <translation>时间倒退，或没有时间</translation>
     </message>
     <message>
         <source>times in order</source>
-        <translation type="unfinished"></translation>
+        <translation>按顺序的时间</translation>
     </message>
 </context>
 <context>
     <name>ServoFigure</name>
     <message>
         <source>Force, N</source>
-        <translation type="unfinished"></translation>
+        <translation>力，N</translation>
     </message>
     <message>
         <source>CoP y, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>CoP y，mm</translation>
     </message>
     <message>
         <source>CoC x, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>CoC x，mm</translation>
     </message>
     <message>
         <source>DZMP y, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>DZMP y，mm</translation>
     </message>
     <message>
         <source>α z, °</source>
-        <translation type="unfinished"></translation>
+        <translation>α z，°</translation>
     </message>
     <message>
         <source>Way, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>位移，mm</translation>
     </message>
     <message>
         <source>Tactile servoing: force and features over time</source>
-        <translation type="unfinished"></translation>
+        <translation>触觉伺服：力与特征随时间的变化</translation>
     </message>
     <message>
         <source>desired</source>
-        <translation type="unfinished"></translation>
+        <translation>期望</translation>
     </message>
     <message>
         <source>true</source>
-        <translation type="unfinished"></translation>
+        <translation>真实</translation>
     </message>
     <message>
         <source>Tactile servoing, simulated</source>
-        <translation type="unfinished"></translation>
+        <translation>触觉伺服，模拟</translation>
     </message>
     <message>
         <source>Tactile servoing</source>
-        <translation type="unfinished"></translation>
+        <translation>触觉伺服</translation>
     </message>
     <message>
         <source>time, s</source>
-        <translation type="unfinished"></translation>
+        <translation>时间，s</translation>
     </message>
 </context>
 <context>
     <name>ServoTexts</name>
     <message>
         <source>Free motion</source>
-        <translation type="unfinished"></translation>
+        <translation>自由运动</translation>
     </message>
     <message>
         <source>Align</source>
-        <translation type="unfinished"></translation>
+        <translation>对准</translation>
     </message>
     <message>
         <source>Edge control</source>
-        <translation type="unfinished"></translation>
+        <translation>边缘控制</translation>
     </message>
     <message>
         <source>Explore</source>
-        <translation type="unfinished"></translation>
+        <translation>探索</translation>
     </message>
     <message>
         <source>Roll</source>
-        <translation type="unfinished"></translation>
+        <translation>滚动</translation>
     </message>
     <message>
         <source>Follow a point</source>
-        <translation type="unfinished"></translation>
+        <translation>跟随一点</translation>
     </message>
     <message>
         <source>Co-manipulation</source>
-        <translation type="unfinished"></translation>
+        <translation>协同操作</translation>
     </message>
     <message>
         <source>no contact</source>
-        <translation type="unfinished"></translation>
+        <translation>无接触</translation>
     </message>
     <message>
         <source>in contact</source>
-        <translation type="unfinished"></translation>
+        <translation>接触中</translation>
     </message>
     <message>
         <source>searching for the contact</source>
-        <translation type="unfinished"></translation>
+        <translation>正在寻找接触</translation>
     </message>
     <message>
         <source>contact lost</source>
-        <translation type="unfinished"></translation>
+        <translation>接触丢失</translation>
     </message>
     <message>
         <source>tool speed</source>
-        <translation type="unfinished"></translation>
+        <translation>工具速度</translation>
     </message>
     <message>
         <source>turn rate</source>
-        <translation type="unfinished"></translation>
+        <translation>转动速度</translation>
     </message>
     <message>
         <source>force</source>
-        <translation type="unfinished"></translation>
+        <translation>力</translation>
     </message>
     <message>
         <source>saturated taxel</source>
-        <translation type="unfinished"></translation>
+        <translation>触元饱和</translation>
     </message>
     <message>
         <source>distance from the measured pose</source>
-        <translation type="unfinished"></translation>
+        <translation>与实测位姿的距离</translation>
     </message>
     <message>
         <source>joint speed</source>
-        <translation type="unfinished"></translation>
+        <translation>关节速度</translation>
     </message>
     <message>
         <source>end of a joint</source>
-        <translation type="unfinished"></translation>
+        <translation>关节极限</translation>
     </message>
     <message>
         <source>singular arm</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂奇异</translation>
     </message>
     <message>
         <source>gap between frames</source>
-        <translation type="unfinished"></translation>
+        <translation>帧间隔中断</translation>
     </message>
     <message>
         <source>unusable numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>数值不可用</translation>
     </message>
     <message>
         <source>, </source>
         <comment>between the limits that act</comment>
-        <translation type="unfinished"></translation>
+        <translation>, </translation>
     </message>
     <message>
         <source>Simulated cycle: %1 µs, %2 times real time. Contact %3 %, kinematics %4 %, features %5 %, control %6 %, dynamics %7 %.</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟周期：%1 µs，实时的 %2 倍。接触 %3 %，运动学 %4 %，特征 %5 %，控制 %6 %，动力学 %7 %。</translation>
     </message>
     <message>
         <source>%1, run %2</source>
         <comment>a source, and which of its runs</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1，第 %2 次运行</translation>
     </message>
     <message>
         <source>%1, partly without DZMP</source>
         <comment>a run</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1，部分不含 DZMP</translation>
     </message>
     <message>
         <source>%1, without DZMP</source>
         <comment>a run</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1，不含 DZMP</translation>
     </message>
     <message>
         <source>CoP x</source>
-        <translation type="unfinished"></translation>
+        <translation>CoP x</translation>
     </message>
     <message>
         <source>CoP y</source>
-        <translation type="unfinished"></translation>
+        <translation>CoP y</translation>
     </message>
     <message>
         <source>Force</source>
-        <translation type="unfinished"></translation>
+        <translation>力</translation>
     </message>
     <message>
         <source>ℭZMP x</source>
-        <translation type="unfinished"></translation>
+        <translation>ℭZMP x</translation>
     </message>
     <message>
         <source>CoC y</source>
-        <translation type="unfinished"></translation>
+        <translation>CoC y</translation>
     </message>
     <message>
         <source>ℭZMP y</source>
-        <translation type="unfinished"></translation>
+        <translation>ℭZMP y</translation>
     </message>
     <message>
         <source>CoC x</source>
-        <translation type="unfinished"></translation>
+        <translation>CoC x</translation>
     </message>
     <message>
         <source>α z</source>
-        <translation type="unfinished"></translation>
+        <translation>α z</translation>
     </message>
 </context>
 <context>
     <name>SimulateCommand</name>
     <message>
         <source>Scene</source>
-        <translation type="unfinished"></translation>
+        <translation>场景</translation>
     </message>
     <message>
         <source>Seed</source>
-        <translation type="unfinished"></translation>
+        <translation>种子</translation>
     </message>
     <message>
         <source>Simulated</source>
-        <translation type="unfinished"></translation>
+        <translation>已模拟</translation>
     </message>
     <message>
         <source>%1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s</translation>
     </message>
     <message>
         <source>Computed in</source>
-        <translation type="unfinished"></translation>
+        <translation>计算用时</translation>
     </message>
     <message>
         <source>%1 s (%2 x real time)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s（%2 x 实时）</translation>
     </message>
     <message>
         <source>Effect %1</source>
-        <translation type="unfinished"></translation>
+        <translation>效应 %1</translation>
     </message>
     <message>
         <source>Events</source>
-        <translation type="unfinished"></translation>
+        <translation>事件</translation>
     </message>
     <message>
         <source>Run a simulated scene as fast as possible and measure what was estimated</source>
-        <translation type="unfinished"></translation>
+        <translation>尽可能快地运行模拟场景，并衡量估计结果</translation>
     </message>
     <message>
         <source>Seed of all random numbers of the scene</source>
-        <translation type="unfinished"></translation>
+        <translation>场景中所有随机数的种子</translation>
     </message>
     <message>
         <source>Simulated time in seconds; otherwise what the scene says</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟时间，单位秒；默认由场景规定</translation>
     </message>
     <message>
         <source>Share of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的占比</translation>
     </message>
     <message>
         <source>%1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %</translation>
     </message>
     <message>
         <source>Scene file, or the name of a scene that comes with the program</source>
-        <translation type="unfinished"></translation>
+        <translation>场景文件，或程序自带场景的名称</translation>
     </message>
     <message>
         <source>List the scenes that come with the program</source>
-        <translation type="unfinished"></translation>
+        <translation>列出程序自带的场景</translation>
     </message>
     <message>
         <source>Folder for summary.json, the recording and its data as CSV; with --ablate the CSV file</source>
-        <translation type="unfinished"></translation>
+        <translation>存放 summary.json、记录及其 CSV 数据的文件夹；使用 --ablate 时为 CSV 文件</translation>
     </message>
     <message>
         <source>Formats of the chart of a servo run in --out, separated by commas</source>
-        <translation type="unfinished"></translation>
+        <translation>--out 中伺服运行图的格式，以逗号分隔</translation>
     </message>
     <message>
         <source>Folders of earlier servo runs for the same chart, up to five</source>
-        <translation type="unfinished"></translation>
+        <translation>用于同一图中的先前伺服运行的文件夹，最多五个</translation>
     </message>
     <message>
         <source>Leave out one effect at a time and tell how far the measures move against their spread</source>
-        <translation type="unfinished"></translation>
+        <translation>每次去掉一种效应，并给出各测量量相对其离散度的变化</translation>
     </message>
     <message>
         <source>Runs of each variant, with seeds from --seed upwards</source>
-        <translation type="unfinished"></translation>
+        <translation>每个变体的运行次数，种子从 --seed 起递增</translation>
     </message>
     <message>
         <source>is required</source>
-        <translation type="unfinished"></translation>
+        <translation>为必需项</translation>
     </message>
     <message>
         <source>is for scenes of a servo</source>
-        <translation type="unfinished"></translation>
+        <translation>用于伺服场景</translation>
     </message>
 </context>
 <context>
     <name>SimulatedArmDevice</name>
     <message>
         <source>The arm was unplugged.</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂已拔出。</translation>
     </message>
 </context>
 <context>
     <name>SimulatedArrayDevice</name>
     <message>
         <source>The device was unplugged.</source>
-        <translation type="unfinished"></translation>
+        <translation>设备已拔出。</translation>
     </message>
 </context>
 <context>
     <name>SimulatedBracelet</name>
     <message>
         <source>Simulated bracelet</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟手环</translation>
     </message>
     <message>
         <source>The bracelet was unplugged.</source>
-        <translation type="unfinished"></translation>
+        <translation>手环已拔出。</translation>
     </message>
 </context>
 <context>
     <name>SimulatedCameraDevice</name>
     <message>
         <source>The camera was unplugged.</source>
-        <translation type="unfinished"></translation>
+        <translation>相机已拔出。</translation>
     </message>
 </context>
 <context>
     <name>SimulatedTube</name>
     <message>
         <source>the lens of the camera folds: no camera has it</source>
-        <translation type="unfinished"></translation>
+        <translation>相机的镜头模型发生折叠：没有相机会如此</translation>
     </message>
 </context>
 <context>
     <name>SourceText</name>
     <message>
         <source>these are data of different modes: %1 and %2</source>
-        <translation type="unfinished"></translation>
+        <translation>这些数据属于不同模式：%1 和 %2</translation>
     </message>
     <message>
         <source>one mode, or to be told which one counts</source>
-        <translation type="unfinished"></translation>
+        <translation>同一种模式，或指明采用哪一种</translation>
     </message>
     <message>
         <source>%1 cannot be &quot;%2&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 不能为“%2”</translation>
     </message>
 </context>
 <context>
     <name>StiffnessCommand</name>
     <message>
         <source>sponge</source>
-        <translation type="unfinished"></translation>
+        <translation>海绵</translation>
     </message>
     <message>
         <source>rubber sponge</source>
-        <translation type="unfinished"></translation>
+        <translation>橡胶海绵</translation>
     </message>
     <message>
         <source>rubber</source>
-        <translation type="unfinished"></translation>
+        <translation>橡胶</translation>
     </message>
     <message>
         <source>wood</source>
-        <translation type="unfinished"></translation>
+        <translation>木材</translation>
     </message>
     <message>
         <source>metal</source>
-        <translation type="unfinished"></translation>
+        <translation>金属</translation>
     </message>
     <message>
         <source>at least %1 N/m (95 %)</source>
-        <translation type="unfinished"></translation>
+        <translation>至少 %1 N/m (95 %)</translation>
     </message>
     <message>
         <source>%1 N/m (uncertainty not available)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 N/m（不确定度不可用）</translation>
     </message>
     <message>
         <source>%1 N/m (95 %: %2 to %3)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 N/m（95 %：%2 至 %3）</translation>
     </message>
     <message>
         <source>two-point</source>
-        <translation type="unfinished"></translation>
+        <translation>两点法</translation>
     </message>
     <message>
         <source>regression</source>
-        <translation type="unfinished"></translation>
+        <translation>回归法</translation>
     </message>
     <message>
         <source>Method</source>
-        <translation type="unfinished"></translation>
+        <translation>方法</translation>
     </message>
     <message>
         <source>Samples</source>
-        <translation type="unfinished"></translation>
+        <translation>样本</translation>
     </message>
     <message>
         <source>Rotation</source>
-        <translation type="unfinished"></translation>
+        <translation>转角</translation>
     </message>
     <message>
         <source>%1 rad</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 rad</translation>
     </message>
     <message>
         <source>Torque rise</source>
-        <translation type="unfinished"></translation>
+        <translation>力矩上升</translation>
     </message>
     <message>
         <source>%1 Nm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Nm</translation>
     </message>
     <message>
         <source>Total stiffness</source>
-        <translation type="unfinished"></translation>
+        <translation>总刚度</translation>
     </message>
     <message>
         <source>Object stiffness</source>
-        <translation type="unfinished"></translation>
+        <translation>物体刚度</translation>
     </message>
     <message>
         <source>Material</source>
-        <translation type="unfinished"></translation>
+        <translation>材料</translation>
     </message>
     <message>
         <source>%1, safe to touch, level %2 of 5</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，可安全触碰，等级 %2（共 5 级）</translation>
     </message>
     <message>
         <source>%1, danger, level %2 of 5</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，危险，等级 %2（共 5 级）</translation>
     </message>
     <message>
         <source>Stiffness and material of an object from joint angle and torque during a touch</source>
-        <translation type="unfinished"></translation>
+        <translation>由触碰期间的关节角和力矩求物体的刚度和材料</translation>
     </message>
     <message>
         <source>CSV with the columns time_s,joint_angle_rad,joint_torque_nm</source>
-        <translation type="unfinished"></translation>
+        <translation>CSV，含列 time_s,joint_angle_rad,joint_torque_nm</translation>
     </message>
     <message>
         <source>Distance of the contact from the joint&apos;s axis along the link, m</source>
-        <translation type="unfinished"></translation>
+        <translation>接触点沿连杆到关节轴的距离，m</translation>
     </message>
     <message>
         <source>Half the thickness of the link, m; it cancels out of the stiffness</source>
-        <translation type="unfinished"></translation>
+        <translation>连杆厚度的一半，m；在刚度中相互抵消</translation>
     </message>
     <message>
         <source>The link&apos;s own stiffness, N/m</source>
-        <translation type="unfinished"></translation>
+        <translation>连杆自身的刚度，N/m</translation>
     </message>
     <message>
         <source>two-point: the samples nearest to both borders of the window; regression: all samples in it</source>
-        <translation type="unfinished"></translation>
+        <translation>two-point：最接近窗口两端的样本；regression：窗口内的所有样本</translation>
     </message>
     <message>
         <source>Torques between which the touch is evaluated, Nm</source>
-        <translation type="unfinished"></translation>
+        <translation>用于评估触碰的力矩范围，Nm</translation>
     </message>
     <message>
         <source>0 or more is expected</source>
-        <translation type="unfinished"></translation>
+        <translation>应为 0 或更大</translation>
     </message>
     <message>
         <source>a lower border of 0 or more and a higher upper one are expected</source>
-        <translation type="unfinished"></translation>
+        <translation>应为 0 或更大的下限和更高的上限</translation>
     </message>
     <message>
         <source>the touch is stiffer than the link allows: check contact distance and link stiffness</source>
-        <translation type="unfinished"></translation>
+        <translation>触碰的刚度超出连杆允许的范围：请检查接触距离和连杆刚度</translation>
     </message>
     <message>
         <source>the log has no samples</source>
-        <translation type="unfinished"></translation>
+        <translation>日志中没有样本</translation>
     </message>
     <message>
         <source>a row for each sample of the touch</source>
-        <translation type="unfinished"></translation>
+        <translation>触碰的每个样本一行</translation>
     </message>
     <message>
         <source>one half of the torque window has no sample; the largest torque is %1 Nm</source>
-        <translation type="unfinished"></translation>
+        <translation>力矩窗口的一半中没有样本；最大力矩为 %1 Nm</translation>
     </message>
     <message>
         <source>samples near %1 Nm and near %2 Nm</source>
-        <translation type="unfinished"></translation>
+        <translation>在 %1 Nm 附近和 %2 Nm 附近的样本</translation>
     </message>
     <message>
         <source>no sample reaches the torque window; the largest torque is %1 Nm</source>
-        <translation type="unfinished"></translation>
+        <translation>没有样本达到力矩窗口；最大力矩为 %1 Nm</translation>
     </message>
     <message>
         <source>torques from %1 to %2 Nm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 至 %2 Nm 的力矩</translation>
     </message>
     <message>
         <source>only one sample lies in the torque window</source>
-        <translation type="unfinished"></translation>
+        <translation>力矩窗口中只有一个样本</translation>
     </message>
     <message>
         <source>two or more samples from %1 to %2 Nm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 至 %2 Nm 之间的两个或更多样本</translation>
     </message>
     <message>
         <source>the torque does not change within the window</source>
-        <translation type="unfinished"></translation>
+        <translation>力矩在窗口内没有变化</translation>
     </message>
     <message>
         <source>torque that rises from %1 to %2 Nm</source>
-        <translation type="unfinished"></translation>
+        <translation>从 %1 升至 %2 Nm 的力矩</translation>
     </message>
     <message>
         <source>the joint turns against the rising torque</source>
-        <translation type="unfinished"></translation>
+        <translation>关节逆着上升的力矩转动</translation>
     </message>
     <message>
         <source>angle and torque that rise together; the sign of one column may be turned</source>
-        <translation type="unfinished"></translation>
+        <translation>同时上升的角度和力矩；可能有一列的符号相反</translation>
     </message>
     <message>
         <source>the numbers are too large or too small to compute with</source>
-        <translation type="unfinished"></translation>
+        <translation>数值过大或过小，无法计算</translation>
     </message>
     <message>
         <source>SI units</source>
-        <translation type="unfinished"></translation>
+        <translation>SI 单位</translation>
     </message>
 </context>
 <context>
     <name>StimulusText</name>
     <message>
         <source>STOP was pressed</source>
-        <translation type="unfinished"></translation>
+        <translation>按下了 STOP</translation>
     </message>
     <message>
         <source>the bracelet was lost</source>
-        <translation type="unfinished"></translation>
+        <translation>手环已断开</translation>
     </message>
     <message>
         <source>the bracelet stood still for too long</source>
-        <translation type="unfinished"></translation>
+        <translation>手环停止时间过长</translation>
     </message>
     <message>
         <source>the pattern could not be played: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>无法播放图案：%1</translation>
     </message>
     <message>
         <source>something else stopped the bracelet</source>
-        <translation type="unfinished"></translation>
+        <translation>其他任务停止了手环</translation>
     </message>
 </context>
 <context>
     <name>StoreText</name>
     <message>
         <source>%1, process %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，进程 %2</translation>
     </message>
 </context>
 <context>
     <name>StripTexts</name>
     <message>
         <source>Force</source>
-        <translation type="unfinished"></translation>
+        <translation>力</translation>
     </message>
     <message>
         <source>Position x</source>
-        <translation type="unfinished"></translation>
+        <translation>位置 x</translation>
     </message>
     <message>
         <source>Position y</source>
-        <translation type="unfinished"></translation>
+        <translation>位置 y</translation>
     </message>
     <message>
         <source>DZMP</source>
         <comment>deviation of the zero moment point: centre of pressure minus centre of contact</comment>
-        <translation type="unfinished"></translation>
+        <translation>DZMP</translation>
     </message>
     <message>
         <source>Orientation</source>
-        <translation type="unfinished"></translation>
+        <translation>方向</translation>
     </message>
     <message>
         <source>Spread</source>
         <comment>standard deviations of the touched area along its principal axes</comment>
-        <translation type="unfinished"></translation>
+        <translation>展宽</translation>
     </message>
     <message>
         <source>Edge ratio</source>
         <comment>ratio of the eigenvalues of the touched area</comment>
-        <translation type="unfinished"></translation>
+        <translation>边缘比</translation>
     </message>
     <message>
         <source>Active taxels</source>
-        <translation type="unfinished"></translation>
+        <translation>活动触元</translation>
     </message>
     <message>
         <source>force</source>
-        <translation type="unfinished"></translation>
+        <translation>力</translation>
     </message>
     <message>
         <source>threshold</source>
         <comment>of one taxel</comment>
-        <translation type="unfinished"></translation>
+        <translation>阈值</translation>
     </message>
     <message>
         <source>CoP</source>
         <comment>centre of pressure</comment>
-        <translation type="unfinished"></translation>
+        <translation>CoP</translation>
     </message>
     <message>
         <source>CoC</source>
         <comment>centre of contact</comment>
-        <translation type="unfinished"></translation>
+        <translation>CoC</translation>
     </message>
     <message>
         <source>active</source>
-        <translation type="unfinished"></translation>
+        <translation>活动</translation>
     </message>
 </context>
 <context>
     <name>StudyChecks</name>
     <message>
         <source>Protocol</source>
-        <translation type="unfinished"></translation>
+        <translation>方案</translation>
     </message>
     <message>
         <source>Mend the protocol at this place and open it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>修正方案的此处，然后重新打开。</translation>
     </message>
     <message>
         <source>no protocol is open</source>
-        <translation type="unfinished"></translation>
+        <translation>未打开方案</translation>
     </message>
     <message>
         <source>Open a protocol, or begin with the paper&apos;s.</source>
-        <translation type="unfinished"></translation>
+        <translation>打开一个方案，或从论文的方案开始。</translation>
     </message>
     <message>
         <source>the protocol has no trials</source>
-        <translation type="unfinished"></translation>
+        <translation>方案中没有试次</translation>
     </message>
     <message>
         <source>Give practice or test at least one repetition.</source>
-        <translation type="unfinished"></translation>
+        <translation>为练习或测试设置至少一次重复。</translation>
     </message>
     <message>
         <source>Participant</source>
-        <translation type="unfinished"></translation>
+        <translation>被试</translation>
     </message>
     <message>
         <source>no participant is chosen</source>
-        <translation type="unfinished"></translation>
+        <translation>未选择被试</translation>
     </message>
     <message>
         <source>Choose a participant, or add a new one.</source>
-        <translation type="unfinished"></translation>
+        <translation>选择被试，或添加新被试。</translation>
     </message>
     <message>
         <source>%1 is in a session already</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 已在进行一个场次</translation>
     </message>
     <message>
         <source>%1 is in a session already, at %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 已在 %2 进行一个场次</translation>
     </message>
     <message>
         <source>Finish or abort the other session, or choose another participant.</source>
-        <translation type="unfinished"></translation>
+        <translation>完成或中止另一个场次，或选择其他被试。</translation>
     </message>
     <message>
         <source>%1 has finished this session</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 已完成此场次</translation>
     </message>
     <message>
         <source>Choose the next session or another participant.</source>
-        <translation type="unfinished"></translation>
+        <translation>选择下一个场次或其他被试。</translation>
     </message>
     <message>
         <source>Bracelet</source>
-        <translation type="unfinished"></translation>
+        <translation>手环</translation>
     </message>
     <message>
         <source>the bracelet</source>
-        <translation type="unfinished"></translation>
+        <translation>手环</translation>
     </message>
     <message>
         <source>no bracelet is open</source>
-        <translation type="unfinished"></translation>
+        <translation>未打开手环</translation>
     </message>
     <message>
         <source>Plug the bracelet in and choose it in the menu Bracelet.</source>
-        <translation type="unfinished"></translation>
+        <translation>插入手环，并在“手环”菜单中选择它。</translation>
     </message>
     <message>
         <source>%1 does not answer</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 没有应答</translation>
     </message>
     <message>
         <source>Check cable and power supply; it goes on by itself when it is back.</source>
-        <translation type="unfinished"></translation>
+        <translation>检查电缆和电源；恢复后会自动继续。</translation>
     </message>
     <message>
         <source>STOP is engaged</source>
-        <translation type="unfinished"></translation>
+        <translation>STOP 已触发</translation>
     </message>
     <message>
         <source>Release STOP when it is safe.</source>
-        <translation type="unfinished"></translation>
+        <translation>确认安全后解除 STOP。</translation>
     </message>
     <message>
         <source>%1 is simulated: nobody can feel it</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 是模拟的：没有人能感觉到</translation>
     </message>
     <message>
         <source>Choose a real bracelet, or a pilot or simulated study.</source>
-        <translation type="unfinished"></translation>
+        <translation>选择真实的手环，或选择预试或模拟研究。</translation>
     </message>
     <message>
         <source>Folder</source>
-        <translation type="unfinished"></translation>
+        <translation>文件夹</translation>
     </message>
     <message>
         <source>%1 is not there</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 不存在</translation>
     </message>
     <message>
         <source>Connect the drive of the study, or choose another folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>连接存放研究的磁盘，或选择其他文件夹。</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>无法写入 %1：%2</translation>
     </message>
     <message>
         <source>Allow writing to the folder, or choose another one.</source>
-        <translation type="unfinished"></translation>
+        <translation>允许写入该文件夹，或选择其他文件夹。</translation>
     </message>
     <message>
         <source>Disk space</source>
-        <translation type="unfinished"></translation>
+        <translation>磁盘空间</translation>
     </message>
     <message>
         <source>%1 MB are free</source>
-        <translation type="unfinished"></translation>
+        <translation>剩余 %1 MB</translation>
     </message>
     <message>
         <source>Free space until there are %1 MB, or choose another folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>释放空间至 %1 MB，或选择其他文件夹。</translation>
     </message>
     <message>
         <source>Data store</source>
-        <translation type="unfinished"></translation>
+        <translation>数据存储</translation>
     </message>
     <message>
         <source>ready</source>
-        <translation type="unfinished"></translation>
+        <translation>就绪</translation>
     </message>
     <message>
         <source>Start the server or mend the network; then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>启动服务器或修复网络，然后重试。</translation>
     </message>
     <message>
         <source>Make a copy of the study&apos;s folder and open the study again.</source>
-        <translation type="unfinished"></translation>
+        <translation>复制研究的文件夹，然后重新打开研究。</translation>
     </message>
     <message>
         <source>Masking noise</source>
-        <translation type="unfinished"></translation>
+        <translation>掩蔽噪声</translation>
     </message>
     <message>
         <source>not needed: simulated participants hear nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>不需要：模拟被试听不到声音</translation>
     </message>
     <message>
         <source>the protocol has none</source>
-        <translation type="unfinished"></translation>
+        <translation>方案中没有噪声</translation>
     </message>
     <message>
         <source>the noise is not confirmed</source>
-        <translation type="unfinished"></translation>
+        <translation>噪声未确认</translation>
     </message>
     <message>
         <source>Play the noise, measure its level at the ear, and confirm.</source>
-        <translation type="unfinished"></translation>
+        <translation>播放噪声，在耳边测量其声级，然后确认。</translation>
     </message>
     <message>
         <source>Play the noise, measure %1 dBA at the participant&apos;s ear, and confirm.</source>
-        <translation type="unfinished"></translation>
+        <translation>播放噪声，在被试耳边测得 %1 dBA，然后确认。</translation>
     </message>
     <message>
         <source>confirmed</source>
-        <translation type="unfinished"></translation>
+        <translation>已确认</translation>
     </message>
 </context>
 <context>
     <name>StudyCommand</name>
     <message>
         <source>%1 % correct (95 %: %2 to %3, %4 participants)</source>
-        <translation type="unfinished"></translation>
+        <translation>正确率 %1 %（95 %：%2 至 %3，%4 名被试）</translation>
     </message>
     <message>
         <source>%1 % correct (one participant)</source>
-        <translation type="unfinished"></translation>
+        <translation>正确率 %1 %（一名被试）</translation>
     </message>
     <message>
         <source>%1 bit, %2 without bias</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 bit，去除偏差后 %2</translation>
     </message>
     <message>
         <source>F(%1, %2) = %3, p = %4</source>
-        <translation type="unfinished"></translation>
+        <translation>F(%1, %2) = %3, p = %4</translation>
     </message>
     <message>
         <source>Rehearse a user study with simulated participants, and analyse studies</source>
-        <translation type="unfinished"></translation>
+        <translation>用模拟被试预演用户研究，并分析研究</translation>
     </message>
     <message>
         <source>Run simulated participants through a whole study</source>
-        <translation type="unfinished"></translation>
+        <translation>让模拟被试完成整个研究</translation>
     </message>
     <message>
         <source>Protocol of the study; otherwise the paper&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>研究的方案；默认为论文的方案</translation>
     </message>
     <message>
         <source>How many take part</source>
-        <translation type="unfinished"></translation>
+        <translation>参与人数</translation>
     </message>
     <message>
         <source>Seed of all orders and answers</source>
-        <translation type="unfinished"></translation>
+        <translation>所有顺序和回答的种子</translation>
     </message>
     <message>
         <source>Share of the trials in which nothing is answered</source>
-        <translation type="unfinished"></translation>
+        <translation>未回答试次的比例</translation>
     </message>
     <message>
         <source>Folder of the new study</source>
-        <translation type="unfinished"></translation>
+        <translation>新研究的文件夹</translation>
     </message>
     <message>
         <source>Go on with a rehearsal that was interrupted</source>
-        <translation type="unfinished"></translation>
+        <translation>继续中断的预演</translation>
     </message>
     <message>
         <source>Folder of the study</source>
-        <translation type="unfinished"></translation>
+        <translation>研究的文件夹</translation>
     </message>
     <message>
         <source>Confusion matrices, accuracy, information transfer and ANOVA of studies or trial CSVs</source>
-        <translation type="unfinished"></translation>
+        <translation>研究或试次 CSV 的混淆矩阵、正确率、信息传输量和方差分析</translation>
     </message>
     <message>
         <source>Folders of studies, or CSVs with participant_id,task,condition,phase,stimulus,response</source>
-        <translation type="unfinished"></translation>
+        <translation>研究的文件夹，或含 participant_id,task,condition,phase,stimulus,response 的 CSV</translation>
     </message>
     <message>
         <source>Only data of this mode; different modes are not merged</source>
-        <translation type="unfinished"></translation>
+        <translation>只用此模式的数据；不同模式不合并</translation>
     </message>
     <message>
         <source>Write the trials of a study as files into its folder</source>
-        <translation type="unfinished"></translation>
+        <translation>将研究的试次写为其文件夹中的文件</translation>
     </message>
     <message>
         <source>psychds: data/; bids: bids/; excel: excel/, with semicolons and the decimal sign of the locale</source>
-        <translation type="unfinished"></translation>
+        <translation>psychds：data/；bids：bids/；excel：excel/，使用分号和本地小数点符号</translation>
     </message>
     <message>
         <source>Study</source>
-        <translation type="unfinished"></translation>
+        <translation>研究</translation>
     </message>
     <message>
         <source>Protocol</source>
-        <translation type="unfinished"></translation>
+        <translation>方案</translation>
     </message>
     <message>
         <source>Seed</source>
-        <translation type="unfinished"></translation>
+        <translation>种子</translation>
     </message>
     <message>
         <source>Simulated participants</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟被试</translation>
     </message>
     <message>
         <source>Trials</source>
-        <translation type="unfinished"></translation>
+        <translation>试次</translation>
     </message>
     <message>
         <source>Of them kept before</source>
-        <translation type="unfinished"></translation>
+        <translation>其中先前已保存</translation>
     </message>
     <message>
         <source>this is named twice</source>
-        <translation type="unfinished"></translation>
+        <translation>此项指定了两次</translation>
     </message>
     <message>
         <source>each study and each file once</source>
-        <translation type="unfinished"></translation>
+        <translation>每个研究和每个文件一次</translation>
     </message>
     <message>
         <source>there are no completed trials</source>
-        <translation type="unfinished"></translation>
+        <translation>没有已完成的试次</translation>
     </message>
     <message>
         <source>trials that were answered or timed out</source>
-        <translation type="unfinished"></translation>
+        <translation>已回答或超时的试次</translation>
     </message>
     <message>
         <source>Format</source>
-        <translation type="unfinished"></translation>
+        <translation>格式</translation>
     </message>
     <message>
         <source>Sessions</source>
-        <translation type="unfinished"></translation>
+        <translation>场次</translation>
     </message>
     <message>
         <source>PostgreSQL server that has the study, postgresql://USER@HOST/DATABASE?study=NAME; the password comes from PGPASSWORD or ~/.pgpass. The folder gets the exports</source>
-        <translation type="unfinished"></translation>
+        <translation>存放研究的 PostgreSQL 服务器，postgresql://USER@HOST/DATABASE?study=NAME；密码取自 PGPASSWORD 或 ~/.pgpass。导出文件存入该文件夹</translation>
     </message>
     <message>
         <source>Formats of the figures, separated by commas</source>
-        <translation type="unfinished"></translation>
+        <translation>图的格式，以逗号分隔</translation>
     </message>
     <message>
         <source>Folder for report.html, confusion_long.csv, summary.csv, group.csv, anova.csv, figures</source>
-        <translation type="unfinished"></translation>
+        <translation>存放 report.html、confusion_long.csv、summary.csv、group.csv、anova.csv 和图的文件夹</translation>
     </message>
     <message>
         <source>Write pink noise that can be played in a loop</source>
-        <translation type="unfinished"></translation>
+        <translation>写出可循环播放的粉红噪声</translation>
     </message>
     <message>
         <source>The sound file</source>
-        <translation type="unfinished"></translation>
+        <translation>声音文件</translation>
     </message>
     <message>
         <source>Root mean square against full scale, dB; how loud it is at the ear has to be measured</source>
-        <translation type="unfinished"></translation>
+        <translation>相对满量程的均方根值，dB；耳边的实际响度须另行测量</translation>
     </message>
     <message>
         <source>Seed of the noise</source>
-        <translation type="unfinished"></translation>
+        <translation>噪声的种子</translation>
     </message>
     <message>
         <source>there is nothing to analyze</source>
-        <translation type="unfinished"></translation>
+        <translation>没有可分析的内容</translation>
     </message>
     <message>
         <source>folders of studies, trial CSVs, or a server (--store)</source>
-        <translation type="unfinished"></translation>
+        <translation>研究的文件夹、试次 CSV 或服务器 (--store)</translation>
     </message>
     <message>
         <source>Results of the study</source>
-        <translation type="unfinished"></translation>
+        <translation>研究结果</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>文件</translation>
     </message>
     <message>
         <source>Period</source>
-        <translation type="unfinished"></translation>
+        <translation>周期</translation>
     </message>
     <message>
         <source>%1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s</translation>
     </message>
     <message>
         <source>Level</source>
-        <translation type="unfinished"></translation>
+        <translation>电平</translation>
     </message>
     <message>
         <source>%1 dBFS</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 dBFS</translation>
     </message>
 </context>
 <context>
     <name>StudyExport</name>
     <message>
         <source>cannot make the folder</source>
-        <translation type="unfinished"></translation>
+        <translation>无法创建文件夹</translation>
     </message>
     <message>
         <source>the file does not hold what was written</source>
-        <translation type="unfinished"></translation>
+        <translation>文件内容与写入的不符</translation>
     </message>
     <message>
         <source>the study has no participant &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>研究中没有被试“%1”</translation>
     </message>
 </context>
 <context>
     <name>StudyFigure</name>
     <message>
         <source>cannot make the folder</source>
-        <translation type="unfinished"></translation>
+        <translation>无法创建文件夹</translation>
     </message>
     <message>
         <source>two figures have the same name</source>
-        <translation type="unfinished"></translation>
+        <translation>两张图同名</translation>
     </message>
     <message>
         <source>Subject response, %</source>
-        <translation type="unfinished"></translation>
+        <translation>被试的回答，%</translation>
     </message>
     <message>
         <source>Subject response, trials</source>
-        <translation type="unfinished"></translation>
+        <translation>被试的回答，试次数</translation>
     </message>
     <message>
         <source>Subject response, % and trials</source>
-        <translation type="unfinished"></translation>
+        <translation>被试的回答，% 与试次数</translation>
     </message>
     <message>
         <source>PILOT</source>
-        <translation type="unfinished"></translation>
+        <translation>预试</translation>
     </message>
     <message>
         <source>SIMULATED</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟</translation>
     </message>
 </context>
 <context>
     <name>StudyFiles</name>
     <message>
         <source>cannot make the folder</source>
-        <translation type="unfinished"></translation>
+        <translation>无法创建文件夹</translation>
     </message>
 </context>
 <context>
     <name>StudyNoise</name>
     <message>
         <source>these settings of the noise are out of range</source>
-        <translation type="unfinished"></translation>
+        <translation>噪声的这些设置超出范围</translation>
     </message>
     <message>
         <source>an even number of samples up to %1, and frequencies above 0 up to half the rate</source>
-        <translation type="unfinished"></translation>
+        <translation>至多 %1 的偶数个样本，以及大于 0 且不超过采样率一半的频率</translation>
     </message>
     <message>
         <source>there is no frequency in this band</source>
-        <translation type="unfinished"></translation>
+        <translation>此频带中没有频率</translation>
     </message>
     <message>
         <source>more samples or a wider band</source>
-        <translation type="unfinished"></translation>
+        <translation>更多样本或更宽的频带</translation>
     </message>
     <message>
         <source>the noise would be clipped at this level</source>
-        <translation type="unfinished"></translation>
+        <translation>以此电平噪声会被削顶</translation>
     </message>
     <message>
         <source>a level of %1 dBFS at most</source>
-        <translation type="unfinished"></translation>
+        <translation>至多 %1 dBFS 的电平</translation>
     </message>
     <message>
         <source>the sound is too long for a WAV file</source>
-        <translation type="unfinished"></translation>
+        <translation>声音过长，无法存为 WAV 文件</translation>
     </message>
     <message>
         <source>at most 4 GiB of samples</source>
-        <translation type="unfinished"></translation>
+        <translation>至多 4 GiB 的样本</translation>
     </message>
 </context>
 <context>
     <name>StudyProtocol</name>
     <message>
         <source>&quot;%1&quot; means no answer</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”表示未回答</translation>
     </message>
     <message>
         <source>another letter</source>
-        <translation type="unfinished"></translation>
+        <translation>另一个字母</translation>
     </message>
     <message>
         <source>cannot open the protocol: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>无法打开方案：%1</translation>
     </message>
 </context>
 <context>
     <name>StudyQuestionnaire</name>
     <message>
         <source>&quot;%1&quot; is not answered</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”未回答</translation>
     </message>
     <message>
         <source>an answer</source>
-        <translation type="unfinished"></translation>
+        <translation>一个回答</translation>
     </message>
     <message>
         <source>the answer to &quot;%1&quot; is too long</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”的回答过长</translation>
     </message>
     <message>
         <source>%1 characters at most</source>
-        <translation type="unfinished"></translation>
+        <translation>至多 %1 个字符</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be answered by &quot;%2&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不能用“%2”回答</translation>
     </message>
     <message>
         <source>a number from 1 to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>1 至 %1 的数</translation>
     </message>
     <message>
         <source>one of the choices</source>
-        <translation type="unfinished"></translation>
+        <translation>选项之一</translation>
     </message>
     <message>
         <source>the answers are not those of this questionnaire</source>
-        <translation type="unfinished"></translation>
+        <translation>这些回答不属于此问卷</translation>
     </message>
     <message>
         <source>one answer an item, in their order</source>
-        <translation type="unfinished"></translation>
+        <translation>每个题目一个回答，按题目顺序</translation>
     </message>
 </context>
 <context>
     <name>StudyRehearsal</name>
     <message>
         <source>this study has real participants</source>
-        <translation type="unfinished"></translation>
+        <translation>此研究有真实的被试</translation>
     </message>
     <message>
         <source>a study that was begun as a rehearsal</source>
-        <translation type="unfinished"></translation>
+        <translation>以预演方式开始的研究</translation>
     </message>
 </context>
 <context>
     <name>StudyReport</name>
     <message>
         <source>There are no test trials.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有测试试次。</translation>
     </message>
     <message>
         <source>Correct answers of the group; the interval is that of Student&apos;s t over participants (95 %)</source>
-        <translation type="unfinished"></translation>
+        <translation>全组的正确回答；区间为被试间的学生 t 区间 (95 %)</translation>
     </message>
     <message>
         <source>Condition</source>
-        <translation type="unfinished"></translation>
+        <translation>条件</translation>
     </message>
     <message>
         <source>Participants</source>
-        <translation type="unfinished"></translation>
+        <translation>被试</translation>
     </message>
     <message>
         <source>Mean, %</source>
-        <translation type="unfinished"></translation>
+        <translation>平均值，%</translation>
     </message>
     <message>
         <source>SD, %</source>
-        <translation type="unfinished"></translation>
+        <translation>SD，%</translation>
     </message>
     <message>
         <source>Interval, %</source>
-        <translation type="unfinished"></translation>
+        <translation>区间，%</translation>
     </message>
     <message>
         <source>Correct answers</source>
-        <translation type="unfinished"></translation>
+        <translation>正确回答</translation>
     </message>
     <message>
         <source>Dots: participants. Marks: mean with the t interval over participants.</source>
-        <translation type="unfinished"></translation>
+        <translation>圆点：被试。标记：平均值及被试间的 t 区间。</translation>
     </message>
     <message>
         <source>Rows: presented; columns: answered. Percent of the row, all participants.</source>
-        <translation type="unfinished"></translation>
+        <translation>行：呈现；列：回答。占行的百分比，全部被试。</translation>
     </message>
     <message>
         <source>Presented</source>
-        <translation type="unfinished"></translation>
+        <translation>呈现</translation>
     </message>
     <message>
         <source>Trials</source>
-        <translation type="unfinished"></translation>
+        <translation>试次</translation>
     </message>
     <message>
         <source>%1: trials and share of the row in percent</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：试次数及占行的百分比</translation>
     </message>
     <message>
         <source>Confusion matrices</source>
-        <translation type="unfinished"></translation>
+        <translation>混淆矩阵</translation>
     </message>
     <message>
         <source>Pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>图案</translation>
     </message>
     <message>
         <source>%1, %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，%</translation>
     </message>
     <message>
         <source>df</source>
-        <translation type="unfinished"></translation>
+        <translation>df</translation>
     </message>
     <message>
         <source>Mean of the participants&apos; correct answers for each pattern; two conditions are compared within participants</source>
-        <translation type="unfinished"></translation>
+        <translation>各图案下被试正确回答的平均值；两个条件按被试内比较</translation>
     </message>
     <message>
         <source>Patterns and conditions</source>
-        <translation type="unfinished"></translation>
+        <translation>图案与条件</translation>
     </message>
     <message>
         <source>Mean of the participants with the t interval (95 %).</source>
-        <translation type="unfinished"></translation>
+        <translation>被试平均值及 t 区间 (95 %)。</translation>
     </message>
     <message>
         <source>Participants&apos; median response times of correct, answered test trials, from the onset of the stimulus</source>
-        <translation type="unfinished"></translation>
+        <translation>被试在已正确回答的测试试次中的反应时间中位数，自刺激起始计</translation>
     </message>
     <message>
         <source>Median of the medians, s</source>
-        <translation type="unfinished"></translation>
+        <translation>中位数的中位数，s</translation>
     </message>
     <message>
         <source>Shortest, s</source>
-        <translation type="unfinished"></translation>
+        <translation>最短，s</translation>
     </message>
     <message>
         <source>Longest, s</source>
-        <translation type="unfinished"></translation>
+        <translation>最长，s</translation>
     </message>
     <message>
         <source>Response times</source>
-        <translation type="unfinished"></translation>
+        <translation>反应时间</translation>
     </message>
     <message>
         <source>Dots: medians of participants. Marks: the median of these.</source>
-        <translation type="unfinished"></translation>
+        <translation>圆点：各被试的中位数。标记：这些中位数的中位数。</translation>
     </message>
     <message>
         <source>Information transfer of the pooled answers in bit, its bias, and the bootstrap interval over participants (95 %, of the measured value)</source>
-        <translation type="unfinished"></translation>
+        <translation>合并回答的信息传输量（bit）、其偏差以及被试间的自助法区间（95 %，针对实测值）</translation>
     </message>
     <message>
         <source>Measured</source>
-        <translation type="unfinished"></translation>
+        <translation>实测</translation>
     </message>
     <message>
         <source>Bias</source>
-        <translation type="unfinished"></translation>
+        <translation>偏差</translation>
     </message>
     <message>
         <source>Corrected</source>
-        <translation type="unfinished"></translation>
+        <translation>校正后</translation>
     </message>
     <message>
         <source>Interval</source>
-        <translation type="unfinished"></translation>
+        <translation>区间</translation>
     </message>
     <message>
         <source>A guesser would show</source>
-        <translation type="unfinished"></translation>
+        <translation>纯猜测的结果</translation>
     </message>
     <message>
         <source>Remark</source>
-        <translation type="unfinished"></translation>
+        <translation>备注</translation>
     </message>
     <message>
         <source>few trials: fewer than 5 k²</source>
-        <translation type="unfinished"></translation>
+        <translation>试次较少：少于 5 k²</translation>
     </message>
     <message>
         <source>Information transfer</source>
-        <translation type="unfinished"></translation>
+        <translation>信息传输量</translation>
     </message>
     <message>
         <source>Filled: measured, with the bootstrap interval. Hollow: less the bias.</source>
-        <translation type="unfinished"></translation>
+        <translation>实心：实测值，含自助法区间。空心：减去偏差。</translation>
     </message>
     <message>
         <source>The measured value is too high with few trials: even a participant who only guesses shows more than 0 bit. Compare it with the column of the guesser, and use the corrected value with care.</source>
-        <translation type="unfinished"></translation>
+        <translation>试次较少时实测值偏高：即使只靠猜测的被试也会显示大于 0 bit。请与“纯猜测”一列比较，并谨慎使用校正值。</translation>
     </message>
     <message>
         <source>Each participant, test trials; intervals of 95 %, p of so many correct answers by chance</source>
-        <translation type="unfinished"></translation>
+        <translation>各被试，测试试次；95 % 区间，随机得到这么多正确回答的 p 值</translation>
     </message>
     <message>
         <source>Participant</source>
-        <translation type="unfinished"></translation>
+        <translation>被试</translation>
     </message>
     <message>
         <source>Correct</source>
-        <translation type="unfinished"></translation>
+        <translation>正确</translation>
     </message>
     <message>
         <source>No answer</source>
-        <translation type="unfinished"></translation>
+        <translation>未回答</translation>
     </message>
     <message>
         <source>Accuracy, %</source>
-        <translation type="unfinished"></translation>
+        <translation>正确率，%</translation>
     </message>
     <message>
         <source>Wilson, %</source>
-        <translation type="unfinished"></translation>
+        <translation>Wilson，%</translation>
     </message>
     <message>
         <source>Clopper-Pearson, %</source>
-        <translation type="unfinished"></translation>
+        <translation>Clopper-Pearson，%</translation>
     </message>
     <message>
         <source>p of chance</source>
-        <translation type="unfinished"></translation>
+        <translation>随机 p 值</translation>
     </message>
     <message>
         <source>Transfer, bit</source>
-        <translation type="unfinished"></translation>
+        <translation>传输量，bit</translation>
     </message>
     <message>
         <source>Guesser, bit</source>
-        <translation type="unfinished"></translation>
+        <translation>纯猜测，bit</translation>
     </message>
     <message>
         <source>Corrected, bit</source>
-        <translation type="unfinished"></translation>
+        <translation>校正后，bit</translation>
     </message>
     <message>
         <source>Median time, s</source>
-        <translation type="unfinished"></translation>
+        <translation>中位时间，s</translation>
     </message>
     <message>
         <source>Times</source>
-        <translation type="unfinished"></translation>
+        <translation>时间数</translation>
     </message>
     <message>
         <source>Analysis of variance within participants of the shares of correct answers; p with the corrections of Greenhouse and Geisser and of Huynh and Feldt</source>
-        <translation type="unfinished"></translation>
+        <translation>对正确回答比例的被试内方差分析；p 值含 Greenhouse-Geisser 校正和 Huynh-Feldt 校正</translation>
     </message>
     <message>
         <source>Effect</source>
-        <translation type="unfinished"></translation>
+        <translation>效应</translation>
     </message>
     <message>
         <source>partial η²</source>
-        <translation type="unfinished"></translation>
+        <translation>偏 η²</translation>
     </message>
     <message>
         <source>generalised η²</source>
-        <translation type="unfinished"></translation>
+        <translation>广义 η²</translation>
     </message>
     <message>
         <source>%1 is left out: a cell is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 被排除：缺少一个单元格</translation>
     </message>
     <message>
         <source>Analysis of variance</source>
-        <translation type="unfinished"></translation>
+        <translation>方差分析</translation>
     </message>
     <message>
         <source>PILOT: these data were taken to try the study out.</source>
-        <translation type="unfinished"></translation>
+        <translation>预试：这些数据用于试行研究。</translation>
     </message>
     <message>
         <source>SIMULATED: these answers were made by a program, not by people.</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟：这些回答由程序生成，并非来自真人。</translation>
     </message>
     <message>
         <source>cannot make the folder</source>
-        <translation type="unfinished"></translation>
+        <translation>无法创建文件夹</translation>
     </message>
 </context>
 <context>
     <name>StudyScene</name>
     <message>
         <source>the effect is listed twice</source>
-        <translation type="unfinished"></translation>
+        <translation>该效应列出了两次</translation>
     </message>
     <message>
         <source>each effect at most once</source>
-        <translation type="unfinished"></translation>
+        <translation>每个效应至多一次</translation>
     </message>
 </context>
 <context>
@@ -5453,2441 +5467,2442 @@ Area %6</source>
     <message>
         <source>%1, %2</source>
         <comment>task, condition</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1，%2</translation>
     </message>
     <message numerus="yes">
         <source>%1: %n pattern(s); %2</source>
         <comment>task; conditions</comment>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1：%n 个图案；%2</numerusform>
         </translation>
     </message>
     <message>
         <source>Repetitions of each pattern: %1 in practice, %2 in the test; %3 test trials a participant</source>
-        <translation type="unfinished"></translation>
+        <translation>每个图案的重复次数：练习 %1 次，测试 %2 次；每名被试 %3 个测试试次</translation>
     </message>
     <message>
         <source>Stimulus %1 s, answer within %2 s %3</source>
         <comment>numbers; of what</comment>
-        <translation type="unfinished"></translation>
+        <translation>刺激 %1 s，须在%3 %2 s 内回答</translation>
     </message>
     <message>
         <source>of its onset</source>
-        <translation type="unfinished"></translation>
+        <translation>其起始后</translation>
     </message>
     <message>
         <source>of its end</source>
-        <translation type="unfinished"></translation>
+        <translation>其结束后</translation>
     </message>
     <message>
         <source>Pink noise, %1 dBA</source>
-        <translation type="unfinished"></translation>
+        <translation>粉红噪声，%1 dBA</translation>
     </message>
     <message>
         <source>Seed %1</source>
-        <translation type="unfinished"></translation>
+        <translation>种子 %1</translation>
     </message>
     <message>
         <source>running</source>
-        <translation type="unfinished"></translation>
+        <translation>进行中</translation>
     </message>
     <message>
         <source>✓ finished</source>
-        <translation type="unfinished"></translation>
+        <translation>✓ 已完成</translation>
     </message>
     <message>
         <source>%1 of %2</source>
         <comment>trials kept</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 / %2</translation>
     </message>
     <message>
         <source>to do</source>
-        <translation type="unfinished"></translation>
+        <translation>待进行</translation>
     </message>
     <message>
         <source>%1 — %2</source>
         <comment>participant, session</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 — %2</translation>
     </message>
     <message>
         <source>Session %1 of %2, row %3 of the Williams square</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 场次，共 %2 场次，Williams 方阵第 %3 行</translation>
     </message>
     <message>
         <source>Go on with this session</source>
-        <translation type="unfinished"></translation>
+        <translation>继续此场次</translation>
     </message>
     <message>
         <source>Begin this session</source>
-        <translation type="unfinished"></translation>
+        <translation>开始此场次</translation>
     </message>
     <message>
         <source>This session was interrupted after %1 of %2 trials. What was answered is kept; it goes on with the same order.</source>
-        <translation type="unfinished"></translation>
+        <translation>此场次在完成 %2 个试次中的 %1 个后中断。已有的回答均已保留；将按相同顺序继续。</translation>
     </message>
     <message>
         <source>The session can begin when all checks have passed.</source>
-        <translation type="unfinished"></translation>
+        <translation>所有检查通过后即可开始此场次。</translation>
     </message>
     <message>
         <source>Begin the rehearsal</source>
-        <translation type="unfinished"></translation>
+        <translation>开始预演</translation>
     </message>
     <message>
         <source>Go on with the rehearsal</source>
-        <translation type="unfinished"></translation>
+        <translation>继续预演</translation>
     </message>
     <message>
         <source>Simulated participants go through all sessions, with the same code as people.</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟被试完成所有场次，使用与真人相同的代码。</translation>
     </message>
     <message>
         <source>Halt the rehearsal</source>
-        <translation type="unfinished"></translation>
+        <translation>暂停预演</translation>
     </message>
     <message>
         <source>To the next session</source>
-        <translation type="unfinished"></translation>
+        <translation>前往下一个场次</translation>
     </message>
     <message>
         <source>This session is finished.</source>
-        <translation type="unfinished"></translation>
+        <translation>此场次已完成。</translation>
     </message>
     <message>
         <source>Show the results</source>
-        <translation type="unfinished"></translation>
+        <translation>显示结果</translation>
     </message>
     <message>
         <source>All sessions of all participants are finished.</source>
-        <translation type="unfinished"></translation>
+        <translation>所有被试的所有场次均已完成。</translation>
     </message>
     <message>
         <source>Add a participant</source>
-        <translation type="unfinished"></translation>
+        <translation>添加被试</translation>
     </message>
     <message>
         <source>Enrol the first participant at the left: the order of the conditions follows from the order of enrolment.</source>
-        <translation type="unfinished"></translation>
+        <translation>在左侧登记第一名被试：条件的顺序由登记顺序决定。</translation>
     </message>
     <message>
         <source>Choose another participant</source>
-        <translation type="unfinished"></translation>
+        <translation>选择其他被试</translation>
     </message>
     <message>
         <source>This participant has finished all sessions.</source>
-        <translation type="unfinished"></translation>
+        <translation>此被试已完成所有场次。</translation>
     </message>
     <message>
         <source>It is asked again when a session of this participant begins or is gone on with.</source>
-        <translation type="unfinished"></translation>
+        <translation>此被试的场次开始或继续时会再次询问。</translation>
     </message>
     <message>
         <source>It is asked again only when this session is interrupted and gone on with.</source>
-        <translation type="unfinished"></translation>
+        <translation>仅当此场次中断后继续时才会再次询问。</translation>
     </message>
     <message>
         <source>The session is finished without it, and then it is not asked again.</source>
-        <translation type="unfinished"></translation>
+        <translation>场次将在没有它的情况下完成，此后不再询问。</translation>
     </message>
     <message>
         <source>The simulated participant fills in “%1”.</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟被试正在填写“%1”。</translation>
     </message>
     <message>
         <source>Noting that “%1” is left out …</source>
-        <translation type="unfinished"></translation>
+        <translation>正在记录“%1”已跳过…</translation>
     </message>
     <message>
         <source>Keeping the answers …</source>
-        <translation type="unfinished"></translation>
+        <translation>正在保存回答…</translation>
     </message>
     <message>
         <source>The participant fills in “%1”.</source>
-        <translation type="unfinished"></translation>
+        <translation>被试正在填写“%1”。</translation>
     </message>
     <message>
         <source>Try again to leave it out</source>
-        <translation type="unfinished"></translation>
+        <translation>重试跳过</translation>
     </message>
     <message>
         <source>“%1” could not be left out, because the note about it could not be kept. %2</source>
-        <translation type="unfinished"></translation>
+        <translation>无法跳过“%1”，因为相关备注无法保存。%2</translation>
     </message>
     <message>
         <source>Try again to keep the answers</source>
-        <translation type="unfinished"></translation>
+        <translation>重试保存回答</translation>
     </message>
     <message>
         <source>The answers to “%1” could not be kept; they are still in the participant&apos;s window. %2</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”的回答无法保存；它们仍在被试窗口中。%2</translation>
     </message>
     <message>
         <source>Show the questionnaire</source>
-        <translation type="unfinished"></translation>
+        <translation>显示问卷</translation>
     </message>
     <message>
         <source>Practice</source>
-        <translation type="unfinished"></translation>
+        <translation>练习</translation>
     </message>
     <message>
         <source>Test</source>
-        <translation type="unfinished"></translation>
+        <translation>测试</translation>
     </message>
     <message>
         <source>Go on</source>
-        <translation type="unfinished"></translation>
+        <translation>继续</translation>
     </message>
     <message>
         <source>Paused.</source>
-        <translation type="unfinished"></translation>
+        <translation>已暂停。</translation>
     </message>
     <message>
         <source>Begin the test</source>
-        <translation type="unfinished"></translation>
+        <translation>开始测试</translation>
     </message>
     <message>
         <source>Practice is over. In the test there is no feedback unless the protocol says so.</source>
-        <translation type="unfinished"></translation>
+        <translation>练习已结束。除非方案另有规定，测试中没有反馈。</translation>
     </message>
     <message>
         <source>Go on after STOP</source>
-        <translation type="unfinished"></translation>
+        <translation>在 STOP 之后继续</translation>
     </message>
     <message>
         <source>STOPPED. The bracelet is off. A trial that ran will be shown again.</source>
-        <translation type="unfinished"></translation>
+        <translation>已停止。手环已关闭。进行中的试次将重新呈现。</translation>
     </message>
     <message>
         <source>The stimulus was interrupted: %1. The trial will be shown again.</source>
-        <translation type="unfinished"></translation>
+        <translation>刺激被中断：%1。该试次将重新呈现。</translation>
     </message>
     <message>
         <source>Hold the STOP button for a second to release it.</source>
-        <translation type="unfinished"></translation>
+        <translation>按住 STOP 按钮一秒以解除。</translation>
     </message>
     <message>
         <source>Try again to keep the last trial</source>
-        <translation type="unfinished"></translation>
+        <translation>重试保存上一个试次</translation>
     </message>
     <message>
         <source>The last trial could not be kept; it is still in memory. %1</source>
-        <translation type="unfinished"></translation>
+        <translation>上一个试次无法保存；它仍在内存中。%1</translation>
     </message>
     <message>
         <source>Leave this session</source>
-        <translation type="unfinished"></translation>
+        <translation>离开此场次</translation>
     </message>
     <message>
         <source>The session was aborted. What was answered is kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>场次已中止。已有的回答均已保留。</translation>
     </message>
     <message>
         <source>This session is finished. Thank the participant.</source>
-        <translation type="unfinished"></translation>
+        <translation>此场次已完成。请向被试致谢。</translation>
     </message>
     <message>
         <source>Keeping the trial …</source>
-        <translation type="unfinished"></translation>
+        <translation>正在保存试次…</translation>
     </message>
     <message>
         <source>Ready for the next trial.</source>
-        <translation type="unfinished"></translation>
+        <translation>已准备好进行下一个试次。</translation>
     </message>
     <message>
         <source>The stimulus begins …</source>
-        <translation type="unfinished"></translation>
+        <translation>刺激即将开始…</translation>
     </message>
     <message>
         <source>The stimulus is felt.</source>
-        <translation type="unfinished"></translation>
+        <translation>正在呈现刺激。</translation>
     </message>
     <message>
         <source>The right answer is shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>正在显示正确答案。</translation>
     </message>
     <message>
         <source>Waiting for the answer.</source>
-        <translation type="unfinished"></translation>
+        <translation>正在等待回答。</translation>
     </message>
     <message>
         <source>The simulated participant is at work</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟被试正在进行</translation>
     </message>
     <message>
         <source>The participant goes on with Space</source>
-        <translation type="unfinished"></translation>
+        <translation>由被试按空格键继续</translation>
     </message>
     <message>
         <source>A pause follows.</source>
-        <translation type="unfinished"></translation>
+        <translation>接下来是休息。</translation>
     </message>
     <message>
         <source>Your answers could not be kept yet. Please tell the experimenter.</source>
-        <translation type="unfinished"></translation>
+        <translation>您的回答尚未能保存。请告知实验人员。</translation>
     </message>
     <message>
         <source>No session is chosen</source>
-        <translation type="unfinished"></translation>
+        <translation>未选择场次</translation>
     </message>
     <message>
         <source>%1, test</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，测试</translation>
     </message>
     <message>
         <source>%1, practice</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，练习</translation>
     </message>
 </context>
 <context>
     <name>StudySchema</name>
     <message>
         <source>a newer program made this study (schema %1, this one knows %2)</source>
-        <translation type="unfinished"></translation>
+        <translation>此研究由较新的程序创建（架构 %1，本程序支持 %2）</translation>
     </message>
     <message>
         <source>cannot write the study: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>无法写入研究：%1</translation>
     </message>
     <message>
         <source>cannot read the study: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>无法读取研究：%1</translation>
     </message>
     <message>
         <source>another program made this database (schema %1)</source>
-        <translation type="unfinished"></translation>
+        <translation>此数据库由其他程序创建（架构 %1）</translation>
     </message>
 </context>
 <context>
     <name>StudySession</name>
     <message>
         <source>the trials that were kept are not those of this plan</source>
-        <translation type="unfinished"></translation>
+        <translation>已保存的试次与此计划不符</translation>
     </message>
     <message>
         <source>the order that the seed of the session gives</source>
-        <translation type="unfinished"></translation>
+        <translation>由场次种子给出的顺序</translation>
     </message>
 </context>
 <context>
     <name>StudyStore</name>
     <message>
         <source>cannot open the study: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>无法打开研究：%1</translation>
     </message>
     <message>
         <source>cannot use the study: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>无法使用研究：%1</translation>
     </message>
     <message>
         <source>cannot make the folder of the study</source>
-        <translation type="unfinished"></translation>
+        <translation>无法创建研究的文件夹</translation>
     </message>
     <message>
         <source>there is a study in this folder already</source>
-        <translation type="unfinished"></translation>
+        <translation>此文件夹中已有研究</translation>
     </message>
     <message>
         <source>a new folder, or to go on with the study</source>
-        <translation type="unfinished"></translation>
+        <translation>新的文件夹，或继续该研究</translation>
     </message>
     <message>
         <source>there is no study here</source>
-        <translation type="unfinished"></translation>
+        <translation>此处没有研究</translation>
     </message>
     <message>
         <source>a folder with study.sqlite</source>
-        <translation type="unfinished"></translation>
+        <translation>含 study.sqlite 的文件夹</translation>
     </message>
     <message>
         <source>the study was never completely made</source>
-        <translation type="unfinished"></translation>
+        <translation>该研究从未完整创建</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot name a participant</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不能作为被试的名称</translation>
     </message>
     <message>
         <source>a text of 1 to %1 characters</source>
-        <translation type="unfinished"></translation>
+        <translation>1 至 %1 个字符的文本</translation>
     </message>
     <message>
         <source>the participant &quot;%1&quot; is enrolled already</source>
-        <translation type="unfinished"></translation>
+        <translation>被试“%1”已登记</translation>
     </message>
     <message>
         <source>another name</source>
-        <translation type="unfinished"></translation>
+        <translation>另一个名称</translation>
     </message>
     <message>
         <source>this trial is kept already</source>
-        <translation type="unfinished"></translation>
+        <translation>该试次已保存</translation>
     </message>
     <message>
         <source>each attempt of a trial once</source>
-        <translation type="unfinished"></translation>
+        <translation>试次的每次尝试一次</translation>
     </message>
     <message>
         <source>a folder of its own for each study</source>
-        <translation type="unfinished"></translation>
+        <translation>每个研究使用各自的文件夹</translation>
     </message>
     <message>
         <source>this folder has a study that is kept in it</source>
-        <translation type="unfinished"></translation>
+        <translation>此文件夹中已有一个存于其内的研究</translation>
     </message>
     <message>
         <source>cannot read the file: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>无法读取文件：%1</translation>
     </message>
     <message>
         <source>this folder is that of another study, on %1</source>
-        <translation type="unfinished"></translation>
+        <translation>此文件夹属于 %1 上的另一个研究</translation>
     </message>
     <message>
         <source>this does not say which study the folder is for</source>
-        <translation type="unfinished"></translation>
+        <translation>未说明该文件夹属于哪个研究</translation>
     </message>
     <message>
         <source>server, created_utc and seed of a study</source>
-        <translation type="unfinished"></translation>
+        <translation>研究的 server、created_utc 和 seed</translation>
     </message>
     <message>
         <source>this is no address of a PostgreSQL server</source>
-        <translation type="unfinished"></translation>
+        <translation>这不是 PostgreSQL 服务器的地址</translation>
     </message>
     <message>
         <source>the address has the port &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>地址中的端口为“%1”</translation>
     </message>
     <message>
         <source>a whole number from 1 to 65535</source>
-        <translation type="unfinished"></translation>
+        <translation>1 至 65535 的整数</translation>
     </message>
     <message>
         <source>the option &quot;%1&quot; of the address has a semicolon</source>
-        <translation type="unfinished"></translation>
+        <translation>地址的选项“%1”含有分号</translation>
     </message>
     <message>
         <source>a value without semicolons</source>
-        <translation type="unfinished"></translation>
+        <translation>不含分号的值</translation>
     </message>
     <message>
         <source>the address has the unknown option &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>地址含有未知选项“%1”</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot name a study on a server</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不能作为服务器上研究的名称</translation>
     </message>
     <message>
         <source>small letters, digits and _, not a digit first</source>
-        <translation type="unfinished"></translation>
+        <translation>小写字母、数字和 _，不以数字开头</translation>
     </message>
     <message>
         <source>Qt&apos;s driver for PostgreSQL is not installed</source>
-        <translation type="unfinished"></translation>
+        <translation>未安装 Qt 的 PostgreSQL 驱动程序</translation>
     </message>
     <message>
         <source>the package %1</source>
-        <translation type="unfinished"></translation>
+        <translation>软件包 %1</translation>
     </message>
     <message>
         <source>the server has no study &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>服务器上没有研究“%1”</translation>
     </message>
     <message>
         <source>the name of a study that was begun there</source>
-        <translation type="unfinished"></translation>
+        <translation>已在该处开始的研究的名称</translation>
     </message>
     <message>
         <source>another station went on with this participant while the server was away</source>
-        <translation type="unfinished"></translation>
+        <translation>服务器断开期间，另一个工作站继续了此被试</translation>
     </message>
     <message>
         <source>one session of a participant at a time</source>
-        <translation type="unfinished"></translation>
+        <translation>一名被试同一时间只进行一个场次</translation>
     </message>
     <message>
         <source>another station</source>
-        <translation type="unfinished"></translation>
+        <translation>另一个工作站</translation>
     </message>
     <message>
         <source>the study is damaged: a session or a trial has a number that its protocol does not have</source>
-        <translation type="unfinished"></translation>
+        <translation>研究已损坏：某个场次或试次的编号在其方案中不存在</translation>
     </message>
     <message>
         <source>there is a study of this name already</source>
-        <translation type="unfinished"></translation>
+        <translation>已存在同名的研究</translation>
     </message>
     <message>
         <source>a new name, or to go on with the study</source>
-        <translation type="unfinished"></translation>
+        <translation>新名称，或继续该研究</translation>
     </message>
     <message>
         <source>another name: files have %1 for no value or for all participants</source>
-        <translation type="unfinished"></translation>
+        <translation>另一个名称：文件中以 %1 表示无值或全部被试</translation>
     </message>
     <message>
         <source>other stations enrol participants all the time</source>
-        <translation type="unfinished"></translation>
+        <translation>其他工作站一直在登记被试</translation>
     </message>
     <message>
         <source>to try again</source>
-        <translation type="unfinished"></translation>
+        <translation>重试</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is in a session already, at %2</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”已在 %2 进行一个场次</translation>
     </message>
     <message>
         <source>these trials belong to another study</source>
-        <translation type="unfinished"></translation>
+        <translation>这些试次属于另一个研究</translation>
     </message>
     <message>
         <source>The trial is safe in %1 and is sent when the server is back.</source>
-        <translation type="unfinished"></translation>
+        <translation>该试次已安全存于 %1，服务器恢复后发送。</translation>
     </message>
     <message>
         <source>this questionnaire belongs to another place in the study</source>
-        <translation type="unfinished"></translation>
+        <translation>此问卷属于研究中的另一处</translation>
     </message>
     <message>
         <source>this questionnaire was answered already</source>
-        <translation type="unfinished"></translation>
+        <translation>此问卷已回答过</translation>
     </message>
     <message>
         <source>each questionnaire once</source>
-        <translation type="unfinished"></translation>
+        <translation>每份问卷一次</translation>
     </message>
     <message>
         <source>cannot write the file: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>无法写入文件：%1</translation>
     </message>
     <message>
         <source>this is no trial</source>
-        <translation type="unfinished"></translation>
+        <translation>这不是试次</translation>
     </message>
     <message>
         <source>a trial that was kept here</source>
-        <translation type="unfinished"></translation>
+        <translation>在此保存过的试次</translation>
     </message>
     <message>
         <source>cannot remove the file: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>无法删除文件：%1</translation>
     </message>
 </context>
 <context>
     <name>StudyTrialSource</name>
     <message>
         <source>run, pilot or simulated</source>
-        <translation type="unfinished"></translation>
+        <translation>run、pilot 或 simulated</translation>
     </message>
     <message>
         <source>a value</source>
-        <translation type="unfinished"></translation>
+        <translation>一个值</translation>
     </message>
     <message>
         <source>practice or test</source>
-        <translation type="unfinished"></translation>
+        <translation>practice 或 test</translation>
     </message>
     <message>
         <source>correct, incorrect, timeout, aborted or device_error</source>
-        <translation type="unfinished"></translation>
+        <translation>correct、incorrect、timeout、aborted 或 device_error</translation>
     </message>
     <message>
         <source>what stimulus and response say</source>
-        <translation type="unfinished"></translation>
+        <translation>与 stimulus 和 response 一致的内容</translation>
     </message>
     <message>
         <source>a number of seconds or NA</source>
-        <translation type="unfinished"></translation>
+        <translation>秒数或 NA</translation>
     </message>
     <message>
         <source>there are too many different patterns</source>
-        <translation type="unfinished"></translation>
+        <translation>不同的图案过多</translation>
     </message>
     <message>
         <source>%1 at most</source>
-        <translation type="unfinished"></translation>
+        <translation>至多 %1</translation>
     </message>
     <message>
         <source>interrupted</source>
-        <translation type="unfinished"></translation>
+        <translation>已中断</translation>
     </message>
 </context>
 <context>
     <name>StudyWatermark</name>
     <message>
         <source>PILOT</source>
-        <translation type="unfinished"></translation>
+        <translation>预试</translation>
     </message>
     <message>
         <source>SIMULATED</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟</translation>
     </message>
 </context>
 <context>
     <name>Timeline</name>
     <message>
         <source>hold</source>
-        <translation type="unfinished"></translation>
+        <translation>保持</translation>
     </message>
     <message>
         <source>ease in</source>
-        <translation type="unfinished"></translation>
+        <translation>缓入</translation>
     </message>
     <message>
         <source>ease out</source>
-        <translation type="unfinished"></translation>
+        <translation>缓出</translation>
     </message>
     <message>
         <source>ease in and out</source>
-        <translation type="unfinished"></translation>
+        <translation>缓入缓出</translation>
     </message>
     <message>
         <source>linear</source>
-        <translation type="unfinished"></translation>
+        <translation>线性</translation>
     </message>
     <message>
         <source>Motor %1 at %2°
 %3 s: %4 %, %5 Hz</source>
-        <translation type="unfinished"></translation>
+        <translation>电机 %1，位于 %2°
+%3 s：%4 %，%5 Hz</translation>
     </message>
     <message>
         <source>%1: %2 to %3 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：%2 至 %3 s</translation>
     </message>
     <message>
         <source>Cu&amp;t</source>
-        <translation type="unfinished"></translation>
+        <translation>剪切(&amp;T)</translation>
     </message>
     <message>
         <source>&amp;Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>复制(&amp;C)</translation>
     </message>
     <message>
         <source>&amp;Paste in Place</source>
-        <translation type="unfinished"></translation>
+        <translation>原位粘贴(&amp;P)</translation>
     </message>
     <message>
         <source>Paste at Play&amp;head</source>
-        <translation type="unfinished"></translation>
+        <translation>粘贴到播放头(&amp;H)</translation>
     </message>
     <message>
         <source>&amp;Duplicate</source>
-        <translation type="unfinished"></translation>
+        <translation>创建副本(&amp;D)</translation>
     </message>
     <message>
         <source>De&amp;lete</source>
-        <translation type="unfinished"></translation>
+        <translation>删除(&amp;L)</translation>
     </message>
     <message>
         <source>commanded</source>
-        <translation type="unfinished"></translation>
+        <translation>指令</translation>
     </message>
     <message>
         <source>predicted (assumed motors)</source>
-        <translation type="unfinished"></translation>
+        <translation>预测（假定的电机）</translation>
     </message>
     <message>
         <source>predicted</source>
-        <translation type="unfinished"></translation>
+        <translation>预测</translation>
     </message>
     <message>
         <source>the motor cannot follow</source>
-        <translation type="unfinished"></translation>
+        <translation>电机无法跟随</translation>
     </message>
     <message>
         <source>zoom in to see what the motors do</source>
-        <translation type="unfinished"></translation>
+        <translation>放大以查看电机的动作</translation>
     </message>
     <message>
         <source>Sweep</source>
-        <translation type="unfinished"></translation>
+        <translation>扫动</translation>
     </message>
     <message>
         <source>Ring</source>
-        <translation type="unfinished"></translation>
+        <translation>环绕</translation>
     </message>
     <message>
         <source>Phantom</source>
-        <translation type="unfinished"></translation>
+        <translation>幻象</translation>
     </message>
     <message>
         <source>Ramp</source>
-        <translation type="unfinished"></translation>
+        <translation>斜坡</translation>
     </message>
     <message>
         <source>Pulse train</source>
-        <translation type="unfinished"></translation>
+        <translation>脉冲串</translation>
     </message>
     <message>
         <source>Stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>笔画</translation>
     </message>
     <message>
         <source>Δ %1 %, rms %2 %</source>
-        <translation type="unfinished"></translation>
+        <translation>Δ %1 %，rms %2 %</translation>
     </message>
 </context>
 <context>
     <name>TomlReader</name>
     <message>
         <source>one of: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>以下之一：%1</translation>
     </message>
     <message>
         <source>a number above %1, at most %2</source>
-        <translation type="unfinished"></translation>
+        <translation>大于 %1、至多 %2 的数</translation>
     </message>
     <message>
         <source>a number from %1 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 至 %2 的数</translation>
     </message>
     <message>
         <source>a number above %1</source>
-        <translation type="unfinished"></translation>
+        <translation>大于 %1 的数</translation>
     </message>
     <message>
         <source>a number of at least %1</source>
-        <translation type="unfinished"></translation>
+        <translation>至少为 %1 的数</translation>
     </message>
     <message>
         <source>a number of at most %1</source>
-        <translation type="unfinished"></translation>
+        <translation>至多为 %1 的数</translation>
     </message>
     <message>
         <source>a number or nan</source>
-        <translation type="unfinished"></translation>
+        <translation>数或 nan</translation>
     </message>
     <message>
         <source>a finite number</source>
-        <translation type="unfinished"></translation>
+        <translation>有限数</translation>
     </message>
     <message>
         <source>wrong type for &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”的类型错误</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is out of range: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”超出范围：%2</translation>
     </message>
     <message>
         <source>a text in quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>带引号的文本</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is empty</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”为空</translation>
     </message>
     <message>
         <source>a whole number from %1 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 至 %2 的整数</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has no unit in its name</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”的名称中没有单位</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has another unit in its name</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”的名称中带有另一个单位</translation>
     </message>
     <message>
         <source>unknown key &quot;%1&quot;; perhaps &quot;%2&quot; is meant</source>
-        <translation type="unfinished"></translation>
+        <translation>未知的键“%1”；或许应为“%2”</translation>
     </message>
     <message>
         <source>unknown key &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>未知的键“%1”</translation>
     </message>
     <message>
         <source>the file cannot be opened</source>
-        <translation type="unfinished"></translation>
+        <translation>无法打开文件</translation>
     </message>
     <message>
         <source>a TOML file that can be read</source>
-        <translation type="unfinished"></translation>
+        <translation>可读取的 TOML 文件</translation>
     </message>
     <message>
         <source>the file cannot be read</source>
-        <translation type="unfinished"></translation>
+        <translation>无法读取文件</translation>
     </message>
     <message>
         <source>not valid TOML: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>不是有效的 TOML：%1</translation>
     </message>
     <message>
         <source>true or false</source>
-        <translation type="unfinished"></translation>
+        <translation>true 或 false</translation>
     </message>
     <message>
         <source>unknown value &quot;%1&quot; of &quot;%2&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>“%2”的值“%1”未知</translation>
     </message>
     <message>
         <source>unknown value &quot;%1&quot; of &quot;%2&quot;; perhaps &quot;%3&quot; is meant</source>
-        <translation type="unfinished"></translation>
+        <translation>“%2”的值“%1”未知；或许应为“%3”</translation>
     </message>
     <message>
         <source>a table: [%1]</source>
-        <translation type="unfinished"></translation>
+        <translation>表：[%1]</translation>
     </message>
     <message>
         <source>tables: [[%1]] or %1 = [{...}]</source>
-        <translation type="unfinished"></translation>
+        <translation>多个表：[[%1]] 或 %1 = [{...}]</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has too few entries</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”的条目过少</translation>
     </message>
     <message>
         <source>at least %1</source>
-        <translation type="unfinished"></translation>
+        <translation>至少 %1</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>缺少“%1”</translation>
     </message>
 </context>
 <context>
     <name>TouchTexts</name>
     <message>
         <source>sponge</source>
-        <translation type="unfinished"></translation>
+        <translation>海绵</translation>
     </message>
     <message>
         <source>rubber sponge</source>
-        <translation type="unfinished"></translation>
+        <translation>橡胶海绵</translation>
     </message>
     <message>
         <source>rubber</source>
-        <translation type="unfinished"></translation>
+        <translation>橡胶</translation>
     </message>
     <message>
         <source>wood</source>
-        <translation type="unfinished"></translation>
+        <translation>木材</translation>
     </message>
     <message>
         <source>metal</source>
-        <translation type="unfinished"></translation>
+        <translation>金属</translation>
     </message>
     <message>
         <source>circle</source>
-        <translation type="unfinished"></translation>
+        <translation>圆</translation>
     </message>
     <message>
         <source>rectangle</source>
-        <translation type="unfinished"></translation>
+        <translation>矩形</translation>
     </message>
     <message>
         <source>triangle</source>
-        <translation type="unfinished"></translation>
+        <translation>三角形</translation>
     </message>
     <message>
         <source>arc</source>
-        <translation type="unfinished"></translation>
+        <translation>圆弧</translation>
     </message>
     <message>
         <source>line</source>
-        <translation type="unfinished"></translation>
+        <translation>直线</translation>
     </message>
     <message>
         <source>point</source>
-        <translation type="unfinished"></translation>
+        <translation>点</translation>
     </message>
     <message>
         <source>unknown shape</source>
-        <translation type="unfinished"></translation>
+        <translation>未知形状</translation>
     </message>
     <message>
         <source>SAFE</source>
-        <translation type="unfinished"></translation>
+        <translation>安全</translation>
     </message>
     <message>
         <source>DANGER</source>
-        <translation type="unfinished"></translation>
+        <translation>危险</translation>
     </message>
     <message>
         <source>two points</source>
-        <translation type="unfinished"></translation>
+        <translation>两点法</translation>
     </message>
     <message>
         <source>regression</source>
-        <translation type="unfinished"></translation>
+        <translation>回归法</translation>
     </message>
     <message>
         <source>The readings of angle or torque are not usable numbers. Check the arm&apos;s sensors.</source>
-        <translation type="unfinished"></translation>
+        <translation>角度或力矩的读数不可用。请检查机械臂的传感器。</translation>
     </message>
     <message>
         <source>The contact lies on the joint&apos;s axis, or the link&apos;s stiffness is not set: nothing to divide by.</source>
-        <translation type="unfinished"></translation>
+        <translation>接触点位于关节轴上，或未设置连杆刚度：除数为零。</translation>
     </message>
     <message>
         <source>The noise of the arm&apos;s readings is set below zero.</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂读数的噪声被设为负值。</translation>
     </message>
     <message>
         <source>The torque window is empty: its upper end must lie above its lower end.</source>
-        <translation type="unfinished"></translation>
+        <translation>力矩窗口为空：其上限必须高于下限。</translation>
     </message>
     <message>
         <source>No joint samples came in during the touch.</source>
-        <translation type="unfinished"></translation>
+        <translation>触碰期间没有收到关节样本。</translation>
     </message>
     <message>
         <source>The touch was too light: the torque did not reach the torque window. Press harder.</source>
-        <translation type="unfinished"></translation>
+        <translation>触碰过轻：力矩未达到力矩窗口。请用力按压。</translation>
     </message>
     <message>
         <source>The touch was too quick: fewer than two samples lie in the torque window. Press slower.</source>
-        <translation type="unfinished"></translation>
+        <translation>触碰过快：力矩窗口内的样本少于两个。请放慢按压。</translation>
     </message>
     <message>
         <source>The torque did not change within the torque window. Press with rising force.</source>
-        <translation type="unfinished"></translation>
+        <translation>力矩在力矩窗口内没有变化。请以逐渐增大的力按压。</translation>
     </message>
     <message>
         <source>The joint turned against the rising torque: the object moved, or a sign is wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节逆着上升的力矩转动：物体发生了移动，或符号有误。</translation>
     </message>
     <message>
         <source>shoulder roll</source>
-        <translation type="unfinished"></translation>
+        <translation>肩部横滚</translation>
     </message>
     <message>
         <source>shoulder pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>肩部俯仰</translation>
     </message>
     <message>
         <source>shoulder yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>肩部偏航</translation>
     </message>
     <message>
         <source>elbow pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>肘部俯仰</translation>
     </message>
     <message>
         <source>stopped</source>
-        <translation type="unfinished"></translation>
+        <translation>已停止</translation>
     </message>
     <message>
         <source>held</source>
-        <translation type="unfinished"></translation>
+        <translation>保持</translation>
     </message>
     <message>
         <source>program</source>
-        <translation type="unfinished"></translation>
+        <translation>程序</translation>
     </message>
     <message>
         <source>jog</source>
-        <translation type="unfinished"></translation>
+        <translation>点动</translation>
     </message>
     <message>
         <source>N/m</source>
-        <translation type="unfinished"></translation>
+        <translation>N/m</translation>
     </message>
     <message>
         <source>at least %1 (95 %)</source>
-        <translation type="unfinished"></translation>
+        <translation>至少 %1 (95 %)</translation>
     </message>
     <message>
         <source>%1 … rigid</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 … 刚性</translation>
     </message>
     <message>
         <source>%1 … %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 … %2</translation>
     </message>
 </context>
 <context>
     <name>TrackCommand</name>
     <message>
         <source>%1 of %2 frames could not be used. The last reason: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 帧中有 %1 帧无法使用。最近一次的原因：%3</translation>
     </message>
     <message>
         <source>Frames that are missing by their time stamps: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>按时间戳判断缺失的帧：%1</translation>
     </message>
     <message>
         <source>Contacts on the soft tube in a video or before a camera</source>
-        <translation type="unfinished"></translation>
+        <translation>视频中或相机前软管上的接触</translation>
     </message>
     <message>
         <source>Video, pattern of numbered images (frame_%04d.png) or number of a camera; nothing touches the tube in the first frame</source>
-        <translation type="unfinished"></translation>
+        <translation>视频、编号图像的格式 (frame_%04d.png) 或相机编号；第一帧中没有物体接触软管</translation>
     </message>
     <message>
         <source>Camera file, as calibrate writes it</source>
-        <translation type="unfinished"></translation>
+        <translation>calibrate 写出的相机文件</translation>
     </message>
     <message>
         <source>How contacts are found: exact ones take longer</source>
-        <translation type="unfinished"></translation>
+        <translation>接触的检测方式：越精确用时越长</translation>
     </message>
     <message>
         <source>the output would replace the input</source>
-        <translation type="unfinished"></translation>
+        <translation>输出会覆盖输入</translation>
     </message>
     <message>
         <source>the camera gives no frames any more</source>
-        <translation type="unfinished"></translation>
+        <translation>相机不再提供帧</translation>
     </message>
     <message>
         <source>the video has no frame that can be decoded</source>
-        <translation type="unfinished"></translation>
+        <translation>视频中没有可解码的帧</translation>
     </message>
 </context>
 <context>
     <name>TradeoffCommand</name>
     <message>
         <source>there is no ladder &quot;%1&quot; (expected %2)</source>
-        <translation type="unfinished"></translation>
+        <translation>没有阶梯“%1”（应为 %2）</translation>
     </message>
     <message>
         <source>Measure on this machine what accuracy costs in time</source>
-        <translation type="unfinished"></translation>
+        <translation>在本机上测量精度的时间代价</translation>
     </message>
     <message>
         <source>Ladders of --list; otherwise all of them</source>
-        <translation type="unfinished"></translation>
+        <translation>--list 中的阶梯；默认为全部</translation>
     </message>
     <message>
         <source>List the ladders</source>
-        <translation type="unfinished"></translation>
+        <translation>列出阶梯</translation>
     </message>
     <message>
         <source>Folder for tradeoff.csv and a picture of each ladder (SVG)</source>
-        <translation type="unfinished"></translation>
+        <translation>存放 tradeoff.csv 和各阶梯图片 (SVG) 的文件夹</translation>
     </message>
     <message>
         <source>Refuse the times of a rung when the machine ran more unevenly than this meanwhile, in percent</source>
-        <translation type="unfinished"></translation>
+        <translation>若期间机器的运行波动超过此百分比，则拒绝该档级的时间</translation>
     </message>
     <message numerus="yes">
         <source>the machine was too busy: the times of %n rung(s) were refused</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>机器过于繁忙：%n 个档级的时间被拒绝</numerusform>
         </translation>
     </message>
     <message>
         <source>a spread of at most %1 %; close other programs, or see --largest-spread</source>
-        <translation type="unfinished"></translation>
+        <translation>至多 %1 % 的离散度；请关闭其他程序，或参见 --largest-spread</translation>
     </message>
     <message>
         <source>refused</source>
-        <translation type="unfinished"></translation>
+        <translation>被拒绝</translation>
     </message>
     <message>
         <source>rung</source>
-        <translation type="unfinished"></translation>
+        <translation>档级</translation>
     </message>
     <message>
         <source>parameter</source>
-        <translation type="unfinished"></translation>
+        <translation>参数</translation>
     </message>
     <message>
         <source>mean error</source>
-        <translation type="unfinished"></translation>
+        <translation>平均误差</translation>
     </message>
     <message>
         <source>95 %</source>
-        <translation type="unfinished"></translation>
+        <translation>95 %</translation>
     </message>
     <message>
         <source>worst</source>
-        <translation type="unfinished"></translation>
+        <translation>最差</translation>
     </message>
     <message>
         <source>median time</source>
-        <translation type="unfinished"></translation>
+        <translation>中位时间</translation>
     </message>
     <message>
         <source>99 %</source>
-        <translation type="unfinished"></translation>
+        <translation>99 %</translation>
     </message>
     <message>
         <source>samples</source>
-        <translation type="unfinished"></translation>
+        <translation>样本</translation>
     </message>
     <message>
         <source>spread</source>
-        <translation type="unfinished"></translation>
+        <translation>离散度</translation>
     </message>
     <message>
         <source>* no other rung is both as quick and as exact. Measured in %1 s.</source>
-        <translation type="unfinished"></translation>
+        <translation>* 没有其他档级能同样快且同样精确。测量用时 %1 s。</translation>
     </message>
     <message>
         <source>the folder cannot be made</source>
-        <translation type="unfinished"></translation>
+        <translation>无法创建文件夹</translation>
     </message>
 </context>
 <context>
     <name>TrialLines</name>
     <message>
         <source>✓ right</source>
-        <translation type="unfinished"></translation>
+        <translation>✓ 正确</translation>
     </message>
     <message>
         <source>✗ wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>✗ 错误</translation>
     </message>
     <message>
         <source>no answer</source>
-        <translation type="unfinished"></translation>
+        <translation>未回答</translation>
     </message>
     <message>
         <source>aborted</source>
-        <translation type="unfinished"></translation>
+        <translation>已中止</translation>
     </message>
     <message>
         <source>device fault, comes again</source>
-        <translation type="unfinished"></translation>
+        <translation>设备故障，将重新呈现</translation>
     </message>
     <message>
         <source>practice %1</source>
-        <translation type="unfinished"></translation>
+        <translation>练习 %1</translation>
     </message>
     <message>
         <source>test %1</source>
-        <translation type="unfinished"></translation>
+        <translation>测试 %1</translation>
     </message>
 </context>
 <context>
     <name>ValidatorText</name>
     <message>
         <source>%1 is given, %2 is expected</source>
-        <translation type="unfinished"></translation>
+        <translation>给出的是 %1，应为 %2</translation>
     </message>
     <message>
         <source>a number</source>
-        <translation type="unfinished"></translation>
+        <translation>数</translation>
     </message>
     <message>
         <source>a number other than 0</source>
-        <translation type="unfinished"></translation>
+        <translation>非 0 的数</translation>
     </message>
     <message>
         <source>a number above 0</source>
-        <translation type="unfinished"></translation>
+        <translation>大于 0 的数</translation>
     </message>
     <message>
         <source>a number from %1 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 至 %2 的数</translation>
     </message>
 </context>
 <context>
     <name>VisionText</name>
     <message>
         <source>The frame could not be decoded.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法解码该帧。</translation>
     </message>
     <message>
         <source>The image is too small to show printed dots: %1 x %2 pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>图像过小，无法显示印刷圆点：%1 x %2 像素。</translation>
     </message>
     <message>
         <source>at least %1 pixels on each side</source>
-        <translation type="unfinished"></translation>
+        <translation>每边至少 %1 像素</translation>
     </message>
     <message>
         <source>The image shows no printed dots on the skin (%1 found).</source>
-        <translation type="unfinished"></translation>
+        <translation>图像中没有显示皮肤上的印刷圆点（找到 %1 个）。</translation>
     </message>
     <message>
         <source>a frame in focus, in which nothing touches the skin</source>
-        <translation type="unfinished"></translation>
+        <translation>对焦清晰且没有物体接触皮肤的一帧</translation>
     </message>
     <message>
         <source>The printed dots are too faint to be followed.</source>
-        <translation type="unfinished"></translation>
+        <translation>印刷圆点过淡，无法跟踪。</translation>
     </message>
     <message>
         <source>The frame does not show the skin: %1 of %2 dots found.</source>
-        <translation type="unfinished"></translation>
+        <translation>该帧没有显示皮肤：%2 个圆点中找到 %1 个。</translation>
     </message>
     <message>
         <source>The camera sees none of the skin.</source>
-        <translation type="unfinished"></translation>
+        <translation>相机看不到皮肤。</translation>
     </message>
     <message>
         <source>The image is too small for optical flow: %1 x %2 pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>图像过小，无法计算光流：%1 x %2 像素。</translation>
     </message>
     <message>
         <source>The image shows no pattern on the skin whose movement could be seen.</source>
-        <translation type="unfinished"></translation>
+        <translation>图像中的皮肤上没有可观察其移动的花纹。</translation>
     </message>
     <message>
         <source>There is no frame of the untouched skin to compare with.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有未接触皮肤的帧可供比较。</translation>
     </message>
     <message>
         <source>The frame has %1 x %2 pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>该帧为 %1 x %2 像素。</translation>
     </message>
     <message>
         <source>%1 x %2 pixels, as in the camera&apos;s calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 x %2 像素，与相机标定时相同</translation>
     </message>
 </context>
 <context>
     <name>WtsDevice</name>
     <message>
         <source>a serial port cannot run at %1 baud</source>
-        <translation type="unfinished"></translation>
+        <translation>串口不支持 %1 波特</translation>
     </message>
     <message>
         <source>one of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 之一</translation>
     </message>
     <message>
         <source>cannot open %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>无法打开 %1：%2</translation>
     </message>
     <message>
         <source>%1 is not a serial port</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 不是串口</translation>
     </message>
     <message>
         <source>cannot find %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>找不到 %1：%2</translation>
     </message>
     <message>
         <source>connecting was cancelled</source>
-        <translation type="unfinished"></translation>
+        <translation>连接已取消</translation>
     </message>
     <message>
         <source>cannot connect to %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>无法连接到 %1：%2</translation>
     </message>
     <message>
         <source>The link failed: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>链路故障：%1。</translation>
     </message>
     <message>
         <source>The sensor closed the connection.</source>
-        <translation type="unfinished"></translation>
+        <translation>传感器关闭了连接。</translation>
     </message>
     <message>
         <source>The device was unplugged.</source>
-        <translation type="unfinished"></translation>
+        <translation>设备已拔出。</translation>
     </message>
     <message>
         <source>the sensor says that it has %1 rows and %2 columns</source>
-        <translation type="unfinished"></translation>
+        <translation>传感器报告其有 %1 行 %2 列</translation>
     </message>
     <message>
         <source>an array of 1 to %1 rows and columns whose frame fits into one message</source>
-        <translation type="unfinished"></translation>
+        <translation>1 至 %1 行和列的阵列，且一帧能装入一条消息</translation>
     </message>
     <message>
         <source>the sensor&apos;s cells are %1 mm wide and %2 mm high</source>
-        <translation type="unfinished"></translation>
+        <translation>传感器单元宽 %1 mm，高 %2 mm</translation>
     </message>
     <message>
         <source>square cells</source>
-        <translation type="unfinished"></translation>
+        <translation>正方形单元</translation>
     </message>
     <message>
         <source>the sensor describes its array in %1 bytes</source>
-        <translation type="unfinished"></translation>
+        <translation>传感器用 %1 字节描述其阵列</translation>
     </message>
     <message>
         <source>the 10 bytes of a WTS array</source>
-        <translation type="unfinished"></translation>
+        <translation>WTS 阵列的 10 字节</translation>
     </message>
     <message>
         <source>the sensor sends no frames: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>传感器不发送帧：%1</translation>
     </message>
     <message>
         <source>the sensor does not answer</source>
-        <translation type="unfinished"></translation>
+        <translation>传感器没有应答</translation>
     </message>
     <message>
         <source>the sensor refused a request: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>传感器拒绝了请求：%1</translation>
     </message>
     <message>
         <source>Another array is connected: %1 x %2 cells of %3 mm instead of %4 x %5 cells of %6 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>连接的是另一个阵列：%1 x %2 个 %3 mm 的单元，而非 %4 x %5 个 %6 mm 的单元。</translation>
     </message>
     <message>
         <source>The sensor has sent no usable frame for %1 s.</source>
-        <translation type="unfinished"></translation>
+        <translation>传感器已有 %1 s 未发送可用的帧。</translation>
     </message>
 </context>
 <context>
     <name>WtsText</name>
     <message>
         <source>&quot;%1&quot; is not the address of a tactile array</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不是触觉阵列的地址</translation>
     </message>
     <message>
         <source>the path of a serial port, or tcp://HOST:PORT</source>
-        <translation type="unfinished"></translation>
+        <translation>串口路径，或 tcp://HOST:PORT</translation>
     </message>
     <message>
         <source>success</source>
-        <translation type="unfinished"></translation>
+        <translation>成功</translation>
     </message>
     <message>
         <source>not available</source>
-        <translation type="unfinished"></translation>
+        <translation>不可用</translation>
     </message>
     <message>
         <source>no sensor connected</source>
-        <translation type="unfinished"></translation>
+        <translation>未连接传感器</translation>
     </message>
     <message>
         <source>not initialised</source>
-        <translation type="unfinished"></translation>
+        <translation>未初始化</translation>
     </message>
     <message>
         <source>already running</source>
-        <translation type="unfinished"></translation>
+        <translation>已在运行</translation>
     </message>
     <message>
         <source>not supported</source>
-        <translation type="unfinished"></translation>
+        <translation>不支持</translation>
     </message>
     <message>
         <source>inconsistent data</source>
-        <translation type="unfinished"></translation>
+        <translation>数据不一致</translation>
     </message>
     <message>
         <source>time-out in the sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>传感器超时</translation>
     </message>
     <message>
         <source>read error in the sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>传感器读取错误</translation>
     </message>
     <message>
         <source>write error in the sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>传感器写入错误</translation>
     </message>
     <message>
         <source>wrong checksum</source>
-        <translation type="unfinished"></translation>
+        <translation>校验和错误</translation>
     </message>
     <message>
         <source>unknown command</source>
-        <translation type="unfinished"></translation>
+        <translation>未知命令</translation>
     </message>
     <message>
         <source>wrong format</source>
-        <translation type="unfinished"></translation>
+        <translation>格式错误</translation>
     </message>
     <message>
         <source>access denied</source>
-        <translation type="unfinished"></translation>
+        <translation>拒绝访问</translation>
     </message>
     <message>
         <source>status %1</source>
-        <translation type="unfinished"></translation>
+        <translation>状态 %1</translation>
     </message>
 </context>
 <context>
     <name>ZipText</name>
     <message>
         <source>the zip archive is damaged</source>
-        <translation type="unfinished"></translation>
+        <translation>zip 压缩包已损坏</translation>
     </message>
     <message>
         <source>a zip archive that is not encrypted</source>
-        <translation type="unfinished"></translation>
+        <translation>未加密的 zip 压缩包</translation>
     </message>
     <message>
         <source>the zip archive could not be made</source>
-        <translation type="unfinished"></translation>
+        <translation>无法创建 zip 压缩包</translation>
     </message>
 </context>
 <context>
     <name>teleta::base::FigureExport</name>
     <message>
         <source>&amp;Copy Picture</source>
-        <translation type="unfinished"></translation>
+        <translation>复制图片(&amp;C)</translation>
     </message>
     <message>
         <source>Copy &amp;Data</source>
-        <translation type="unfinished"></translation>
+        <translation>复制数据(&amp;D)</translation>
     </message>
     <message>
         <source>&amp;Save Picture…</source>
-        <translation type="unfinished"></translation>
+        <translation>保存图片(&amp;S)…</translation>
     </message>
     <message>
         <source>Save Da&amp;ta…</source>
-        <translation type="unfinished"></translation>
+        <translation>保存数据(&amp;T)…</translation>
     </message>
     <message>
         <source>Save Picture</source>
-        <translation type="unfinished"></translation>
+        <translation>保存图片</translation>
     </message>
     <message>
         <source>Save Data</source>
-        <translation type="unfinished"></translation>
+        <translation>保存数据</translation>
     </message>
     <message>
         <source>SVG picture (*.svg)</source>
-        <translation type="unfinished"></translation>
+        <translation>SVG 图片 (*.svg)</translation>
     </message>
     <message>
         <source>PDF document (*.pdf)</source>
-        <translation type="unfinished"></translation>
+        <translation>PDF 文档 (*.pdf)</translation>
     </message>
     <message>
         <source>PNG picture (*.png)</source>
-        <translation type="unfinished"></translation>
+        <translation>PNG 图片 (*.png)</translation>
     </message>
     <message>
         <source>Comma-separated values (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>逗号分隔值 (*.csv)</translation>
     </message>
 </context>
 <context>
     <name>teleta::bracelet::BraceletView</name>
     <message>
         <source>Bracelet</source>
-        <translation type="unfinished"></translation>
+        <translation>手环</translation>
     </message>
     <message>
         <source>&lt;p&gt;What the six motors of the bracelet do now, on the unrolled forearm: from left to right once around the arm. The fuller a disc, the stronger the motor vibrates.&lt;/p&gt;&lt;p&gt;Where a bracelet is connected, hold a disc with the mouse, or one of the keys 1 to 6, to feel that motor alone.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;p&gt;手环的六个电机当前的动作，显示在展开的前臂上：从左到右绕手臂一周。圆盘越满，电机振动越强。&lt;/p&gt;&lt;p&gt;连接手环后，用鼠标按住圆盘，或按住 1 至 6 中的一个键，可单独感受该电机。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>motor %1: %2 %</source>
-        <translation type="unfinished"></translation>
+        <translation>电机 %1：%2 %</translation>
     </message>
     <message>
         <source>Nothing is played</source>
-        <translation type="unfinished"></translation>
+        <translation>未在播放</translation>
     </message>
     <message>
         <source>Motor %1 at %2°: %3 %</source>
-        <translation type="unfinished"></translation>
+        <translation>电机 %1，位于 %2°：%3 %</translation>
     </message>
 </context>
 <context>
     <name>teleta::calibrate::FeltPanel</name>
     <message>
         <source>The motors were balanced by feel.</source>
-        <translation type="unfinished"></translation>
+        <translation>已凭感觉平衡各电机。</translation>
     </message>
     <message>
         <source>Motor %1 starts at %2 % of the full drive (95 %: %3 to %4 %).</source>
-        <translation type="unfinished"></translation>
+        <translation>电机 %1 在满驱动的 %2 % 处启动（95 %：%3 至 %4 %）。</translation>
     </message>
     <message>
         <source>Start of motor %1</source>
-        <translation type="unfinished"></translation>
+        <translation>电机 %1 的启动点</translation>
     </message>
     <message>
         <source>Strength of motor %1, beside motor 1</source>
-        <translation type="unfinished"></translation>
+        <translation>电机 %1 与电机 1 的强度比较</translation>
     </message>
     <message>
         <source>%1 answers so far</source>
-        <translation type="unfinished"></translation>
+        <translation>目前 %1 个回答</translation>
     </message>
     <message>
         <source>The answers do not fit together.</source>
-        <translation type="unfinished"></translation>
+        <translation>这些回答互不相符。</translation>
     </message>
     <message>
         <source>Play the next burst.</source>
-        <translation type="unfinished"></translation>
+        <translation>播放下一次短振。</translation>
     </message>
     <message>
         <source>Did you feel it?</source>
-        <translation type="unfinished"></translation>
+        <translation>您感觉到了吗？</translation>
     </message>
     <message>
         <source>Was the second burst stronger?</source>
-        <translation type="unfinished"></translation>
+        <translation>第二次短振更强吗？</translation>
     </message>
     <message>
         <source>The bracelet cannot play now: it is not connected, STOP is engaged, or a study uses it.</source>
-        <translation type="unfinished"></translation>
+        <translation>手环现在无法播放：未连接、STOP 已触发，或正被研究使用。</translation>
     </message>
     <message>
         <source>Now and then nothing is played. Answer yes only when you are sure.</source>
-        <translation type="unfinished"></translation>
+        <translation>有时不会播放任何振动。仅在确定时回答“是”。</translation>
     </message>
     <message>
         <source>Guess when you are not sure.</source>
-        <translation type="unfinished"></translation>
+        <translation>不确定时请猜测。</translation>
     </message>
     <message>
         <source>Questions about what is felt</source>
-        <translation type="unfinished"></translation>
+        <translation>关于感觉的提问</translation>
     </message>
     <message>
         <source>Play (Space)</source>
-        <translation type="unfinished"></translation>
+        <translation>播放（空格键）</translation>
     </message>
     <message>
         <source>Let the burst be felt, as often as you like</source>
-        <translation type="unfinished"></translation>
+        <translation>让短振被感觉到，次数不限</translation>
     </message>
     <message>
         <source>Yes (Y)</source>
-        <translation type="unfinished"></translation>
+        <translation>是 (Y)</translation>
     </message>
     <message>
         <source>No (N)</source>
-        <translation type="unfinished"></translation>
+        <translation>否 (N)</translation>
     </message>
     <message>
         <source>Take back the last answer (Backspace)</source>
-        <translation type="unfinished"></translation>
+        <translation>撤回上一个回答 (Backspace)</translation>
     </message>
     <message>
         <source>Give up</source>
-        <translation type="unfinished"></translation>
+        <translation>放弃</translation>
     </message>
     <message>
         <source>Leave the motors as they were</source>
-        <translation type="unfinished"></translation>
+        <translation>保持各电机原状</translation>
     </message>
 </context>
 <context>
     <name>teleta::calibrate::MotorChart</name>
     <message>
         <source>Speed of motor %1 over its drive</source>
-        <translation type="unfinished"></translation>
+        <translation>电机 %1 的转速随驱动量的变化</translation>
     </message>
     <message>
         <source>Recording of motor %1, and the model</source>
-        <translation type="unfinished"></translation>
+        <translation>电机 %1 的记录与模型</translation>
     </message>
     <message>
         <source>drive (%)</source>
-        <translation type="unfinished"></translation>
+        <translation>驱动量 (%)</translation>
     </message>
     <message>
         <source>speed (Hz)</source>
-        <translation type="unfinished"></translation>
+        <translation>转速 (Hz)</translation>
     </message>
     <message>
         <source>assumed</source>
-        <translation type="unfinished"></translation>
+        <translation>假定</translation>
     </message>
     <message>
         <source>curve</source>
-        <translation type="unfinished"></translation>
+        <translation>曲线</translation>
     </message>
     <message>
         <source>measured</source>
-        <translation type="unfinished"></translation>
+        <translation>实测</translation>
     </message>
     <message>
         <source>Motor %1: curve and lag are assumed</source>
-        <translation type="unfinished"></translation>
+        <translation>电机 %1：曲线和滞后为假定值</translation>
     </message>
     <message>
         <source>Motor %1</source>
-        <translation type="unfinished"></translation>
+        <translation>电机 %1</translation>
     </message>
     <message>
         <source>%1 % of the variance, residual %2 Hz</source>
-        <translation type="unfinished"></translation>
+        <translation>解释方差的 %1 %，残差 %2 Hz</translation>
     </message>
     <message>
         <source>time (s)</source>
-        <translation type="unfinished"></translation>
+        <translation>时间 (s)</translation>
     </message>
     <message>
         <source>No recording of this motor yet: measure it, or open a recording.</source>
-        <translation type="unfinished"></translation>
+        <translation>尚无此电机的记录：请测量，或打开一个记录。</translation>
     </message>
     <message>
         <source>measured (simulated)</source>
-        <translation type="unfinished"></translation>
+        <translation>实测（模拟）</translation>
     </message>
     <message>
         <source>model</source>
-        <translation type="unfinished"></translation>
+        <translation>模型</translation>
     </message>
     <message>
         <source>residual</source>
-        <translation type="unfinished"></translation>
+        <translation>残差</translation>
     </message>
 </context>
 <context>
     <name>teleta::calibrate::MotorTable</name>
     <message>
         <source>assumed</source>
-        <translation type="unfinished"></translation>
+        <translation>假定</translation>
     </message>
     <message>
         <source>by feel</source>
-        <translation type="unfinished"></translation>
+        <translation>凭感觉</translation>
     </message>
     <message>
         <source>measured</source>
-        <translation type="unfinished"></translation>
+        <translation>实测</translation>
     </message>
     <message>
         <source>Motor %1</source>
-        <translation type="unfinished"></translation>
+        <translation>电机 %1</translation>
     </message>
     <message>
         <source>start %1, lag and curve %2</source>
         <comment>where the values come from</comment>
-        <translation type="unfinished"></translation>
+        <translation>启动点：%1，滞后和曲线：%2</translation>
     </message>
     <message>
         <source>Motors of the bracelet</source>
-        <translation type="unfinished"></translation>
+        <translation>手环的电机</translation>
     </message>
     <message>
         <source>Motor</source>
-        <translation type="unfinished"></translation>
+        <translation>电机</translation>
     </message>
     <message>
         <source>Start (%)</source>
-        <translation type="unfinished"></translation>
+        <translation>启动点 (%)</translation>
     </message>
     <message>
         <source>Full (%)</source>
-        <translation type="unfinished"></translation>
+        <translation>满驱动 (%)</translation>
     </message>
     <message>
         <source>Rise (ms)</source>
-        <translation type="unfinished"></translation>
+        <translation>上升 (ms)</translation>
     </message>
     <message>
         <source>Fall (ms)</source>
-        <translation type="unfinished"></translation>
+        <translation>下降 (ms)</translation>
     </message>
     <message>
         <source>Speed (Hz)</source>
-        <translation type="unfinished"></translation>
+        <translation>转速 (Hz)</translation>
     </message>
     <message>
         <source>Known from</source>
-        <translation type="unfinished"></translation>
+        <translation>来源</translation>
     </message>
     <message>
         <source>Drive at which the motor begins to turn, with its standard error</source>
-        <translation type="unfinished"></translation>
+        <translation>电机开始转动时的驱动量，含标准误</translation>
     </message>
     <message>
         <source>Drive of intensity 1, so that all motors are equally strong</source>
-        <translation type="unfinished"></translation>
+        <translation>强度为 1 时的驱动量，使所有电机强度相同</translation>
     </message>
     <message>
         <source>From rest to 90 % of a speed</source>
-        <translation type="unfinished"></translation>
+        <translation>从静止到转速的 90 %</translation>
     </message>
     <message>
         <source>From a speed to 10 % of it</source>
-        <translation type="unfinished"></translation>
+        <translation>从某一转速降至其 10 %</translation>
     </message>
     <message>
         <source>Speed at the full drive of this motor</source>
-        <translation type="unfinished"></translation>
+        <translation>此电机满驱动时的转速</translation>
     </message>
 </context>
 <context>
     <name>teleta::calibrate::MotorsView</name>
     <message>
         <source>answers</source>
-        <translation type="unfinished"></translation>
+        <translation>回答</translation>
     </message>
     <message>
         <source>It turns at %1 Hz now, says the bracelet&apos;s sensor.</source>
-        <translation type="unfinished"></translation>
+        <translation>手环的传感器显示，它目前以 %1 Hz 转动。</translation>
     </message>
     <message>
         <source>loading</source>
-        <translation type="unfinished"></translation>
+        <translation>加载</translation>
     </message>
     <message>
         <source>reset</source>
-        <translation type="unfinished"></translation>
+        <translation>重置</translation>
     </message>
     <message>
         <source>All motors are assumed again. Undo brings back what was measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>所有电机重新采用假定值。撤销可恢复测量结果。</translation>
     </message>
     <message>
         <source>balance</source>
-        <translation type="unfinished"></translation>
+        <translation>平衡</translation>
     </message>
     <message>
         <source>Every measured motor now ends at the speed of the slowest one.</source>
-        <translation type="unfinished"></translation>
+        <translation>现在所有已测电机的最高转速都与最慢的电机一致。</translation>
     </message>
     <message>
         <source>Measuring motor %1: stairs up to the full drive, then pulses.</source>
-        <translation type="unfinished"></translation>
+        <translation>正在测量电机 %1：阶梯升至满驱动，然后是脉冲。</translation>
     </message>
     <message>
         <source>Motor %1 was not calibrated. %2</source>
         <comment>a motor, and why not</comment>
-        <translation type="unfinished"></translation>
+        <translation>电机 %1 未标定。%2</translation>
     </message>
     <message>
         <source>measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>测量</translation>
     </message>
     <message>
         <source>Motor %1: starts at %2 to %3 % of the drive, rises in %4 ± %5 ms, falls in %6 ± %7 ms, reaches %8 Hz.</source>
-        <translation type="unfinished"></translation>
+        <translation>电机 %1：在驱动量的 %2 至 %3 % 处启动，上升 %4 ± %5 ms，下降 %6 ± %7 ms，可达 %8 Hz。</translation>
     </message>
     <message>
         <source>No bracelet</source>
-        <translation type="unfinished"></translation>
+        <translation>无手环</translation>
     </message>
     <message>
         <source>Choose a bracelet in the menu Bracelet.</source>
-        <translation type="unfinished"></translation>
+        <translation>请在“手环”菜单中选择手环。</translation>
     </message>
     <message>
         <source>not calibrated: motors are assumed</source>
-        <translation type="unfinished"></translation>
+        <translation>未标定：电机采用假定值</translation>
     </message>
     <message>
         <source>calibrated, saved</source>
-        <translation type="unfinished"></translation>
+        <translation>已标定，已保存</translation>
     </message>
     <message>
         <source>calibrated, not saved</source>
-        <translation type="unfinished"></translation>
+        <translation>已标定，未保存</translation>
     </message>
     <message>
         <source>a study uses the bracelet: its motors stay as they are</source>
-        <translation type="unfinished"></translation>
+        <translation>研究正在使用手环：其电机保持原状</translation>
     </message>
     <message>
         <source>SIMULATED</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟</translation>
     </message>
     <message>
         <source>Motor %1</source>
-        <translation type="unfinished"></translation>
+        <translation>电机 %1</translation>
     </message>
     <message>
         <source>Drive the motor up and down and record it with the bracelet&apos;s sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>驱动电机升降，并用手环的传感器记录</translation>
     </message>
     <message>
         <source>This bracelet has no sensor: open a recording, or answer by feel</source>
-        <translation type="unfinished"></translation>
+        <translation>此手环没有传感器：请打开记录，或凭感觉回答</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>撤销</translation>
     </message>
     <message>
         <source>Take back the last change, or the last answer (Ctrl+Z)</source>
-        <translation type="unfinished"></translation>
+        <translation>撤回上一次更改或上一个回答 (Ctrl+Z)</translation>
     </message>
     <message>
         <source>Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>重做</translation>
     </message>
     <message>
         <source>Bring it back</source>
-        <translation type="unfinished"></translation>
+        <translation>将其恢复</translation>
     </message>
     <message>
         <source>&amp;Load…</source>
-        <translation type="unfinished"></translation>
+        <translation>加载(&amp;L)…</translation>
     </message>
     <message>
         <source>Read a profile of this bracelet from a file</source>
-        <translation type="unfinished"></translation>
+        <translation>从文件读取此手环的配置</translation>
     </message>
     <message>
         <source>Save a &amp;copy…</source>
-        <translation type="unfinished"></translation>
+        <translation>保存副本(&amp;C)…</translation>
     </message>
     <message>
         <source>Write the profile to another file</source>
-        <translation type="unfinished"></translation>
+        <translation>将配置写入另一个文件</translation>
     </message>
     <message>
         <source>&amp;Reset</source>
-        <translation type="unfinished"></translation>
+        <translation>重置(&amp;R)</translation>
     </message>
     <message>
         <source>Forget what was measured</source>
-        <translation type="unfinished"></translation>
+        <translation>清除测量结果</translation>
     </message>
     <message>
         <source>&amp;Save</source>
-        <translation type="unfinished"></translation>
+        <translation>保存(&amp;S)</translation>
     </message>
     <message>
         <source>Keep the profile for this bracelet: it is used whenever it is connected</source>
-        <translation type="unfinished"></translation>
+        <translation>保存此手环的配置：每次连接时都会使用</translation>
     </message>
     <message>
         <source>&amp;Measure this motor</source>
-        <translation type="unfinished"></translation>
+        <translation>测量此电机(&amp;M)</translation>
     </message>
     <message>
         <source>Measure &amp;all six</source>
-        <translation type="unfinished"></translation>
+        <translation>测量全部六个(&amp;A)</translation>
     </message>
     <message>
         <source>One after another, with the bracelet&apos;s sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>用手环的传感器逐个测量</translation>
     </message>
     <message>
         <source>&amp;Open a recording…</source>
-        <translation type="unfinished"></translation>
+        <translation>打开记录(&amp;O)…</translation>
     </message>
     <message>
         <source>CSV with time_s,commanded and speed_hz of a tachometer or signal of an accelerometer or microphone</source>
-        <translation type="unfinished"></translation>
+        <translation>CSV，含 time_s,commanded 以及转速计的 speed_hz 或加速度计、麦克风的 signal</translation>
     </message>
     <message>
         <source>Write the &amp;excitation…</source>
-        <translation type="unfinished"></translation>
+        <translation>写出激励信号(&amp;E)…</translation>
     </message>
     <message>
         <source>What the motor is told during a measurement, as CSV: for a sensor of your own</source>
-        <translation type="unfinished"></translation>
+        <translation>测量期间给电机的指令，存为 CSV：用于您自备的传感器</translation>
     </message>
     <message>
         <source>Find its start by &amp;feel</source>
-        <translation type="unfinished"></translation>
+        <translation>凭感觉找启动点(&amp;F)</translation>
     </message>
     <message>
         <source>Bursts that get weaker and stronger; you say what you felt</source>
-        <translation type="unfinished"></translation>
+        <translation>逐渐变弱和变强的短振；由您说明感觉</translation>
     </message>
     <message>
         <source>&amp;Balance by feel</source>
-        <translation type="unfinished"></translation>
+        <translation>凭感觉平衡(&amp;B)</translation>
     </message>
     <message>
         <source>Compare the strength of each motor with that of motor 1</source>
-        <translation type="unfinished"></translation>
+        <translation>将各电机的强度与电机 1 比较</translation>
     </message>
     <message>
         <source>Balance by the cur&amp;ves</source>
-        <translation type="unfinished"></translation>
+        <translation>按曲线平衡(&amp;V)</translation>
     </message>
     <message>
         <source>Let all measured motors end at the speed of the slowest</source>
-        <translation type="unfinished"></translation>
+        <translation>使所有已测电机的最高转速与最慢的电机一致</translation>
     </message>
     <message>
         <source>Stop measuring</source>
-        <translation type="unfinished"></translation>
+        <translation>停止测量</translation>
     </message>
     <message>
         <source>Calibration of the bracelet&apos;s motors</source>
-        <translation type="unfinished"></translation>
+        <translation>手环电机的标定</translation>
     </message>
 </context>
 <context>
     <name>teleta::camera::CameraPanel</name>
     <message>
         <source>Go on</source>
-        <translation type="unfinished"></translation>
+        <translation>继续</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>暂停</translation>
     </message>
     <message>
         <source>Waiting for a picture of the tube with nothing touching it.</source>
-        <translation type="unfinished"></translation>
+        <translation>等待没有物体接触软管的图像。</translation>
     </message>
     <message>
         <source>No reference yet: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>尚无参考：%1</translation>
     </message>
     <message>
         <source>Not used: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>未使用：%1</translation>
     </message>
     <message>
         <source>This finder cannot be used: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>此检测器无法使用：%1</translation>
     </message>
     <message>
         <source>The finder %1 is being made ready.</source>
-        <translation type="unfinished"></translation>
+        <translation>正在准备检测器 %1。</translation>
     </message>
     <message>
         <source>The arm has drawn back from contact %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂已从接触 %1 退缩。</translation>
     </message>
     <message>
         <source>The arm stands.</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂静止。</translation>
     </message>
     <message>
         <source>The arm draws back from contact %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂正从接触 %1 退缩。</translation>
     </message>
     <message>
         <source>The arm follows contact %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂正跟随接触 %1。</translation>
     </message>
     <message>
         <source>The arm is held.</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂处于保持状态。</translation>
     </message>
     <message>
         <source>The arm is held. Tick the box to let it react again.</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂处于保持状态。勾选此框可让它再次做出反应。</translation>
     </message>
     <message>
         <source>&amp;Finder</source>
-        <translation type="unfinished"></translation>
+        <translation>检测器(&amp;F)</translation>
     </message>
     <message>
         <source>Finder</source>
-        <translation type="unfinished"></translation>
+        <translation>检测器</translation>
     </message>
     <message>
         <source>How contacts are found: the printed dots alone, or dense flow by one of OpenCV&apos;s presets; the number divides the image&apos;s size</source>
-        <translation type="unfinished"></translation>
+        <translation>接触的检测方式：仅用印刷圆点，或采用 OpenCV 预设之一的稠密光流；数字为图像尺寸的除数</translation>
     </message>
     <message>
         <source>&amp;Displacement</source>
-        <translation type="unfinished"></translation>
+        <translation>位移(&amp;D)</translation>
     </message>
     <message>
         <source>Show how far the pattern on the skin has moved</source>
-        <translation type="unfinished"></translation>
+        <translation>显示皮肤上的花纹移动了多远</translation>
     </message>
     <message>
         <source>New &amp;reference</source>
-        <translation type="unfinished"></translation>
+        <translation>新参考(&amp;R)</translation>
     </message>
     <message>
         <source>Take the next picture as that of the untouched tube</source>
-        <translation type="unfinished"></translation>
+        <translation>将下一幅图像作为未接触软管的图像</translation>
     </message>
     <message>
         <source>Keep this picture; contacts are followed on (Space)</source>
-        <translation type="unfinished"></translation>
+        <translation>冻结此图像；接触仍继续跟踪（空格键）</translation>
     </message>
     <message>
         <source>The arm may r&amp;eact</source>
-        <translation type="unfinished"></translation>
+        <translation>允许机械臂反应(&amp;E)</translation>
     </message>
     <message>
         <source>Off: the arm stands, whatever touches it. STOP takes this away until you give it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>关闭：无论什么接触软管，机械臂都静止。STOP 会取消此许可，直到您再次授予。</translation>
     </message>
 </context>
 <context>
     <name>teleta::camera::CameraView</name>
     <message>
         <source>camera</source>
-        <translation type="unfinished"></translation>
+        <translation>相机</translation>
     </message>
     <message>
         <source>&amp;Go on</source>
-        <translation type="unfinished"></translation>
+        <translation>继续(&amp;G)</translation>
     </message>
     <message>
         <source>&amp;Pause the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>暂停画面(&amp;P)</translation>
     </message>
     <message>
         <source>Show &amp;all</source>
-        <translation type="unfinished"></translation>
+        <translation>显示全部(&amp;A)</translation>
     </message>
     <message>
         <source>Camera picture</source>
-        <translation type="unfinished"></translation>
+        <translation>相机图像</translation>
     </message>
     <message>
         <source>&lt;p&gt;What the camera sees inside the tube. Lines show, enlarged, how far the printed pattern has moved since nothing touched the tube; outlines are contacts, each in the colour of its number.&lt;/p&gt;&lt;p&gt;Ctrl+wheel zooms, dragging moves, a double click shows all.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;p&gt;相机在管内看到的画面。线条以放大的方式显示印刷花纹自无接触以来移动的距离；轮廓线表示接触，颜色与其编号对应。&lt;/p&gt;&lt;p&gt;Ctrl+滚轮缩放，拖动平移，双击显示全部。&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
     <name>teleta::camera::EventModel</name>
     <message>
         <source>touched</source>
-        <translation type="unfinished"></translation>
+        <translation>触碰</translation>
     </message>
     <message>
         <source>BUMP</source>
-        <translation type="unfinished"></translation>
+        <translation>碰撞</translation>
     </message>
     <message>
         <source>let go</source>
-        <translation type="unfinished"></translation>
+        <translation>松开</translation>
     </message>
     <message>
         <source>arm follows</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂跟随</translation>
     </message>
     <message>
         <source>reference taken</source>
-        <translation type="unfinished"></translation>
+        <translation>已取参考</translation>
     </message>
     <message>
         <source>begins anew</source>
-        <translation type="unfinished"></translation>
+        <translation>重新开始</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished"></translation>
+        <translation>时间</translation>
     </message>
     <message>
         <source>Event</source>
-        <translation type="unfinished"></translation>
+        <translation>事件</translation>
     </message>
     <message>
         <source>Contact</source>
-        <translation type="unfinished"></translation>
+        <translation>接触</translation>
     </message>
     <message>
         <source>Along the tube</source>
-        <translation type="unfinished"></translation>
+        <translation>沿管</translation>
     </message>
     <message>
         <source>Around it</source>
-        <translation type="unfinished"></translation>
+        <translation>绕管</translation>
     </message>
     <message>
         <source>Depth</source>
-        <translation type="unfinished"></translation>
+        <translation>深度</translation>
     </message>
 </context>
 <context>
     <name>teleta::camera::EventTable</name>
     <message>
         <source>camera-events</source>
-        <translation type="unfinished"></translation>
+        <translation>相机事件</translation>
     </message>
     <message>
         <source>&amp;Clear the list</source>
-        <translation type="unfinished"></translation>
+        <translation>清空列表(&amp;C)</translation>
     </message>
     <message>
         <source>Events</source>
-        <translation type="unfinished"></translation>
+        <translation>事件</translation>
     </message>
     <message>
         <source>What happened to the tube, the newest first. The context menu copies and saves the list.</source>
-        <translation type="unfinished"></translation>
+        <translation>软管上发生的事件，最新的在最前。右键菜单可复制和保存列表。</translation>
     </message>
 </context>
 <context>
     <name>teleta::camera::PairModel</name>
     <message>
         <source>kept</source>
-        <translation type="unfinished"></translation>
+        <translation>保留</translation>
     </message>
     <message>
         <source>wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>错误</translation>
     </message>
     <message>
         <source>excluded</source>
-        <translation type="unfinished"></translation>
+        <translation>已排除</translation>
     </message>
     <message>
         <source>Pair</source>
-        <translation type="unfinished"></translation>
+        <translation>点对</translation>
     </message>
     <message>
         <source>Pixel, px</source>
-        <translation type="unfinished"></translation>
+        <translation>像素，px</translation>
     </message>
     <message>
         <source>Point, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>点，mm</translation>
     </message>
     <message>
         <source>Image, px</source>
-        <translation type="unfinished"></translation>
+        <translation>图像，px</translation>
     </message>
     <message>
         <source>Surface, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>表面，mm</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>状态</translation>
     </message>
 </context>
 <context>
     <name>teleta::camera::ResidualView</name>
     <message>
         <source>Residuals on the image</source>
-        <translation type="unfinished"></translation>
+        <translation>图像上的残差</translation>
     </message>
     <message>
         <source>Residuals on the unrolled cylinder</source>
-        <translation type="unfinished"></translation>
+        <translation>展开圆柱上的残差</translation>
     </message>
     <message>
         <source>&lt;p&gt;Each pair at its pixel, with an enlarged arrow to where the camera projects its point. Arrows without a pattern are noise; arrows that flow are something that the camera does not describe.&lt;/p&gt;&lt;p&gt;A pixel outside the dashed circle has no ray.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;p&gt;每个点对显示在其像素处，放大的箭头指向相机对其点的投影。无规律的箭头是噪声；呈流动状的箭头表示相机模型未描述的因素。&lt;/p&gt;&lt;p&gt;虚线圆以外的像素没有视线。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>&lt;p&gt;Each pair at its point on the cylinder, cut open at the back, with an enlarged arrow to where its pixel is located. The colour is the error along the axis.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;p&gt;每个点对显示在圆柱上的点处，圆柱从背面剖开，放大的箭头指向其像素的定位处。颜色表示沿轴向的误差。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Pair %1</source>
-        <translation type="unfinished"></translation>
+        <translation>点对 %1</translation>
     </message>
     <message>
         <source>kept</source>
-        <translation type="unfinished"></translation>
+        <translation>保留</translation>
     </message>
     <message>
         <source>left out as wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>判为错误而剔除</translation>
     </message>
     <message>
         <source>excluded by you</source>
-        <translation type="unfinished"></translation>
+        <translation>由您排除</translation>
     </message>
     <message>
         <source>off by %1 in the image</source>
-        <translation type="unfinished"></translation>
+        <translation>图像上偏差 %1</translation>
     </message>
     <message>
         <source>off by %1 on the cylinder</source>
-        <translation type="unfinished"></translation>
+        <translation>圆柱上偏差 %1</translation>
     </message>
     <message>
         <source>residuals-image</source>
-        <translation type="unfinished"></translation>
+        <translation>残差-图像</translation>
     </message>
     <message>
         <source>residuals-cylinder</source>
-        <translation type="unfinished"></translation>
+        <translation>残差-圆柱</translation>
     </message>
     <message>
         <source>&amp;Exclude pair %1</source>
-        <translation type="unfinished"></translation>
+        <translation>排除点对 %1(&amp;E)</translation>
     </message>
     <message>
         <source>&amp;Use pair %1 again</source>
-        <translation type="unfinished"></translation>
+        <translation>重新使用点对 %1(&amp;U)</translation>
     </message>
 </context>
 <context>
     <name>teleta::camera::StageBar</name>
     <message>
         <source>prepare</source>
-        <translation type="unfinished"></translation>
+        <translation>准备</translation>
     </message>
     <message>
         <source>displacement</source>
-        <translation type="unfinished"></translation>
+        <translation>位移</translation>
     </message>
     <message>
         <source>segment</source>
-        <translation type="unfinished"></translation>
+        <translation>分割</translation>
     </message>
     <message>
         <source>locate</source>
-        <translation type="unfinished"></translation>
+        <translation>定位</translation>
     </message>
     <message>
         <source>%1 ms a frame, %2 frames/s</source>
-        <translation type="unfinished"></translation>
+        <translation>每帧 %1 ms，%2 帧/秒</translation>
     </message>
     <message numerus="yes">
         <source>%n passed over</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 帧被跳过</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n unusable</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 帧不可用</numerusform>
         </translation>
     </message>
     <message>
         <source>%1: %2 ms</source>
         <comment>stage of a computation and its time</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1：%2 ms</translation>
     </message>
 </context>
 <context>
     <name>teleta::charts::JointChartView</name>
     <message>
         <source>Joint torques and angles of the arm</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂的关节力矩和角度</translation>
     </message>
     <message>
         <source>No arm. Open a scene or a device with an arm.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有机械臂。请打开带机械臂的场景或设备。</translation>
     </message>
     <message>
         <source>Angles</source>
-        <translation type="unfinished"></translation>
+        <translation>角度</translation>
     </message>
     <message>
         <source>Show the joint angles too</source>
-        <translation type="unfinished"></translation>
+        <translation>同时显示关节角</translation>
     </message>
     <message>
         <source>at %1 s   arm time %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>位于 %1 s   机械臂时间 %2 s</translation>
     </message>
     <message>
         <source>joints</source>
-        <translation type="unfinished"></translation>
+        <translation>关节</translation>
     </message>
     <message>
         <source>&lt;p&gt;Torque of each joint over time. The coloured band is the torque window: between its ends a touch is evaluated. Grey stretches are touches with their numbers, from the first torque above the noise to the estimate.&lt;/p&gt;&lt;p&gt;Drag or Shift+wheel scrolls, Ctrl+wheel changes the span, Space pauses, End goes back to live. Double-click an axis to type its ends.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;p&gt;各关节力矩随时间的变化。彩色带为力矩窗口：触碰在其两端之间评估。灰色段为带编号的触碰，从力矩首次高于噪声到得出估计为止。&lt;/p&gt;&lt;p&gt;拖动或 Shift+滚轮滚动，Ctrl+滚轮改变时间跨度，空格键暂停，End 返回实时。双击坐标轴可输入其端点。&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
     <name>teleta::charts::JointPlot</name>
     <message>
         <source>shoulder roll</source>
-        <translation type="unfinished"></translation>
+        <translation>肩部横滚</translation>
     </message>
     <message>
         <source>shoulder pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>肩部俯仰</translation>
     </message>
     <message>
         <source>shoulder yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>肩部偏航</translation>
     </message>
     <message>
         <source>elbow pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>肘部俯仰</translation>
     </message>
     <message>
         <source>Joint torque</source>
-        <translation type="unfinished"></translation>
+        <translation>关节力矩</translation>
     </message>
     <message>
         <source>Joint angle</source>
-        <translation type="unfinished"></translation>
+        <translation>关节角</translation>
     </message>
 </context>
 <context>
     <name>teleta::charts::StripChartView</name>
     <message>
         <source>Strip charts of the tactile features</source>
-        <translation type="unfinished"></translation>
+        <translation>触觉特征的条带图</translation>
     </message>
     <message>
         <source>&lt;p&gt;Force, centres, moment deviation and orientation of the contact over time. The numbers beside the strips are the newest values, or those at the cursor.&lt;/p&gt;&lt;p&gt;A line that stops and goes on means that nothing is known in between: the contact was gone, samples were lost, or the recording jumped (dotted line).&lt;/p&gt;&lt;p&gt;Drag or Shift+wheel scrolls, Ctrl+wheel changes the span, Space pauses, End goes back to live. Double-click an axis to type its ends.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;p&gt;接触的力、中心、矩偏差和方向随时间的变化。条带旁的数值为最新值，或光标处的值。&lt;/p&gt;&lt;p&gt;曲线中断后又继续，表示其间没有已知数据：接触消失、样本丢失或记录跳变（点线）。&lt;/p&gt;&lt;p&gt;拖动或 Shift+滚轮滚动，Ctrl+滚轮改变时间跨度，空格键暂停，End 返回实时。双击坐标轴可输入其端点。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Strips</source>
-        <translation type="unfinished"></translation>
+        <translation>条带</translation>
     </message>
     <message>
         <source>Choose which strips are shown</source>
-        <translation type="unfinished"></translation>
+        <translation>选择要显示的条带</translation>
     </message>
     <message>
         <source>Choose strips</source>
-        <translation type="unfinished"></translation>
+        <translation>选择条带</translation>
     </message>
     <message>
         <source>Mark</source>
-        <translation type="unfinished"></translation>
+        <translation>标记</translation>
     </message>
     <message>
         <source>Mark this moment (M)</source>
-        <translation type="unfinished"></translation>
+        <translation>标记此刻 (M)</translation>
     </message>
     <message>
         <source>at %1 s   stream time %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>位于 %1 s   数据流时间 %2 s</translation>
     </message>
     <message>
         <source>charts</source>
-        <translation type="unfinished"></translation>
+        <translation>曲线图</translation>
     </message>
     <message>
         <source>&amp;Strips</source>
-        <translation type="unfinished"></translation>
+        <translation>条带(&amp;S)</translation>
     </message>
 </context>
 <context>
     <name>teleta::charts::TimeChartView</name>
     <message>
         <source>S&amp;pan</source>
-        <translation type="unfinished"></translation>
+        <translation>时间跨度(&amp;P)</translation>
     </message>
     <message>
         <source>&amp;Type Range of %1…</source>
-        <translation type="unfinished"></translation>
+        <translation>输入 %1 的范围(&amp;T)…</translation>
     </message>
     <message>
         <source>&amp;Automatic Range</source>
-        <translation type="unfinished"></translation>
+        <translation>自动范围(&amp;A)</translation>
     </message>
     <message>
         <source>%1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s</translation>
     </message>
     <message>
         <source>Show %1 s (Ctrl+wheel for other spans)</source>
-        <translation type="unfinished"></translation>
+        <translation>显示 %1 s（Ctrl+滚轮可选其他跨度）</translation>
     </message>
     <message>
         <source>Stop the picture; samples go on being kept (Space)</source>
-        <translation type="unfinished"></translation>
+        <translation>停止画面；样本仍继续保存（空格键）</translation>
     </message>
     <message>
         <source>Go Live</source>
-        <translation type="unfinished"></translation>
+        <translation>转到实时</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>暂停</translation>
     </message>
     <message>
         <source>at %1 s   no sample</source>
-        <translation type="unfinished"></translation>
+        <translation>位于 %1 s   无样本</translation>
     </message>
     <message>
         <source>last %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>最近 %1 s</translation>
     </message>
     <message>
         <source>PAUSED, %1 s behind   %2</source>
-        <translation type="unfinished"></translation>
+        <translation>已暂停，落后 %1 s   %2</translation>
     </message>
     <message>
         <source>Ends of the axis of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 坐标轴的端点</translation>
     </message>
     <message>
         <source>Lower and upper end, for example -5 5. Empty: automatic.</source>
-        <translation type="unfinished"></translation>
+        <translation>下端和上端，例如 -5 5。留空：自动。</translation>
     </message>
     <message>
         <source>auto</source>
-        <translation type="unfinished"></translation>
+        <translation>自动</translation>
     </message>
 </context>
 <context>
     <name>teleta::charts::TimePlot</name>
     <message>
         <source> s</source>
-        <translation type="unfinished"></translation>
+        <translation> s</translation>
     </message>
 </context>
 <context>
     <name>teleta::chrome::DeviceStrip</name>
     <message>
         <source>Devices</source>
-        <translation type="unfinished"></translation>
+        <translation>设备</translation>
     </message>
     <message>
         <source>%1 for %2</source>
         <comment>state of a device and its age</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1，已 %2</translation>
     </message>
     <message>
         <source>Hz</source>
-        <translation type="unfinished"></translation>
+        <translation>Hz</translation>
     </message>
     <message>
         <source>%1 lost</source>
         <comment>frames</comment>
-        <translation type="unfinished"></translation>
+        <translation>丢失 %1</translation>
     </message>
     <message>
         <source>to screen %1 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>至屏幕 %1 ms</translation>
     </message>
     <message>
         <source>No device</source>
-        <translation type="unfinished"></translation>
+        <translation>无设备</translation>
     </message>
     <message>
         <source>State: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>状态：%1</translation>
     </message>
     <message>
         <source>Rate: %1 Hz</source>
-        <translation type="unfinished"></translation>
+        <translation>频率：%1 Hz</translation>
     </message>
     <message>
         <source>Frames lost: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>丢失的帧：%1</translation>
     </message>
     <message>
         <source>Frames displayed: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>已显示的帧：%1</translation>
     </message>
     <message>
         <source>Age of the newest frame: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>最新帧距今：%1</translation>
     </message>
     <message>
         <source>From the read to the screen: %1 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>从读取到屏幕：%1 ms</translation>
     </message>
     <message>
         <source>touch to skin %1 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>从触碰到皮肤 %1 ms</translation>
     </message>
     <message>
         <source>From the completed touch to the first frame of its pattern: %1 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>从触碰完成到其图案的第一帧：%1 ms</translation>
     </message>
 </context>
 <context>
     <name>teleta::chrome::MessageBar</name>
     <message>
         <source>Messages</source>
-        <translation type="unfinished"></translation>
+        <translation>消息</translation>
     </message>
     <message numerus="yes">
         <source>%n older message(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 条较早的消息</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>since %1, %n times</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>自 %1 起，%n 次</numerusform>
         </translation>
     </message>
     <message>
         <source>Hide details</source>
-        <translation type="unfinished"></translation>
+        <translation>隐藏详情</translation>
     </message>
     <message>
         <source>Details</source>
-        <translation type="unfinished"></translation>
+        <translation>详情</translation>
     </message>
     <message>
         <source>Dismiss</source>
-        <translation type="unfinished"></translation>
+        <translation>关闭</translation>
     </message>
 </context>
 <context>
     <name>teleta::chrome::PageRail</name>
     <message>
         <source>Pages</source>
-        <translation type="unfinished"></translation>
+        <translation>页面</translation>
     </message>
     <message>
         <source>%1 (Ctrl+%2)</source>
         <comment>tool tip of a page and its shortcut</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 (Ctrl+%2)</translation>
     </message>
 </context>
 <context>
@@ -7895,63 +7910,63 @@ Area %6</source>
     <message>
         <source>%1 / %2</source>
         <comment>time and duration</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 / %2</translation>
     </message>
     <message>
         <source>Frame %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 帧，共 %2 帧</translation>
     </message>
     <message>
         <source>Playback</source>
-        <translation type="unfinished"></translation>
+        <translation>回放</translation>
     </message>
     <message>
         <source>To the start</source>
-        <translation type="unfinished"></translation>
+        <translation>到开头</translation>
     </message>
     <message>
         <source>Home</source>
-        <translation type="unfinished"></translation>
+        <translation>Home</translation>
     </message>
     <message>
         <source>One frame back</source>
-        <translation type="unfinished"></translation>
+        <translation>后退一帧</translation>
     </message>
     <message>
         <source>Left</source>
-        <translation type="unfinished"></translation>
+        <translation>左方向键</translation>
     </message>
     <message>
         <source>Play</source>
-        <translation type="unfinished"></translation>
+        <translation>播放</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>暂停</translation>
     </message>
     <message>
         <source>Space</source>
-        <translation type="unfinished"></translation>
+        <translation>空格键</translation>
     </message>
     <message>
         <source>One frame forward</source>
-        <translation type="unfinished"></translation>
+        <translation>前进一帧</translation>
     </message>
     <message>
         <source>Right</source>
-        <translation type="unfinished"></translation>
+        <translation>右方向键</translation>
     </message>
     <message>
         <source>Start again at the end</source>
-        <translation type="unfinished"></translation>
+        <translation>到末尾后重新开始</translation>
     </message>
     <message>
         <source>Time in the recording</source>
-        <translation type="unfinished"></translation>
+        <translation>记录中的时间</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
+        <translation>速度</translation>
     </message>
 </context>
 <context>
@@ -7959,99 +7974,99 @@ Area %6</source>
     <message>
         <source>%1 (opening…)</source>
         <comment>a source</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1（正在打开…）</translation>
     </message>
     <message>
         <source>%1 — %2</source>
         <comment>a source and whether its data are simulated or recorded</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 — %2</translation>
     </message>
     <message>
         <source>No source</source>
-        <translation type="unfinished"></translation>
+        <translation>无数据源</translation>
     </message>
     <message>
         <source>Open &amp;recording…</source>
-        <translation type="unfinished"></translation>
+        <translation>打开记录(&amp;R)…</translation>
     </message>
     <message>
         <source>Recorded frames as CSV: time_s,t0,t1,…</source>
-        <translation type="unfinished"></translation>
+        <translation>记录的帧，CSV 格式：time_s,t0,t1,…</translation>
     </message>
     <message>
         <source>Open &amp;scene file…</source>
-        <translation type="unfinished"></translation>
+        <translation>打开场景文件(&amp;S)…</translation>
     </message>
     <message>
         <source>Open source &amp;list…</source>
-        <translation type="unfinished"></translation>
+        <translation>打开数据源列表(&amp;L)…</translation>
     </message>
     <message>
         <source>Source</source>
-        <translation type="unfinished"></translation>
+        <translation>数据源</translation>
     </message>
     <message>
         <source>&amp;Open</source>
-        <translation type="unfinished"></translation>
+        <translation>打开(&amp;O)</translation>
     </message>
     <message>
         <source>Open a simulated scene or a recording</source>
-        <translation type="unfinished"></translation>
+        <translation>打开模拟场景或记录</translation>
     </message>
     <message>
         <source>Close source</source>
-        <translation type="unfinished"></translation>
+        <translation>关闭数据源</translation>
     </message>
     <message>
         <source>Close this source</source>
-        <translation type="unfinished"></translation>
+        <translation>关闭此数据源</translation>
     </message>
     <message>
         <source>Open &amp;camera…</source>
-        <translation type="unfinished"></translation>
+        <translation>打开相机(&amp;C)…</translation>
     </message>
     <message>
         <source>A camera in the soft tube, or a video of one, with its calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>软管中的相机或其视频，及其标定</translation>
     </message>
     <message>
         <source>The source that the views show</source>
-        <translation type="unfinished"></translation>
+        <translation>各视图显示的数据源</translation>
     </message>
 </context>
 <context>
     <name>teleta::chrome::StopButton</name>
     <message>
         <source>STOP</source>
-        <translation type="unfinished"></translation>
+        <translation>STOP</translation>
     </message>
     <message>
         <source>STOPPED</source>
-        <translation type="unfinished"></translation>
+        <translation>已停止</translation>
     </message>
     <message>
         <source>hold to release</source>
-        <translation type="unfinished"></translation>
+        <translation>按住以解除</translation>
     </message>
     <message>
         <source>Stopped</source>
-        <translation type="unfinished"></translation>
+        <translation>已停止</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>停止</translation>
     </message>
     <message>
         <source>Everything that moves is stopped. Hold for a second to release.</source>
-        <translation type="unfinished"></translation>
+        <translation>一切运动均已停止。按住一秒以解除。</translation>
     </message>
     <message>
         <source>Stops everything that moves at once.</source>
-        <translation type="unfinished"></translation>
+        <translation>立即停止一切运动。</translation>
     </message>
     <message>
         <source>Stop everything that moves at once (Esc Esc, or Ctrl+.)</source>
-        <translation type="unfinished"></translation>
+        <translation>立即停止一切运动（Esc Esc 或 Ctrl+.）</translation>
     </message>
 </context>
 <context>
@@ -8059,382 +8074,382 @@ Area %6</source>
     <message>
         <source>%1 (%2 %)</source>
         <comment>a recognised shape and its confidence</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2 %)</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::BraceletMenu</name>
     <message>
         <source>&amp;Simulated</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;USB</source>
-        <translation type="unfinished"></translation>
+        <translation>USB(&amp;U)</translation>
     </message>
     <message>
         <source>Modbus: %1</source>
         <comment>a device file</comment>
-        <translation type="unfinished"></translation>
+        <translation>Modbus：%1</translation>
     </message>
     <message>
         <source>&amp;Modbus…</source>
-        <translation type="unfinished"></translation>
+        <translation>Modbus(&amp;M)…</translation>
     </message>
     <message>
         <source>A file that describes the registers of a motor driver</source>
-        <translation type="unfinished"></translation>
+        <translation>描述电机驱动器寄存器的文件</translation>
     </message>
     <message>
         <source>&amp;None</source>
-        <translation type="unfinished"></translation>
+        <translation>无(&amp;N)</translation>
     </message>
     <message>
         <source>Open a Modbus motor driver</source>
-        <translation type="unfinished"></translation>
+        <translation>打开 Modbus 电机驱动器</translation>
     </message>
     <message>
         <source>Devices (*.toml)</source>
-        <translation type="unfinished"></translation>
+        <translation>设备 (*.toml)</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::BraceletStation</name>
     <message>
         <source>STOP is engaged: the bracelet is off.</source>
-        <translation type="unfinished"></translation>
+        <translation>STOP 已触发：手环已关闭。</translation>
     </message>
     <message>
         <source>No bracelet: what would be played is named in the table of patterns.</source>
-        <translation type="unfinished"></translation>
+        <translation>无手环：将要播放的内容列在图案表中。</translation>
     </message>
     <message>
         <source>Connecting to the bracelet…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在连接手环…</translation>
     </message>
     <message>
         <source>The bracelet is not connected. %1</source>
-        <translation type="unfinished"></translation>
+        <translation>手环未连接。%1</translation>
     </message>
     <message>
         <source>Bracelet</source>
-        <translation type="unfinished"></translation>
+        <translation>手环</translation>
     </message>
     <message>
         <source>A study uses the bracelet.</source>
-        <translation type="unfinished"></translation>
+        <translation>研究正在使用手环。</translation>
     </message>
     <message>
         <source>The motors are not calibrated (page Calibrate).</source>
-        <translation type="unfinished"></translation>
+        <translation>电机未标定（“标定”页）。</translation>
     </message>
     <message>
         <source>not calibrated: the motors are assumed</source>
-        <translation type="unfinished"></translation>
+        <translation>未标定：电机采用假定值</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::CalibratePage</name>
     <message>
         <source>What can be calibrated</source>
-        <translation type="unfinished"></translation>
+        <translation>可标定的内容</translation>
     </message>
     <message>
         <source>Bracelet motors</source>
-        <translation type="unfinished"></translation>
+        <translation>手环电机</translation>
     </message>
     <message>
         <source>Cylinder camera</source>
-        <translation type="unfinished"></translation>
+        <translation>圆柱相机</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::CameraCalibrator</name>
     <message>
         <source>Saved %1</source>
-        <translation type="unfinished"></translation>
+        <translation>已保存 %1</translation>
     </message>
     <message>
         <source>Cylinder camera</source>
-        <translation type="unfinished"></translation>
+        <translation>圆柱相机</translation>
     </message>
     <message>
         <source>&amp;Load pairs...</source>
-        <translation type="unfinished"></translation>
+        <translation>加载点对(&amp;L)...</translation>
     </message>
     <message>
         <source>Pairs of pixels and points: CSV with u_px,v_px,x_m,y_m,z_m</source>
-        <translation type="unfinished"></translation>
+        <translation>像素与点的点对：CSV，含 u_px,v_px,x_m,y_m,z_m</translation>
     </message>
     <message>
         <source>Save pai&amp;rs...</source>
-        <translation type="unfinished"></translation>
+        <translation>保存点对(&amp;R)...</translation>
     </message>
     <message>
         <source>All pairs, those that are left out too, as they are loaded</source>
-        <translation type="unfinished"></translation>
+        <translation>按加载时的原样保存全部点对，包括被剔除的</translation>
     </message>
     <message>
         <source>&amp;Save camera...</source>
-        <translation type="unfinished"></translation>
+        <translation>保存相机(&amp;S)...</translation>
     </message>
     <message>
         <source>The camera of the chosen method, for teleta locate and the camera view</source>
-        <translation type="unfinished"></translation>
+        <translation>所选方法得到的相机，用于 teleta locate 和相机视图</translation>
     </message>
     <message>
         <source>&amp;Probe the simulated tube</source>
-        <translation type="unfinished"></translation>
+        <translation>探测模拟软管(&amp;P)</translation>
     </message>
     <message>
         <source>Collect pairs: a simulated person presses a stick on the marked places of a simulated tube, and takes one in ten for its neighbour</source>
-        <translation type="unfinished"></translation>
+        <translation>采集点对：模拟的人用探棒按压模拟软管上的标记位置，每十个中有一个误按到相邻位置</translation>
     </message>
     <message>
         <source>&amp;Method:</source>
-        <translation type="unfinished"></translation>
+        <translation>方法(&amp;M)：</translation>
     </message>
     <message>
         <source>Method of calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>标定方法</translation>
     </message>
     <message>
         <source>Linear (DLT)</source>
-        <translation type="unfinished"></translation>
+        <translation>线性 (DLT)</translation>
     </message>
     <message>
         <source>As in the paper</source>
-        <translation type="unfinished"></translation>
+        <translation>与论文相同</translation>
     </message>
     <message>
         <source>Least squares</source>
-        <translation type="unfinished"></translation>
+        <translation>最小二乘</translation>
     </message>
     <message>
         <source>Robust</source>
-        <translation type="unfinished"></translation>
+        <translation>稳健</translation>
     </message>
     <message>
         <source>&amp;Exclude wrong pairs</source>
-        <translation type="unfinished"></translation>
+        <translation>排除错误点对(&amp;E)</translation>
     </message>
     <message>
         <source>Leaves the pairs that are marked as wrong out for every method</source>
-        <translation type="unfinished"></translation>
+        <translation>在所有方法中剔除标为错误的点对</translation>
     </message>
     <message>
         <source>Methods side by side</source>
-        <translation type="unfinished"></translation>
+        <translation>方法对比</translation>
     </message>
     <message>
         <source>Method</source>
-        <translation type="unfinished"></translation>
+        <translation>方法</translation>
     </message>
     <message>
         <source>Kept</source>
-        <translation type="unfinished"></translation>
+        <translation>保留</translation>
     </message>
     <message>
         <source>Image, mean</source>
-        <translation type="unfinished"></translation>
+        <translation>图像，平均</translation>
     </message>
     <message>
         <source>Surface, mean</source>
-        <translation type="unfinished"></translation>
+        <translation>表面，平均</translation>
     </message>
     <message>
         <source>Uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>不确定度</translation>
     </message>
     <message>
         <source>Remark</source>
-        <translation type="unfinished"></translation>
+        <translation>备注</translation>
     </message>
     <message>
         <source>Pairs</source>
-        <translation type="unfinished"></translation>
+        <translation>点对</translation>
     </message>
     <message>
         <source>&amp;Exclude, or use again</source>
-        <translation type="unfinished"></translation>
+        <translation>排除或重新使用(&amp;E)</translation>
     </message>
     <message>
         <source>&amp;Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>移除(&amp;R)</translation>
     </message>
     <message>
         <source>&lt;p&gt;Finds the camera inside the tactile cylinder from pairs: a pixel and the point of the surface that was probed there.&lt;/p&gt;&lt;p&gt;Load a CSV file or drop it here, or type pairs in. Wrong pairs are found and left out; you may exclude more or remove them (Delete in the table), and take every step back.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;p&gt;由点对求触觉圆柱内的相机：每个点对是一个像素及在该处探测的表面点。&lt;/p&gt;&lt;p&gt;加载 CSV 文件或将其拖放到此处，也可键入点对。错误的点对会被找出并剔除；您还可以排除更多点对或将其移除（在表中按 Delete），每一步都可撤回。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Save the camera</source>
-        <translation type="unfinished"></translation>
+        <translation>保存相机</translation>
     </message>
     <message>
         <source>Save the pairs</source>
-        <translation type="unfinished"></translation>
+        <translation>保存点对</translation>
     </message>
     <message>
         <source>Load pairs</source>
-        <translation type="unfinished"></translation>
+        <translation>加载点对</translation>
     </message>
     <message>
         <source>Cameras (*.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>相机 (*.json)</translation>
     </message>
     <message>
         <source>Pairs (*.csv);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>点对 (*.csv);;所有文件 (*)</translation>
     </message>
     <message>
         <source>probing</source>
-        <translation type="unfinished"></translation>
+        <translation>探测</translation>
     </message>
     <message>
         <source>loading</source>
-        <translation type="unfinished"></translation>
+        <translation>加载</translation>
     </message>
     <message>
         <source>added pair</source>
-        <translation type="unfinished"></translation>
+        <translation>添加点对</translation>
     </message>
     <message numerus="yes">
         <source>removal of %n pair(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>移除 %n 个点对</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>use of %n pair(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>使用 %n 个点对</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>exclusion of %n pair(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>排除 %n 个点对</numerusform>
         </translation>
     </message>
     <message>
         <source>image and cylinder</source>
-        <translation type="unfinished"></translation>
+        <translation>图像和圆柱</translation>
     </message>
     <message>
         <source>The first touch is awaited.</source>
-        <translation type="unfinished"></translation>
+        <translation>等待第一次触碰。</translation>
     </message>
     <message>
         <source>Load pairs of pixels and probed points, drop their file here, type them in below, or let a simulated tube be probed.</source>
-        <translation type="unfinished"></translation>
+        <translation>加载像素与探测点的点对，将文件拖放到此处，在下方键入，或对模拟软管进行探测。</translation>
     </message>
     <message>
         <source>Calibrating...</source>
-        <translation type="unfinished"></translation>
+        <translation>正在标定...</translation>
     </message>
     <message>
         <source>No calibration: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法标定：%1。</translation>
     </message>
     <message numerus="yes">
         <source>%1 of %n pair(s) kept; </source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>保留 %1 个点对，共 %n 个； </numerusform>
         </translation>
     </message>
     <message>
         <source>their points are located to within %1 on average, and the camera is sure to within %2. </source>
-        <translation type="unfinished"></translation>
+        <translation>其点的定位平均偏差在 %1 以内，相机的不确定度在 %2 以内。 </translation>
     </message>
     <message>
         <source>This method knows no lens: use it to compare only.</source>
-        <translation type="unfinished"></translation>
+        <translation>此方法不含镜头模型：仅供比较。</translation>
     </message>
     <message>
         <source>Be careful: residuals of neighbours are alike, so the pairs hold something that this camera does not describe (a shell that has moved, a wrong radius).</source>
-        <translation type="unfinished"></translation>
+        <translation>请注意：相邻残差相似，说明点对中含有此相机模型未描述的因素（外壳移动、半径有误）。</translation>
     </message>
     <message>
         <source>The residuals have no pattern. Good.</source>
-        <translation type="unfinished"></translation>
+        <translation>残差无规律。良好。</translation>
     </message>
     <message>
         <source>SIMULATED</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟</translation>
     </message>
     <message>
         <source>has a pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>有规律</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::CameraDialog</name>
     <message>
         <source>Start &amp;again at the end</source>
-        <translation type="unfinished"></translation>
+        <translation>到末尾后重新开始(&amp;A)</translation>
     </message>
     <message>
         <source>Open camera</source>
-        <translation type="unfinished"></translation>
+        <translation>打开相机</translation>
     </message>
     <message>
         <source>The number of a connected camera (0 is /dev/video0), or a video file</source>
-        <translation type="unfinished"></translation>
+        <translation>所连相机的编号（0 为 /dev/video0），或视频文件</translation>
     </message>
     <message>
         <source>The camera file that the page Calibrate or teleta calibrate has written</source>
-        <translation type="unfinished"></translation>
+        <translation>“标定”页或 teleta calibrate 写出的相机文件</translation>
     </message>
     <message>
         <source>…</source>
-        <translation type="unfinished"></translation>
+        <translation>…</translation>
     </message>
     <message>
         <source>&amp;Camera or video:</source>
-        <translation type="unfinished"></translation>
+        <translation>相机或视频(&amp;C)：</translation>
     </message>
     <message>
         <source>Choose a video</source>
-        <translation type="unfinished"></translation>
+        <translation>选择视频</translation>
     </message>
     <message>
         <source>Video of a camera</source>
-        <translation type="unfinished"></translation>
+        <translation>相机的视频</translation>
     </message>
     <message>
         <source>Videos and pictures (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>视频和图片 (*)</translation>
     </message>
     <message>
         <source>Ca&amp;libration:</source>
-        <translation type="unfinished"></translation>
+        <translation>标定(&amp;L)：</translation>
     </message>
     <message>
         <source>Choose a camera file</source>
-        <translation type="unfinished"></translation>
+        <translation>选择相机文件</translation>
     </message>
     <message>
         <source>Camera file</source>
-        <translation type="unfinished"></translation>
+        <translation>相机文件</translation>
     </message>
     <message>
         <source>Camera files (*.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>相机文件 (*.json)</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::CostMeasuring</name>
     <message>
         <source>The costs that were measured before cannot be read.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法读取先前测得的代价。</translation>
     </message>
     <message>
         <source>The ladders could not be measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法测量各阶梯。</translation>
     </message>
     <message>
         <source>The measured costs cannot be kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法保存测得的代价。</translation>
     </message>
 </context>
 <context>
@@ -8442,2393 +8457,2393 @@ Area %6</source>
     <message>
         <source>%1 (not measured)</source>
         <comment>name of a ladder</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1（未测量）</translation>
     </message>
     <message>
         <source>Error: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>误差：%1。</translation>
     </message>
     <message>
         <source>%1 (frontier)</source>
         <comment>name of a rung</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1（前沿）</translation>
     </message>
     <message>
         <source>refused: too noisy</source>
-        <translation type="unfinished"></translation>
+        <translation>被拒绝：干扰过大</translation>
     </message>
     <message>
         <source>Preparing…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在准备…</translation>
     </message>
     <message>
         <source>Measure the ladder %1 first.</source>
-        <translation type="unfinished"></translation>
+        <translation>请先测量阶梯 %1。</translation>
     </message>
     <message>
         <source>%1: %2 on average, 99 of 100 frames within %3 (1640 x 1232 pixels).</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：平均 %2，100 帧中有 99 帧在 %3 以内（1640 x 1232 像素）。</translation>
     </message>
     <message>
         <source>No rung is so quick: of 100 frames one may take longer.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有如此快的档级：要求 100 帧中至多一帧超时。</translation>
     </message>
     <message>
         <source>Measuring %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>正在测量 %1：%2</translation>
     </message>
     <message>
         <source>Preparing %1…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在准备 %1…</translation>
     </message>
     <message>
         <source>The rung %1 cannot be used.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法使用档级 %1。</translation>
     </message>
     <message>
         <source>Ladders</source>
-        <translation type="unfinished"></translation>
+        <translation>阶梯</translation>
     </message>
     <message>
         <source>Ladders of rungs from cheap to exact</source>
-        <translation type="unfinished"></translation>
+        <translation>从低代价到高精度的各阶梯</translation>
     </message>
     <message>
         <source>&amp;Measure this ladder</source>
-        <translation type="unfinished"></translation>
+        <translation>测量此阶梯(&amp;M)</translation>
     </message>
     <message>
         <source>Measure &amp;all ladders</source>
-        <translation type="unfinished"></translation>
+        <translation>测量所有阶梯(&amp;A)</translation>
     </message>
     <message>
         <source>Takes some minutes; the console can be used meanwhile</source>
-        <translation type="unfinished"></translation>
+        <translation>需要几分钟；期间仍可使用控制台</translation>
     </message>
     <message>
         <source>&amp;Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>取消(&amp;C)</translation>
     </message>
     <message>
         <source>Not measured on this machine</source>
-        <translation type="unfinished"></translation>
+        <translation>未在本机上测量</translation>
     </message>
     <message>
         <source>Close other programs and sources first: what they compute makes times uncertain.</source>
-        <translation type="unfinished"></translation>
+        <translation>请先关闭其他程序和数据源：它们的计算会使计时不可靠。</translation>
     </message>
     <message>
         <source>Measure this ladder</source>
-        <translation type="unfinished"></translation>
+        <translation>测量此阶梯</translation>
     </message>
     <message>
         <source>Measure all ladders</source>
-        <translation type="unfinished"></translation>
+        <translation>测量所有阶梯</translation>
     </message>
     <message>
         <source>Rung</source>
-        <translation type="unfinished"></translation>
+        <translation>档级</translation>
     </message>
     <message>
         <source>Parameter</source>
-        <translation type="unfinished"></translation>
+        <translation>参数</translation>
     </message>
     <message>
         <source>Mean error</source>
-        <translation type="unfinished"></translation>
+        <translation>平均误差</translation>
     </message>
     <message>
         <source>95 %</source>
-        <translation type="unfinished"></translation>
+        <translation>95 %</translation>
     </message>
     <message>
         <source>Worst</source>
-        <translation type="unfinished"></translation>
+        <translation>最差</translation>
     </message>
     <message>
         <source>Median time</source>
-        <translation type="unfinished"></translation>
+        <translation>中位时间</translation>
     </message>
     <message>
         <source>99 % time</source>
-        <translation type="unfinished"></translation>
+        <translation>99 % 时间</translation>
     </message>
     <message>
         <source>Rungs with their errors and times</source>
-        <translation type="unfinished"></translation>
+        <translation>各档级及其误差和时间</translation>
     </message>
     <message>
         <source>Camera in use</source>
-        <translation type="unfinished"></translation>
+        <translation>使用中的相机</translation>
     </message>
     <message>
         <source>&amp;Rung in use</source>
-        <translation type="unfinished"></translation>
+        <translation>使用的档级(&amp;R)</translation>
     </message>
     <message>
         <source>Rung that finds the contacts</source>
-        <translation type="unfinished"></translation>
+        <translation>用于检测接触的档级</translation>
     </message>
     <message>
         <source>Time of a frame, now</source>
-        <translation type="unfinished"></translation>
+        <translation>当前每帧用时</translation>
     </message>
     <message>
         <source>Time &amp;budget of a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>每帧时间预算(&amp;B)</translation>
     </message>
     <message>
         <source> ms a frame</source>
-        <translation type="unfinished"></translation>
+        <translation> ms/帧</translation>
     </message>
     <message>
         <source>&amp;Use the best rung within it</source>
-        <translation type="unfinished"></translation>
+        <translation>使用预算内的最佳档级(&amp;U)</translation>
     </message>
     <message>
         <source>No camera is shown on the page Operate.</source>
-        <translation type="unfinished"></translation>
+        <translation>“操作”页未显示相机。</translation>
     </message>
     <message>
         <source>Open a demo with a camera</source>
-        <translation type="unfinished"></translation>
+        <translation>打开带相机的演示</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::ExportDialog</name>
     <message>
         <source>Export pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>导出图案</translation>
     </message>
     <message>
         <source>commanded intensities</source>
-        <translation type="unfinished"></translation>
+        <translation>指令强度</translation>
     </message>
     <message>
         <source>what the motors are predicted to do</source>
-        <translation type="unfinished"></translation>
+        <translation>电机的预测动作</translation>
     </message>
     <message>
         <source>Choose File…</source>
-        <translation type="unfinished"></translation>
+        <translation>选择文件…</translation>
     </message>
     <message>
         <source>&amp;Format:</source>
-        <translation type="unfinished"></translation>
+        <translation>格式(&amp;F)：</translation>
     </message>
     <message>
         <source>&amp;Rate:</source>
-        <translation type="unfinished"></translation>
+        <translation>采样率(&amp;R)：</translation>
     </message>
     <message>
         <source>&amp;Values:</source>
-        <translation type="unfinished"></translation>
+        <translation>数值(&amp;V)：</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::FeedbackPanel</name>
     <message>
         <source>shape</source>
-        <translation type="unfinished"></translation>
+        <translation>形状</translation>
     </message>
     <message>
         <source>stiffness</source>
-        <translation type="unfinished"></translation>
+        <translation>刚度</translation>
     </message>
     <message>
         <source>dynamic</source>
-        <translation type="unfinished"></translation>
+        <translation>动态</translation>
     </message>
     <message>
         <source>static</source>
-        <translation type="unfinished"></translation>
+        <translation>静态</translation>
     </message>
     <message>
         <source>%1: no pattern</source>
         <comment>what was recognised</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1：无图案</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <comment>what was recognised: id of a pattern</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1：%2</translation>
     </message>
     <message>
         <source>Touch %1: %2. There is no pattern for it in the table.</source>
-        <translation type="unfinished"></translation>
+        <translation>触碰 %1：%2。表中没有对应的图案。</translation>
     </message>
     <message>
         <source>Touch %1: %2. %3 was felt %4 later.</source>
-        <translation type="unfinished"></translation>
+        <translation>触碰 %1：%2。%4 后感觉到 %3。</translation>
     </message>
     <message>
         <source>Touch %1: %2. %3 was sent.</source>
-        <translation type="unfinished"></translation>
+        <translation>触碰 %1：%2。已发送 %3。</translation>
     </message>
     <message>
         <source>&amp;Felt</source>
-        <translation type="unfinished"></translation>
+        <translation>感觉内容(&amp;F)</translation>
     </message>
     <message>
         <source>Stiffness and shape</source>
-        <translation type="unfinished"></translation>
+        <translation>刚度和形状</translation>
     </message>
     <message>
         <source>Stiffness</source>
-        <translation type="unfinished"></translation>
+        <translation>刚度</translation>
     </message>
     <message>
         <source>Shape</source>
-        <translation type="unfinished"></translation>
+        <translation>形状</translation>
     </message>
     <message>
         <source>Nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>无</translation>
     </message>
     <message>
         <source>What of a touch is played on the bracelet</source>
-        <translation type="unfinished"></translation>
+        <translation>触碰的哪些信息在手环上播放</translation>
     </message>
     <message>
         <source>Nothing was recognised yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>尚未识别任何内容。</translation>
     </message>
     <message>
         <source>%1: %2 is missing</source>
         <comment>what was recognised: id of a pattern</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1：缺少 %2</translation>
     </message>
     <message>
         <source>Touch %1: %2. Its pattern %3 is missing: nothing was played. Choose another one, or put it back among your patterns.</source>
-        <translation type="unfinished"></translation>
+        <translation>触碰 %1：%2。其图案 %3 缺失：未播放任何内容。请另选一个，或将它放回您的图案中。</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::MainWindow</name>
     <message>
         <source>TeleTA Console</source>
-        <translation type="unfinished"></translation>
+        <translation>TeleTA Console</translation>
     </message>
     <message>
         <source>Operate</source>
-        <translation type="unfinished"></translation>
+        <translation>操作</translation>
     </message>
     <message>
         <source>What the arm touches, live or played back</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂所触碰的内容，实时或回放</translation>
     </message>
     <message>
         <source>Open recording</source>
-        <translation type="unfinished"></translation>
+        <translation>打开记录</translation>
     </message>
     <message>
         <source>Recorded frames (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>记录的帧 (*.csv)</translation>
     </message>
     <message>
         <source>Open source list</source>
-        <translation type="unfinished"></translation>
+        <translation>打开数据源列表</translation>
     </message>
     <message>
         <source>Source lists (*.toml)</source>
-        <translation type="unfinished"></translation>
+        <translation>数据源列表 (*.toml)</translation>
     </message>
     <message>
         <source>Open scene</source>
-        <translation type="unfinished"></translation>
+        <translation>打开场景</translation>
     </message>
     <message>
         <source>Scenes (*.toml)</source>
-        <translation type="unfinished"></translation>
+        <translation>场景 (*.toml)</translation>
     </message>
     <message>
         <source>%1 could not be opened.</source>
         <comment>a file</comment>
-        <translation type="unfinished"></translation>
+        <translation>无法打开 %1。</translation>
     </message>
     <message>
         <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <translation>文件(&amp;F)</translation>
     </message>
     <message>
         <source>&amp;Open</source>
-        <translation type="unfinished"></translation>
+        <translation>打开(&amp;O)</translation>
     </message>
     <message>
         <source>&amp;Close source</source>
-        <translation type="unfinished"></translation>
+        <translation>关闭数据源(&amp;C)</translation>
     </message>
     <message>
         <source>Close the source that is shown</source>
-        <translation type="unfinished"></translation>
+        <translation>关闭当前显示的数据源</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>退出(&amp;Q)</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation type="unfinished"></translation>
+        <translation>视图(&amp;V)</translation>
     </message>
     <message>
         <source>&amp;Reset layout</source>
-        <translation type="unfinished"></translation>
+        <translation>重置布局(&amp;R)</translation>
     </message>
     <message>
         <source>&amp;Light</source>
-        <translation type="unfinished"></translation>
+        <translation>浅色(&amp;L)</translation>
     </message>
     <message>
         <source>&amp;Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>深色(&amp;D)</translation>
     </message>
     <message>
         <source>As the &amp;desktop</source>
-        <translation type="unfinished"></translation>
+        <translation>跟随桌面(&amp;D)</translation>
     </message>
     <message>
         <source>&amp;Full screen</source>
-        <translation type="unfinished"></translation>
+        <translation>全屏(&amp;F)</translation>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
+        <translation>帮助(&amp;H)</translation>
     </message>
     <message>
         <source>&amp;Shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>快捷键(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;About TeleTA Console</source>
-        <translation type="unfinished"></translation>
+        <translation>关于 TeleTA Console(&amp;A)</translation>
     </message>
     <message>
         <source>&amp;Arm</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂(&amp;A)</translation>
     </message>
     <message>
         <source>&amp;Run its program</source>
-        <translation type="unfinished"></translation>
+        <translation>运行程序(&amp;R)</translation>
     </message>
     <message>
         <source>&amp;Hold</source>
-        <translation type="unfinished"></translation>
+        <translation>保持(&amp;H)</translation>
     </message>
     <message>
         <source>Begin &amp;anew</source>
-        <translation type="unfinished"></translation>
+        <translation>重新开始(&amp;A)</translation>
     </message>
     <message>
         <source>&amp;Forget the explored contour</source>
-        <translation type="unfinished"></translation>
+        <translation>清除已探索的轮廓(&amp;F)</translation>
     </message>
     <message>
         <source>What is touched from now on is another object</source>
-        <translation type="unfinished"></translation>
+        <translation>此后触碰的是另一个物体</translation>
     </message>
     <message>
         <source>&amp;Bracelet</source>
-        <translation type="unfinished"></translation>
+        <translation>手环(&amp;B)</translation>
     </message>
     <message>
         <source>Patterns</source>
-        <translation type="unfinished"></translation>
+        <translation>图案</translation>
     </message>
     <message>
         <source>What the bracelet can say: edit, check and play patterns</source>
-        <translation type="unfinished"></translation>
+        <translation>手环能表达的内容：编辑、检查和播放图案</translation>
     </message>
     <message>
         <source>Study</source>
-        <translation type="unfinished"></translation>
+        <translation>研究</translation>
     </message>
     <message>
         <source>User studies: from the first practice trial to confusion matrices and ANOVA</source>
-        <translation type="unfinished"></translation>
+        <translation>用户研究：从第一个练习试次到混淆矩阵和方差分析</translation>
     </message>
     <message>
         <source>Calibrate</source>
-        <translation type="unfinished"></translation>
+        <translation>标定</translation>
     </message>
     <message>
         <source>What has to be measured: the motors of the bracelet, the camera in the tube</source>
-        <translation type="unfinished"></translation>
+        <translation>需要测量的内容：手环的电机、管内的相机</translation>
     </message>
     <message>
         <source>Cost</source>
-        <translation type="unfinished"></translation>
+        <translation>代价</translation>
     </message>
     <message>
         <source>What accuracy costs in time on this machine, and the rung that the camera uses</source>
-        <translation type="unfinished"></translation>
+        <translation>本机上精度的时间代价，以及相机使用的档级</translation>
     </message>
     <message>
         <source>The page Patterns opens the edits.</source>
-        <translation type="unfinished"></translation>
+        <translation>“图案”页将打开这些编辑内容。</translation>
     </message>
     <message>
         <source>my own</source>
-        <translation type="unfinished"></translation>
+        <translation>自定义</translation>
     </message>
     <message>
         <source>dynamic</source>
-        <translation type="unfinished"></translation>
+        <translation>动态</translation>
     </message>
     <message>
         <source>static</source>
-        <translation type="unfinished"></translation>
+        <translation>静态</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::MotorCalibrator</name>
     <message>
         <source>The profile of the motors cannot be used; they are assumed.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法使用电机配置；电机采用假定值。</translation>
     </message>
     <message>
         <source>Open the recording of a motor</source>
-        <translation type="unfinished"></translation>
+        <translation>打开电机的记录</translation>
     </message>
     <message>
         <source>Recordings (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>记录 (*.csv)</translation>
     </message>
     <message>
         <source>Write the excitation</source>
-        <translation type="unfinished"></translation>
+        <translation>写出激励信号</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>表格 (*.csv)</translation>
     </message>
     <message>
         <source>Save a copy of the profile</source>
-        <translation type="unfinished"></translation>
+        <translation>保存配置的副本</translation>
     </message>
     <message>
         <source>Profiles (*.toml)</source>
-        <translation type="unfinished"></translation>
+        <translation>配置 (*.toml)</translation>
     </message>
     <message>
         <source>Load a profile</source>
-        <translation type="unfinished"></translation>
+        <translation>加载配置</translation>
     </message>
     <message>
         <source>Choose another folder or file name.</source>
-        <translation type="unfinished"></translation>
+        <translation>请选择其他文件夹或文件名。</translation>
     </message>
     <message>
         <source>%1 could not be opened.</source>
         <comment>a file</comment>
-        <translation type="unfinished"></translation>
+        <translation>无法打开 %1。</translation>
     </message>
     <message>
         <source>%1 is of another bracelet.</source>
         <comment>a file</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 属于另一个手环。</translation>
     </message>
     <message>
         <source>It is of “%1”, this one is “%2”. Measure this one, or connect the other.</source>
-        <translation type="unfinished"></translation>
+        <translation>它属于“%1”，而当前手环为“%2”。请测量当前手环，或连接另一个。</translation>
     </message>
     <message>
         <source>%1 could not be saved.</source>
         <comment>a file</comment>
-        <translation type="unfinished"></translation>
+        <translation>无法保存 %1。</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::NewStudyDialog</name>
     <message>
         <source>&amp;Participants</source>
-        <translation type="unfinished"></translation>
+        <translation>被试(&amp;P)</translation>
     </message>
     <message>
         <source>New study</source>
-        <translation type="unfinished"></translation>
+        <translation>新建研究</translation>
     </message>
     <message>
         <source>In a file of this folder: one station</source>
-        <translation type="unfinished"></translation>
+        <translation>存于此文件夹的文件中：单个工作站</translation>
     </message>
     <message>
         <source>On a PostgreSQL server: stations share it</source>
-        <translation type="unfinished"></translation>
+        <translation>存于 PostgreSQL 服务器：多个工作站共用</translation>
     </message>
     <message>
         <source>Run: real participants, counts as data</source>
-        <translation type="unfinished"></translation>
+        <translation>正式：真实被试，计为数据</translation>
     </message>
     <message>
         <source>Pilot: people try it, marked PILOT everywhere</source>
-        <translation type="unfinished"></translation>
+        <translation>预试：由人试做，处处标为“预试”</translation>
     </message>
     <message>
         <source>Simulated: no people, marked SIMULATED everywhere</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟：无真人参与，处处标为“模拟”</translation>
     </message>
     <message>
         <source>The orders of all trials follow from it: the same seed gives the same study</source>
-        <translation type="unfinished"></translation>
+        <translation>所有试次的顺序由它决定：相同的种子得到相同的研究</translation>
     </message>
     <message>
         <source>&amp;Choose…</source>
-        <translation type="unfinished"></translation>
+        <translation>选择(&amp;C)…</translation>
     </message>
     <message>
         <source>Protocol</source>
-        <translation type="unfinished"></translation>
+        <translation>方案</translation>
     </message>
     <message>
         <source>&amp;Folder, which is made</source>
-        <translation type="unfinished"></translation>
+        <translation>要创建的文件夹(&amp;F)</translation>
     </message>
     <message>
         <source>&amp;Kept</source>
-        <translation type="unfinished"></translation>
+        <translation>存储位置(&amp;K)</translation>
     </message>
     <message>
         <source>&amp;Mode</source>
-        <translation type="unfinished"></translation>
+        <translation>模式(&amp;M)</translation>
     </message>
     <message>
         <source>&amp;Seed</source>
-        <translation type="unfinished"></translation>
+        <translation>种子(&amp;S)</translation>
     </message>
     <message>
         <source>Make the study</source>
-        <translation type="unfinished"></translation>
+        <translation>创建研究</translation>
     </message>
     <message>
         <source>Folder of the study</source>
-        <translation type="unfinished"></translation>
+        <translation>研究的文件夹</translation>
     </message>
     <message>
         <source>Choose a folder, with its whole path.</source>
-        <translation type="unfinished"></translation>
+        <translation>请选择文件夹，使用完整路径。</translation>
     </message>
     <message>
         <source>The seed is a whole number from 0 to 18446744073709551615.</source>
-        <translation type="unfinished"></translation>
+        <translation>种子为 0 至 18446744073709551615 的整数。</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::NoisePlayer</name>
     <message>
         <source>this computer has no sound output</source>
-        <translation type="unfinished"></translation>
+        <translation>此计算机没有声音输出</translation>
     </message>
     <message>
         <source>%1 cannot play 48 kHz</source>
         <comment>a sound output</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 无法播放 48 kHz</translation>
     </message>
     <message>
         <source>headphones that are plugged in, or the noise from another device</source>
-        <translation type="unfinished"></translation>
+        <translation>已插入的耳机，或由其他设备播放噪声</translation>
     </message>
     <message>
         <source>the sound output stopped</source>
-        <translation type="unfinished"></translation>
+        <translation>声音输出已停止</translation>
     </message>
     <message>
         <source>headphones that stay plugged in</source>
-        <translation type="unfinished"></translation>
+        <translation>保持插入的耳机</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::OperateDocks</name>
     <message>
         <source>Heatmap</source>
-        <translation type="unfinished"></translation>
+        <translation>热图</translation>
     </message>
     <message>
         <source>Reconstruction</source>
-        <translation type="unfinished"></translation>
+        <translation>重建</translation>
     </message>
     <message>
         <source>Features over time</source>
-        <translation type="unfinished"></translation>
+        <translation>特征随时间的变化</translation>
     </message>
     <message>
         <source>Processing</source>
-        <translation type="unfinished"></translation>
+        <translation>处理</translation>
     </message>
     <message>
         <source>Stiffness</source>
-        <translation type="unfinished"></translation>
+        <translation>刚度</translation>
     </message>
     <message>
         <source>Bracelet</source>
-        <translation type="unfinished"></translation>
+        <translation>手环</translation>
     </message>
     <message>
         <source>Joints</source>
-        <translation type="unfinished"></translation>
+        <translation>关节</translation>
     </message>
     <message>
         <source>Touches</source>
-        <translation type="unfinished"></translation>
+        <translation>触碰</translation>
     </message>
     <message>
         <source>Jog</source>
-        <translation type="unfinished"></translation>
+        <translation>点动</translation>
     </message>
     <message>
         <source>Feedback</source>
-        <translation type="unfinished"></translation>
+        <translation>反馈</translation>
     </message>
     <message>
         <source>Contour</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓</translation>
     </message>
     <message>
         <source>Servo</source>
-        <translation type="unfinished"></translation>
+        <translation>伺服</translation>
     </message>
     <message>
         <source>Servo runs</source>
-        <translation type="unfinished"></translation>
+        <translation>伺服运行</translation>
     </message>
     <message>
         <source>Camera</source>
-        <translation type="unfinished"></translation>
+        <translation>相机</translation>
     </message>
     <message>
         <source>Events</source>
-        <translation type="unfinished"></translation>
+        <translation>事件</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::OperatePage</name>
     <message>
         <source>Choose another folder or file name.</source>
-        <translation type="unfinished"></translation>
+        <translation>请选择其他文件夹或文件名。</translation>
     </message>
     <message>
         <source>%1 was lost.</source>
         <comment>a source</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 已断开。</translation>
     </message>
     <message>
         <source>What came before the damaged place can still be played. Repair the file and open it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>损坏处之前的内容仍可播放。请修复文件并重新打开。</translation>
     </message>
     <message>
         <source>Check the cable and the power supply; it is tried again by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>请检查电缆和电源；会自动重试。</translation>
     </message>
     <message>
         <source>No source</source>
-        <translation type="unfinished"></translation>
+        <translation>无数据源</translation>
     </message>
     <message>
         <source>Open a demo scene to look around, a recording, or a list of sources.</source>
-        <translation type="unfinished"></translation>
+        <translation>打开演示场景浏览一番，或打开记录或数据源列表。</translation>
     </message>
     <message>
         <source>Open &amp;demo scene</source>
-        <translation type="unfinished"></translation>
+        <translation>打开演示场景(&amp;D)</translation>
     </message>
     <message>
         <source>Open &amp;recording…</source>
-        <translation type="unfinished"></translation>
+        <translation>打开记录(&amp;R)…</translation>
     </message>
     <message>
         <source>Recorded frames as CSV: time_s,t0,t1,…</source>
-        <translation type="unfinished"></translation>
+        <translation>记录的帧，CSV 格式：time_s,t0,t1,…</translation>
     </message>
     <message>
         <source>Open source &amp;list…</source>
-        <translation type="unfinished"></translation>
+        <translation>打开数据源列表(&amp;L)…</translation>
     </message>
     <message>
         <source>A TOML file that lists scenes and recordings</source>
-        <translation type="unfinished"></translation>
+        <translation>列出场景和记录的 TOML 文件</translation>
     </message>
     <message>
         <source>joints</source>
-        <translation type="unfinished"></translation>
+        <translation>关节</translation>
     </message>
     <message>
         <source>The bracelet could not be opened.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法打开手环。</translation>
     </message>
     <message>
         <source>A simulated arm that touches five materials</source>
-        <translation type="unfinished"></translation>
+        <translation>触碰五种材料的模拟机械臂</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::PairEntry</name>
     <message>
         <source>Pi&amp;xel, px:</source>
-        <translation type="unfinished"></translation>
+        <translation>像素，px(&amp;X)：</translation>
     </message>
     <message>
         <source>&amp;Point, mm:</source>
-        <translation type="unfinished"></translation>
+        <translation>点，mm(&amp;P)：</translation>
     </message>
     <message>
         <source>u, to the right</source>
-        <translation type="unfinished"></translation>
+        <translation>u，向右</translation>
     </message>
     <message>
         <source>v, down</source>
-        <translation type="unfinished"></translation>
+        <translation>v，向下</translation>
     </message>
     <message>
         <source>x of the point</source>
-        <translation type="unfinished"></translation>
+        <translation>点的 x</translation>
     </message>
     <message>
         <source>y of the point</source>
-        <translation type="unfinished"></translation>
+        <translation>点的 y</translation>
     </message>
     <message>
         <source>z of the point, along the tube</source>
-        <translation type="unfinished"></translation>
+        <translation>点的 z，沿管方向</translation>
     </message>
     <message>
         <source>&amp;Add pair</source>
-        <translation type="unfinished"></translation>
+        <translation>添加点对(&amp;A)</translation>
     </message>
     <message>
         <source>Take this pair up (Enter)</source>
-        <translation type="unfinished"></translation>
+        <translation>加入此点对 (Enter)</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::PatternCollection</name>
     <message>
         <source>The pattern could not be saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法保存图案。</translation>
     </message>
     <message>
         <source>The pattern could not be duplicated.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法创建图案的副本。</translation>
     </message>
     <message>
         <source>%1 could not be renamed.</source>
         <comment>a pattern</comment>
-        <translation type="unfinished"></translation>
+        <translation>无法重命名 %1。</translation>
     </message>
     <message>
         <source>%1 could not be deleted.</source>
         <comment>a pattern</comment>
-        <translation type="unfinished"></translation>
+        <translation>无法删除 %1。</translation>
     </message>
     <message>
         <source>%1 was renamed.</source>
         <comment>a pattern</comment>
-        <translation type="unfinished"></translation>
+        <translation>已重命名 %1。</translation>
     </message>
     <message>
         <source>%1 was deleted.</source>
         <comment>a pattern</comment>
-        <translation type="unfinished"></translation>
+        <translation>已删除 %1。</translation>
     </message>
     <message>
         <source>%1 could not be brought back.</source>
         <comment>a pattern</comment>
-        <translation type="unfinished"></translation>
+        <translation>无法恢复 %1。</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::PatternsPage</name>
     <message>
         <source>The edits that are not saved could not be kept aside: a crash would lose them.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法暂存未保存的编辑：程序崩溃时将会丢失。</translation>
     </message>
     <message>
         <source>%1 (copy)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1（副本）</translation>
     </message>
     <message>
         <source>%1 could not be opened.</source>
         <comment>a file</comment>
-        <translation type="unfinished"></translation>
+        <translation>无法打开 %1。</translation>
     </message>
     <message>
         <source>New pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>新图案</translation>
     </message>
     <message>
         <source>%1 could not be saved.</source>
         <comment>a file</comment>
-        <translation type="unfinished"></translation>
+        <translation>无法保存 %1。</translation>
     </message>
     <message>
         <source>Exporting %1…</source>
         <comment>a file</comment>
-        <translation type="unfinished"></translation>
+        <translation>正在导出 %1…</translation>
     </message>
     <message>
         <source>%1 was exported.</source>
         <comment>a file</comment>
-        <translation type="unfinished"></translation>
+        <translation>已导出 %1。</translation>
     </message>
     <message>
         <source>%1 could not be exported.</source>
         <comment>a file</comment>
-        <translation type="unfinished"></translation>
+        <translation>无法导出 %1。</translation>
     </message>
     <message>
         <source>Unsaved edits</source>
-        <translation type="unfinished"></translation>
+        <translation>未保存的编辑</translation>
     </message>
     <message>
         <source>%1 has edits that are not saved.</source>
         <comment>a pattern</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 有未保存的编辑。</translation>
     </message>
     <message>
         <source>The program ended without saving %1, edited %2. The file on disk is as it was.</source>
         <comment>a pattern, a time</comment>
-        <translation type="unfinished"></translation>
+        <translation>程序结束时未保存于 %2 编辑的 %1。磁盘上的文件保持原样。</translation>
     </message>
     <message numerus="yes">
         <source>There are %n more.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>还有 %n 个。</numerusform>
         </translation>
     </message>
     <message>
         <source>Open the Edits</source>
-        <translation type="unfinished"></translation>
+        <translation>打开编辑内容</translation>
     </message>
     <message>
         <source>Discard Them</source>
-        <translation type="unfinished"></translation>
+        <translation>放弃编辑内容</translation>
     </message>
     <message>
         <source>Save pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>保存图案</translation>
     </message>
     <message>
         <source>Open pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>打开图案</translation>
     </message>
     <message>
         <source>Patterns (*.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>图案 (*.json)</translation>
     </message>
     <message>
         <source>All patterns (*.json *.hjif *.haptic *.haptic.zip *.tact)</source>
-        <translation type="unfinished"></translation>
+        <translation>所有图案 (*.json *.hjif *.haptic *.haptic.zip *.tact)</translation>
     </message>
     <message>
         <source>HJIF (*.hjif)</source>
-        <translation type="unfinished"></translation>
+        <translation>HJIF (*.hjif)</translation>
     </message>
     <message>
         <source>Haptic clips (*.haptic *.haptic.zip)</source>
-        <translation type="unfinished"></translation>
+        <translation>触觉片段 (*.haptic *.haptic.zip)</translation>
     </message>
     <message>
         <source>tact (*.tact)</source>
-        <translation type="unfinished"></translation>
+        <translation>tact (*.tact)</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::ProbingStrip</name>
     <message>
         <source>How far the probing is</source>
-        <translation type="unfinished"></translation>
+        <translation>探测的进度</translation>
     </message>
     <message>
         <source>SIMULATED: a person probes the tube; pairs until now: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟：由人探测软管；目前点对数：%1</translation>
     </message>
     <message>
         <source>Sto&amp;p probing</source>
-        <translation type="unfinished"></translation>
+        <translation>停止探测(&amp;P)</translation>
     </message>
     <message>
         <source>Keep what was collected until now</source>
-        <translation type="unfinished"></translation>
+        <translation>保留目前采集的内容</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::ProtocolDialog</name>
     <message>
         <source>Protocol</source>
-        <translation type="unfinished"></translation>
+        <translation>方案</translation>
     </message>
     <message>
         <source>of the onset of the stimulus</source>
-        <translation type="unfinished"></translation>
+        <translation>自刺激起始计</translation>
     </message>
     <message>
         <source>of its end</source>
-        <translation type="unfinished"></translation>
+        <translation>自刺激结束计</translation>
     </message>
     <message>
         <source> ×</source>
         <comment>after a number</comment>
-        <translation type="unfinished"></translation>
+        <translation> ×</translation>
     </message>
     <message>
         <source>all repetitions together, in random order</source>
-        <translation type="unfinished"></translation>
+        <translation>所有重复混在一起，随机顺序</translation>
     </message>
     <message>
         <source>each repetition in a random order</source>
-        <translation type="unfinished"></translation>
+        <translation>每次重复内随机顺序</translation>
     </message>
     <message>
         <source>pink</source>
-        <translation type="unfinished"></translation>
+        <translation>粉红</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>无</translation>
     </message>
     <message>
         <source>&amp;Name</source>
-        <translation type="unfinished"></translation>
+        <translation>名称(&amp;N)</translation>
     </message>
     <message>
         <source>D&amp;escription</source>
-        <translation type="unfinished"></translation>
+        <translation>说明(&amp;E)</translation>
     </message>
     <message>
         <source>&amp;Stimulus, at most</source>
-        <translation type="unfinished"></translation>
+        <translation>刺激最长(&amp;S)</translation>
     </message>
     <message>
         <source>Answer &amp;within</source>
-        <translation type="unfinished"></translation>
+        <translation>回答时限(&amp;W)</translation>
     </message>
     <message>
         <source>May be felt a&amp;gain</source>
-        <translation type="unfinished"></translation>
+        <translation>可再次感受(&amp;G)</translation>
     </message>
     <message>
         <source>Or&amp;der</source>
-        <translation type="unfinished"></translation>
+        <translation>顺序(&amp;D)</translation>
     </message>
     <message>
         <source>&amp;Practice</source>
-        <translation type="unfinished"></translation>
+        <translation>练习(&amp;P)</translation>
     </message>
     <message>
         <source>&amp;Test</source>
-        <translation type="unfinished"></translation>
+        <translation>测试(&amp;T)</translation>
     </message>
     <message>
         <source>&amp;Masking noise</source>
-        <translation type="unfinished"></translation>
+        <translation>掩蔽噪声(&amp;M)</translation>
     </message>
     <message>
         <source>Questionnaires</source>
-        <translation type="unfinished"></translation>
+        <translation>问卷</translation>
     </message>
     <message numerus="yes">
         <source>%n questionnaire(s), kept as they are</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 份问卷，原样保留</numerusform>
         </translation>
     </message>
     <message>
         <source>&amp;Add a task</source>
-        <translation type="unfinished"></translation>
+        <translation>添加任务(&amp;A)</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
-        <translation type="unfinished"></translation>
+        <translation>打开(&amp;O)…</translation>
     </message>
     <message>
         <source>The pape&amp;r&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>论文的方案(&amp;R)</translation>
     </message>
     <message>
         <source>Sa&amp;ve as…</source>
-        <translation type="unfinished"></translation>
+        <translation>另存为(&amp;V)…</translation>
     </message>
     <message>
         <source>Make a st&amp;udy…</source>
-        <translation type="unfinished"></translation>
+        <translation>创建研究(&amp;U)…</translation>
     </message>
     <message>
         <source>feedback</source>
-        <translation type="unfinished"></translation>
+        <translation>反馈</translation>
     </message>
     <message>
         <source>pictures in view</source>
-        <translation type="unfinished"></translation>
+        <translation>显示图片</translation>
     </message>
     <message>
         <source> × each pattern</source>
         <comment>after a number</comment>
-        <translation type="unfinished"></translation>
+        <translation> × 每个图案</translation>
     </message>
     <message>
         <source>Task</source>
-        <translation type="unfinished"></translation>
+        <translation>任务</translation>
     </message>
     <message>
         <source>for example shape</source>
-        <translation type="unfinished"></translation>
+        <translation>例如：shape</translation>
     </message>
     <message>
         <source>for example static, dynamic</source>
-        <translation type="unfinished"></translation>
+        <translation>例如：static, dynamic</translation>
     </message>
     <message>
         <source>letter and name, one a line, for example A circle</source>
-        <translation type="unfinished"></translation>
+        <translation>字母和名称，每行一个，例如：A 圆</translation>
     </message>
     <message>
         <source>Identifier</source>
-        <translation type="unfinished"></translation>
+        <translation>标识符</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>名称</translation>
     </message>
     <message>
         <source>Conditions</source>
-        <translation type="unfinished"></translation>
+        <translation>条件</translation>
     </message>
     <message>
         <source>Patterns</source>
-        <translation type="unfinished"></translation>
+        <translation>图案</translation>
     </message>
     <message>
         <source>Remove this task</source>
-        <translation type="unfinished"></translation>
+        <translation>移除此任务</translation>
     </message>
     <message>
         <source>this form</source>
-        <translation type="unfinished"></translation>
+        <translation>此表单</translation>
     </message>
     <message numerus="yes">
         <source>%n test trial(s) a participant</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>每名被试 %n 个测试试次</numerusform>
         </translation>
     </message>
     <message>
         <source> (expected: %1)</source>
-        <translation type="unfinished"></translation>
+        <translation> （应为：%1）</translation>
     </message>
     <message>
         <source>Save the protocol</source>
-        <translation type="unfinished"></translation>
+        <translation>保存方案</translation>
     </message>
     <message>
         <source>Protocols (*.toml)</source>
-        <translation type="unfinished"></translation>
+        <translation>方案 (*.toml)</translation>
     </message>
     <message>
         <source>✓ Saved: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>✓ 已保存：%1</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::RecordingDialog</name>
     <message>
         <source>The &amp;values fall under load</source>
-        <translation type="unfinished"></translation>
+        <translation>数值随载荷增大而下降(&amp;V)</translation>
     </message>
     <message>
         <source>Start &amp;again at the end</source>
-        <translation type="unfinished"></translation>
+        <translation>到末尾后重新开始(&amp;A)</translation>
     </message>
     <message>
         <source>Open recording</source>
-        <translation type="unfinished"></translation>
+        <translation>打开记录</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source> Hz</source>
-        <translation type="unfinished"></translation>
+        <translation> Hz</translation>
     </message>
     <message>
         <source>as recorded</source>
-        <translation type="unfinished"></translation>
+        <translation>与记录时相同</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>无</translation>
     </message>
     <message>
         <source>…</source>
-        <translation type="unfinished"></translation>
+        <translation>…</translation>
     </message>
     <message>
         <source>Choose the recording of the unloaded array</source>
-        <translation type="unfinished"></translation>
+        <translation>选择空载阵列的记录</translation>
     </message>
     <message>
         <source>rows ×</source>
         <comment>N rows x M columns</comment>
-        <translation type="unfinished"></translation>
+        <translation>行 ×</translation>
     </message>
     <message>
         <source>columns</source>
-        <translation type="unfinished"></translation>
+        <translation>列</translation>
     </message>
     <message>
         <source>Rows</source>
-        <translation type="unfinished"></translation>
+        <translation>行</translation>
     </message>
     <message>
         <source>Columns</source>
-        <translation type="unfinished"></translation>
+        <translation>列</translation>
     </message>
     <message>
         <source>Recording:</source>
-        <translation type="unfinished"></translation>
+        <translation>记录：</translation>
     </message>
     <message>
         <source>&amp;Array:</source>
-        <translation type="unfinished"></translation>
+        <translation>阵列(&amp;A)：</translation>
     </message>
     <message>
         <source>&amp;Pitch:</source>
-        <translation type="unfinished"></translation>
+        <translation>间距(&amp;P)：</translation>
     </message>
     <message>
         <source>&amp;Unloaded (tare):</source>
-        <translation type="unfinished"></translation>
+        <translation>空载（去皮）(&amp;U)：</translation>
     </message>
     <message>
         <source>&amp;Gain:</source>
-        <translation type="unfinished"></translation>
+        <translation>增益(&amp;G)：</translation>
     </message>
     <message>
         <source>Unit of the &amp;load:</source>
-        <translation type="unfinished"></translation>
+        <translation>载荷单位(&amp;L)：</translation>
     </message>
     <message>
         <source>&amp;Threshold:</source>
-        <translation type="unfinished"></translation>
+        <translation>阈值(&amp;T)：</translation>
     </message>
     <message>
         <source>&amp;Rate:</source>
-        <translation type="unfinished"></translation>
+        <translation>频率(&amp;R)：</translation>
     </message>
     <message numerus="yes">
         <source>%n taxel(s), as in the file</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 个触元，与文件一致</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 taxels, but the file has %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个触元，但文件中有 %2 个</translation>
     </message>
     <message>
         <source>Recording of the unloaded array</source>
-        <translation type="unfinished"></translation>
+        <translation>空载阵列的记录</translation>
     </message>
     <message>
         <source>Frames (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>帧 (*.csv)</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::ServerFields</name>
     <message>
         <source>otherwise PGPASSWORD or ~/.pgpass</source>
-        <translation type="unfinished"></translation>
+        <translation>留空则用 PGPASSWORD 或 ~/.pgpass</translation>
     </message>
     <message>
         <source>Used for this connection, and kept nowhere</source>
-        <translation type="unfinished"></translation>
+        <translation>仅用于此次连接，不在任何地方保存</translation>
     </message>
     <message>
         <source>&amp;Server</source>
-        <translation type="unfinished"></translation>
+        <translation>服务器(&amp;S)</translation>
     </message>
     <message>
         <source>Pass&amp;word</source>
-        <translation type="unfinished"></translation>
+        <translation>密码(&amp;W)</translation>
     </message>
     <message>
         <source>The address of a server looks like %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>服务器地址形如 %1。</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::ServerStudyDialog</name>
     <message>
         <source>Open a study on a server</source>
-        <translation type="unfinished"></translation>
+        <translation>打开服务器上的研究</translation>
     </message>
     <message>
         <source>Exports go here, and trials while the server is away</source>
-        <translation type="unfinished"></translation>
+        <translation>导出文件存于此处；服务器断开期间，试次也存于此处</translation>
     </message>
     <message>
         <source>&amp;Folder on this computer</source>
-        <translation type="unfinished"></translation>
+        <translation>此计算机上的文件夹(&amp;F)</translation>
     </message>
     <message>
         <source>Open the study</source>
-        <translation type="unfinished"></translation>
+        <translation>打开研究</translation>
     </message>
     <message>
         <source>Choose a folder, with its whole path.</source>
-        <translation type="unfinished"></translation>
+        <translation>请选择文件夹，使用完整路径。</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::StudyController</name>
     <message>
         <source>a session of the open study is going on</source>
-        <translation type="unfinished"></translation>
+        <translation>打开的研究正在进行一个场次</translation>
     </message>
     <message>
         <source>the open study is being read or written</source>
-        <translation type="unfinished"></translation>
+        <translation>打开的研究正在读取或写入</translation>
     </message>
     <message>
         <source>to leave the session first</source>
-        <translation type="unfinished"></translation>
+        <translation>先离开该场次</translation>
     </message>
     <message>
         <source>to try again in a moment</source>
-        <translation type="unfinished"></translation>
+        <translation>稍后重试</translation>
     </message>
     <message>
         <source>%1 could not be opened.</source>
         <comment>a folder</comment>
-        <translation type="unfinished"></translation>
+        <translation>无法打开 %1。</translation>
     </message>
     <message>
         <source>The study could not be made.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法创建研究。</translation>
     </message>
     <message>
         <source>The rehearsal could not be opened.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法打开预演。</translation>
     </message>
     <message>
         <source>%1 could not be enrolled.</source>
         <comment>a participant</comment>
-        <translation type="unfinished"></translation>
+        <translation>无法登记 %1。</translation>
     </message>
     <message>
         <source>The study could not be read.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法读取研究。</translation>
     </message>
     <message>
         <source>The session could not begin.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法开始场次。</translation>
     </message>
     <message>
         <source>Saved, read back and compared: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>已保存、读回并比对：%1</translation>
     </message>
     <message>
         <source>The trials are safe in the study, but could not be exported.</source>
-        <translation type="unfinished"></translation>
+        <translation>试次已安全存于研究中，但无法导出。</translation>
     </message>
     <message>
         <source>The session could not be closed.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法结束场次。</translation>
     </message>
     <message>
         <source>The note could not be kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法保存备注。</translation>
     </message>
     <message>
         <source>The note is safe in the study, but could not be exported.</source>
-        <translation type="unfinished"></translation>
+        <translation>备注已安全存于研究中，但无法导出。</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::StudyPage</name>
     <message>
         <source>Results of the study</source>
-        <translation type="unfinished"></translation>
+        <translation>研究结果</translation>
     </message>
     <message>
         <source>No study</source>
-        <translation type="unfinished"></translation>
+        <translation>无研究</translation>
     </message>
     <message>
         <source>Run the user study of the paper, or one of your own: from the first practice trial to confusion matrices and ANOVA.</source>
-        <translation type="unfinished"></translation>
+        <translation>进行论文中的用户研究，或您自己的研究：从第一个练习试次到混淆矩阵和方差分析。</translation>
     </message>
     <message>
         <source>Watch a rehearsal</source>
-        <translation type="unfinished"></translation>
+        <translation>观看预演</translation>
     </message>
     <message>
         <source>Simulated participants go through the whole study</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟被试完成整个研究</translation>
     </message>
     <message>
         <source>New study…</source>
-        <translation type="unfinished"></translation>
+        <translation>新建研究…</translation>
     </message>
     <message>
         <source>A study of the paper&apos;s protocol</source>
-        <translation type="unfinished"></translation>
+        <translation>按论文方案进行的研究</translation>
     </message>
     <message>
         <source>Open a study…</source>
-        <translation type="unfinished"></translation>
+        <translation>打开研究…</translation>
     </message>
     <message>
         <source>The folder of a study</source>
-        <translation type="unfinished"></translation>
+        <translation>研究的文件夹</translation>
     </message>
     <message>
         <source>Study on a server…</source>
-        <translation type="unfinished"></translation>
+        <translation>服务器上的研究…</translation>
     </message>
     <message>
         <source>A study that several stations share</source>
-        <translation type="unfinished"></translation>
+        <translation>多个工作站共用的研究</translation>
     </message>
     <message>
         <source>The participant&apos;s screen was lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>被试的屏幕已断开。</translation>
     </message>
     <message>
         <source>The participant&apos;s window is beside the console now, and the session pauses. Plug the screen in and show the window again.</source>
-        <translation type="unfinished"></translation>
+        <translation>被试窗口现位于控制台旁，场次已暂停。请插好屏幕并重新显示窗口。</translation>
     </message>
     <message>
         <source>The noise cannot be played.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法播放噪声。</translation>
     </message>
     <message>
         <source>Play it from another device, and confirm its level.</source>
-        <translation type="unfinished"></translation>
+        <translation>请用其他设备播放，并确认其声级。</translation>
     </message>
     <message>
         <source>The figure could not be saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法保存图。</translation>
     </message>
     <message>
         <source>A session of this study was interrupted.</source>
-        <translation type="unfinished"></translation>
+        <translation>此研究的一个场次曾中断。</translation>
     </message>
     <message>
         <source>Nothing that was answered is lost. Go on with it, or choose another one.</source>
-        <translation type="unfinished"></translation>
+        <translation>已有的回答均未丢失。请继续该场次，或选择其他场次。</translation>
     </message>
     <message>
         <source>%1 could not be opened.</source>
         <comment>a file</comment>
-        <translation type="unfinished"></translation>
+        <translation>无法打开 %1。</translation>
     </message>
     <message>
         <source>The paper&apos;s protocol could not be read.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法读取论文的方案。</translation>
     </message>
     <message>
         <source>Open a protocol</source>
-        <translation type="unfinished"></translation>
+        <translation>打开方案</translation>
     </message>
     <message>
         <source>Protocols (*.toml)</source>
-        <translation type="unfinished"></translation>
+        <translation>方案 (*.toml)</translation>
     </message>
     <message>
         <source>Open a study</source>
-        <translation type="unfinished"></translation>
+        <translation>打开研究</translation>
     </message>
     <message>
         <source>✗ Not played: %1. Play it from another device.</source>
-        <translation type="unfinished"></translation>
+        <translation>✗ 未播放：%1。请用其他设备播放。</translation>
     </message>
     <message>
         <source>Computing …</source>
-        <translation type="unfinished"></translation>
+        <translation>正在计算…</translation>
     </message>
     <message>
         <source>There are no completed trials yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>尚无已完成的试次。</translation>
     </message>
     <message>
         <source>Test trials that are complete; others are left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>已完成的测试试次；其他不计入。</translation>
     </message>
     <message>
         <source>The results could not be computed.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法计算结果。</translation>
     </message>
     <message>
         <source>Written: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>已写入：%1</translation>
     </message>
     <message>
         <source>The export failed.</source>
-        <translation type="unfinished"></translation>
+        <translation>导出失败。</translation>
     </message>
     <message>
         <source>Session</source>
-        <translation type="unfinished"></translation>
+        <translation>场次</translation>
     </message>
     <message>
         <source>Results</source>
-        <translation type="unfinished"></translation>
+        <translation>结果</translation>
     </message>
     <message>
         <source>Counts</source>
-        <translation type="unfinished"></translation>
+        <translation>计数</translation>
     </message>
     <message>
         <source>Percent of the row</source>
-        <translation type="unfinished"></translation>
+        <translation>占行的百分比</translation>
     </message>
     <message>
         <source>What the matrix shows</source>
-        <translation type="unfinished"></translation>
+        <translation>矩阵显示的内容</translation>
     </message>
     <message>
         <source>Spee&amp;d</source>
-        <translation type="unfinished"></translation>
+        <translation>速度(&amp;D)</translation>
     </message>
     <message>
         <source>Real time, felt on the bracelet</source>
-        <translation type="unfinished"></translation>
+        <translation>实时，可在手环上感觉到</translation>
     </message>
     <message>
         <source>%1 times real time, not played</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 倍实时速度，不播放</translation>
     </message>
     <message>
         <source>How fast simulated participants are; it can be changed between sessions</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟被试的速度；可在场次之间更改</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::StudyRunner</name>
     <message>
         <source>there is no pattern &quot;%1&quot; to be felt</source>
-        <translation type="unfinished"></translation>
+        <translation>没有可供感觉的图案“%1”</translation>
     </message>
     <message>
         <source>tasks, letters and conditions whose patterns come with the program</source>
-        <translation type="unfinished"></translation>
+        <translation>图案随程序提供的任务、字母和条件</translation>
     </message>
     <message>
         <source>STOP was pressed</source>
-        <translation type="unfinished"></translation>
+        <translation>按下了 STOP</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::TubeFields</name>
     <message>
         <source>&amp;Image:</source>
-        <translation type="unfinished"></translation>
+        <translation>图像(&amp;I)：</translation>
     </message>
     <message>
         <source>&amp;Radius:</source>
-        <translation type="unfinished"></translation>
+        <translation>半径(&amp;R)：</translation>
     </message>
     <message>
         <source>Len&amp;gth:</source>
-        <translation type="unfinished"></translation>
+        <translation>长度(&amp;G)：</translation>
     </message>
     <message>
         <source>Width of the image</source>
-        <translation type="unfinished"></translation>
+        <translation>图像宽度</translation>
     </message>
     <message>
         <source>Height of the image</source>
-        <translation type="unfinished"></translation>
+        <translation>图像高度</translation>
     </message>
     <message>
         <source>Width of the image in which the pixels are</source>
-        <translation type="unfinished"></translation>
+        <translation>像素所在图像的宽度</translation>
     </message>
     <message>
         <source>Height of the image in which the pixels are</source>
-        <translation type="unfinished"></translation>
+        <translation>像素所在图像的高度</translation>
     </message>
     <message>
         <source>Radius of the tactile cylinder</source>
-        <translation type="unfinished"></translation>
+        <translation>触觉圆柱的半径</translation>
     </message>
     <message>
         <source>Length of the tactile cylinder</source>
-        <translation type="unfinished"></translation>
+        <translation>触觉圆柱的长度</translation>
     </message>
     <message>
         <source>Radius of the surface on which the points are</source>
-        <translation type="unfinished"></translation>
+        <translation>点所在表面的半径</translation>
     </message>
     <message>
         <source>Length of the surface, from z = 0 of the sensor&apos;s frame</source>
-        <translation type="unfinished"></translation>
+        <translation>表面的长度，自传感器坐标系 z = 0 起</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::Unattended</name>
     <message>
         <source>teleta-console: %1: cannot write the picture: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>teleta-console：%1：无法写入图片：%2</translation>
     </message>
 </context>
 <context>
     <name>teleta::costs::CostChart</name>
     <message>
         <source>median time of one call</source>
-        <translation type="unfinished"></translation>
+        <translation>单次调用的中位时间</translation>
     </message>
     <message>
         <source>mean error</source>
-        <translation type="unfinished"></translation>
+        <translation>平均误差</translation>
     </message>
     <message>
         <source>Mean error over time of the ladder %1</source>
-        <translation type="unfinished"></translation>
+        <translation>阶梯 %1 的平均误差随时间的变化</translation>
     </message>
     <message>
         <source>%1 (exact)</source>
         <comment>name of a rung</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1（精确）</translation>
     </message>
 </context>
 <context>
     <name>teleta::editor::LawList</name>
     <message>
         <source>Laws of the display</source>
-        <translation type="unfinished"></translation>
+        <translation>触觉显示规律</translation>
     </message>
     <message>
         <source>Warnings</source>
-        <translation type="unfinished"></translation>
+        <translation>警告</translation>
     </message>
     <message>
         <source>&amp;Fix</source>
-        <translation type="unfinished"></translation>
+        <translation>修正(&amp;F)</translation>
     </message>
     <message>
         <source>Laws: looking…</source>
-        <translation type="unfinished"></translation>
+        <translation>规律：正在检查…</translation>
     </message>
     <message>
         <source>Laws: no warning</source>
-        <translation type="unfinished"></translation>
+        <translation>规律：无警告</translation>
     </message>
     <message>
         <source>Laws: %1 to look at</source>
-        <translation type="unfinished"></translation>
+        <translation>规律：%1 项待查看</translation>
     </message>
 </context>
 <context>
     <name>teleta::editor::PatternDocument</name>
     <message>
         <source>%1 (copy)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1（副本）</translation>
     </message>
     <message>
         <source>Add Breakpoint</source>
-        <translation type="unfinished"></translation>
+        <translation>添加节点</translation>
     </message>
     <message>
         <source>Move Object</source>
-        <translation type="unfinished"></translation>
+        <translation>移动对象</translation>
     </message>
     <message>
         <source>Move Breakpoints</source>
-        <translation type="unfinished"></translation>
+        <translation>移动节点</translation>
     </message>
     <message>
         <source>Set Breakpoint</source>
-        <translation type="unfinished"></translation>
+        <translation>设置节点</translation>
     </message>
     <message>
         <source>Change Curve</source>
-        <translation type="unfinished"></translation>
+        <translation>更改曲线</translation>
     </message>
     <message>
         <source>Scale Intensity</source>
-        <translation type="unfinished"></translation>
+        <translation>缩放强度</translation>
     </message>
     <message>
         <source>Stretch in Time</source>
-        <translation type="unfinished"></translation>
+        <translation>按时间拉伸</translation>
     </message>
     <message>
         <source>Delete Object</source>
-        <translation type="unfinished"></translation>
+        <translation>删除对象</translation>
     </message>
     <message>
         <source>Delete Breakpoints</source>
-        <translation type="unfinished"></translation>
+        <translation>删除节点</translation>
     </message>
     <message>
         <source>Cut</source>
-        <translation type="unfinished"></translation>
+        <translation>剪切</translation>
     </message>
     <message>
         <source>Paste</source>
-        <translation type="unfinished"></translation>
+        <translation>粘贴</translation>
     </message>
     <message>
         <source>Duplicate</source>
-        <translation type="unfinished"></translation>
+        <translation>创建副本</translation>
     </message>
     <message>
         <source>Rotate</source>
-        <translation type="unfinished"></translation>
+        <translation>旋转</translation>
     </message>
     <message>
         <source>Mirror</source>
-        <translation type="unfinished"></translation>
+        <translation>镜像</translation>
     </message>
     <message>
         <source>Swap Arms</source>
-        <translation type="unfinished"></translation>
+        <translation>交换手臂</translation>
     </message>
     <message>
         <source>Add Object</source>
-        <translation type="unfinished"></translation>
+        <translation>添加对象</translation>
     </message>
     <message>
         <source>Change Object</source>
-        <translation type="unfinished"></translation>
+        <translation>更改对象</translation>
     </message>
     <message>
         <source>Bake Object</source>
-        <translation type="unfinished"></translation>
+        <translation>将对象转为节点</translation>
     </message>
     <message>
         <source>Bake All</source>
-        <translation type="unfinished"></translation>
+        <translation>全部转为节点</translation>
     </message>
     <message>
         <source>Follow the Law</source>
-        <translation type="unfinished"></translation>
+        <translation>遵循规律</translation>
     </message>
     <message>
         <source>Rename</source>
-        <translation type="unfinished"></translation>
+        <translation>重命名</translation>
     </message>
     <message>
         <source>Edit Notes</source>
-        <translation type="unfinished"></translation>
+        <translation>编辑备注</translation>
     </message>
     <message>
         <source>Edit Tags</source>
-        <translation type="unfinished"></translation>
+        <translation>编辑标签</translation>
     </message>
     <message>
         <source>Change Task</source>
-        <translation type="unfinished"></translation>
+        <translation>更改任务</translation>
     </message>
     <message>
         <source>Change Condition</source>
-        <translation type="unfinished"></translation>
+        <translation>更改条件</translation>
     </message>
     <message>
         <source>Change Duration</source>
-        <translation type="unfinished"></translation>
+        <translation>更改时长</translation>
     </message>
 </context>
 <context>
     <name>teleta::editor::PatternEditor</name>
     <message>
         <source>&amp;Recent</source>
-        <translation type="unfinished"></translation>
+        <translation>最近使用(&amp;R)</translation>
     </message>
     <message>
         <source>Compared with %1…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在与 %1 比较…</translation>
     </message>
     <message>
         <source>Compared with %1: largest difference %2 % (motor %3 at %4 s), rms %5 %</source>
-        <translation type="unfinished"></translation>
+        <translation>与 %1 比较：最大差异 %2 %（电机 %3，%4 s 处），rms %5 %</translation>
     </message>
     <message>
         <source>Compared with %1: the motors do the same</source>
-        <translation type="unfinished"></translation>
+        <translation>与 %1 比较：电机动作相同</translation>
     </message>
     <message>
         <source>Editor of patterns</source>
-        <translation type="unfinished"></translation>
+        <translation>图案编辑器</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>文件</translation>
     </message>
     <message>
         <source>New, open, recent, save, export</source>
-        <translation type="unfinished"></translation>
+        <translation>新建、打开、最近使用、保存、导出</translation>
     </message>
     <message>
         <source>New</source>
-        <translation type="unfinished"></translation>
+        <translation>新建</translation>
     </message>
     <message>
         <source>An empty pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>空白图案</translation>
     </message>
     <message>
         <source>Open…</source>
-        <translation type="unfinished"></translation>
+        <translation>打开…</translation>
     </message>
     <message>
         <source>Open a pattern file</source>
-        <translation type="unfinished"></translation>
+        <translation>打开图案文件</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished"></translation>
+        <translation>保存</translation>
     </message>
     <message>
         <source>Save the pattern; one without a file goes to one&apos;s own patterns</source>
-        <translation type="unfinished"></translation>
+        <translation>保存图案；没有文件的图案存入自己的图案中</translation>
     </message>
     <message>
         <source>Save As…</source>
-        <translation type="unfinished"></translation>
+        <translation>另存为…</translation>
     </message>
     <message>
         <source>Save the pattern under another name</source>
-        <translation type="unfinished"></translation>
+        <translation>以另一名称保存图案</translation>
     </message>
     <message>
         <source>Export…</source>
-        <translation type="unfinished"></translation>
+        <translation>导出…</translation>
     </message>
     <message>
         <source>Write HJIF, .haptic, AHAP, .tact, CSV or WAV</source>
-        <translation type="unfinished"></translation>
+        <translation>写出 HJIF、.haptic、AHAP、.tact、CSV 或 WAV</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>暂停</translation>
     </message>
     <message>
         <source>Play</source>
-        <translation type="unfinished"></translation>
+        <translation>播放</translation>
     </message>
     <message>
         <source>Play from the playhead, or pause (Space)</source>
-        <translation type="unfinished"></translation>
+        <translation>从播放头处播放，或暂停（空格键）</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>停止</translation>
     </message>
     <message>
         <source>Stop playing</source>
-        <translation type="unfinished"></translation>
+        <translation>停止播放</translation>
     </message>
     <message>
         <source>Loop</source>
-        <translation type="unfinished"></translation>
+        <translation>循环</translation>
     </message>
     <message>
         <source>Begin again at the end; Shift and a drag on the ruler set the range</source>
-        <translation type="unfinished"></translation>
+        <translation>到末尾后重新开始；按住 Shift 在标尺上拖动可设置范围</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>撤销</translation>
     </message>
     <message>
         <source>Undo the last edit</source>
-        <translation type="unfinished"></translation>
+        <translation>撤销上一次编辑</translation>
     </message>
     <message>
         <source>Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>重做</translation>
     </message>
     <message>
         <source>Redo what was undone</source>
-        <translation type="unfinished"></translation>
+        <translation>重做已撤销的操作</translation>
     </message>
     <message>
         <source>Pen</source>
-        <translation type="unfinished"></translation>
+        <translation>画笔</translation>
     </message>
     <message>
         <source>Every click adds a breakpoint (P)</source>
-        <translation type="unfinished"></translation>
+        <translation>每次单击添加一个节点 (P)</translation>
     </message>
     <message>
         <source>Snap</source>
-        <translation type="unfinished"></translation>
+        <translation>吸附</translation>
     </message>
     <message>
         <source>Times on a grid; Alt while dragging leaves it</source>
-        <translation type="unfinished"></translation>
+        <translation>时间对齐到网格；拖动时按住 Alt 可不对齐</translation>
     </message>
     <message>
         <source>Step of the grid, and of the arrow keys</source>
-        <translation type="unfinished"></translation>
+        <translation>网格和方向键的步长</translation>
     </message>
     <message>
         <source>Step of the grid</source>
-        <translation type="unfinished"></translation>
+        <translation>网格步长</translation>
     </message>
     <message>
         <source>Add</source>
-        <translation type="unfinished"></translation>
+        <translation>添加</translation>
     </message>
     <message>
         <source>Add an object at the playhead</source>
-        <translation type="unfinished"></translation>
+        <translation>在播放头处添加对象</translation>
     </message>
     <message>
         <source>↺ 60°</source>
-        <translation type="unfinished"></translation>
+        <translation>↺ 60°</translation>
     </message>
     <message>
         <source>Rotate around the ring: every motor does what the next one did</source>
-        <translation type="unfinished"></translation>
+        <translation>沿环旋转：每个电机执行后一个电机的动作</translation>
     </message>
     <message>
         <source>↻ 60°</source>
-        <translation type="unfinished"></translation>
+        <translation>↻ 60°</translation>
     </message>
     <message>
         <source>Rotate around the ring: every motor does what the one before did</source>
-        <translation type="unfinished"></translation>
+        <translation>沿环旋转：每个电机执行前一个电机的动作</translation>
     </message>
     <message>
         <source>Mirror</source>
-        <translation type="unfinished"></translation>
+        <translation>镜像</translation>
     </message>
     <message>
         <source>The order of the motors the other way round</source>
-        <translation type="unfinished"></translation>
+        <translation>将电机的顺序反转</translation>
     </message>
     <message>
         <source>Other arm</source>
-        <translation type="unfinished"></translation>
+        <translation>另一只手臂</translation>
     </message>
     <message>
         <source>The pattern for the other arm</source>
-        <translation type="unfinished"></translation>
+        <translation>用于另一只手臂的图案</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>适合窗口</translation>
     </message>
     <message>
         <source>Show the whole pattern (Ctrl+0 on the timeline)</source>
-        <translation type="unfinished"></translation>
+        <translation>显示整个图案（时间轴上按 Ctrl+0）</translation>
     </message>
     <message>
         <source>Compare no more</source>
-        <translation type="unfinished"></translation>
+        <translation>停止比较</translation>
     </message>
     <message>
         <source>Untitled</source>
-        <translation type="unfinished"></translation>
+        <translation>未命名</translation>
     </message>
     <message>
         <source>built-in, edits make a copy</source>
-        <translation type="unfinished"></translation>
+        <translation>内置，编辑时生成副本</translation>
     </message>
     <message>
         <source>not saved</source>
-        <translation type="unfinished"></translation>
+        <translation>未保存</translation>
     </message>
 </context>
 <context>
     <name>teleta::editor::PatternInspector</name>
     <message>
         <source>Numbers from 1 to 6, separated by spaces</source>
-        <translation type="unfinished"></translation>
+        <translation>1 至 6 的数字，以空格分隔</translation>
     </message>
     <message>
         <source>Motors:</source>
-        <translation type="unfinished"></translation>
+        <translation>电机：</translation>
     </message>
     <message>
         <source>Burst:</source>
-        <translation type="unfinished"></translation>
+        <translation>短振：</translation>
     </message>
     <message>
         <source>Onset to onset:</source>
-        <translation type="unfinished"></translation>
+        <translation>起始间隔：</translation>
     </message>
     <message>
         <source>Onset by the law of apparent motion</source>
-        <translation type="unfinished"></translation>
+        <translation>按似动规律设置起始间隔</translation>
     </message>
     <message>
         <source>Turns:</source>
-        <translation type="unfinished"></translation>
+        <translation>圈数：</translation>
     </message>
     <message>
         <source>First motor:</source>
-        <translation type="unfinished"></translation>
+        <translation>第一个电机：</translation>
     </message>
     <message>
         <source>Counter-clockwise (rising numbers)</source>
-        <translation type="unfinished"></translation>
+        <translation>逆时针（编号递增）</translation>
     </message>
     <message>
         <source>Burst by the law of apparent motion</source>
-        <translation type="unfinished"></translation>
+        <translation>按似动规律设置短振</translation>
     </message>
     <message>
         <source>Second motor:</source>
-        <translation type="unfinished"></translation>
+        <translation>第二个电机：</translation>
     </message>
     <message>
         <source>From:</source>
-        <translation type="unfinished"></translation>
+        <translation>从：</translation>
     </message>
     <message>
         <source>To:</source>
-        <translation type="unfinished"></translation>
+        <translation>到：</translation>
     </message>
     <message>
         <source>Period:</source>
-        <translation type="unfinished"></translation>
+        <translation>周期：</translation>
     </message>
     <message>
         <source>Width:</source>
-        <translation type="unfinished"></translation>
+        <translation>宽度：</translation>
     </message>
     <message>
         <source>Length:</source>
-        <translation type="unfinished"></translation>
+        <translation>长度：</translation>
     </message>
     <message>
         <source>Begins at:</source>
-        <translation type="unfinished"></translation>
+        <translation>开始于：</translation>
     </message>
     <message>
         <source>Point:</source>
-        <translation type="unfinished"></translation>
+        <translation>点：</translation>
     </message>
     <message>
         <source>its time:</source>
-        <translation type="unfinished"></translation>
+        <translation>其时间：</translation>
     </message>
     <message>
         <source>its angle:</source>
-        <translation type="unfinished"></translation>
+        <translation>其角度：</translation>
     </message>
     <message>
         <source>along the arm:</source>
-        <translation type="unfinished"></translation>
+        <translation>沿手臂：</translation>
     </message>
     <message>
         <source>Start:</source>
-        <translation type="unfinished"></translation>
+        <translation>起点：</translation>
     </message>
     <message>
         <source>Intensity:</source>
-        <translation type="unfinished"></translation>
+        <translation>强度：</translation>
     </message>
     <message>
         <source>Called:</source>
-        <translation type="unfinished"></translation>
+        <translation>对象名称：</translation>
     </message>
     <message>
         <source>Bake into breakpoints</source>
-        <translation type="unfinished"></translation>
+        <translation>转为节点</translation>
     </message>
     <message>
         <source>&amp;Name:</source>
-        <translation type="unfinished"></translation>
+        <translation>名称(&amp;N)：</translation>
     </message>
     <message>
         <source>Le&amp;ngth:</source>
-        <translation type="unfinished"></translation>
+        <translation>长度(&amp;N)：</translation>
     </message>
     <message>
         <source>&amp;Loop:</source>
-        <translation type="unfinished"></translation>
+        <translation>循环(&amp;L)：</translation>
     </message>
     <message>
         <source>Begin of the loop</source>
-        <translation type="unfinished"></translation>
+        <translation>循环起点</translation>
     </message>
     <message>
         <source>End of the loop</source>
-        <translation type="unfinished"></translation>
+        <translation>循环终点</translation>
     </message>
     <message>
         <source>What is played again and again; the whole pattern when both are the same</source>
-        <translation type="unfinished"></translation>
+        <translation>反复播放的部分；两者相同时为整个图案</translation>
     </message>
     <message>
         <source>T&amp;ells:</source>
-        <translation type="unfinished"></translation>
+        <translation>表达(&amp;E)：</translation>
     </message>
     <message>
         <source>Condition</source>
-        <translation type="unfinished"></translation>
+        <translation>条件</translation>
     </message>
     <message>
         <source>a shape</source>
-        <translation type="unfinished"></translation>
+        <translation>形状</translation>
     </message>
     <message>
         <source>a stiffness</source>
-        <translation type="unfinished"></translation>
+        <translation>刚度</translation>
     </message>
     <message>
         <source>something else</source>
-        <translation type="unfinished"></translation>
+        <translation>其他</translation>
     </message>
     <message>
         <source>no condition</source>
-        <translation type="unfinished"></translation>
+        <translation>无条件</translation>
     </message>
     <message>
         <source>static</source>
-        <translation type="unfinished"></translation>
+        <translation>静态</translation>
     </message>
     <message>
         <source>dynamic</source>
-        <translation type="unfinished"></translation>
+        <translation>动态</translation>
     </message>
     <message>
         <source>&amp;Tags:</source>
-        <translation type="unfinished"></translation>
+        <translation>标签(&amp;T)：</translation>
     </message>
     <message>
         <source>N&amp;otes:</source>
-        <translation type="unfinished"></translation>
+        <translation>备注(&amp;O)：</translation>
     </message>
     <message>
         <source>Nothing is selected</source>
-        <translation type="unfinished"></translation>
+        <translation>未选择任何内容</translation>
     </message>
     <message>
         <source>Breakpoint of motor %1</source>
-        <translation type="unfinished"></translation>
+        <translation>电机 %1 的节点</translation>
     </message>
     <message>
         <source>%1 breakpoints</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个节点</translation>
     </message>
     <message>
         <source>Time:</source>
-        <translation type="unfinished"></translation>
+        <translation>时间：</translation>
     </message>
     <message>
         <source>Scale by:</source>
-        <translation type="unfinished"></translation>
+        <translation>缩放倍数：</translation>
     </message>
     <message>
         <source>Stretch to:</source>
-        <translation type="unfinished"></translation>
+        <translation>拉伸至：</translation>
     </message>
     <message>
         <source>Curve:</source>
-        <translation type="unfinished"></translation>
+        <translation>曲线：</translation>
     </message>
 </context>
 <context>
     <name>teleta::editor::PatternLibrary</name>
     <message>
         <source>Filter: name, tag</source>
-        <translation type="unfinished"></translation>
+        <translation>筛选：名称、标签</translation>
     </message>
     <message>
         <source>Filter the patterns</source>
-        <translation type="unfinished"></translation>
+        <translation>筛选图案</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>撤销</translation>
     </message>
     <message>
         <source>Undo what was done to the library last (Ctrl+Z in the list)</source>
-        <translation type="unfinished"></translation>
+        <translation>撤销对图案库的上一次操作（在列表中按 Ctrl+Z）</translation>
     </message>
     <message>
         <source>Patterns</source>
-        <translation type="unfinished"></translation>
+        <translation>图案</translation>
     </message>
     <message>
         <source>&lt;p&gt;Double-click or &lt;b&gt;Enter&lt;/b&gt; opens a pattern. Built-in patterns stay as they are: the first edit makes a copy. In one&apos;s own: &lt;b&gt;F2&lt;/b&gt; renames, &lt;b&gt;Ctrl+D&lt;/b&gt; duplicates, &lt;b&gt;Delete&lt;/b&gt; deletes, &lt;b&gt;Ctrl+Z&lt;/b&gt; takes that back.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;p&gt;双击或按 &lt;b&gt;Enter&lt;/b&gt; 打开图案。内置图案保持不变：首次编辑时生成副本。对自己的图案：&lt;b&gt;F2&lt;/b&gt; 重命名，&lt;b&gt;Ctrl+D&lt;/b&gt; 创建副本，&lt;b&gt;Delete&lt;/b&gt; 删除，&lt;b&gt;Ctrl+Z&lt;/b&gt; 撤回。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Built-in: shapes</source>
-        <translation type="unfinished"></translation>
+        <translation>内置：形状</translation>
     </message>
     <message>
         <source>Built-in: stiffness</source>
-        <translation type="unfinished"></translation>
+        <translation>内置：刚度</translation>
     </message>
     <message>
         <source>Mine</source>
-        <translation type="unfinished"></translation>
+        <translation>我的图案</translation>
     </message>
     <message>
         <source>none yet: edit a built-in one</source>
-        <translation type="unfinished"></translation>
+        <translation>尚无：编辑内置图案即可创建</translation>
     </message>
     <message>
         <source>damaged</source>
-        <translation type="unfinished"></translation>
+        <translation>已损坏</translation>
     </message>
     <message>
         <source>Tags: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>标签：%1</translation>
     </message>
     <message>
         <source>&amp;Open</source>
-        <translation type="unfinished"></translation>
+        <translation>打开(&amp;O)</translation>
     </message>
     <message>
         <source>&amp;Compare with It</source>
-        <translation type="unfinished"></translation>
+        <translation>与之比较(&amp;C)</translation>
     </message>
     <message>
         <source>&amp;Duplicate</source>
-        <translation type="unfinished"></translation>
+        <translation>创建副本(&amp;D)</translation>
     </message>
     <message>
         <source>&amp;Rename</source>
-        <translation type="unfinished"></translation>
+        <translation>重命名(&amp;R)</translation>
     </message>
     <message>
         <source>De&amp;lete</source>
-        <translation type="unfinished"></translation>
+        <translation>删除(&amp;L)</translation>
     </message>
 </context>
 <context>
     <name>teleta::editor::StrokePad</name>
     <message>
         <source>Unrolled forearm</source>
-        <translation type="unfinished"></translation>
+        <translation>展开的前臂</translation>
     </message>
     <message>
         <source>Draw a stroke: it is felt as a point that moves along it</source>
-        <translation type="unfinished"></translation>
+        <translation>绘制一笔：感觉为沿其移动的点</translation>
     </message>
     <message>
         <source>&lt;p&gt;The forearm, unrolled: from left to right once around it. What is drawn here with the mouse becomes a stroke of the pattern, from the playhead on, as fast as it was drawn. &lt;b&gt;Esc&lt;/b&gt; gives it up.&lt;/p&gt;&lt;p&gt;By keys: the arrows move a cursor, &lt;b&gt;Space&lt;/b&gt; sets a point a quarter of a second after the last one, &lt;b&gt;Backspace&lt;/b&gt; takes it back, &lt;b&gt;Enter&lt;/b&gt; finishes.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;p&gt;展开的前臂：从左到右绕手臂一周。用鼠标在此绘制的内容将成为图案的一个笔画，从播放头开始，速度与绘制时相同。&lt;b&gt;Esc&lt;/b&gt; 放弃。&lt;/p&gt;&lt;p&gt;键盘操作：方向键移动光标，&lt;b&gt;空格键&lt;/b&gt;在上一点之后四分之一秒处设置一个点，&lt;b&gt;Backspace&lt;/b&gt; 撤回该点，&lt;b&gt;Enter&lt;/b&gt; 完成。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Draw a stroke here</source>
-        <translation type="unfinished"></translation>
+        <translation>在此绘制笔画</translation>
     </message>
 </context>
 <context>
     <name>teleta::editor::TimelineView</name>
     <message>
         <source>Time in s; intensity in %</source>
-        <translation type="unfinished"></translation>
+        <translation>时间，s；强度，%</translation>
     </message>
     <message>
         <source>Timeline of the pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>图案的时间轴</translation>
     </message>
     <message>
         <source>Visible time</source>
-        <translation type="unfinished"></translation>
+        <translation>可见时间</translation>
     </message>
     <message>
         <source>pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>图案</translation>
     </message>
     <message>
         <source>&amp;Type Numbers…</source>
-        <translation type="unfinished"></translation>
+        <translation>输入数值(&amp;T)…</translation>
     </message>
     <message>
         <source>Add &amp;Breakpoint Here</source>
-        <translation type="unfinished"></translation>
+        <translation>在此添加节点(&amp;B)</translation>
     </message>
     <message>
         <source>&amp;Zoom to Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>缩放至适合(&amp;Z)</translation>
     </message>
     <message>
         <source>Clear &amp;Loop</source>
-        <translation type="unfinished"></translation>
+        <translation>清除循环(&amp;L)</translation>
     </message>
     <message>
         <source>&lt;p&gt;Six motors over time. The blue line is what is asked of a motor, the thin one what the motor is predicted to do; it is hatched where the motor cannot follow.&lt;/p&gt;&lt;p&gt;Double-click or &lt;b&gt;P&lt;/b&gt;: add breakpoints. Drag: move, with &lt;b&gt;Alt&lt;/b&gt; off the grid. Drag on the ground, or with &lt;b&gt;Shift&lt;/b&gt;: select. Double-click on a breakpoint or &lt;b&gt;Enter&lt;/b&gt;: type its numbers. Arrow keys: move what is selected, with &lt;b&gt;Shift&lt;/b&gt; farther in time and finer in intensity. &lt;b&gt;Page Up&lt;/b&gt;, &lt;b&gt;Page Down&lt;/b&gt;: lane; &lt;b&gt;,&lt;/b&gt; and &lt;b&gt;.&lt;/b&gt;: breakpoint, with &lt;b&gt;Shift&lt;/b&gt; one more; &lt;b&gt;N&lt;/b&gt;: object; &lt;b&gt;Insert&lt;/b&gt;: a breakpoint at the playhead; &lt;b&gt;[&lt;/b&gt; and &lt;b&gt;]&lt;/b&gt;: begin and end of the loop, &lt;b&gt;\&lt;/b&gt;: none.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; and wheel: zoom. &lt;b&gt;Shift&lt;/b&gt; and wheel: scroll. On the ruler a drag moves the playhead and, with &lt;b&gt;Shift&lt;/b&gt;, sets the loop.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;p&gt;六个电机随时间的变化。蓝线为对电机的指令，细线为电机的预测动作；电机无法跟随处以斜线填充。&lt;/p&gt;&lt;p&gt;双击或 &lt;b&gt;P&lt;/b&gt;：添加节点。拖动：移动，按住 &lt;b&gt;Alt&lt;/b&gt; 不对齐网格。在空白处拖动，或按住 &lt;b&gt;Shift&lt;/b&gt; 拖动：选择。双击节点或按 &lt;b&gt;Enter&lt;/b&gt;：输入其数值。方向键：移动所选内容，按住 &lt;b&gt;Shift&lt;/b&gt; 时时间步长更大、强度步长更小。&lt;b&gt;Page Up&lt;/b&gt;、&lt;b&gt;Page Down&lt;/b&gt;：轨道；&lt;b&gt;,&lt;/b&gt; 和 &lt;b&gt;.&lt;/b&gt;：节点，按住 &lt;b&gt;Shift&lt;/b&gt; 再多选一个；&lt;b&gt;N&lt;/b&gt;：对象；&lt;b&gt;Insert&lt;/b&gt;：在播放头处添加节点；&lt;b&gt;[&lt;/b&gt; 和 &lt;b&gt;]&lt;/b&gt;：循环的起点和终点，&lt;b&gt;\&lt;/b&gt;：取消循环。&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; 加滚轮：缩放。&lt;b&gt;Shift&lt;/b&gt; 加滚轮：滚动。在标尺上拖动可移动播放头，按住 &lt;b&gt;Shift&lt;/b&gt; 则设置循环。&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
     <name>teleta::servo::ForceStrip</name>
     <message>
         <source>Force over time</source>
-        <translation type="unfinished"></translation>
+        <translation>力随时间的变化</translation>
     </message>
     <message>
         <source>Force that the array reads (line) and that is wanted (dashes), over the last 20 s</source>
-        <translation type="unfinished"></translation>
+        <translation>最近 20 s 内阵列读取的力（实线）和期望的力（虚线）</translation>
     </message>
     <message>
         <source>Force, N</source>
-        <translation type="unfinished"></translation>
+        <translation>力，N</translation>
     </message>
     <message>
         <source>actual</source>
-        <translation type="unfinished"></translation>
+        <translation>实际</translation>
     </message>
     <message>
         <source>desired</source>
-        <translation type="unfinished"></translation>
+        <translation>期望</translation>
     </message>
 </context>
 <context>
     <name>teleta::servo::ServoPanel</name>
     <message>
         <source>No servo</source>
-        <translation type="unfinished"></translation>
+        <translation>无伺服</translation>
     </message>
     <message>
         <source>STOP: the arm is held</source>
-        <translation type="unfinished"></translation>
+        <translation>STOP：机械臂处于保持状态</translation>
     </message>
     <message>
         <source>No limit acts.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有限制起作用。</translation>
     </message>
     <message>
         <source>Limits that act: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>起作用的限制：%1</translation>
     </message>
     <message>
         <source>%1. %2</source>
         <comment>number and name of a task</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1. %2</translation>
     </message>
     <message>
         <source>&amp;Task</source>
-        <translation type="unfinished"></translation>
+        <translation>任务(&amp;T)</translation>
     </message>
     <message>
         <source>The running task; choose one to begin it now</source>
-        <translation type="unfinished"></translation>
+        <translation>正在运行的任务；选择一个即可立即开始</translation>
     </message>
     <message>
         <source>&amp;Force</source>
-        <translation type="unfinished"></translation>
+        <translation>力(&amp;F)</translation>
     </message>
     <message>
         <source>Force with which the array presses</source>
-        <translation type="unfinished"></translation>
+        <translation>阵列按压的力</translation>
     </message>
     <message>
         <source>&amp;Sliding speed</source>
-        <translation type="unfinished"></translation>
+        <translation>滑动速度(&amp;S)</translation>
     </message>
     <message>
         <source>Along the edge, while it is explored</source>
-        <translation type="unfinished"></translation>
+        <translation>探索边缘时沿边缘的速度</translation>
     </message>
     <message>
         <source>&amp;Gains</source>
-        <translation type="unfinished"></translation>
+        <translation>增益(&amp;G)</translation>
     </message>
     <message>
         <source>All gains of the regulators, in percent of the scene&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>调节器的全部增益，以场景设定的百分比表示</translation>
     </message>
     <message>
         <source>Balance the &amp;moment (DZMP)</source>
-        <translation type="unfinished"></translation>
+        <translation>平衡力矩 (DZMP)(&amp;M)</translation>
     </message>
     <message>
         <source>Off: the controller without the distance to the zero-moment point</source>
-        <translation type="unfinished"></translation>
+        <translation>关闭：控制器不使用到零力矩点的距离</translation>
     </message>
 </context>
 <context>
     <name>teleta::servo::ServoPicture</name>
     <message>
         <source>Features and matrices of the servo</source>
-        <translation type="unfinished"></translation>
+        <translation>伺服的特征和矩阵</translation>
     </message>
     <message>
         <source>Desired and actual features as the inverse tactile Jacobian selects them; bold rows act on the motion through the projection matrix P.</source>
-        <translation type="unfinished"></translation>
+        <translation>由逆触觉雅可比矩阵选出的期望特征和实际特征；粗体行通过投影矩阵 P 作用于运动。</translation>
     </message>
     <message>
         <source>Feature</source>
-        <translation type="unfinished"></translation>
+        <translation>特征</translation>
     </message>
     <message>
         <source>Desired</source>
-        <translation type="unfinished"></translation>
+        <translation>期望</translation>
     </message>
     <message>
         <source>Actual</source>
-        <translation type="unfinished"></translation>
+        <translation>实际</translation>
     </message>
     <message>
         <source>Error</source>
-        <translation type="unfinished"></translation>
+        <translation>误差</translation>
     </message>
     <message>
         <source>J⁻¹, features</source>
-        <translation type="unfinished"></translation>
+        <translation>J⁻¹，特征</translation>
     </message>
     <message>
         <source>P, motions</source>
-        <translation type="unfinished"></translation>
+        <translation>P，运动</translation>
     </message>
 </context>
 <context>
     <name>teleta::servo::ServoRunsView</name>
     <message>
         <source>&amp;Add Recorded Run…</source>
-        <translation type="unfinished"></translation>
+        <translation>添加记录的运行(&amp;A)…</translation>
     </message>
     <message>
         <source>A run that teleta simulate --out has written: its servo.csv</source>
-        <translation type="unfinished"></translation>
+        <translation>teleta simulate --out 写出的运行：其 servo.csv</translation>
     </message>
     <message>
         <source>&amp;Forget Other Runs</source>
-        <translation type="unfinished"></translation>
+        <translation>清除其他运行(&amp;F)</translation>
     </message>
     <message>
         <source>Keeps only the run that goes on</source>
-        <translation type="unfinished"></translation>
+        <translation>仅保留正在进行的运行</translation>
     </message>
     <message>
         <source>&amp;Picture</source>
-        <translation type="unfinished"></translation>
+        <translation>图片(&amp;P)</translation>
     </message>
     <message>
         <source>Copies or saves the chart or its data</source>
-        <translation type="unfinished"></translation>
+        <translation>复制或保存图或其数据</translation>
     </message>
     <message>
         <source>Servo runs</source>
-        <translation type="unfinished"></translation>
+        <translation>伺服运行</translation>
     </message>
     <message>
         <source>&lt;p&gt;Servo runs in one chart: the running one, those before its source was restarted or another source was shown, and recorded ones.&lt;/p&gt;&lt;p&gt;To see what the moment is for, restart the scene with and without “Balance the moment”.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;p&gt;同一图中的各次伺服运行：正在进行的运行，数据源重新启动或切换之前的运行，以及记录的运行。&lt;/p&gt;&lt;p&gt;要了解力矩的作用，请分别勾选和取消“平衡力矩”后重新启动场景。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Add Recorded Run</source>
-        <translation type="unfinished"></translation>
+        <translation>添加记录的运行</translation>
     </message>
     <message>
         <source>Servo runs (servo.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>伺服运行 (servo.csv)</translation>
     </message>
     <message>
         <source>Comma-separated values (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>逗号分隔值 (*.csv)</translation>
     </message>
     <message>
         <source>servo-runs</source>
         <comment>name of a file</comment>
-        <translation type="unfinished"></translation>
+        <translation>伺服运行</translation>
     </message>
     <message>
         <source>No run yet. Runs of servos are drawn here, one over the other.</source>
-        <translation type="unfinished"></translation>
+        <translation>尚无运行。伺服运行将叠加绘制于此。</translation>
     </message>
 </context>
 <context>
@@ -10836,73 +10851,73 @@ Area %6</source>
     <message>
         <source>Answer %1: %2</source>
         <comment>letter, name</comment>
-        <translation type="unfinished"></translation>
+        <translation>回答 %1：%2</translation>
     </message>
     <message>
         <source>%1. This was felt.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1。这是感觉到的图案。</translation>
     </message>
     <message>
         <source>%1. This was answered.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1。这是所选的回答。</translation>
     </message>
     <message>
         <source>✓ felt</source>
-        <translation type="unfinished"></translation>
+        <translation>✓ 正确答案</translation>
     </message>
     <message>
         <source>✗ your answer</source>
-        <translation type="unfinished"></translation>
+        <translation>✗ 您的回答</translation>
     </message>
     <message>
         <source>your answer</source>
-        <translation type="unfinished"></translation>
+        <translation>您的回答</translation>
     </message>
 </context>
 <context>
     <name>teleta::studyview::ConfusionView</name>
     <message>
         <source>Confusion matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>混淆矩阵</translation>
     </message>
     <message>
         <source>%1 of %2 right</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 个中正确 %1 个</translation>
     </message>
     <message>
         <source>No trials yet</source>
-        <translation type="unfinished"></translation>
+        <translation>尚无试次</translation>
     </message>
     <message>
         <source>&lt;p&gt;Rows: what was presented. Columns: what was answered, and NONE for no answer in time. &lt;b&gt;Space&lt;/b&gt; or a double click changes between counts and percent of the row.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;p&gt;行：呈现的图案。列：回答的图案，NONE 表示未及时回答。按&lt;b&gt;空格键&lt;/b&gt;或双击可在计数与占行的百分比之间切换。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>%1 of %2</source>
         <comment>count of a row</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 / %2</translation>
     </message>
     <message>
         <source>%1 not answered in time: </source>
         <comment>pattern</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 未及时回答： </translation>
     </message>
     <message>
         <source>%1 answered as %2: </source>
         <comment>pattern, pattern</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 被回答为 %2： </translation>
     </message>
     <message>
         <source>In &amp;Percent</source>
-        <translation type="unfinished"></translation>
+        <translation>以百分比显示(&amp;P)</translation>
     </message>
 </context>
 <context>
     <name>teleta::studyview::ParticipantPicker</name>
     <message numerus="yes">
         <source>%n participant(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 名被试</numerusform>
         </translation>
     </message>
 </context>
@@ -10910,72 +10925,72 @@ Area %6</source>
     <name>teleta::studyview::ParticipantWindow</name>
     <message>
         <source>Please wait for the experimenter.</source>
-        <translation type="unfinished"></translation>
+        <translation>请等待实验人员。</translation>
     </message>
     <message>
         <source>Press Space for the next trial.</source>
-        <translation type="unfinished"></translation>
+        <translation>按空格键开始下一个试次。</translation>
     </message>
     <message>
         <source>Press Space for the first trial.</source>
-        <translation type="unfinished"></translation>
+        <translation>按空格键开始第一个试次。</translation>
     </message>
     <message>
         <source>Wait …</source>
-        <translation type="unfinished"></translation>
+        <translation>请稍候…</translation>
     </message>
     <message>
         <source>Feel …</source>
-        <translation type="unfinished"></translation>
+        <translation>请感受…</translation>
     </message>
     <message>
         <source>Which pattern do you feel? Press R to feel it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>您感觉到的是哪个图案？按 R 可再感受一次。</translation>
     </message>
     <message>
         <source>Which pattern do you feel?</source>
-        <translation type="unfinished"></translation>
+        <translation>您感觉到的是哪个图案？</translation>
     </message>
     <message>
         <source>There was no answer in time. The marked pattern was felt. Press Space to go on.</source>
-        <translation type="unfinished"></translation>
+        <translation>未及时回答。实际呈现的是标出的图案。按空格键继续。</translation>
     </message>
     <message>
         <source>Right. Press Space to go on.</source>
-        <translation type="unfinished"></translation>
+        <translation>正确。按空格键继续。</translation>
     </message>
     <message>
         <source>That was another one: the pattern marked with ✓ was felt. Press Space to go on.</source>
-        <translation type="unfinished"></translation>
+        <translation>是另一个图案：实际呈现的是标有 ✓ 的图案。按空格键继续。</translation>
     </message>
     <message>
         <source>Pause. Please wait for the experimenter.</source>
-        <translation type="unfinished"></translation>
+        <translation>暂停。请等待实验人员。</translation>
     </message>
     <message>
         <source>Stopped. The bracelet is off. Please wait for the experimenter.</source>
-        <translation type="unfinished"></translation>
+        <translation>已停止。手环已关闭。请等待实验人员。</translation>
     </message>
     <message>
         <source>This part is finished. Thank you!</source>
-        <translation type="unfinished"></translation>
+        <translation>此部分已完成。谢谢！</translation>
     </message>
     <message>
         <source>Participant</source>
-        <translation type="unfinished"></translation>
+        <translation>被试</translation>
     </message>
     <message>
         <source>Practice</source>
-        <translation type="unfinished"></translation>
+        <translation>练习</translation>
     </message>
     <message>
         <source>Test</source>
-        <translation type="unfinished"></translation>
+        <translation>测试</translation>
     </message>
     <message>
         <source>%1 — %2, trial %3 of %4</source>
         <comment>task, phase, numbers</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 — %2，第 %3 个试次，共 %4 个</translation>
     </message>
 </context>
 <context>
@@ -10983,23 +10998,23 @@ Area %6</source>
     <message>
         <source>This does not fit: %1.</source>
         <comment>what is expected</comment>
-        <translation type="unfinished"></translation>
+        <translation>不符合要求，应为：%1。</translation>
     </message>
     <message>
         <source>Please answer this question.</source>
-        <translation type="unfinished"></translation>
+        <translation>请回答此问题。</translation>
     </message>
     <message>
         <source>%1 of %2 answered</source>
-        <translation type="unfinished"></translation>
+        <translation>已回答 %1 / %2</translation>
     </message>
     <message>
         <source>&amp;Done</source>
-        <translation type="unfinished"></translation>
+        <translation>完成(&amp;D)</translation>
     </message>
     <message>
         <source>Hands the answers over (Ctrl+Return)</source>
-        <translation type="unfinished"></translation>
+        <translation>提交回答 (Ctrl+Return)</translation>
     </message>
 </context>
 <context>
@@ -11007,991 +11022,992 @@ Area %6</source>
     <message>
         <source>%1 (may be left out)</source>
         <comment>a question</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1（可不填）</translation>
     </message>
     <message>
         <source>No answer</source>
-        <translation type="unfinished"></translation>
+        <translation>未回答</translation>
     </message>
     <message>
         <source>%1: %2 of %3</source>
         <comment>question, point, points</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1：%2，共 %3 级</translation>
     </message>
 </context>
 <context>
     <name>teleta::studyview::ResultsView</name>
     <message>
         <source>All participants</source>
-        <translation type="unfinished"></translation>
+        <translation>全部被试</translation>
     </message>
     <message>
         <source>Nobody beside them</source>
-        <translation type="unfinished"></translation>
+        <translation>不对比</translation>
     </message>
     <message>
         <source>%1, %2</source>
         <comment>condition, participant</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1，%2</translation>
     </message>
     <message>
         <source>Task</source>
-        <translation type="unfinished"></translation>
+        <translation>任务</translation>
     </message>
     <message>
         <source>Participants that are shown</source>
-        <translation type="unfinished"></translation>
+        <translation>显示的被试</translation>
     </message>
     <message>
         <source>Tick one participant, or a group</source>
-        <translation type="unfinished"></translation>
+        <translation>勾选一名被试或一组被试</translation>
     </message>
     <message>
         <source>Participants beside them</source>
-        <translation type="unfinished"></translation>
+        <translation>对比的被试</translation>
     </message>
     <message>
         <source>Tick those whom you want to compare with: a second group side by side</source>
-        <translation type="unfinished"></translation>
+        <translation>勾选要对比的被试：第二组并排显示</translation>
     </message>
     <message>
         <source>What the matrices show</source>
-        <translation type="unfinished"></translation>
+        <translation>矩阵显示的内容</translation>
     </message>
     <message>
         <source>Counts</source>
-        <translation type="unfinished"></translation>
+        <translation>计数</translation>
     </message>
     <message>
         <source>Percent of the row</source>
-        <translation type="unfinished"></translation>
+        <translation>占行的百分比</translation>
     </message>
     <message>
         <source>All participants together</source>
-        <translation type="unfinished"></translation>
+        <translation>全部被试合计</translation>
     </message>
     <message>
         <source>Analysis of variance</source>
-        <translation type="unfinished"></translation>
+        <translation>方差分析</translation>
     </message>
     <message>
         <source>Each participant</source>
-        <translation type="unfinished"></translation>
+        <translation>各被试</translation>
     </message>
     <message>
         <source>&amp;Export</source>
-        <translation type="unfinished"></translation>
+        <translation>导出(&amp;E)</translation>
     </message>
     <message>
         <source>Writes the trials, or these results, into the folder of the study</source>
-        <translation type="unfinished"></translation>
+        <translation>将试次或这些结果写入研究的文件夹</translation>
     </message>
     <message>
         <source>Trials as &amp;Psych-DS (CSV)</source>
-        <translation type="unfinished"></translation>
+        <translation>试次存为 Psych-DS (CSV)(&amp;P)</translation>
     </message>
     <message>
         <source>Trials as &amp;BIDS (TSV)</source>
-        <translation type="unfinished"></translation>
+        <translation>试次存为 BIDS (TSV)(&amp;B)</translation>
     </message>
     <message>
         <source>Trials for a &amp;spreadsheet</source>
-        <translation type="unfinished"></translation>
+        <translation>试次用于电子表格(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;Results: tables, figures, R script</source>
-        <translation type="unfinished"></translation>
+        <translation>结果：表格、图、R 脚本(&amp;R)</translation>
     </message>
 </context>
 <context>
     <name>teleta::studyview::SessionPanel</name>
     <message>
         <source>Stop the noise</source>
-        <translation type="unfinished"></translation>
+        <translation>停止噪声</translation>
     </message>
     <message>
         <source>Play the noise</source>
-        <translation type="unfinished"></translation>
+        <translation>播放噪声</translation>
     </message>
     <message>
         <source>Abort the session?</source>
-        <translation type="unfinished"></translation>
+        <translation>中止场次？</translation>
     </message>
     <message>
         <source>The session ends here. What was answered is kept, and the session can be gone on with later, where it stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>场次在此结束。已有的回答均会保留，以后可从停止处继续此场次。</translation>
     </message>
     <message>
         <source>&amp;Abort the session</source>
-        <translation type="unfinished"></translation>
+        <translation>中止场次(&amp;A)</translation>
     </message>
     <message>
         <source>&amp;Go on</source>
-        <translation type="unfinished"></translation>
+        <translation>继续(&amp;G)</translation>
     </message>
     <message>
         <source>Leave the questionnaire out?</source>
-        <translation type="unfinished"></translation>
+        <translation>跳过问卷？</translation>
     </message>
     <message>
         <source>What is filled in is lost, and a note says that it was left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>已填写的内容将丢失，并会记录备注说明问卷已跳过。</translation>
     </message>
     <message>
         <source>&amp;Leave it out</source>
-        <translation type="unfinished"></translation>
+        <translation>跳过(&amp;L)</translation>
     </message>
     <message>
         <source>&amp;Go on with it</source>
-        <translation type="unfinished"></translation>
+        <translation>继续填写(&amp;G)</translation>
     </message>
     <message>
         <source>Next step</source>
-        <translation type="unfinished"></translation>
+        <translation>下一步</translation>
     </message>
     <message>
         <source>What to do next (Ctrl+Return)</source>
-        <translation type="unfinished"></translation>
+        <translation>下一步操作 (Ctrl+Return)</translation>
     </message>
     <message>
         <source>Checks before the run</source>
-        <translation type="unfinished"></translation>
+        <translation>运行前的检查</translation>
     </message>
     <message>
         <source>Noise &amp;confirmed</source>
-        <translation type="unfinished"></translation>
+        <translation>噪声已确认(&amp;C)</translation>
     </message>
     <message>
         <source>The participant hears the masking noise at the level of the protocol</source>
-        <translation type="unfinished"></translation>
+        <translation>被试听到的掩蔽噪声达到方案规定的声级</translation>
     </message>
     <message>
         <source>Progress</source>
-        <translation type="unfinished"></translation>
+        <translation>进度</translation>
     </message>
     <message>
         <source>Last trials</source>
-        <translation type="unfinished"></translation>
+        <translation>最近的试次</translation>
     </message>
     <message>
         <source>Trial</source>
-        <translation type="unfinished"></translation>
+        <translation>试次</translation>
     </message>
     <message>
         <source>Presented</source>
-        <translation type="unfinished"></translation>
+        <translation>呈现</translation>
     </message>
     <message>
         <source>Answered</source>
-        <translation type="unfinished"></translation>
+        <translation>回答</translation>
     </message>
     <message>
         <source>Outcome</source>
-        <translation type="unfinished"></translation>
+        <translation>结果</translation>
     </message>
     <message>
         <source>Response time</source>
-        <translation type="unfinished"></translation>
+        <translation>反应时间</translation>
     </message>
     <message>
         <source>A note on this session; Return keeps it</source>
-        <translation type="unfinished"></translation>
+        <translation>关于此场次的备注；按 Return 保存</translation>
     </message>
     <message>
         <source>Note</source>
-        <translation type="unfinished"></translation>
+        <translation>备注</translation>
     </message>
     <message>
         <source>Participant&apos;s &amp;window</source>
-        <translation type="unfinished"></translation>
+        <translation>被试窗口(&amp;W)</translation>
     </message>
     <message>
         <source>Shows the participant&apos;s window, on the second screen where there is one</source>
-        <translation type="unfinished"></translation>
+        <translation>显示被试窗口；有第二屏幕时显示在其上</translation>
     </message>
     <message>
         <source>&amp;Leave the questionnaire out…</source>
-        <translation type="unfinished"></translation>
+        <translation>跳过问卷(&amp;L)…</translation>
     </message>
     <message>
         <source>Goes on without the participant&apos;s answers</source>
-        <translation type="unfinished"></translation>
+        <translation>不等被试回答即继续</translation>
     </message>
     <message>
         <source>&amp;Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>暂停(&amp;P)</translation>
     </message>
     <message>
         <source>Pauses after the present trial</source>
-        <translation type="unfinished"></translation>
+        <translation>在当前试次之后暂停</translation>
     </message>
     <message>
         <source>&amp;Abort…</source>
-        <translation type="unfinished"></translation>
+        <translation>中止(&amp;A)…</translation>
     </message>
 </context>
 <context>
     <name>teleta::studyview::StudyPanel</name>
     <message>
         <source>● On the server: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>● 在服务器上：%1</translation>
     </message>
     <message>
         <source>✗ Server away: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>✗ 服务器已断开：%1</translation>
     </message>
     <message>
         <source>✗ The study cannot be used: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>✗ 无法使用研究：%1</translation>
     </message>
     <message>
         <source>%1 of %2 trials</source>
         <comment>kept</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 / %2 个试次</translation>
     </message>
     <message>
         <source>&amp;New…</source>
-        <translation type="unfinished"></translation>
+        <translation>新建(&amp;N)…</translation>
     </message>
     <message>
         <source>Begin a new study</source>
-        <translation type="unfinished"></translation>
+        <translation>开始新的研究</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
-        <translation type="unfinished"></translation>
+        <translation>打开(&amp;O)…</translation>
     </message>
     <message>
         <source>Open another study</source>
-        <translation type="unfinished"></translation>
+        <translation>打开另一个研究</translation>
     </message>
     <message>
         <source>The &amp;folder of a study…</source>
-        <translation type="unfinished"></translation>
+        <translation>研究的文件夹(&amp;F)…</translation>
     </message>
     <message>
         <source>A study on a &amp;server…</source>
-        <translation type="unfinished"></translation>
+        <translation>服务器上的研究(&amp;S)…</translation>
     </message>
     <message>
         <source>Pro&amp;tocol…</source>
-        <translation type="unfinished"></translation>
+        <translation>方案(&amp;T)…</translation>
     </message>
     <message>
         <source>Look at the protocol, or make another one from it</source>
-        <translation type="unfinished"></translation>
+        <translation>查看方案，或由它制作另一个方案</translation>
     </message>
     <message>
         <source>Participants</source>
-        <translation type="unfinished"></translation>
+        <translation>被试</translation>
     </message>
     <message>
         <source>Session</source>
-        <translation type="unfinished"></translation>
+        <translation>场次</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>状态</translation>
     </message>
     <message>
         <source>Participants and their sessions</source>
-        <translation type="unfinished"></translation>
+        <translation>被试及其场次</translation>
     </message>
     <message>
         <source>Name of a new participant, for example P07</source>
-        <translation type="unfinished"></translation>
+        <translation>新被试的名称，例如 P07</translation>
     </message>
     <message>
         <source>Name of a new participant</source>
-        <translation type="unfinished"></translation>
+        <translation>新被试的名称</translation>
     </message>
     <message>
         <source>A&amp;dd</source>
-        <translation type="unfinished"></translation>
+        <translation>添加(&amp;D)</translation>
     </message>
     <message>
         <source>Enrol this participant</source>
-        <translation type="unfinished"></translation>
+        <translation>登记此被试</translation>
     </message>
 </context>
 <context>
     <name>teleta::tactile::ChannelSettingsPanel</name>
     <message>
         <source>Not tared</source>
-        <translation type="unfinished"></translation>
+        <translation>未去皮</translation>
     </message>
     <message>
         <source>Tared</source>
-        <translation type="unfinished"></translation>
+        <translation>已去皮</translation>
     </message>
     <message numerus="yes">
         <source>Tared, %n taxel(s) without a reading</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>已去皮，%n 个触元无读数</numerusform>
         </translation>
     </message>
     <message>
         <source>&amp;Tare now</source>
-        <translation type="unfinished"></translation>
+        <translation>立即去皮(&amp;T)</translation>
     </message>
     <message>
         <source>Takes the mean of the next half second as the unloaded state. Nothing may touch the array.</source>
-        <translation type="unfinished"></translation>
+        <translation>取接下来半秒的平均值作为空载状态。期间不得有任何物体接触阵列。</translation>
     </message>
     <message>
         <source>&amp;Clear tare</source>
-        <translation type="unfinished"></translation>
+        <translation>清除去皮(&amp;C)</translation>
     </message>
     <message>
         <source>Uses the raw values again</source>
-        <translation type="unfinished"></translation>
+        <translation>重新使用原始值</translation>
     </message>
     <message>
         <source>&amp;Gain:</source>
-        <translation type="unfinished"></translation>
+        <translation>增益(&amp;G)：</translation>
     </message>
     <message>
         <source>Load per raw unit</source>
-        <translation type="unfinished"></translation>
+        <translation>每原始单位的载荷</translation>
     </message>
     <message>
         <source>Values &amp;fall under load</source>
-        <translation type="unfinished"></translation>
+        <translation>数值随载荷增大而下降(&amp;F)</translation>
     </message>
     <message>
         <source>For arrays whose raw values are highest when nothing touches them</source>
-        <translation type="unfinished"></translation>
+        <translation>用于无接触时原始值最高的阵列</translation>
     </message>
     <message>
         <source>T&amp;hreshold:</source>
-        <translation type="unfinished"></translation>
+        <translation>阈值(&amp;H)：</translation>
     </message>
     <message>
         <source>A taxel is in contact from this load on</source>
-        <translation type="unfinished"></translation>
+        <translation>触元从此载荷起视为接触</translation>
     </message>
     <message>
         <source>&amp;Automatic threshold</source>
-        <translation type="unfinished"></translation>
+        <translation>自动阈值(&amp;A)</translation>
     </message>
     <message>
         <source>Finds the lowest useful threshold in each frame; the value above is its lower bound</source>
-        <translation type="unfinished"></translation>
+        <translation>在每帧中求最低的有效阈值；上方的值为其下限</translation>
     </message>
     <message>
         <source>&amp;Noise height:</source>
-        <translation type="unfinished"></translation>
+        <translation>噪声高度(&amp;N)：</translation>
     </message>
     <message>
         <source>Two summits are one contact when the lower one rises less than this above the saddle between them, in percent of the frame&apos;s peak</source>
-        <translation type="unfinished"></translation>
+        <translation>若两个峰顶中较低者高出其间鞍点的量小于此值（帧峰值的百分比），则视为同一接触</translation>
     </message>
     <message>
         <source> %</source>
-        <translation type="unfinished"></translation>
+        <translation> %</translation>
     </message>
     <message>
         <source>&amp;Smallest contact:</source>
-        <translation type="unfinished"></translation>
+        <translation>最小接触(&amp;S)：</translation>
     </message>
     <message>
         <source>In taxels; contacts of fewer are ignored</source>
-        <translation type="unfinished"></translation>
+        <translation>以触元计；触元数更少的接触将被忽略</translation>
     </message>
     <message>
         <source>&amp;Orientation:</source>
-        <translation type="unfinished"></translation>
+        <translation>方向(&amp;O)：</translation>
     </message>
     <message>
         <source>Which taxels the principal axis is computed from</source>
-        <translation type="unfinished"></translation>
+        <translation>由哪些触元计算主轴</translation>
     </message>
     <message>
         <source>active taxels alike</source>
-        <translation type="unfinished"></translation>
+        <translation>活动触元等权</translation>
     </message>
     <message>
         <source>weighted with the load</source>
-        <translation type="unfinished"></translation>
+        <translation>按载荷加权</translation>
     </message>
     <message>
         <source>&amp;Force over:</source>
-        <translation type="unfinished"></translation>
+        <translation>力的范围(&amp;F)：</translation>
     </message>
     <message>
         <source>The whole image counts every load; active taxels leave out the noise of unloaded ones</source>
-        <translation type="unfinished"></translation>
+        <translation>整幅图像计入所有载荷；活动触元则排除空载触元的噪声</translation>
     </message>
     <message>
         <source>whole image</source>
-        <translation type="unfinished"></translation>
+        <translation>整幅图像</translation>
     </message>
     <message>
         <source>active taxels</source>
-        <translation type="unfinished"></translation>
+        <translation>活动触元</translation>
     </message>
     <message>
         <source>&amp;Edge above:</source>
-        <translation type="unfinished"></translation>
+        <translation>高于此值为边缘(&amp;E)：</translation>
     </message>
     <message>
         <source>The contact becomes an edge when the ratio of the eigenvalues rises above this</source>
-        <translation type="unfinished"></translation>
+        <translation>特征值之比升至此值以上时，接触判为边缘</translation>
     </message>
     <message>
         <source>&amp;Point below:</source>
-        <translation type="unfinished"></translation>
+        <translation>低于此值为点(&amp;P)：</translation>
     </message>
     <message>
         <source>The contact becomes a point when the ratio of the eigenvalues falls below this</source>
-        <translation type="unfinished"></translation>
+        <translation>特征值之比降至此值以下时，接触判为点</translation>
     </message>
     <message>
         <source>&amp;Defaults</source>
-        <translation type="unfinished"></translation>
+        <translation>默认值(&amp;D)</translation>
     </message>
     <message>
         <source>Default values for everything but the tare</source>
-        <translation type="unfinished"></translation>
+        <translation>除去皮外全部恢复默认值</translation>
     </message>
 </context>
 <context>
     <name>teleta::tactile::HeatmapView</name>
     <message>
         <source>Tactile heatmap</source>
-        <translation type="unfinished"></translation>
+        <translation>触觉热图</translation>
     </message>
     <message>
         <source>&lt;p&gt;The load of every taxel of the array, seen from outside the skin: x points to the right, y up.&lt;/p&gt;&lt;p&gt;Coloured outlines are contacts, each with the number under which it is followed. × is the centre of pressure, ○ the centre of contact, the line the principal axis. Hatched taxels are dead and carry no load.&lt;/p&gt;&lt;p&gt;Ctrl+wheel zooms, drag moves, double click shows the whole array. Double-click the colour bar to type its upper end. The arrow keys read taxel by taxel.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;p&gt;阵列中每个触元的载荷，从皮肤外侧看：x 向右，y 向上。&lt;/p&gt;&lt;p&gt;彩色轮廓线为接触，各带其跟踪编号。× 为压力中心，○ 为接触中心，直线为主轴。带斜线的触元已失效，不承载。&lt;/p&gt;&lt;p&gt;Ctrl+滚轮缩放，拖动平移，双击显示整个阵列。双击颜色条可输入其上端。方向键逐个触元读数。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>&amp;Contacts</source>
-        <translation type="unfinished"></translation>
+        <translation>接触(&amp;C)</translation>
     </message>
     <message>
         <source>Outline each contact and show its number</source>
-        <translation type="unfinished"></translation>
+        <translation>勾勒各接触并显示其编号</translation>
     </message>
     <message>
         <source>Centre of &amp;Pressure</source>
-        <translation type="unfinished"></translation>
+        <translation>压力中心(&amp;P)</translation>
     </message>
     <message>
         <source>Mark the load-weighted centre with ×</source>
-        <translation type="unfinished"></translation>
+        <translation>用 × 标出载荷加权中心</translation>
     </message>
     <message>
         <source>Centre of C&amp;ontact</source>
-        <translation type="unfinished"></translation>
+        <translation>接触中心(&amp;O)</translation>
     </message>
     <message>
         <source>Mark the centre of the touched area with ○</source>
-        <translation type="unfinished"></translation>
+        <translation>用 ○ 标出接触区域的中心</translation>
     </message>
     <message>
         <source>Principal &amp;Axis</source>
-        <translation type="unfinished"></translation>
+        <translation>主轴(&amp;A)</translation>
     </message>
     <message>
         <source>Draw the axis along which the touched area is longest</source>
-        <translation type="unfinished"></translation>
+        <translation>绘制接触区域最长方向的轴</translation>
     </message>
     <message>
         <source>&amp;Numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>数值(&amp;N)</translation>
     </message>
     <message>
         <source>Write each load into its taxel where there is room</source>
-        <translation type="unfinished"></translation>
+        <translation>空间足够时将载荷写入触元</translation>
     </message>
     <message>
         <source>heatmap</source>
-        <translation type="unfinished"></translation>
+        <translation>热图</translation>
     </message>
     <message>
         <source>Colour &amp;Range</source>
-        <translation type="unfinished"></translation>
+        <translation>颜色范围(&amp;R)</translation>
     </message>
     <message>
         <source>&amp;Automatic</source>
-        <translation type="unfinished"></translation>
+        <translation>自动(&amp;A)</translation>
     </message>
     <message>
         <source>&amp;Fixed at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>固定为 %1(&amp;F)</translation>
     </message>
     <message>
         <source>&amp;Type Upper End…</source>
-        <translation type="unfinished"></translation>
+        <translation>输入上端(&amp;T)…</translation>
     </message>
     <message>
         <source>Show &amp;Whole Array</source>
-        <translation type="unfinished"></translation>
+        <translation>显示整个阵列(&amp;W)</translation>
     </message>
     <message>
         <source>Upper end of the colours</source>
-        <translation type="unfinished"></translation>
+        <translation>颜色上端</translation>
     </message>
     <message>
         <source>Load at the upper end of the colours. Empty: automatic.</source>
-        <translation type="unfinished"></translation>
+        <translation>颜色上端对应的载荷。留空：自动。</translation>
     </message>
     <message>
         <source>auto</source>
-        <translation type="unfinished"></translation>
+        <translation>自动</translation>
     </message>
     <message>
         <source>Loads from 0 to %1. Taxels under the threshold of %2 carry no contact.
 Double-click to type the upper end.</source>
-        <translation type="unfinished"></translation>
+        <translation>载荷从 0 到 %1。低于阈值 %2 的触元不属于接触。
+双击可输入上端。</translation>
     </message>
     <message>
         <source>Dead taxel: its value is not used.</source>
-        <translation type="unfinished"></translation>
+        <translation>失效触元：其值不被使用。</translation>
     </message>
 </context>
 <context>
     <name>teleta::touch::ContourView</name>
     <message>
         <source>Explored contour</source>
-        <translation type="unfinished"></translation>
+        <translation>已探索的轮廓</translation>
     </message>
     <message>
         <source>&lt;p&gt;The object from above, as far as it was explored: the points at which it was touched, the spline through them, and the vertices or the circle of the shape that was recognised.&lt;/p&gt;&lt;p&gt;The confidence is that of the decision between the known shapes.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;p&gt;从上方看已探索部分的物体：触碰过的点、通过这些点的样条曲线，以及所识别形状的顶点或圆。&lt;/p&gt;&lt;p&gt;置信度是在已知形状之间判定的置信度。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>contour</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓</translation>
     </message>
     <message>
         <source>&amp;Forget the explored contour</source>
-        <translation type="unfinished"></translation>
+        <translation>清除已探索的轮廓(&amp;F)</translation>
     </message>
 </context>
 <context>
     <name>teleta::touch::DriveSign</name>
     <message>
         <source>Drive of the arm</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂驱动方式</translation>
     </message>
     <message>
         <source>no arm</source>
-        <translation type="unfinished"></translation>
+        <translation>无机械臂</translation>
     </message>
 </context>
 <context>
     <name>teleta::touch::JogPanel</name>
     <message>
         <source>%1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %</translation>
     </message>
     <message>
         <source>Jog the arm</source>
-        <translation type="unfinished"></translation>
+        <translation>点动机械臂</translation>
     </message>
     <message>
         <source>&lt;p&gt;Moves the arm by hand. It moves only while you hold Shift, or the wide button, together with a direction. Let go of either and it stands still.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;p&gt;手动移动机械臂。仅当您按住 Shift 或宽按钮，同时按住一个方向时才会移动。松开其中任何一个，机械臂即静止。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>&amp;Run</source>
-        <translation type="unfinished"></translation>
+        <translation>运行(&amp;R)</translation>
     </message>
     <message>
         <source>Let the arm&apos;s program go on</source>
-        <translation type="unfinished"></translation>
+        <translation>让机械臂的程序继续</translation>
     </message>
     <message>
         <source>&amp;Hold</source>
-        <translation type="unfinished"></translation>
+        <translation>保持(&amp;H)</translation>
     </message>
     <message>
         <source>Hold the arm where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>使机械臂保持在原处</translation>
     </message>
     <message>
         <source>R&amp;estart</source>
-        <translation type="unfinished"></translation>
+        <translation>重新开始(&amp;E)</translation>
     </message>
     <message>
         <source>Begin the arm&apos;s program anew</source>
-        <translation type="unfinished"></translation>
+        <translation>从头开始机械臂的程序</translation>
     </message>
     <message>
         <source>Joints</source>
-        <translation type="unfinished"></translation>
+        <translation>关节</translation>
     </message>
     <message>
         <source>Tip, x y z</source>
-        <translation type="unfinished"></translation>
+        <translation>末端，x y z</translation>
     </message>
     <message>
         <source>What is moved</source>
-        <translation type="unfinished"></translation>
+        <translation>移动对象</translation>
     </message>
     <message>
         <source>Turn single joints, or move the tip of the forearm along the base&apos;s axes</source>
-        <translation type="unfinished"></translation>
+        <translation>转动单个关节，或沿基座坐标轴移动前臂末端</translation>
     </message>
     <message>
         <source>&amp;Speed</source>
-        <translation type="unfinished"></translation>
+        <translation>速度(&amp;S)</translation>
     </message>
     <message>
         <source>Share of the fastest speed</source>
-        <translation type="unfinished"></translation>
+        <translation>占最高速度的比例</translation>
     </message>
     <message>
         <source>Jog speed</source>
-        <translation type="unfinished"></translation>
+        <translation>点动速度</translation>
     </message>
     <message>
         <source>Hold to enable (or Shift)</source>
-        <translation type="unfinished"></translation>
+        <translation>按住以使能（或 Shift）</translation>
     </message>
     <message>
         <source>Dead-man switch: the arm moves only while this button or Shift is held</source>
-        <translation type="unfinished"></translation>
+        <translation>使能开关：仅在按住此按钮或 Shift 时机械臂才会移动</translation>
     </message>
     <message>
         <source>Dead-man switch</source>
-        <translation type="unfinished"></translation>
+        <translation>使能开关</translation>
     </message>
     <message>
         <source>Angle of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的角度</translation>
     </message>
     <message>
         <source>tip along %1</source>
-        <translation type="unfinished"></translation>
+        <translation>末端沿 %1</translation>
     </message>
     <message>
         <source>%1 up</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 正向</translation>
     </message>
     <message>
         <source>%1 down</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 负向</translation>
     </message>
     <message>
         <source>Hold with Shift to move; key Shift+%1</source>
-        <translation type="unfinished"></translation>
+        <translation>与 Shift 同时按住以移动；按键 Shift+%1</translation>
     </message>
     <message>
         <source>No arm is connected. Open a scene or a device with an arm.</source>
-        <translation type="unfinished"></translation>
+        <translation>未连接机械臂。请打开带机械臂的场景或设备。</translation>
     </message>
     <message>
         <source>STOP is engaged. Hold the STOP button to release it, then jog.</source>
-        <translation type="unfinished"></translation>
+        <translation>STOP 已触发。按住 STOP 按钮解除后再点动。</translation>
     </message>
     <message>
         <source>Hold Shift and a button, or Shift with D A (x), W S (y), E Q (z).</source>
-        <translation type="unfinished"></translation>
+        <translation>按住 Shift 和一个按钮，或按 Shift 加 D A (x)、W S (y)、E Q (z)。</translation>
     </message>
     <message>
         <source>Hold Shift and a button, or Shift with Q W E R (up), A S D F (down).</source>
-        <translation type="unfinished"></translation>
+        <translation>按住 Shift 和一个按钮，或按 Shift 加 Q W E R（正向）、A S D F（负向）。</translation>
     </message>
     <message>
         <source>The joint readings are old: nothing is moved until they come again.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节读数已过时：在新读数到来之前不会移动。</translation>
     </message>
 </context>
 <context>
     <name>teleta::touch::JointRange</name>
     <message>
         <source>Range %1° … %2°</source>
-        <translation type="unfinished"></translation>
+        <translation>范围 %1° … %2°</translation>
     </message>
     <message>
         <source>%1 limit</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，到极限</translation>
     </message>
     <message>
         <source>limit</source>
-        <translation type="unfinished"></translation>
+        <translation>极限</translation>
     </message>
 </context>
 <context>
     <name>teleta::touch::PatternMapTable</name>
     <message>
         <source>level %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>等级 %1：%2</translation>
     </message>
     <message>
         <source>What was recognised and its pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>识别内容及其图案</translation>
     </message>
     <message>
         <source>&lt;p&gt;Which pattern the bracelet plays for what was recognised. The marked row was recognised last.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;p&gt;针对识别的内容，手环播放哪个图案。标出的行是最近识别的内容。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Patterns for what was recognised</source>
-        <translation type="unfinished"></translation>
+        <translation>识别内容对应的图案</translation>
     </message>
     <message>
         <source>Recognised</source>
-        <translation type="unfinished"></translation>
+        <translation>识别内容</translation>
     </message>
     <message>
         <source>Pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>图案</translation>
     </message>
     <message>
         <source>Preview</source>
-        <translation type="unfinished"></translation>
+        <translation>预览</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>撤销(&amp;U)</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>重做(&amp;R)</translation>
     </message>
     <message>
         <source>&amp;Defaults</source>
-        <translation type="unfinished"></translation>
+        <translation>默认值(&amp;D)</translation>
     </message>
     <message>
         <source>The built-in dynamic patterns again; can be undone</source>
-        <translation type="unfinished"></translation>
+        <translation>恢复内置的动态图案；可撤销</translation>
     </message>
     <message>
         <source>&amp;Import…</source>
-        <translation type="unfinished"></translation>
+        <translation>导入(&amp;I)…</translation>
     </message>
     <message>
         <source>&amp;Export…</source>
-        <translation type="unfinished"></translation>
+        <translation>导出(&amp;E)…</translation>
     </message>
     <message>
         <source>Pattern for %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的图案</translation>
     </message>
     <message>
         <source>nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>无</translation>
     </message>
     <message>
         <source>%1 (missing)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1（缺失）</translation>
     </message>
     <message>
         <source>%1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，%2</translation>
     </message>
     <message>
         <source>%1 (now)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1（当前）</translation>
     </message>
     <message>
         <source>Nothing was recognised yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>尚未识别任何内容。</translation>
     </message>
     <message>
         <source>Recognised: %1. Nothing is played.</source>
-        <translation type="unfinished"></translation>
+        <translation>已识别：%1。不播放任何内容。</translation>
     </message>
     <message>
         <source>Recognised: %1. Pattern now: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>已识别：%1。当前图案：%2。</translation>
     </message>
     <message>
         <source>Recognised: %1. Its pattern %2 is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>已识别：%1。其图案 %2 缺失。</translation>
     </message>
     <message>
         <source>Default patterns</source>
-        <translation type="unfinished"></translation>
+        <translation>默认图案</translation>
     </message>
     <message>
         <source>The file could not be read: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>无法读取文件：%1</translation>
     </message>
     <message>
         <source>Import</source>
-        <translation type="unfinished"></translation>
+        <translation>导入</translation>
     </message>
     <message>
         <source>The file could not be written: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>无法写入文件：%1</translation>
     </message>
     <message>
         <source>Export Patterns</source>
-        <translation type="unfinished"></translation>
+        <translation>导出图案</translation>
     </message>
     <message>
         <source>Import Patterns</source>
-        <translation type="unfinished"></translation>
+        <translation>导入图案</translation>
     </message>
     <message>
         <source>Map of patterns (*.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>图案对应表 (*.json)</translation>
     </message>
 </context>
 <context>
     <name>teleta::touch::StiffnessGauge</name>
     <message>
         <source>Stiffness of the touched object</source>
-        <translation type="unfinished"></translation>
+        <translation>被触碰物体的刚度</translation>
     </message>
     <message>
         <source>&lt;p&gt;How stiff the object is that was touched last, on a logarithmic scale. The dot is the estimate, the line through it the interval in which the stiffness lies with 95 %.&lt;/p&gt;&lt;p&gt;An object that yields hardly more than the arm itself cannot be told from a rigid one: then an open arrow shows that its stiffness is at least so large.&lt;/p&gt;&lt;p&gt;Sponge and rubber sponge are safe to touch; rubber, wood and metal are a danger.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;p&gt;最近触碰的物体有多硬，采用对数刻度。圆点为估计值，穿过它的线段为刚度的 95 % 区间。&lt;/p&gt;&lt;p&gt;若物体的变形几乎不大于机械臂自身的变形，则无法与刚体区分：此时空心箭头表示其刚度至少有这么大。&lt;/p&gt;&lt;p&gt;海绵和橡胶海绵可安全触碰；橡胶、木材和金属有危险。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Touch an object with the forearm: its stiffness appears here.</source>
-        <translation type="unfinished"></translation>
+        <translation>用前臂触碰物体：其刚度将显示在此处。</translation>
     </message>
     <message>
         <source>stiffness</source>
-        <translation type="unfinished"></translation>
+        <translation>刚度</translation>
     </message>
 </context>
 <context>
     <name>teleta::touch::TouchModel</name>
     <message>
         <source>No force: the skin did not feel where the contact is.</source>
-        <translation type="unfinished"></translation>
+        <translation>无力值：皮肤未感觉到接触的位置。</translation>
     </message>
     <message>
         <source>%1: %2 ± %3 N</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：%2 ± %3 N</translation>
     </message>
     <message>
         <source>%1: not observable in this configuration of the arm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：在机械臂的此构型下不可观测</translation>
     </message>
     <message>
         <source>condition number %1, unexplained torque %2 Nm</source>
-        <translation type="unfinished"></translation>
+        <translation>条件数 %1，未解释的力矩 %2 Nm</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>无</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2)</translation>
     </message>
     <message numerus="yes">
         <source>95 % interval in brackets; %1, %n sample(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>括号内为 95 % 区间；%1，%n 个样本</numerusform>
         </translation>
     </message>
     <message>
         <source>No stiffness: the skin did not feel where the contact is.</source>
-        <translation type="unfinished"></translation>
+        <translation>无刚度：皮肤未感觉到接触的位置。</translation>
     </message>
     <message>
         <source>%1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，%2</translation>
     </message>
     <message>
         <source>%1 (not certain), %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1（不确定），%2</translation>
     </message>
     <message>
         <source>First torque above the noise at %1 s, estimated %2 ms later; evaluated: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>力矩于 %1 s 首次高于噪声，%2 ms 后得出估计；评估：%3</translation>
     </message>
     <message>
         <source>x, y, z in the frame of the arm&apos;s base; the distance is along the forearm, from the elbow</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂基座坐标系中的 x、y、z；距离自肘部起沿前臂计</translation>
     </message>
     <message>
         <source>The skin did not feel this contact.</source>
-        <translation type="unfinished"></translation>
+        <translation>皮肤未感觉到此接触。</translation>
     </message>
     <message>
         <source>Force at the contact; ? marks what the arm cannot observe in its configuration</source>
-        <translation type="unfinished"></translation>
+        <translation>接触处的力；? 表示机械臂在此构型下不可观测的分量</translation>
     </message>
     <message>
         <source>Condition number of the force: longest over shortest lever; large is bad</source>
-        <translation type="unfinished"></translation>
+        <translation>力的条件数：最长力臂与最短力臂之比；越大越差</translation>
     </message>
     <message>
         <source>Distance of the contact from the elbow, along the forearm</source>
-        <translation type="unfinished"></translation>
+        <translation>接触点自肘部起沿前臂的距离</translation>
     </message>
     <message>
         <source>No.</source>
-        <translation type="unfinished"></translation>
+        <translation>序号</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished"></translation>
+        <translation>时间</translation>
     </message>
     <message>
         <source>Contact x, y, z</source>
-        <translation type="unfinished"></translation>
+        <translation>接触 x、y、z</translation>
     </message>
     <message>
         <source>Along link</source>
-        <translation type="unfinished"></translation>
+        <translation>沿连杆</translation>
     </message>
     <message>
         <source>Force x, y, z</source>
-        <translation type="unfinished"></translation>
+        <translation>力 x、y、z</translation>
     </message>
     <message>
         <source>Stiffness</source>
-        <translation type="unfinished"></translation>
+        <translation>刚度</translation>
     </message>
     <message>
         <source>Material</source>
-        <translation type="unfinished"></translation>
+        <translation>材料</translation>
     </message>
     <message>
         <source>Level</source>
-        <translation type="unfinished"></translation>
+        <translation>等级</translation>
     </message>
     <message>
         <source>Condition</source>
-        <translation type="unfinished"></translation>
+        <translation>条件数</translation>
     </message>
 </context>
 <context>
     <name>teleta::touch::TouchTable</name>
     <message>
         <source>Recent touches</source>
-        <translation type="unfinished"></translation>
+        <translation>最近的触碰</translation>
     </message>
     <message>
         <source>&lt;p&gt;Every touch of the arm with what was found out about it. A ? in the force marks a component that the arm cannot observe in its configuration.&lt;/p&gt;&lt;p&gt;Click a title to sort. Ctrl+C copies the selected rows.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;p&gt;机械臂的每次触碰及由此得到的信息。力中的 ? 表示机械臂在其构型下不可观测的分量。&lt;/p&gt;&lt;p&gt;单击标题可排序。Ctrl+C 复制所选的行。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>No touch yet. Touch an object with the forearm.</source>
-        <translation type="unfinished"></translation>
+        <translation>尚无触碰。请用前臂触碰物体。</translation>
     </message>
     <message>
         <source>touches</source>
-        <translation type="unfinished"></translation>
+        <translation>触碰</translation>
     </message>
     <message>
         <source>&amp;Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>复制(&amp;C)</translation>
     </message>
     <message>
         <source>Select &amp;All</source>
-        <translation type="unfinished"></translation>
+        <translation>全选(&amp;A)</translation>
     </message>
     <message>
         <source>&amp;Newest First</source>
-        <translation type="unfinished"></translation>
+        <translation>最新的在前(&amp;N)</translation>
     </message>
     <message numerus="yes">
         <source>%n touch(es)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 次触碰</numerusform>
         </translation>
     </message>
 </context>
@@ -11999,163 +12015,163 @@ Double-click to type the upper end.</source>
     <name>teleta::view3d::Scene3dView</name>
     <message>
         <source>touch 3-D</source>
-        <translation type="unfinished"></translation>
+        <translation>触碰 3D</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>Flat array</source>
-        <translation type="unfinished"></translation>
+        <translation>平面阵列</translation>
     </message>
     <message>
         <source>Show the array flat, as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>按原样平面显示阵列</translation>
     </message>
     <message>
         <source>Wrapped on the cylinder</source>
-        <translation type="unfinished"></translation>
+        <translation>包裹于圆柱</translation>
     </message>
     <message>
         <source>Wrap the array around the tactile cylinder</source>
-        <translation type="unfinished"></translation>
+        <translation>将阵列包裹在触觉圆柱上</translation>
     </message>
     <message>
         <source>Front</source>
-        <translation type="unfinished"></translation>
+        <translation>前</translation>
     </message>
     <message>
         <source>Look from the front</source>
-        <translation type="unfinished"></translation>
+        <translation>从前方看</translation>
     </message>
     <message>
         <source>Top</source>
-        <translation type="unfinished"></translation>
+        <translation>顶</translation>
     </message>
     <message>
         <source>Look from above</source>
-        <translation type="unfinished"></translation>
+        <translation>从上方看</translation>
     </message>
     <message>
         <source>Side</source>
-        <translation type="unfinished"></translation>
+        <translation>侧</translation>
     </message>
     <message>
         <source>Look from the right</source>
-        <translation type="unfinished"></translation>
+        <translation>从右侧看</translation>
     </message>
     <message>
         <source>Isometric</source>
-        <translation type="unfinished"></translation>
+        <translation>等轴测</translation>
     </message>
     <message>
         <source>Look from a corner</source>
-        <translation type="unfinished"></translation>
+        <translation>从角上看</translation>
     </message>
     <message>
         <source>Show all</source>
-        <translation type="unfinished"></translation>
+        <translation>显示全部</translation>
     </message>
     <message>
         <source>Back to the start: everything from a corner</source>
-        <translation type="unfinished"></translation>
+        <translation>回到初始视角：从角上看全部内容</translation>
     </message>
     <message>
         <source>Follow contact</source>
-        <translation type="unfinished"></translation>
+        <translation>跟随接触</translation>
     </message>
     <message>
         <source>Keep the strongest contact in the middle</source>
-        <translation type="unfinished"></translation>
+        <translation>使最强的接触保持在中央</translation>
     </message>
     <message>
         <source>Orthographic</source>
-        <translation type="unfinished"></translation>
+        <translation>正交</translation>
     </message>
     <message>
         <source>Parallel lines stay parallel: no perspective</source>
-        <translation type="unfinished"></translation>
+        <translation>平行线保持平行：无透视</translation>
     </message>
     <message>
         <source>Grid</source>
-        <translation type="unfinished"></translation>
+        <translation>网格</translation>
     </message>
     <message>
         <source>Show the ground with a grid in millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>显示带毫米网格的地面</translation>
     </message>
     <message>
         <source>Axes</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标轴</translation>
     </message>
     <message>
         <source>Show the axes of the array&apos;s frame</source>
-        <translation type="unfinished"></translation>
+        <translation>显示阵列坐标系的坐标轴</translation>
     </message>
     <message>
         <source>Displacement</source>
-        <translation type="unfinished"></translation>
+        <translation>位移</translation>
     </message>
     <message>
         <source>Show how far each contact moved since it began</source>
-        <translation type="unfinished"></translation>
+        <translation>显示各接触自开始以来移动了多远</translation>
     </message>
     <message>
         <source>Contact labels</source>
-        <translation type="unfinished"></translation>
+        <translation>接触标签</translation>
     </message>
     <message>
         <source>Show number and force at each contact</source>
-        <translation type="unfinished"></translation>
+        <translation>显示各接触的编号和力</translation>
     </message>
     <message>
         <source>Copy picture</source>
-        <translation type="unfinished"></translation>
+        <translation>复制图片</translation>
     </message>
     <message>
         <source>Copy the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>复制此图片</translation>
     </message>
     <message>
         <source>Export geometry…</source>
-        <translation type="unfinished"></translation>
+        <translation>导出几何数据…</translation>
     </message>
     <message>
         <source>Save the scene for other programs: VTP, PLY, STL</source>
-        <translation type="unfinished"></translation>
+        <translation>为其他程序保存场景：VTP、PLY、STL</translation>
     </message>
     <message>
         <source>3-D view</source>
-        <translation type="unfinished"></translation>
+        <translation>3D 视图</translation>
     </message>
     <message>
         <source>Touch in 3-D</source>
-        <translation type="unfinished"></translation>
+        <translation>三维触碰</translation>
     </message>
     <message>
         <source>The tactile array with its loads as heights and colours, contacts with force arrows, the arm and the explored contour. Drag with the left button to turn, with the middle button to move, turn the wheel to zoom.</source>
-        <translation type="unfinished"></translation>
+        <translation>触觉阵列，以高度和颜色表示载荷，以及带力箭头的接触、机械臂和已探索的轮廓。按住左键拖动可旋转，按住中键拖动可平移，滚轮缩放。</translation>
     </message>
     <message>
         <source>No touch to show yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>尚无可显示的触碰。</translation>
     </message>
     <message>
         <source>Export geometry (in mm)</source>
-        <translation type="unfinished"></translation>
+        <translation>导出几何数据（单位 mm）</translation>
     </message>
     <message>
         <source>VTK, with colours and lines (*.vtp)</source>
-        <translation type="unfinished"></translation>
+        <translation>VTK，含颜色和线条 (*.vtp)</translation>
     </message>
     <message>
         <source>Triangles with colours (*.ply)</source>
-        <translation type="unfinished"></translation>
+        <translation>带颜色的三角面 (*.ply)</translation>
     </message>
     <message>
         <source>Triangles (*.stl)</source>
-        <translation type="unfinished"></translation>
+        <translation>三角面 (*.stl)</translation>
     </message>
 </context>
 <context>
@@ -12163,46 +12179,47 @@ Double-click to type the upper end.</source>
     <message>
         <source>No 3-D view here. %1
 All other views work without it.</source>
-        <translation type="unfinished"></translation>
+        <translation>此处没有 3D 视图。%1
+所有其他视图不受影响。</translation>
     </message>
 </context>
 <context>
     <name>view3d</name>
     <message>
         <source>This is no geometry format that can be written.</source>
-        <translation type="unfinished"></translation>
+        <translation>这不是可写出的几何数据格式。</translation>
     </message>
     <message>
         <source>a file name that ends in .vtp, .ply or .stl</source>
-        <translation type="unfinished"></translation>
+        <translation>以 .vtp、.ply 或 .stl 结尾的文件名</translation>
     </message>
     <message>
         <source>The scene is empty: there is nothing to write.</source>
-        <translation type="unfinished"></translation>
+        <translation>场景为空：没有可写出的内容。</translation>
     </message>
     <message>
         <source>nothing was written</source>
-        <translation type="unfinished"></translation>
+        <translation>未写出任何内容</translation>
     </message>
     <message>
         <source>The geometry could not be written: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>无法写出几何数据：%1</translation>
     </message>
     <message>
         <source>The display platform &quot;%1&quot; has no OpenGL widgets.</source>
-        <translation type="unfinished"></translation>
+        <translation>显示平台“%1”不支持 OpenGL 部件。</translation>
     </message>
     <message>
         <source>This display offers no OpenGL %1.%2 or newer.</source>
-        <translation type="unfinished"></translation>
+        <translation>此显示器不提供 OpenGL %1.%2 或更新版本。</translation>
     </message>
     <message>
         <source>This display refused an OpenGL context.</source>
-        <translation type="unfinished"></translation>
+        <translation>此显示器拒绝了 OpenGL 上下文。</translation>
     </message>
     <message>
         <source>The OpenGL driver of this display does not work with VTK.</source>
-        <translation type="unfinished"></translation>
+        <translation>此显示器的 OpenGL 驱动程序无法与 VTK 配合工作。</translation>
     </message>
 </context>
 </TS>
