@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>ContourPicture</name>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation>
+            <numerusform>%n point</numerusform>
+            <numerusform>%n points</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ExportCommand</name>
     <message numerus="yes">
         <source>%n row(s)</source>
@@ -15,6 +25,16 @@
         <translation>
             <numerusform>%n damaged block left out</numerusform>
             <numerusform>%n damaged blocks left out</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>GaugeTexts</name>
+    <message numerus="yes">
+        <source>%n sample(s)</source>
+        <translation>
+            <numerusform>%n sample</numerusform>
+            <numerusform>%n samples</numerusform>
         </translation>
     </message>
 </context>
@@ -39,6 +59,61 @@
         <translation>
             <numerusform>%n frame was not printed</numerusform>
             <numerusform>%n frames were not printed</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>StudyScenes</name>
+    <message numerus="yes">
+        <source>%1: %n pattern(s); %2</source>
+        <comment>task; conditions</comment>
+        <translation>
+            <numerusform>%1: %n pattern; %2</numerusform>
+            <numerusform>%1: %n patterns; %2</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>TradeoffCommand</name>
+    <message numerus="yes">
+        <source>the machine was too busy: the times of %n rung(s) were refused</source>
+        <translation>
+            <numerusform>the machine was too busy: the times of %n rung were refused</numerusform>
+            <numerusform>the machine was too busy: the times of %n rungs were refused</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>teleta::camera::StageBar</name>
+    <message numerus="yes">
+        <source>%n passed over</source>
+        <translation>
+            <numerusform>%n passed over</numerusform>
+            <numerusform>%n passed over</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unusable</source>
+        <translation>
+            <numerusform>%n unusable</numerusform>
+            <numerusform>%n unusable</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>teleta::chrome::MessageBar</name>
+    <message numerus="yes">
+        <source>%n older message(s)</source>
+        <translation>
+            <numerusform>%n older message</numerusform>
+            <numerusform>%n older messages</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>since %1, %n times</source>
+        <translation>
+            <numerusform>since %1, %n time</numerusform>
+            <numerusform>since %1, %n times</numerusform>
         </translation>
     </message>
 </context>
@@ -70,54 +145,6 @@
         <translation>
             <numerusform>%1 of %n pair kept; </numerusform>
             <numerusform>%1 of %n pairs kept; </numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>ContourPicture</name>
-    <message numerus="yes">
-        <source>%n point(s)</source>
-        <translation>
-            <numerusform>%n point</numerusform>
-            <numerusform>%n points</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>GaugeTexts</name>
-    <message numerus="yes">
-        <source>%n sample(s)</source>
-        <translation>
-            <numerusform>%n sample</numerusform>
-            <numerusform>%n samples</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>StudyScenes</name>
-    <message numerus="yes">
-        <source>%1: %n pattern(s); %2</source>
-        <comment>task; conditions</comment>
-        <translation>
-            <numerusform>%1: %n pattern; %2</numerusform>
-            <numerusform>%1: %n patterns; %2</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>teleta::chrome::MessageBar</name>
-    <message numerus="yes">
-        <source>%n older message(s)</source>
-        <translation>
-            <numerusform>%n older message</numerusform>
-            <numerusform>%n older messages</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>since %1, %n times</source>
-        <translation>
-            <numerusform>since %1, %n time</numerusform>
-            <numerusform>since %1, %n times</numerusform>
         </translation>
     </message>
 </context>
@@ -159,6 +186,16 @@
     </message>
 </context>
 <context>
+    <name>teleta::studyview::ParticipantPicker</name>
+    <message numerus="yes">
+        <source>%n participant(s)</source>
+        <translation>
+            <numerusform>%n participant</numerusform>
+            <numerusform>%n participants</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>teleta::tactile::ChannelSettingsPanel</name>
     <message numerus="yes">
         <source>Tared, %n taxel(s) without a reading</source>
@@ -185,43 +222,6 @@
         <translation>
             <numerusform>%n touch</numerusform>
             <numerusform>%n touches</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>teleta::camera::StageBar</name>
-    <message numerus="yes">
-        <source>%n passed over</source>
-        <translation>
-            <numerusform>%n passed over</numerusform>
-            <numerusform>%n passed over</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n unusable</source>
-        <translation>
-            <numerusform>%n unusable</numerusform>
-            <numerusform>%n unusable</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>TradeoffCommand</name>
-    <message numerus="yes">
-        <source>the machine was too busy: the times of %n rung(s) were refused</source>
-        <translation>
-            <numerusform>the machine was too busy: the times of %n rung were refused</numerusform>
-            <numerusform>the machine was too busy: the times of %n rungs were refused</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>teleta::studyview::ParticipantPicker</name>
-    <message numerus="yes">
-        <source>%n participant(s)</source>
-        <translation>
-            <numerusform>%n participant</numerusform>
-            <numerusform>%n participants</numerusform>
         </translation>
     </message>
 </context>

@@ -332,6 +332,14 @@
         <source>No bracelet: this rehearsal runs too fast to be played</source>
         <translation>ブレスレットなし: このリハーサルは速すぎるため再生できません</translation>
     </message>
+    <message>
+        <source>the bracelet does not answer</source>
+        <translation>ブレスレットが応答しません</translation>
+    </message>
+    <message>
+        <source>the bracelet did not confirm that it got the stimulus</source>
+        <translation>ブレスレットが刺激の受信を確認しませんでした</translation>
+    </message>
 </context>
 <context>
     <name>CalibrateCommand</name>
@@ -2263,6 +2271,10 @@ Examples:
         <source>the profile is of the bracelet &quot;%1&quot;</source>
         <translation>プロファイルはブレスレット「%1」のものです</translation>
     </message>
+    <message>
+        <source>the limits are of the bracelet &quot;%1&quot;</source>
+        <translation>この上限はブレスレット「%1」のものです</translation>
+    </message>
 </context>
 <context>
     <name>MotorFit</name>
@@ -3024,6 +3036,10 @@ x %4, y %5
     <message>
         <source>Let the pattern last %1 s.</source>
         <translation>パターンの長さを%1 sにしてください。</translation>
+    </message>
+    <message>
+        <source>Make motor %1 weaker there, by %2 %, so that they are %3 Hz apart.</source>
+        <translation>そこでモーター %1 を %2 % 弱くして、互いに %3 Hz 離します。</translation>
     </message>
 </context>
 <context>
@@ -4425,6 +4441,14 @@ x %4, y %5
     <message>
         <source>%1 cannot be &quot;%2&quot;</source>
         <translation>%1 を「%2」にはできません</translation>
+    </message>
+    <message>
+        <source>%1 has trials in %2 too: these may be two people, or the same trials twice</source>
+        <translation>%1 の試行は %2 にもあります: 別の二人か、同じ試行が二度あるのかもしれません</translation>
+    </message>
+    <message>
+        <source>each participant in one study, under a name of their own</source>
+        <translation>参加者ごとに一つの実験、固有の名前</translation>
     </message>
 </context>
 <context>
@@ -5988,6 +6012,26 @@ x %4, y %5
         <source>cannot remove the file: %1</source>
         <translation>ファイルを削除できません: %1</translation>
     </message>
+    <message>
+        <source>the program that ran this study was interrupted, and its last trials are in %1, which can only be read where something can be written</source>
+        <translation>この実験を実行していたプログラムは中断され、最後の試行は %1 にあります。書き込める場所でのみ読めます</translation>
+    </message>
+    <message>
+        <source>a copy of the whole folder in a place that can be written</source>
+        <translation>書き込める場所へのフォルダ全体のコピー</translation>
+    </message>
+    <message>
+        <source>cannot read the study: %1</source>
+        <translation>実験を読み込めません: %1</translation>
+    </message>
+    <message>
+        <source>an older program made this study, and it cannot be brought up to date here</source>
+        <translation>この実験は古いプログラムで作られ、ここでは更新できません</translation>
+    </message>
+    <message>
+        <source>it cannot be written here, only be looked at</source>
+        <translation>ここでは書き込めません。見ることだけができます</translation>
+    </message>
 </context>
 <context>
     <name>StudyTrialSource</name>
@@ -6027,6 +6071,18 @@ x %4, y %5
         <source>interrupted</source>
         <translation>中断されました</translation>
     </message>
+    <message>
+        <source>a whole number from 1 on</source>
+        <translation>1 以上の整数</translation>
+    </message>
+    <message>
+        <source>trial %1 of session %2 of %3 was counted before</source>
+        <translation>%3 のセッション %2 の試行 %1 はすでに数えられています</translation>
+    </message>
+    <message>
+        <source>each trial once</source>
+        <translation>各試行は一度だけ</translation>
+    </message>
 </context>
 <context>
     <name>StudyWatermark</name>
@@ -6037,6 +6093,13 @@ x %4, y %5
     <message>
         <source>SIMULATED</source>
         <translation>シミュレーション</translation>
+    </message>
+</context>
+<context>
+    <name>StudyWriting</name>
+    <message>
+        <source>Results of the study</source>
+        <translation>実験の結果</translation>
     </message>
 </context>
 <context>
@@ -6537,6 +6600,10 @@ x %4, y %5
         <source>the folder cannot be made</source>
         <translation>フォルダーを作成できません</translation>
     </message>
+    <message>
+        <source>Calls of a few microseconds are timed together; their 99 % is one of means.</source>
+        <translation>数マイクロ秒の呼び出しはまとめて計測され、その 99 % は平均値のものです。</translation>
+    </message>
 </context>
 <context>
     <name>TrialLines</name>
@@ -6884,6 +6951,45 @@ x %4, y %5
     <message>
         <source>Motor %1 at %2°: %3 %</source>
         <translation>モーター%1 (%2°): %3 %</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::bracelet::StrengthPanel</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>to %1 %</source>
+        <translation>%1 % まで</translation>
+    </message>
+    <message>
+        <source>Stron&amp;gest</source>
+        <translation>最強(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Strongest, all motors</source>
+        <translation>最強、全モーター</translation>
+    </message>
+    <message>
+        <source>Each motor</source>
+        <translation>モーターごと</translation>
+    </message>
+    <message>
+        <source>How strong the motors may be at most, whatever is played, held or felt on this bracelet. It is kept for the bracelet.</source>
+        <translation>再生・保持・触感のいずれでも、このブレスレットのモーターの強さの上限です。ブレスレットごとに保存されます。</translation>
+    </message>
+    <message>
+        <source>A limit for each motor</source>
+        <translation>モーターごとの上限</translation>
+    </message>
+    <message>
+        <source>Motor &amp;%1</source>
+        <translation>モーター(&amp;%1)</translation>
+    </message>
+    <message>
+        <source>Strongest, motor %1</source>
+        <translation>最強、モーター %1</translation>
     </message>
 </context>
 <context>
@@ -8147,6 +8253,10 @@ x %4, y %5
         <source>not calibrated: the motors are assumed</source>
         <translation>未キャリブレーション: モーターは仮定値です</translation>
     </message>
+    <message>
+        <source>The bracelet does not answer.</source>
+        <translation>ブレスレットが応答しません。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::CalibratePage</name>
@@ -9250,6 +9360,13 @@ x %4, y %5
     </message>
 </context>
 <context>
+    <name>teleta::console::PatternPlayback</name>
+    <message>
+        <source>What plays is only shown, not felt.</source>
+        <translation>再生中のものは表示だけで、感じられません。</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::PatternsPage</name>
     <message>
         <source>The edits that are not saved could not be kept aside: a crash would lose them.</source>
@@ -9343,6 +9460,10 @@ x %4, y %5
     <message>
         <source>tact (*.tact)</source>
         <translation>tact (*.tact)</translation>
+    </message>
+    <message>
+        <source>How strong the bracelet may be could not be read or kept: look at the slider Strongest.</source>
+        <translation>ブレスレットの強さの上限を読み込みまたは保存できませんでした: スライダ「最強」を確認してください。</translation>
     </message>
 </context>
 <context>
@@ -9757,13 +9878,49 @@ x %4, y %5
         <source>The note is safe in the study, but could not be exported.</source>
         <translation>メモは実験に安全に保存されていますが、エクスポートできませんでした。</translation>
     </message>
+    <message>
+        <source>The export failed.</source>
+        <translation>エクスポートに失敗しました。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::StudyLeaving</name>
+    <message>
+        <source>Study</source>
+        <translation>実験</translation>
+    </message>
+    <message>
+        <source>The last answer is not kept: %1</source>
+        <translation>最後の回答は保存されていません: %1</translation>
+    </message>
+    <message>
+        <source>It is only in the memory of this program. The session ends with it.</source>
+        <translation>このプログラムのメモリにだけあります。セッションはそれとともに終わります。</translation>
+    </message>
+    <message>
+        <source>&amp;Try again</source>
+        <translation>再試行(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Lose it</source>
+        <translation>破棄(&amp;L)</translation>
+    </message>
+    <message>
+        <source>The session of %1 is going on.</source>
+        <comment>a participant</comment>
+        <translation>%1 のセッションが進行中です。</translation>
+    </message>
+    <message>
+        <source>What was answered is kept, and the session can be gone on with later.</source>
+        <translation>回答済みのものは保存されており、セッションは後で続けられます。</translation>
+    </message>
+    <message>
+        <source>&amp;End the session</source>
+        <translation>セッションを終了(&amp;E)</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::StudyPage</name>
-    <message>
-        <source>Results of the study</source>
-        <translation>実験の結果</translation>
-    </message>
     <message>
         <source>No study</source>
         <translation>実験なし</translation>
@@ -9878,10 +10035,6 @@ x %4, y %5
         <translation>書き込みました: %1</translation>
     </message>
     <message>
-        <source>The export failed.</source>
-        <translation>エクスポートに失敗しました。</translation>
-    </message>
-    <message>
         <source>Session</source>
         <translation>セッション</translation>
     </message>
@@ -9916,6 +10069,14 @@ x %4, y %5
     <message>
         <source>How fast simulated participants are; it can be changed between sessions</source>
         <translation>シミュレーション参加者の速さ。セッションの合間に変更できます</translation>
+    </message>
+    <message>
+        <source>This study can only be looked at: nothing can be written here.</source>
+        <translation>この実験は見ることだけができます: ここには何も書き込めません。</translation>
+    </message>
+    <message>
+        <source>Copy its whole folder to go on with it.</source>
+        <translation>続けるにはフォルダ全体をコピーしてください。</translation>
     </message>
 </context>
 <context>
@@ -10346,6 +10507,14 @@ x %4, y %5
     <message>
         <source>not saved</source>
         <translation>未保存</translation>
+    </message>
+    <message>
+        <source>left arm</source>
+        <translation>左腕</translation>
+    </message>
+    <message>
+        <source>right arm</source>
+        <translation>右腕</translation>
     </message>
 </context>
 <context>

@@ -332,6 +332,14 @@
         <source>No bracelet: this rehearsal runs too fast to be played</source>
         <translation>没有手环：此次预演速度过快，无法播放</translation>
     </message>
+    <message>
+        <source>the bracelet does not answer</source>
+        <translation>手环没有响应</translation>
+    </message>
+    <message>
+        <source>the bracelet did not confirm that it got the stimulus</source>
+        <translation>手环没有确认收到刺激</translation>
+    </message>
 </context>
 <context>
     <name>CalibrateCommand</name>
@@ -2263,6 +2271,10 @@ Examples:
         <source>the profile is of the bracelet &quot;%1&quot;</source>
         <translation>该配置属于手环“%1”</translation>
     </message>
+    <message>
+        <source>the limits are of the bracelet &quot;%1&quot;</source>
+        <translation>这些上限属于手环“%1”</translation>
+    </message>
 </context>
 <context>
     <name>MotorFit</name>
@@ -3024,6 +3036,10 @@ x %4，y %5
     <message>
         <source>Let the pattern last %1 s.</source>
         <translation>将图案时长设为 %1 s。</translation>
+    </message>
+    <message>
+        <source>Make motor %1 weaker there, by %2 %, so that they are %3 Hz apart.</source>
+        <translation>在那里把电机 %1 减弱 %2 %，使两者相差 %3 Hz。</translation>
     </message>
 </context>
 <context>
@@ -4425,6 +4441,14 @@ x %4，y %5
     <message>
         <source>%1 cannot be &quot;%2&quot;</source>
         <translation>%1 不能为“%2”</translation>
+    </message>
+    <message>
+        <source>%1 has trials in %2 too: these may be two people, or the same trials twice</source>
+        <translation>%1 在 %2 中也有试次：可能是两个人，或者是相同试次的两份</translation>
+    </message>
+    <message>
+        <source>each participant in one study, under a name of their own</source>
+        <translation>每名被试只在一个研究中，并使用自己的名称</translation>
     </message>
 </context>
 <context>
@@ -5988,6 +6012,26 @@ x %4，y %5
         <source>cannot remove the file: %1</source>
         <translation>无法删除文件：%1</translation>
     </message>
+    <message>
+        <source>the program that ran this study was interrupted, and its last trials are in %1, which can only be read where something can be written</source>
+        <translation>运行此研究的程序被中断，其最后的试次在 %1 中，只能在可写入的位置读取</translation>
+    </message>
+    <message>
+        <source>a copy of the whole folder in a place that can be written</source>
+        <translation>整个文件夹在可写位置的副本</translation>
+    </message>
+    <message>
+        <source>cannot read the study: %1</source>
+        <translation>无法读取研究：%1</translation>
+    </message>
+    <message>
+        <source>an older program made this study, and it cannot be brought up to date here</source>
+        <translation>此研究由较旧的程序创建，无法在此处升级</translation>
+    </message>
+    <message>
+        <source>it cannot be written here, only be looked at</source>
+        <translation>此处不能写入，只能查看</translation>
+    </message>
 </context>
 <context>
     <name>StudyTrialSource</name>
@@ -6027,6 +6071,18 @@ x %4，y %5
         <source>interrupted</source>
         <translation>已中断</translation>
     </message>
+    <message>
+        <source>a whole number from 1 on</source>
+        <translation>从 1 开始的整数</translation>
+    </message>
+    <message>
+        <source>trial %1 of session %2 of %3 was counted before</source>
+        <translation>%3 的场次 %2 的试次 %1 之前已计入</translation>
+    </message>
+    <message>
+        <source>each trial once</source>
+        <translation>每个试次一次</translation>
+    </message>
 </context>
 <context>
     <name>StudyWatermark</name>
@@ -6037,6 +6093,13 @@ x %4，y %5
     <message>
         <source>SIMULATED</source>
         <translation>模拟</translation>
+    </message>
+</context>
+<context>
+    <name>StudyWriting</name>
+    <message>
+        <source>Results of the study</source>
+        <translation>研究结果</translation>
     </message>
 </context>
 <context>
@@ -6537,6 +6600,10 @@ x %4，y %5
         <source>the folder cannot be made</source>
         <translation>无法创建文件夹</translation>
     </message>
+    <message>
+        <source>Calls of a few microseconds are timed together; their 99 % is one of means.</source>
+        <translation>几微秒的调用会合在一起计时，其 99 % 是均值的 99 %。</translation>
+    </message>
 </context>
 <context>
     <name>TrialLines</name>
@@ -6884,6 +6951,45 @@ x %4，y %5
     <message>
         <source>Motor %1 at %2°: %3 %</source>
         <translation>电机 %1，位于 %2°：%3 %</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::bracelet::StrengthPanel</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>to %1 %</source>
+        <translation>至 %1 %</translation>
+    </message>
+    <message>
+        <source>Stron&amp;gest</source>
+        <translation>最强(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Strongest, all motors</source>
+        <translation>最强，所有电机</translation>
+    </message>
+    <message>
+        <source>Each motor</source>
+        <translation>每个电机</translation>
+    </message>
+    <message>
+        <source>How strong the motors may be at most, whatever is played, held or felt on this bracelet. It is kept for the bracelet.</source>
+        <translation>无论播放、保持还是感受什么，此手环上电机的强度上限。它按手环保存。</translation>
+    </message>
+    <message>
+        <source>A limit for each motor</source>
+        <translation>每个电机的上限</translation>
+    </message>
+    <message>
+        <source>Motor &amp;%1</source>
+        <translation>电机(&amp;%1)</translation>
+    </message>
+    <message>
+        <source>Strongest, motor %1</source>
+        <translation>最强，电机 %1</translation>
     </message>
 </context>
 <context>
@@ -8147,6 +8253,10 @@ x %4，y %5
         <source>not calibrated: the motors are assumed</source>
         <translation>未标定：电机采用假定值</translation>
     </message>
+    <message>
+        <source>The bracelet does not answer.</source>
+        <translation>手环没有响应。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::CalibratePage</name>
@@ -9250,6 +9360,13 @@ x %4，y %5
     </message>
 </context>
 <context>
+    <name>teleta::console::PatternPlayback</name>
+    <message>
+        <source>What plays is only shown, not felt.</source>
+        <translation>播放的内容只会显示，不会被感受到。</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::PatternsPage</name>
     <message>
         <source>The edits that are not saved could not be kept aside: a crash would lose them.</source>
@@ -9343,6 +9460,10 @@ x %4，y %5
     <message>
         <source>tact (*.tact)</source>
         <translation>tact (*.tact)</translation>
+    </message>
+    <message>
+        <source>How strong the bracelet may be could not be read or kept: look at the slider Strongest.</source>
+        <translation>无法读取或保存手环的强度上限：请查看滑块“最强”。</translation>
     </message>
 </context>
 <context>
@@ -9757,13 +9878,49 @@ x %4，y %5
         <source>The note is safe in the study, but could not be exported.</source>
         <translation>备注已安全存于研究中，但无法导出。</translation>
     </message>
+    <message>
+        <source>The export failed.</source>
+        <translation>导出失败。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::StudyLeaving</name>
+    <message>
+        <source>Study</source>
+        <translation>研究</translation>
+    </message>
+    <message>
+        <source>The last answer is not kept: %1</source>
+        <translation>最后的回答未保存：%1</translation>
+    </message>
+    <message>
+        <source>It is only in the memory of this program. The session ends with it.</source>
+        <translation>它只在本程序的内存中，场次结束时将随之丢失。</translation>
+    </message>
+    <message>
+        <source>&amp;Try again</source>
+        <translation>重试(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Lose it</source>
+        <translation>丢弃(&amp;L)</translation>
+    </message>
+    <message>
+        <source>The session of %1 is going on.</source>
+        <comment>a participant</comment>
+        <translation>%1 的场次正在进行。</translation>
+    </message>
+    <message>
+        <source>What was answered is kept, and the session can be gone on with later.</source>
+        <translation>已回答的内容已保存，场次可以稍后继续。</translation>
+    </message>
+    <message>
+        <source>&amp;End the session</source>
+        <translation>结束场次(&amp;E)</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::StudyPage</name>
-    <message>
-        <source>Results of the study</source>
-        <translation>研究结果</translation>
-    </message>
     <message>
         <source>No study</source>
         <translation>无研究</translation>
@@ -9878,10 +10035,6 @@ x %4，y %5
         <translation>已写入：%1</translation>
     </message>
     <message>
-        <source>The export failed.</source>
-        <translation>导出失败。</translation>
-    </message>
-    <message>
         <source>Session</source>
         <translation>场次</translation>
     </message>
@@ -9916,6 +10069,14 @@ x %4，y %5
     <message>
         <source>How fast simulated participants are; it can be changed between sessions</source>
         <translation>模拟被试的速度；可在场次之间更改</translation>
+    </message>
+    <message>
+        <source>This study can only be looked at: nothing can be written here.</source>
+        <translation>此研究只能查看：此处不能写入任何内容。</translation>
+    </message>
+    <message>
+        <source>Copy its whole folder to go on with it.</source>
+        <translation>要继续，请复制其整个文件夹。</translation>
     </message>
 </context>
 <context>
@@ -10346,6 +10507,14 @@ x %4，y %5
     <message>
         <source>not saved</source>
         <translation>未保存</translation>
+    </message>
+    <message>
+        <source>left arm</source>
+        <translation>左臂</translation>
+    </message>
+    <message>
+        <source>right arm</source>
+        <translation>右臂</translation>
     </message>
 </context>
 <context>
