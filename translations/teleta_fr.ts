@@ -2156,6 +2156,17 @@ Exemples&#xa0;:
     </message>
 </context>
 <context>
+    <name>LanguageMenu</name>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>&amp;Langue</translation>
+    </message>
+    <message>
+        <source>As the &amp;desktop</source>
+        <translation>Comme le &amp;bureau</translation>
+    </message>
+</context>
+<context>
     <name>LocateCommand</name>
     <message>
         <source>Points on the tactile cylinder that pixels of its camera show</source>
@@ -8925,10 +8936,6 @@ Aire %6</translation>
         <translation>&amp;Sombre</translation>
     </message>
     <message>
-        <source>As the &amp;desktop</source>
-        <translation>Comme le &amp;bureau</translation>
-    </message>
-    <message>
         <source>&amp;Full screen</source>
         <translation>&amp;Plein écran</translation>
     </message>
@@ -9019,6 +9026,10 @@ Aire %6</translation>
     <message>
         <source>static</source>
         <translation>statique</translation>
+    </message>
+    <message>
+        <source>As the de&amp;sktop</source>
+        <translation>Comme le b&amp;ureau</translation>
     </message>
 </context>
 <context>

@@ -2152,6 +2152,17 @@ Examples:
     </message>
 </context>
 <context>
+    <name>LanguageMenu</name>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>语言(&amp;G)</translation>
+    </message>
+    <message>
+        <source>As the &amp;desktop</source>
+        <translation>跟随桌面(&amp;D)</translation>
+    </message>
+</context>
+<context>
     <name>LocateCommand</name>
     <message>
         <source>Points on the tactile cylinder that pixels of its camera show</source>
@@ -8908,10 +8919,6 @@ x %4，y %5
         <translation>深色(&amp;D)</translation>
     </message>
     <message>
-        <source>As the &amp;desktop</source>
-        <translation>跟随桌面(&amp;D)</translation>
-    </message>
-    <message>
         <source>&amp;Full screen</source>
         <translation>全屏(&amp;F)</translation>
     </message>
@@ -9002,6 +9009,10 @@ x %4，y %5
     <message>
         <source>static</source>
         <translation>静态</translation>
+    </message>
+    <message>
+        <source>As the de&amp;sktop</source>
+        <translation>跟随桌面(&amp;S)</translation>
     </message>
 </context>
 <context>

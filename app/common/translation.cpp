@@ -44,4 +44,18 @@ QLocale installTranslator(QCoreApplication& application, const QLocale& locale) 
     return installed;
 }
 
+QLocale installedLocale(const QCoreApplication& application) {
+    // The program's own texts were installed after those of Qt.
+    const QList<QTranslator*> translators =
+        application.findChildren<QTranslator*>(kOwner, Qt::FindDirectChildrenOnly);
+    return translators.isEmpty() ? QLocale(QLocale::English) : QLocale(translators.back()->language());
+}
+
+QLocale availableLocale(const QLocale& locale) {
+    QTranslator texts;
+    return texts.load(locale, QStringLiteral("teleta"), QStringLiteral("_"), QStringLiteral(":/i18n"))
+               ? QLocale(texts.language())
+               : QLocale(QLocale::English);
+}
+
 } // namespace teleta::app

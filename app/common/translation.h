@@ -16,4 +16,10 @@ namespace teleta::app {
 /// gets English. Returns the locale whose texts are installed. Thread: the application's.
 QLocale installTranslator(QCoreApplication& application, const QLocale& locale);
 
+/// The one whose texts are installed; English without any. Thread: the application's.
+[[nodiscard]] QLocale installedLocale(const QCoreApplication& application);
+
+/// The locale of which texts are shown where this one is asked for: itself, or English. Thread: any.
+[[nodiscard]] QLocale availableLocale(const QLocale& locale);
+
 } // namespace teleta::app

@@ -9,6 +9,7 @@
 #include "app/console/bracelet/hand_station.h"
 #include "app/console/calibrate/calibrate_page.h"
 #include "app/console/cost/cost_page.h"
+#include "app/console/language_menu.h"
 #include "app/console/operate/arm_views.h"
 #include "app/console/operate/camera_dialog.h"
 #include "app/console/operate/demo_scenes.h"
@@ -432,7 +433,8 @@ void MainWindow::buildMenus() {
     };
     addTheme(tr("&Light"), QStringLiteral("light"));
     addTheme(tr("&Dark"), QStringLiteral("dark"));
-    addTheme(tr("As the &desktop"), QStringLiteral("system"));
+    addTheme(tr("As the de&sktop"), QStringLiteral("system"));
+    addLanguageMenu(*view, m_settings);
     view->addSeparator();
     view->addAction(tr("&Full screen"), QKeySequence::FullScreen, this,
                     [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });

@@ -85,7 +85,6 @@ void PageRail::addPage(const QString& name, base::Icon icon, const QString& titl
     setTitle(name, title, toolTip);
     if (number == 1)
         button->setChecked(true);
-    restyle();
 }
 
 void PageRail::setTitle(const QString& name, const QString& title, const QString& toolTip) {
@@ -98,6 +97,7 @@ void PageRail::setTitle(const QString& name, const QString& title, const QString
     found->button->setAccessibleName(title);
     found->button->setToolTip(
         tr("%1 (Ctrl+%2)", "tool tip of a page and its shortcut").arg(toolTip).arg(number));
+    restyle();
 }
 
 void PageRail::setCurrentPage(const QString& name) {
@@ -122,7 +122,11 @@ void PageRail::changeEvent(QEvent* event) {
 }
 
 void PageRail::restyle() {
-    const int width = base::em(this, kWidth_em);
+    // As wide as the longest title needs, in any language.
+    int width = base::em(this, kWidth_em);
+    for (const Page& page : m_pages)
+        width = std::max(width, QFontMetrics(page.button->font()).horizontalAdvance(page.button->text()) +
+                                    base::grid(this, 2));
     setFixedWidth(width);
     for (const Page& page : m_pages) {
         page.button->setIcon(base::themeIcon(page.icon));

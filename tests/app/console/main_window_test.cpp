@@ -12,6 +12,8 @@
 #include <QDialog>
 #include <QDockWidget>
 #include <QFile>
+#include <QMenu>
+#include <QMenuBar>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
@@ -79,6 +81,23 @@ class MainWindowTest : public QObject {
     }
 
 private slots:
+    void theLanguageIsChosenWhileItRuns() {
+        openWindow();
+        const auto choose = [this](const QString& name) {
+            const auto* menu = m_window->findChild<QMenu*>("languages");
+            for (QAction* action : menu->actions())
+                if (action->text() == name)
+                    action->trigger();
+        };
+        const auto firstMenu = [this] { return m_window->menuBar()->actions().front()->text(); };
+        choose(QStringLiteral("Fran\u00e7ais"));
+        QTRY_COMPARE(firstMenu(), QStringLiteral("&Fichier"));
+        for (const QAction* action : m_window->findChild<QMenu*>("languages")->actions())
+            QCOMPARE(action->isChecked(), action->text() == QStringLiteral("Fran\u00e7ais"));
+        choose(QStringLiteral("English"));
+        QTRY_COMPARE(firstMenu(), QStringLiteral("&File"));
+    }
+
     void initTestCase() { base::applyTheme(base::ThemeChoice::light); }
     void cleanup() { m_window.reset(); }
 

@@ -26,6 +26,15 @@ private slots:
 
     void startsWithTheFirstPage() { QCOMPARE(m_rail->currentPage(), QString("operate")); }
 
+    void isAsWideAsItsLongestTitle() {
+        const int usual = m_rail->width();
+        const QString title = QStringLiteral("Calibration of everything");
+        m_rail->setTitle("patterns", title, "What the bracelet plays");
+        QVERIFY(m_rail->width() > m_rail->fontMetrics().horizontalAdvance(title));
+        m_rail->setTitle("patterns", "Patterns", "What the bracelet plays");
+        QCOMPARE(m_rail->width(), usual);
+    }
+
     void asksForThePageThatIsClicked() {
         QSignalSpy requests(m_rail, &PageRail::pageRequested);
         QTest::mouseClick(m_rail->findChildren<QToolButton*>().at(1), Qt::LeftButton);
