@@ -131,6 +131,8 @@ private:
         const double look_s = length_s / looks;
         const auto end = [&](std::size_t i) {
             const Passing passing = std::exchange(passings[i], {});
+            if (passing.looks == 0)
+                return;
             const double dwell_s = passing.looks * look_s;
             const double rise_s = m_motors[i].riseTime_s;
             // A motor at the brim of the way is hardly felt anyway.
