@@ -3,7 +3,6 @@
 
 #include "app/console/study/stimulus_output.h"
 #include "backend/core/stop_switch.h"
-#include "backend/study/confusion_matrix.h"
 #include "backend/study/session.h"
 
 #include <QObject>
@@ -75,7 +74,6 @@ public:
     [[nodiscard]] const QString& reason() const { return m_reason; }
     /// Results of this session in their order, those that were kept before too.
     [[nodiscard]] const std::vector<study::TrialResult>& results() const { return m_results; }
-    /// Completed trials of a phase.
     /// The next step is the experimenter's, not the participant's.
     [[nodiscard]] bool waitsForExperimenter() const { return m_hold != Hold::none; }
 
