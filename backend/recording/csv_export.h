@@ -27,11 +27,12 @@ struct ExportOptions {
 
 /// Writes each stream as NAME.csv into a folder, which is made when it is missing, and events.csv. Names that
 /// would be the same get numbers. Times are since the start of the recording, from the steady clock.
-///   array      time_s,t0,t1,...                                as `teleta features` reads them
-///   joints     time_s,joint_angle_rad,joint_torque_nm,q1,...   the elbow first, as `teleta stiffness` reads
-///   it features   time_s,contact_type,force_n,...                 as `teleta features` writes them camera
-///   time_s,frame_time_s,width_px,height_px          the pictures' times others     time_s and the stream's
-///   own columns; NA where there is no value events     time_s,utc,event,text,value
+/// - array: time_s,t0,t1,... as `teleta features` reads them
+/// - joints: time_s,joint_angle_rad,joint_torque_nm,q1,... the elbow first, as `teleta stiffness` reads it
+/// - features: time_s,contact_type,force_n,... as `teleta features` writes them
+/// - camera: time_s,frame_time_s,width_px,height_px, the pictures' times
+/// - others: time_s and the stream's own columns; NA where there is no value
+/// - events: time_s,utc,event,text,value
 /// Damaged blocks are left out and counted. Files appear when they are complete. An export that goOn
 /// ended has the rows so far of the stream at hand, no files of those after it, and the events.
 /// Error: ioFailed; refused when there is a file already, and then nothing is written.
