@@ -62,6 +62,8 @@ bool ServoMeasures::add(const simulation::ServoLoop& loop) {
     }
     if (m_massMoves_s && m_now_s >= *m_massMoves_s)
         m_tilt_rad = std::max(m_tilt_rad, std::abs(loop.world().truth().hinge_rad));
+    const servo::TaskKind kind = loop.output().kind;
+    m_lasts = m_lasts || kind == servo::TaskKind::explore || kind == servo::TaskKind::comanipulation;
     if (loop.frameCame())
         addFrame(loop);
     if (!loop.servoed())
@@ -75,18 +77,16 @@ bool ServoMeasures::add(const simulation::ServoLoop& loop) {
     return another;
 }
 
-bool ServoMeasures::lasting(const simulation::ServoLoop& loop) {
-    switch (loop.output().kind) {
-    case servo::TaskKind::explore:
-    case servo::TaskKind::comanipulation:
-        m_lasts = true;
+bool ServoMeasures::lasting(const simulation::ServoLoop& loop) const {
+    if (m_lasts)
         return true;
+    switch (loop.output().kind) {
     case servo::TaskKind::roll:
         return m_task.kind == scene::ServoTaskKind::roll && m_aligned_s;
     case servo::TaskKind::pointFollowing:
         return m_task.kind == scene::ServoTaskKind::point && m_aligned_s;
     default:
-        return m_lasts;
+        return false;
     }
 }
 

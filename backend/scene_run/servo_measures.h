@@ -15,20 +15,18 @@
 namespace teleta::scene_run {
 
 /// Gathers the measures of a servo run, from the world's truth unless said otherwise.
-///   first_contact_s, phases [[name, start_s]], force_desired_n, contact_lost_s (from the first contact on)
-///   aligned_after_s: from the first contact until the array is, and for 0.2 s stays, aligned. Edge:
-///   |alpha_z| < 1
-///     degree, |DZMP_y| < 0.5 mm, |CoP_y - desired| < 0.5 mm. Point: the CoP within 0.5 mm.
-///   force_rms_error_n, force_max_error_n: of the whole force on array and housing, in the plan's lasting
-///   task: exploring, co-manipulation, from their first step to the end, whatever task is fallen back to
-///     meanwhile; of a point, once it is aligned, following or rolling
-///   explore: reconstruction_rms_m (contact points felt, from the true line), path_length_m and
-///     max_sliding_speed_m_s (over 0.1 s) along the array's x
-///   comanipulate: dzmp_y_settle_s (from the mass's first motion until |DZMP_y| stays < 0.5 mm),
-///   dzmp_y_final_m
-///     (mean of the last second), alpha_z_rms_rad, tray_tilt_max_rad (both from then on)
-///   point, roll: cop_rms_error_m, cop_max_error_m, once aligned and in the lasting task;
-///     force_settled_max_error_n, the same from 3 s after the alignment on
+/// - first_contact_s, phases [[name, start_s]], force_desired_n, contact_lost_s (from the first contact on)
+/// - aligned_after_s: from the first contact until the array is, and for 0.2 s stays, aligned. An edge:
+///   |alpha_z| < 1 degree, |DZMP_y| < 0.5 mm, |CoP_y - desired| < 0.5 mm. A point: the CoP within 0.5 mm.
+/// - force_rms_error_n, force_max_error_n: of the whole force on array and housing, in the plan's lasting
+///   task. Exploring, co-manipulation: from their first step to the end, whatever task is fallen back to
+///   meanwhile. A point: once it is aligned, following or rolling.
+/// - explore: reconstruction_rms_m (contact points felt, from the true line), path_length_m and
+///   max_sliding_speed_m_s (over 0.1 s) along the array's x
+/// - comanipulate: dzmp_y_settle_s (from the mass's first motion until |DZMP_y| stays < 0.5 mm),
+///   dzmp_y_final_m (mean of the last second), alpha_z_rms_rad, tray_tilt_max_rad (both from then on)
+/// - point, roll: cop_rms_error_m, cop_max_error_m, once aligned and in the lasting task;
+///   force_settled_max_error_n, the largest force error from 3 s after the alignment on
 /// Thread: one.
 class ServoMeasures {
 public:
@@ -60,7 +58,7 @@ private:
 
     void addFrame(const simulation::ServoLoop& loop);
     void addServoCycle(const simulation::ServoLoop& loop);
-    [[nodiscard]] bool lasting(const simulation::ServoLoop& loop);
+    [[nodiscard]] bool lasting(const simulation::ServoLoop& loop) const;
 
     scene::ServoTaskSettings m_task;
     double m_cycle_s;
