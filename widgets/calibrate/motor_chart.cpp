@@ -3,6 +3,7 @@
 
 #include "widgets/base/quantity_text.h"
 #include "widgets/base/theme.h"
+#include "widgets/plot/plot_style.h"
 
 #include <qcustomplot.h>
 #include <QEvent>
@@ -244,41 +245,24 @@ void MotorChart::showAll() {
 
 void MotorChart::restyle(const QPalette& colours) {
     m_colours = colours;
-    const QColor text = colours.color(QPalette::Text);
-    const QColor grid = base::mixed(colours.color(QPalette::Base), text, 0.15);
-    for (QCustomPlot* plot : {m_curve, m_recording}) {
-        plot->setBackground(colours.color(QPalette::Base));
-        plot->legend->setBrush(colours.color(QPalette::Base));
-        plot->legend->setTextColor(text);
-        plot->legend->setBorderPen(QPen(grid));
-        plot->legend->setFont(font());
-        for (QCPAxis* axis : {plot->xAxis, plot->yAxis}) {
-            axis->setBasePen(QPen(text));
-            axis->setTickPen(QPen(text));
+    for (QCustomPlot* chart : {m_curve, m_recording}) {
+        plot::stylePlot(*chart, colours, font());
+        chart->legend->setBrush(colours.color(QPalette::Base));
+        chart->legend->setTextColor(colours.color(QPalette::Text));
+        chart->legend->setBorderPen(QPen(plot::gridColour(colours)));
+        chart->legend->setFont(font());
+        for (QCPAxis* axis : {chart->xAxis, chart->yAxis})
             axis->setSubTickPen(Qt::NoPen);
-            axis->setTickLabelColor(text);
-            axis->setLabelColor(text);
-            axis->setLabelFont(font());
-            axis->setTickLabelFont(font());
-            axis->grid()->setPen(QPen(grid));
-            axis->grid()->setZeroLinePen(QPen(grid));
-        }
     }
     draw();
 }
 
-base::Figure MotorChart::figure(QCustomPlot* plot, const QString& name, std::function<QString()> csv) {
+base::Figure MotorChart::figure(QCustomPlot* chart, const QString& name, std::function<QString()> csv) {
     base::Figure figure;
     figure.name = name;
-    figure.size_px = plot->size();
-    QPicture picture;
+    figure.size_px = chart->size();
     restyle(base::designedPalette(false)); // for paper
-    {
-        QCPPainter painter;
-        painter.begin(&picture);
-        painter.setMode(QCPPainter::pmVectorized);
-        plot->toPainter(&painter, plot->width(), plot->height());
-    }
+    const QPicture picture = plot::pictureOf(*chart);
     restyle(palette());
     figure.paint = [picture](QPainter& painter) { painter.drawPicture(0, 0, picture); };
     figure.csv = std::move(csv);

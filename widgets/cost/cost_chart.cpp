@@ -4,11 +4,11 @@
 #include "backend/core/number_text.h"
 #include "widgets/base/theme.h"
 #include "widgets/cost/log_ticker.h"
+#include "widgets/plot/plot_style.h"
 
 #include <qcustomplot.h>
 #include <QEvent>
 #include <QMenu>
-#include <QPicture>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -290,20 +290,9 @@ void CostChart::onClick(const QPointF& position) {
 
 void CostChart::restyle(const QPalette& colours) {
     m_colours = colours;
-    const QColor text = colours.color(QPalette::Text);
-    const QColor grid = base::mixed(colours.color(QPalette::Base), text, 0.15);
-    m_plot->setBackground(colours.color(QPalette::Base));
-    for (QCPAxis* axis : {m_plot->xAxis, m_plot->yAxis}) {
-        axis->setBasePen(QPen(text));
-        axis->setTickPen(QPen(text));
-        axis->setSubTickPen(QPen(grid));
-        axis->setTickLabelColor(text);
-        axis->setLabelColor(text);
-        axis->setLabelFont(font());
-        axis->setTickLabelFont(font());
-        axis->grid()->setPen(QPen(grid));
-        axis->grid()->setZeroLinePen(QPen(grid));
-    }
+    plot::stylePlot(*m_plot, colours, font());
+    for (QCPAxis* axis : {m_plot->xAxis, m_plot->yAxis})
+        axis->setSubTickPen(QPen(plot::gridColour(colours)));
     draw();
 }
 
@@ -311,14 +300,8 @@ base::Figure CostChart::figure() {
     base::Figure figure;
     figure.name = QString::fromStdString(m_ladder.ladder);
     figure.size_px = m_plot->size();
-    QPicture picture;
     restyle(base::designedPalette(false)); // for paper
-    {
-        QCPPainter painter;
-        painter.begin(&picture);
-        painter.setMode(QCPPainter::pmVectorized);
-        m_plot->toPainter(&painter, m_plot->width(), m_plot->height());
-    }
+    const QPicture picture = plot::pictureOf(*m_plot);
     restyle(palette());
     figure.paint = [picture](QPainter& painter) { painter.drawPicture(0, 0, picture); };
     figure.csv = [ladder = m_ladder] { return costCsv(ladder); };
