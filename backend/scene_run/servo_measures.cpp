@@ -18,7 +18,7 @@ constexpr double kAlignedAngle_rad = std::numbers::pi / 180.0;
 constexpr double kAlignedPlace_m = 0.0005;
 constexpr double kAlignedFor_s = 0.2;
 constexpr double kSpeedWindow_s = 0.1;
-constexpr double kSettled_s = 3.0;
+constexpr double kSettled_s = 1.0;
 
 ordered_json orNull(const std::optional<double>& value) {
     return value ? jsonNumber(*value) : ordered_json(nullptr);
@@ -108,6 +108,7 @@ void ServoMeasures::addFrame(const simulation::ServoLoop& loop) {
     if (!m_aligned_s && m_alignedSince_s && m_now_s - *m_alignedSince_s >= kAlignedFor_s)
         m_aligned_s = m_alignedSince_s;
 
+    m_highestForce_N = std::max(m_highestForce_N, loop.world().truth().force_N);
     if (lasting(loop)) {
         m_force_N.add(loop.world().truth().force_N - m_task.force_N);
         if (loaded && !frame.alphaZ_rad)
@@ -183,6 +184,7 @@ void ServoMeasures::report(ordered_json& measures) const {
         measures["cop_max_error_m"] = jsonNumber(m_cop_m.most);
         measures["force_settled_max_error_n"] =
             m_settledForce_N.count > 0 ? jsonNumber(m_settledForce_N.most) : ordered_json(nullptr);
+        measures["force_overshoot_n"] = jsonNumber(std::max(0.0, m_highestForce_N - m_task.force_N));
     }
 }
 

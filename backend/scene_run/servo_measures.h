@@ -26,7 +26,8 @@ namespace teleta::scene_run {
 /// - comanipulate: dzmp_y_settle_s (from the mass's first motion until |DZMP_y| stays < 0.5 mm),
 ///   dzmp_y_final_m (mean of the last second), alpha_z_rms_rad, tray_tilt_max_rad (both from then on)
 /// - point, roll: cop_rms_error_m, cop_max_error_m, once aligned and in the lasting task;
-///   force_settled_max_error_n, the largest force error from 3 s after the alignment on
+///   force_settled_max_error_n, the largest force error from 1 s after the alignment on;
+///   force_overshoot_n, the largest force over the desired one in the whole run
 /// Thread: one.
 class ServoMeasures {
 public:
@@ -74,6 +75,7 @@ private:
     double m_path_m = 0.0;
     double m_fastest_mPerS = 0.0;
     double m_tilt_rad = 0.0;
+    double m_highestForce_N = 0.0;
     Errors m_force_N;
     Errors m_settledForce_N;
     bool m_lasts = false; ///< exploring or co-manipulation has begun

@@ -5,31 +5,54 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
 
 namespace teleta::servo {
 
 /// Proportional-integral law of each component with anti-windup.
-///   u = K_P e + i,   i += K_I e dt, kept within +-integralLimit
+///   u = K_P e + i,   i += K_I (e - e_P) dt, kept within +-integralLimit
+/// e_P is the error that K_P alone would have left by now of the error at the start: e_P' = -|K_P| e_P, where
+/// the error follows the twist one to one, and 0 elsewhere. So the integral learns what disturbs and not what
+/// is on its way: from rest the error falls as e(0) exp(-K_P t) without overshoot (with e alone it overshoots
+/// by as much area as it had before), and what a slope adds is taken away as with e alone. A start is the
+/// first known error, one after a limit acted, and a change of what is desired.
 /// The integral is kept as its share of u, so new gains change nothing at once. What did not become motion
 /// because of a limit is given back: the last increment of a component whose output was cut is undone when it
-/// pushed further. Thread: one. Source: eq. (13).
+/// pushed further. Thread: one. Source: eq. (13); e_P: the reference model of a law with two degrees of
+/// freedom.
 class PiRegulator {
 public:
-    /// takesPart: the integral of the other components, and of those without K_I, is forgotten. known: a
-    /// component whose error is not known puts out 0 and keeps its integral.
-    [[nodiscard]] Twist step(const Vector6& error, const std::array<bool, 6>& takesPart,
-                             const std::array<bool, 6>& known, double dt_s, const ServoGains& gains) {
+    struct Rows {
+        /// The integral of the other components, and of those without K_I, is forgotten.
+        std::array<bool, 6> takesPart{};
+        /// A component whose error is not known puts out 0 and keeps its integral.
+        std::array<bool, 6> known{};
+        /// The error changes as fast as the twist moves the sensor.
+        std::array<bool, 6> oneToOne{};
+    };
+
+    [[nodiscard]] Twist step(const Vector6& error, const Rows& rows, double dt_s, const ServoGains& gains) {
         Twist u = Twist::Zero();
         m_increment.setZero();
         for (int i = 0; i < 6; ++i) {
             const auto component = static_cast<std::size_t>(i);
-            if (!takesPart[component] || gains.integral[i] == 0.0)
+            if (!rows.takesPart[component] || gains.integral[i] == 0.0)
                 m_integral[i] = 0.0;
-            if (!takesPart[component] || !known[component])
+            if (!rows.takesPart[component] || !rows.known[component]) {
+                m_started[component] = false;
                 continue;
+            }
+            const double gain = std::abs(gains.proportional[i]);
+            if (!std::exchange(m_started[component], true))
+                m_expected[i] = error[i];
+            if (!rows.oneToOne[component] || gain == 0.0)
+                m_expected[i] = 0.0;
             const double limit = gains.integralLimit[i];
-            const double next =
-                std::clamp(m_integral[i] + gains.integral[i] * error[i] * dt_s, -limit, limit);
+            const double next = std::clamp(
+                m_integral[i] + gains.integral[i] * (error[i] - m_expected[i]) * dt_s, -limit, limit);
+            m_expected[i] *= std::max(0.0, 1.0 - gain * dt_s);
             m_increment[i] = next - m_integral[i];
             m_integral[i] = next;
             u[i] = gains.proportional[i] * error[i] + next;
@@ -37,11 +60,17 @@ public:
         return u;
     }
 
+    /// What is desired has changed, and the error with it.
+    void expect(const Vector6& change) { m_expected += change; }
+
     /// cut: wanted minus achieved twist of the last step.
     void giveBack(const Twist& cut) {
-        for (int i = 0; i < 6; ++i)
+        for (int i = 0; i < 6; ++i) {
             if (cut[i] * m_increment[i] > 0.0)
                 m_integral[i] -= m_increment[i];
+            if (cut[i] != 0.0)
+                m_started[static_cast<std::size_t>(i)] = false;
+        }
     }
 
     /// The integral's share of the output. m/s, rad/s.
@@ -49,11 +78,15 @@ public:
     void reset() {
         m_integral.setZero();
         m_increment.setZero();
+        m_expected.setZero();
+        m_started.fill(false);
     }
 
 private:
     Vector6 m_integral = Vector6::Zero();
     Vector6 m_increment = Vector6::Zero();
+    Vector6 m_expected = Vector6::Zero(); ///< e_P
+    std::array<bool, 6> m_started{};
 };
 
 } // namespace teleta::servo

@@ -72,6 +72,7 @@ tl::expected<void, TaskRefusal> ServoController::enter(std::size_t index) {
 void ServoController::reset() {
     m_phases = ServoPhases(m_plan);
     m_regulator.reset();
+    m_desired.reset();
     m_direction.reset();
     m_search.reset();
     m_started = false;
@@ -157,11 +158,17 @@ ServoController::Wanted ServoController::law(const ServoInput& input, const Serv
     wanted.regulated = true;
 
     const Projection& P = task.projection;
-    const std::array<bool, 6> takesPart = {P.x || P.com, P.y, P.z, P.wx, P.wy, P.wz};
-    std::array<bool, 6> rows = known;
-    rows[kX] = (P.x && known[kX]) || (P.com && known[kWy]);
+    // How a moment changes with a turn depends on the contact; a place, a depth and a direction go with it.
+    PiRegulator::Rows rows{.takesPart = {P.x || P.com, P.y, P.z, P.wx, P.wy, P.wz},
+                           .known = known,
+                           .oneToOne = {!P.com, true, true, false, false, true}};
+    rows.known[kX] = (P.x && known[kX]) || (P.com && known[kWy]);
+    const Vector6 desired = output.projection * output.desired;
+    if (m_desired)
+        m_regulator.expect(desired - *m_desired);
+    m_desired = desired;
     Twist& twist = wanted.twist;
-    twist = m_regulator.step(output.error, takesPart, rows, dt_s, task.gains);
+    twist = m_regulator.step(output.error, rows, dt_s, task.gains);
     // A moment without contact is no reason to slide on.
     if (input.features.active > 0 || !task.needsContact)
         twist += feedForward(task.feedForward, m_phases.timeInTask_s());

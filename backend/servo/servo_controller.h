@@ -54,6 +54,7 @@ struct ArmGuard {
 
 /// Tactile servo controller: features of one frame -> where the sensor shall be.
 ///   ds = s_d - J^-1 s,  ds_task = P ds,  u = K_P ds_task + K_I int ds_task dt        (7)-(10), (13)
+/// (the integral: of what K_P alone does not explain, PiRegulator).
 ///   twist_Base = Ad(X_Base_Sensor) u,   X_Base_Sensor <- exp(twist_Base dt) X_Base_Sensor
 /// The pose is measured once, in the first step; then the commanded pose is taken as current (12), (15). A
 /// feature that is not defined has no error. Turns leave the contact's centre where it is. Limits act after
@@ -106,6 +107,7 @@ private:
     std::optional<ArmGuard> m_arm;
     ServoPhases m_phases;
     PiRegulator m_regulator;
+    std::optional<Vector6> m_desired; ///< of the components, in the last step of the law
     EdgeDirection m_direction;
     ContactSearch m_search;
     bool m_started = false;

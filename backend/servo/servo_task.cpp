@@ -171,7 +171,9 @@ ServoTask pointFollowingTask(double force_N) {
     ServoTask task = contactTask(TaskKind::pointFollowing, force_N);
     task.jacobian = JacobianRule::point;
     task.projection.x = true;
-    task.gains.proportional[kX] = task.gains.proportional[kY];
+    // Sideways nothing but the arm's own springs hold its mass: it follows 0.17 s late (2 zeta / omega), and
+    // a faster loop than this would overshoot a step.
+    task.gains.proportional[kX] = task.gains.proportional[kY] = -2.0;
     task.gains.integral[kX] = task.gains.integral[kY];
     return task;
 }

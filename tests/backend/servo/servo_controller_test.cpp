@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -108,8 +109,13 @@ TEST(ServoController, anErrorThatStaysIsIntegratedUpToTheLimit) {
         out = controller.step(inputOf(f, 0.01, X));
         X = out.X_Base_Sensor;
     }
+    // The integral learns what K_P alone would not have left: e (1 - (1 - K_P dt)^k).
+    const double expected_s =
+        (1.0 - std::pow(1.0 - 0.01 * task.gains.proportional[kZ], 100)) / task.gains.proportional[kZ];
     EXPECT_NEAR(out.twist_Sensor[kZ],
-                task.gains.proportional[kZ] * error_m + task.gains.integral[kZ] * error_m * 1.0, 1e-12);
+                task.gains.proportional[kZ] * error_m +
+                    task.gains.integral[kZ] * error_m * (1.0 - expected_s),
+                1e-12);
     for (int i = 0; i < 5000; ++i) {
         out = controller.step(inputOf(f, 0.01, X));
         X = out.X_Base_Sensor;
@@ -228,7 +234,7 @@ TEST(ServoController, stopCommandsTheMeasuredPoseAndForgetsTheIntegrals) {
     EXPECT_EQ(held.twist_Sensor.norm(), 0.0);
     EXPECT_EQ(held.actual, out.actual); // what is felt is still shown
     input.hold = false;
-    EXPECT_NEAR(controller.step(input).integral[kZ], 0.01 * 1.5 * ServoTask{}.normalCompliance_mPerN, 1e-12);
+    EXPECT_EQ(controller.step(input).integral[kZ], 0.0);
 }
 
 TEST(ServoController, gainsAndTasksChangeWhileItRunsWithinLimits) {
@@ -241,7 +247,9 @@ TEST(ServoController, gainsAndTasksChangeWhileItRunsWithinLimits) {
     task.gains.integral[kZ] = 0.75;
     ASSERT_TRUE(controller.setTask(0, task).has_value());
     const ServoOutput next = controller.step(inputOf(light));
-    EXPECT_NEAR(next.integral[kZ] - out.integral[kZ], 0.75 * 0.01 * task.normalCompliance_mPerN, 1e-12);
+    const double notExplained_m =
+        task.normalCompliance_mPerN * (1.0 - std::pow(1.0 - 0.01 * task.gains.proportional[kZ], 50));
+    EXPECT_NEAR(next.integral[kZ] - out.integral[kZ], 0.75 * 0.01 * notExplained_m, 1e-12);
     task.gains.proportional[kZ] = 1000.0;
     EXPECT_EQ(controller.setTask(0, task).error(), TaskRefusal::gainTooHigh);
     EXPECT_DOUBLE_EQ(controller.plan().tasks[0].gains.proportional[kZ], 3.0);
