@@ -3516,8 +3516,8 @@ Aire %6</translation>
         <translation>Refaire le calcul</translation>
     </message>
     <message>
-        <source>analysis.R beside this page computes accuracy, intervals and the analysis of variance again from confusion_long.csv: Rscript analysis.R</source>
-        <translation>analysis.R, à côté de cette page, recalcule l’exactitude, les intervalles et l’analyse de variance à partir de confusion_long.csv&#xa0;: Rscript analysis.R</translation>
+        <source>analysis.R beside this page computes its numbers again from confusion_long.csv, but the response times, which that file does not have, and the bootstrap intervals: Rscript analysis.R. In the folder of the study it computes the response times too, from the exported trials.</source>
+        <translation>analysis.R, à côté de cette page, recalcule ses nombres à partir de confusion_long.csv, sauf les temps de réponse, que ce fichier n’a pas, et les intervalles de bootstrap&#xa0;: Rscript analysis.R. Dans le dossier de l’étude, il calcule aussi les temps de réponse, à partir des essais exportés.</translation>
     </message>
 </context>
 <context>
@@ -4917,6 +4917,30 @@ Aire %6</translation>
         <source>confirmed</source>
         <translation>confirmé</translation>
     </message>
+    <message>
+        <source>Stimuli</source>
+        <translation>Stimuli</translation>
+    </message>
+    <message>
+        <source>there are no patterns %1</source>
+        <translation>il n’y a pas de motifs %1</translation>
+    </message>
+    <message>
+        <source>Make a study whose tasks, letters and conditions have patterns that come with the program.</source>
+        <translation>Créez une étude dont les tâches, lettres et conditions ont des motifs fournis avec le programme.</translation>
+    </message>
+    <message>
+        <source>the patterns are not those with which this study was begun</source>
+        <translation>les motifs ne sont pas ceux avec lesquels cette étude a été commencée</translation>
+    </message>
+    <message>
+        <source>Go on with version %1 of the program, which began it, or begin a new study.</source>
+        <translation>Continuez avec la version %1 du programme, qui l’a commencée, ou commencez une nouvelle étude.</translation>
+    </message>
+    <message>
+        <source>those with which the study was begun</source>
+        <translation>ceux avec lesquels l’étude a été commencée</translation>
+    </message>
 </context>
 <context>
     <name>StudyCommand</name>
@@ -5123,10 +5147,6 @@ Aire %6</translation>
         <translation>impossible de créer le dossier</translation>
     </message>
     <message>
-        <source>two figures have the same name</source>
-        <translation>deux figures portent le même nom</translation>
-    </message>
-    <message>
         <source>Subject response, %</source>
         <translation>Réponse du sujet,&#xa0;%</translation>
     </message>
@@ -5187,6 +5207,17 @@ Aire %6</translation>
     <message>
         <source>at most 4 GiB of samples</source>
         <translation>au plus 4 GiB d’échantillons</translation>
+    </message>
+</context>
+<context>
+    <name>StudyOverview</name>
+    <message>
+        <source>the patterns are not those with which this study was begun</source>
+        <translation>les motifs ne sont pas ceux avec lesquels cette étude a été commencée</translation>
+    </message>
+    <message>
+        <source>version %1 of the program, or a new study</source>
+        <translation>la version %1 du programme, ou une nouvelle étude</translation>
     </message>
 </context>
 <context>
@@ -5492,6 +5523,10 @@ Aire %6</translation>
         <source>cannot make the folder</source>
         <translation>impossible de créer le dossier</translation>
     </message>
+    <message>
+        <source>Stimuli: %1 trials were played on a bracelet; the longest write of a frame took %2 ms. Frames were missed in %3 of them, %4 in all.</source>
+        <translation>Stimuli&#xa0;: %1 essais ont été joués sur un bracelet&#xa0;; l’écriture la plus longue d’une trame a pris %2 ms. Des trames ont manqué dans %3 d’entre eux, %4 au total.</translation>
+    </message>
 </context>
 <context>
     <name>StudyScene</name>
@@ -5793,6 +5828,18 @@ Aire %6</translation>
     <message>
         <source>%1, practice</source>
         <translation>%1, entraînement</translation>
+    </message>
+    <message>
+        <source>End the rest</source>
+        <translation>Terminer le repos</translation>
+    </message>
+    <message>
+        <source>Rest. The participant may go on in %1 s.</source>
+        <translation>Repos. Le participant peut continuer dans %1 s.</translation>
+    </message>
+    <message>
+        <source>Rest. The participant goes on with Space.</source>
+        <translation>Repos. Le participant continue avec Espace.</translation>
     </message>
 </context>
 <context>
@@ -9692,6 +9739,33 @@ Aire %6</translation>
         <source>✓ Saved: %1</source>
         <translation>✓ Enregistré&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>no rests</source>
+        <translation>pas de repos</translation>
+    </message>
+    <message>
+        <source>after every </source>
+        <comment>before a number of trials</comment>
+        <translation>tous les </translation>
+    </message>
+    <message>
+        <source> trials</source>
+        <comment>after a number</comment>
+        <translation> essais</translation>
+    </message>
+    <message>
+        <source>at least </source>
+        <comment>before a number of seconds</comment>
+        <translation>au moins </translation>
+    </message>
+    <message>
+        <source>Rests</source>
+        <translation>Repos</translation>
+    </message>
+    <message>
+        <source>There is no pattern %1 to be felt. A study can be made of tasks, letters and conditions whose patterns come with the program; the file can be saved.</source>
+        <translation>Il n’y a pas de motif %1 à ressentir. Une étude peut être faite de tâches, lettres et conditions dont les motifs sont fournis avec le programme&#xa0;; le fichier peut être enregistré.</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::RecordingDialog</name>
@@ -11193,6 +11267,14 @@ Aire %6</translation>
         <source>%1 — %2, trial %3 of %4</source>
         <comment>task, phase, numbers</comment>
         <translation>%1 — %2, essai %3 sur %4</translation>
+    </message>
+    <message>
+        <source>Have a rest. You may go on in %1 s.</source>
+        <translation>Reposez-vous. Vous pourrez continuer dans %1 s.</translation>
+    </message>
+    <message>
+        <source>Have a rest. Press Space when you would like to go on.</source>
+        <translation>Reposez-vous. Appuyez sur Espace quand vous voulez continuer.</translation>
     </message>
 </context>
 <context>

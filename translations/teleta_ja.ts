@@ -3509,8 +3509,8 @@ x %4, y %5
         <translation>再計算</translation>
     </message>
     <message>
-        <source>analysis.R beside this page computes accuracy, intervals and the analysis of variance again from confusion_long.csv: Rscript analysis.R</source>
-        <translation>このページと同じ場所にあるanalysis.Rで、confusion_long.csvから正答率、区間、分散分析を再計算できます: Rscript analysis.R</translation>
+        <source>analysis.R beside this page computes its numbers again from confusion_long.csv, but the response times, which that file does not have, and the bootstrap intervals: Rscript analysis.R. In the folder of the study it computes the response times too, from the exported trials.</source>
+        <translation>このページと同じ場所にあるanalysis.Rで、このページの数値をconfusion_long.csvから再計算できます (このファイルにない反応時間とブートストラップ区間を除く): Rscript analysis.R。スタディのフォルダーでは、エクスポートされた試行から反応時間も計算します。</translation>
     </message>
 </context>
 <context>
@@ -4910,6 +4910,30 @@ x %4, y %5
         <source>confirmed</source>
         <translation>確認済み</translation>
     </message>
+    <message>
+        <source>Stimuli</source>
+        <translation>刺激</translation>
+    </message>
+    <message>
+        <source>there are no patterns %1</source>
+        <translation>パターン %1 がありません</translation>
+    </message>
+    <message>
+        <source>Make a study whose tasks, letters and conditions have patterns that come with the program.</source>
+        <translation>パターンがプログラムに付属している課題、文字、条件でスタディを作成してください。</translation>
+    </message>
+    <message>
+        <source>the patterns are not those with which this study was begun</source>
+        <translation>パターンが、このスタディを始めたときのものと異なります</translation>
+    </message>
+    <message>
+        <source>Go on with version %1 of the program, which began it, or begin a new study.</source>
+        <translation>このスタディを始めたバージョン %1 のプログラムで続けるか、新しいスタディを始めてください。</translation>
+    </message>
+    <message>
+        <source>those with which the study was begun</source>
+        <translation>スタディを始めたときのもの</translation>
+    </message>
 </context>
 <context>
     <name>StudyCommand</name>
@@ -5116,10 +5140,6 @@ x %4, y %5
         <translation>フォルダーを作成できません</translation>
     </message>
     <message>
-        <source>two figures have the same name</source>
-        <translation>2つの図が同じ名前です</translation>
-    </message>
-    <message>
         <source>Subject response, %</source>
         <translation>参加者の応答、%</translation>
     </message>
@@ -5180,6 +5200,17 @@ x %4, y %5
     <message>
         <source>at most 4 GiB of samples</source>
         <translation>サンプル4 GiB以下</translation>
+    </message>
+</context>
+<context>
+    <name>StudyOverview</name>
+    <message>
+        <source>the patterns are not those with which this study was begun</source>
+        <translation>パターンが、このスタディを始めたときのものと異なります</translation>
+    </message>
+    <message>
+        <source>version %1 of the program, or a new study</source>
+        <translation>バージョン %1 のプログラム、または新しいスタディ</translation>
     </message>
 </context>
 <context>
@@ -5485,6 +5516,10 @@ x %4, y %5
         <source>cannot make the folder</source>
         <translation>フォルダーを作成できません</translation>
     </message>
+    <message>
+        <source>Stimuli: %1 trials were played on a bracelet; the longest write of a frame took %2 ms. Frames were missed in %3 of them, %4 in all.</source>
+        <translation>刺激: %1 試行がブレスレットで再生されました。フレームの書き込みは最長 %2 msでした。%3 試行でフレームが欠け、合計は %4 です。</translation>
+    </message>
 </context>
 <context>
     <name>StudyScene</name>
@@ -5785,6 +5820,18 @@ x %4, y %5
     <message>
         <source>%1, practice</source>
         <translation>%1、練習</translation>
+    </message>
+    <message>
+        <source>End the rest</source>
+        <translation>休憩を終える</translation>
+    </message>
+    <message>
+        <source>Rest. The participant may go on in %1 s.</source>
+        <translation>休憩中です。参加者は %1 秒後に続けられます。</translation>
+    </message>
+    <message>
+        <source>Rest. The participant goes on with Space.</source>
+        <translation>休憩中です。参加者がスペースキーで続けます。</translation>
     </message>
 </context>
 <context>
@@ -9672,6 +9719,33 @@ x %4, y %5
         <source>✓ Saved: %1</source>
         <translation>✓ 保存しました: %1</translation>
     </message>
+    <message>
+        <source>no rests</source>
+        <translation>休憩なし</translation>
+    </message>
+    <message>
+        <source>after every </source>
+        <comment>before a number of trials</comment>
+        <translation>間隔: </translation>
+    </message>
+    <message>
+        <source> trials</source>
+        <comment>after a number</comment>
+        <translation> 試行</translation>
+    </message>
+    <message>
+        <source>at least </source>
+        <comment>before a number of seconds</comment>
+        <translation>最短 </translation>
+    </message>
+    <message>
+        <source>Rests</source>
+        <translation>休憩</translation>
+    </message>
+    <message>
+        <source>There is no pattern %1 to be felt. A study can be made of tasks, letters and conditions whose patterns come with the program; the file can be saved.</source>
+        <translation>感じるべきパターン %1 がありません。スタディは、パターンがプログラムに付属している課題、文字、条件で作成できます。ファイルは保存できます。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::RecordingDialog</name>
@@ -11171,6 +11245,14 @@ x %4, y %5
         <source>%1 — %2, trial %3 of %4</source>
         <comment>task, phase, numbers</comment>
         <translation>%1 — %2、試行%3/%4</translation>
+    </message>
+    <message>
+        <source>Have a rest. You may go on in %1 s.</source>
+        <translation>休憩してください。%1 秒後に続けられます。</translation>
+    </message>
+    <message>
+        <source>Have a rest. Press Space when you would like to go on.</source>
+        <translation>休憩してください。続けるときはスペースキーを押してください。</translation>
     </message>
 </context>
 <context>

@@ -3509,8 +3509,8 @@ x %4，y %5
         <translation>重新计算</translation>
     </message>
     <message>
-        <source>analysis.R beside this page computes accuracy, intervals and the analysis of variance again from confusion_long.csv: Rscript analysis.R</source>
-        <translation>本页旁的 analysis.R 可由 confusion_long.csv 重新计算正确率、区间和方差分析：Rscript analysis.R</translation>
+        <source>analysis.R beside this page computes its numbers again from confusion_long.csv, but the response times, which that file does not have, and the bootstrap intervals: Rscript analysis.R. In the folder of the study it computes the response times too, from the exported trials.</source>
+        <translation>本页旁的 analysis.R 可由 confusion_long.csv 重新计算本页的数值（该文件中没有的反应时间以及自助法区间除外）：Rscript analysis.R。放在研究的文件夹中时，还会根据导出的试次计算反应时间。</translation>
     </message>
 </context>
 <context>
@@ -4910,6 +4910,30 @@ x %4，y %5
         <source>confirmed</source>
         <translation>已确认</translation>
     </message>
+    <message>
+        <source>Stimuli</source>
+        <translation>刺激</translation>
+    </message>
+    <message>
+        <source>there are no patterns %1</source>
+        <translation>没有图案 %1</translation>
+    </message>
+    <message>
+        <source>Make a study whose tasks, letters and conditions have patterns that come with the program.</source>
+        <translation>请用图案随程序提供的任务、字母和条件建立研究。</translation>
+    </message>
+    <message>
+        <source>the patterns are not those with which this study was begun</source>
+        <translation>图案不是本研究开始时所用的图案</translation>
+    </message>
+    <message>
+        <source>Go on with version %1 of the program, which began it, or begin a new study.</source>
+        <translation>请用开始本研究的 %1 版程序继续，或开始新的研究。</translation>
+    </message>
+    <message>
+        <source>those with which the study was begun</source>
+        <translation>研究开始时所用的图案</translation>
+    </message>
 </context>
 <context>
     <name>StudyCommand</name>
@@ -5116,10 +5140,6 @@ x %4，y %5
         <translation>无法创建文件夹</translation>
     </message>
     <message>
-        <source>two figures have the same name</source>
-        <translation>两张图同名</translation>
-    </message>
-    <message>
         <source>Subject response, %</source>
         <translation>被试的回答，%</translation>
     </message>
@@ -5180,6 +5200,17 @@ x %4，y %5
     <message>
         <source>at most 4 GiB of samples</source>
         <translation>至多 4 GiB 的样本</translation>
+    </message>
+</context>
+<context>
+    <name>StudyOverview</name>
+    <message>
+        <source>the patterns are not those with which this study was begun</source>
+        <translation>图案不是本研究开始时所用的图案</translation>
+    </message>
+    <message>
+        <source>version %1 of the program, or a new study</source>
+        <translation>%1 版程序，或新的研究</translation>
     </message>
 </context>
 <context>
@@ -5485,6 +5516,10 @@ x %4，y %5
         <source>cannot make the folder</source>
         <translation>无法创建文件夹</translation>
     </message>
+    <message>
+        <source>Stimuli: %1 trials were played on a bracelet; the longest write of a frame took %2 ms. Frames were missed in %3 of them, %4 in all.</source>
+        <translation>刺激：有 %1 个试次在手环上播放；写入一帧最长用时 %2 ms。其中 %3 个试次有丢帧，共 %4 帧。</translation>
+    </message>
 </context>
 <context>
     <name>StudyScene</name>
@@ -5785,6 +5820,18 @@ x %4，y %5
     <message>
         <source>%1, practice</source>
         <translation>%1，练习</translation>
+    </message>
+    <message>
+        <source>End the rest</source>
+        <translation>结束休息</translation>
+    </message>
+    <message>
+        <source>Rest. The participant may go on in %1 s.</source>
+        <translation>休息。被试可在 %1 秒后继续。</translation>
+    </message>
+    <message>
+        <source>Rest. The participant goes on with Space.</source>
+        <translation>休息。被试按空格键继续。</translation>
     </message>
 </context>
 <context>
@@ -9672,6 +9719,33 @@ x %4，y %5
         <source>✓ Saved: %1</source>
         <translation>✓ 已保存：%1</translation>
     </message>
+    <message>
+        <source>no rests</source>
+        <translation>无休息</translation>
+    </message>
+    <message>
+        <source>after every </source>
+        <comment>before a number of trials</comment>
+        <translation>每 </translation>
+    </message>
+    <message>
+        <source> trials</source>
+        <comment>after a number</comment>
+        <translation> 个试次</translation>
+    </message>
+    <message>
+        <source>at least </source>
+        <comment>before a number of seconds</comment>
+        <translation>至少 </translation>
+    </message>
+    <message>
+        <source>Rests</source>
+        <translation>休息</translation>
+    </message>
+    <message>
+        <source>There is no pattern %1 to be felt. A study can be made of tasks, letters and conditions whose patterns come with the program; the file can be saved.</source>
+        <translation>没有可供感受的图案 %1。研究可用图案随程序提供的任务、字母和条件建立；文件可以保存。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::RecordingDialog</name>
@@ -11171,6 +11245,14 @@ x %4，y %5
         <source>%1 — %2, trial %3 of %4</source>
         <comment>task, phase, numbers</comment>
         <translation>%1 — %2，第 %3 个试次，共 %4 个</translation>
+    </message>
+    <message>
+        <source>Have a rest. You may go on in %1 s.</source>
+        <translation>请休息。%1 秒后可以继续。</translation>
+    </message>
+    <message>
+        <source>Have a rest. Press Space when you would like to go on.</source>
+        <translation>请休息。想继续时请按空格键。</translation>
     </message>
 </context>
 <context>

@@ -82,7 +82,8 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     , m_patterns(new PatternsPage(
           m_operate->bracelet(), *m_collection,
           options.dataFolder.isEmpty() ? QString() : options.dataFolder + QStringLiteral("/recovery"), this))
-    , m_study(new StudyPage(m_operate->bracelet(), stop, core::steadyNow_ns, this))
+    , m_study(
+          new StudyPage(m_operate->bracelet(), stop, core::steadyNow_ns, QDateTime::currentDateTimeUtc, this))
     , m_calibrate(new CalibratePage(m_operate->bracelet(), this))
     , m_cost(new CostPage(cost::allLadders,
                           options.dataFolder.isEmpty()

@@ -22,6 +22,7 @@ struct ProtocolText {
 };
 
 constexpr long long kMostRepetitions = 1000;
+constexpr long long kMostTrials = 100'000;
 
 PhaseSettings readPhase(TomlTable table) {
     PhaseSettings phase;
@@ -30,6 +31,15 @@ PhaseSettings readPhase(TomlTable table) {
     phase.diagram = table.boolean("diagram", false);
     table.finish();
     return phase;
+}
+
+RestSettings readRest(TomlTable table) {
+    constexpr double kLongest_s = 3600.0;
+    RestSettings rest;
+    rest.everyTrials = static_cast<std::size_t>(table.integer("every_trials", 1, kMostTrials));
+    rest.atLeast_s = table.number("at_least_s", NumberRange::between(0.0, kLongest_s), 0.0);
+    table.finish();
+    return rest;
 }
 
 StudyTask readTask(TomlTable& table, std::set<std::string>& usedIds) {
@@ -74,6 +84,8 @@ core::Expected<Protocol> readDocument(const scene::TomlDocument& document) {
                          : OrderMethod::blockedRandom;
     protocol.practice = readPhase(root.table("practice"));
     protocol.test = readPhase(root.table("test"));
+    if (root.has("pause"))
+        protocol.rest = readRest(root.table("pause"));
     TomlTable noise = root.table("masking_noise");
     protocol.noiseColour = noise.choice("colour", {"pink", "none"}) == 0 ? "pink" : "none";
     protocol.noise_dBA = noise.number("level_dBA", NumberRange::between(0.0, 85.0), 0.0);

@@ -20,6 +20,16 @@ struct PhaseSettings {
     bool diagram = false;        ///< the pictures of the patterns are in view during the trials
 };
 
+/// Rests within a phase, so that skin and attention recover.
+struct RestSettings {
+    std::size_t everyTrials = 0; ///< completed ones of the phase; 0: no rests
+    double atLeast_s = 0.0;      ///< the participant may not go on before
+    /// After so many completed trials of a phase that has more.
+    [[nodiscard]] bool isDueAfter(std::size_t completed) const {
+        return everyTrials > 0 && completed > 0 && completed % everyTrials == 0;
+    }
+};
+
 struct StudyPattern {
     std::string letter; ///< what rows have: A, B, ..
     std::string name;
@@ -48,6 +58,7 @@ struct Protocol {
     OrderMethod order = OrderMethod::fullRandom;
     PhaseSettings practice;
     PhaseSettings test;
+    RestSettings rest;
     std::string noiseColour; ///< "pink", or "none"
     double noise_dBA = 0.0;
     std::vector<StudyTask> tasks;

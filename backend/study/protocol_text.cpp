@@ -126,6 +126,10 @@ std::string protocolText(const Protocol& protocol) {
         .text("order", toString(protocol.order));
     addPhase(lines, "[practice]", protocol.practice);
     addPhase(lines, "[test]", protocol.test);
+    if (protocol.rest.everyTrials > 0)
+        lines.head("[pause]")
+            .count("every_trials", protocol.rest.everyTrials)
+            .value("at_least_s", number(protocol.rest.atLeast_s));
     lines.head("[masking_noise]").text("colour", protocol.noiseColour);
     if (protocol.noiseColour != "none")
         lines.value("level_dBA", number(protocol.noise_dBA));

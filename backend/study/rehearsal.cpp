@@ -12,6 +12,7 @@
 #include <QString>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -178,6 +179,12 @@ core::Expected<void> Rehearsal::runSession(const Participant& participant, std::
     const SimulatedParticipant simulated{knownMatrix(task, condition), head.lapses};
     const std::int64_t start_ns = now_ns;
     const double before_s = m_progress.simulated_s;
+    // From the results, so that a resumed rehearsal rests where an interrupted one did.
+    std::array<std::size_t, 2> completed{};
+    const auto count = [&](const TrialResult& result) {
+        completed[result.planned.phase == Phase::test ? 1 : 0] += result.isComplete() ? 1 : 0;
+    };
+    std::for_each(done.begin(), done.end(), count);
     while (session->stage() == Stage::ready) {
         const bool goOn = m_goOn(m_progress.trialsBefore + m_progress.trials) &&
                           (!m_cast.goOn || m_cast.goOn(m_progress.simulated_s));
@@ -194,12 +201,15 @@ core::Expected<void> Rehearsal::runSession(const Participant& participant, std::
                                                         : simulated.answer(trial.stimulus, seed);
         const std::string stimulus = stimulusId(task, task.patterns[trial.stimulus], condition);
         const RehearsalCast::Shown shown = m_cast.show ? m_cast.show(stimulus, seed) : RehearsalCast::Shown{};
+        if (head.protocol.rest.isDueAfter(completed[trial.phase == Phase::test ? 1 : 0]))
+            now_ns += std::llround(head.protocol.rest.atLeast_s * 1e9);
         showTrial(*session, answer, shown, lengthOf_s(stimulus, head.protocol), now_ns);
         // The store keeps milliseconds, and the next trial begins at what it keeps, resumed or not.
         now_ns = (now_ns + 999'999) / 1'000'000 * 1'000'000;
         m_progress.simulated_s = before_s + static_cast<double>(now_ns - start_ns) * 1e-9;
         if (std::optional<TrialResult> result = session->takeResult()) {
             result->framesMissed = shown.framesMissed;
+            count(*result);
             const core::Expected<void> safe =
                 m_store.keepTrial(*record, *result, begin.addMSecs(now_ns / 1'000'000));
             if (!safe)

@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <QStorageInfo>
 #include <QString>
+#include <QStringList>
 #include <QTemporaryFile>
 
 #include <algorithm>
@@ -45,6 +46,29 @@ RunCheck checkProtocol(const RunConditions& now) {
         return failed(kKind, name, CheckText::tr("the protocol has no trials"),
                       CheckText::tr("Give practice or test at least one repetition."));
     return passed(kKind, name, QString::fromStdString(protocol->name));
+}
+
+RunCheck checkStimuli(const RunConditions& now) {
+    constexpr auto kKind = RunCheckKind::stimuli;
+    const QString name = CheckText::tr("Stimuli");
+    if (!now.missingStimuli.empty()) {
+        constexpr std::size_t kNamed = 3;
+        QStringList some;
+        for (std::size_t i = 0; i < std::min(kNamed, now.missingStimuli.size()); ++i)
+            some << QString::fromStdString(now.missingStimuli[i]);
+        if (now.missingStimuli.size() > kNamed)
+            some << QStringLiteral("\u2026");
+        return failed(
+            kKind, name, CheckText::tr("there are no patterns %1").arg(some.join(QStringLiteral(", "))),
+            CheckText::tr("Make a study whose tasks, letters and conditions have patterns that come "
+                          "with the program."));
+    }
+    if (now.stimuliChanged)
+        return failed(
+            kKind, name, CheckText::tr("the patterns are not those with which this study was begun"),
+            CheckText::tr("Go on with version %1 of the program, which began it, or begin a new study.")
+                .arg(QString::fromStdString(now.madeBy)));
+    return passed(kKind, name, CheckText::tr("those with which the study was begun"));
 }
 
 RunCheck checkParticipant(const RunConditions& now) {
@@ -165,9 +189,9 @@ FolderCondition lookAtFolder(const std::string& path) {
 }
 
 std::vector<RunCheck> preRunChecks(const RunConditions& conditions) {
-    return {checkProtocol(conditions), checkParticipant(conditions), checkBracelet(conditions),
-            checkFolder(conditions),   checkSpace(conditions),       checkStore(conditions),
-            checkNoise(conditions)};
+    return {checkProtocol(conditions), checkStimuli(conditions), checkParticipant(conditions),
+            checkBracelet(conditions), checkFolder(conditions),  checkSpace(conditions),
+            checkStore(conditions),    checkNoise(conditions)};
 }
 
 bool allPassed(const std::vector<RunCheck>& checks) {

@@ -42,6 +42,10 @@ struct RunConditions {
     Mode mode = Mode::run;
     /// Protocol, or what is wrong with it.
     core::Expected<const Protocol*> protocol = nullptr;
+    /// Ids of stimuli of which there is no pattern; a simulated study that is not played needs none.
+    std::vector<std::string> missingStimuli;
+    bool stimuliChanged = false;       ///< they are not those with which the study was made
+    std::string madeBy;                ///< version of the program that made the study
     std::string participant;           ///< empty: none is chosen
     std::optional<std::string> runner; ///< who runs the participant now; empty: nobody else
     bool finished = false;             ///< the session was finished before
@@ -53,7 +57,7 @@ struct RunConditions {
     bool noiseConfirmed = false;      ///< by the experimenter, for this session
 };
 
-enum class RunCheckKind { protocol, participant, bracelet, folder, space, store, noise };
+enum class RunCheckKind { protocol, stimuli, participant, bracelet, folder, space, store, noise };
 
 /// One condition of a run.
 struct RunCheck {

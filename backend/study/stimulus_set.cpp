@@ -7,6 +7,8 @@
 #include <QByteArray>
 #include <QCryptographicHash>
 
+#include <utility>
+
 namespace teleta::study {
 
 std::string stimulusId(const StudyTask& task, const StudyPattern& pattern, const std::string& condition) {
@@ -30,6 +32,20 @@ std::string stimulusSetSha256(const Protocol& protocol) {
         }
     }
     return hash.result().toHex().toStdString();
+}
+
+std::vector<std::string> missingStimuli(const Protocol& protocol) {
+    std::vector<std::string> missing;
+    for (const StudyTask& task : protocol.tasks) {
+        for (const std::string& condition : task.conditions) {
+            for (const StudyPattern& pattern : task.patterns) {
+                std::string id = stimulusId(task, pattern, condition);
+                if (pattern::findBuiltIn(id) == nullptr)
+                    missing.push_back(std::move(id));
+            }
+        }
+    }
+    return missing;
 }
 
 } // namespace teleta::study

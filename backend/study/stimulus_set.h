@@ -4,6 +4,7 @@
 #include "backend/study/protocol.h"
 
 #include <string>
+#include <vector>
 
 namespace teleta::study {
 
@@ -14,5 +15,8 @@ namespace teleta::study {
 /// SHA-256, in hexadecimal digits, of the ids of all stimuli of a protocol and of what the built-in patterns
 /// with these ids are: another value where anything that participants feel has changed. Thread: any.
 [[nodiscard]] std::string stimulusSetSha256(const Protocol& protocol);
+
+/// Ids of the stimuli of a protocol of which there are no patterns to be felt. Thread: any.
+[[nodiscard]] std::vector<std::string> missingStimuli(const Protocol& protocol);
 
 } // namespace teleta::study

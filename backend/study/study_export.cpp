@@ -133,13 +133,36 @@ ordered_json sessionSidecar(const StudyHead& head, const PlannedSession& plan) {
         {"seed", std::to_string(plan.seed)}};
 }
 
-std::string sidecarText(const StudyHead& head, const PlannedSession& plan, ExportFormat format) {
+/// How the frames of each stimulus came to the bracelet, of those that were played.
+ordered_json frameSidecar(const std::vector<StoredTrial>& trials) {
+    ordered_json list = ordered_json::array();
+    for (const StoredTrial& stored : trials) {
+        const TrialResult& result = stored.result;
+        if (!result.frameWrite_ms && !result.framesMissed)
+            continue;
+        ordered_json frames{{"phase", toString(result.planned.phase)},
+                            {"trial", result.planned.trial},
+                            {"attempt", result.planned.attempt},
+                            {"longest_frame_write_ms", nullptr},
+                            {"frames_missed", nullptr}};
+        if (result.frameWrite_ms)
+            frames["longest_frame_write_ms"] = *result.frameWrite_ms;
+        if (result.framesMissed)
+            frames["frames_missed"] = *result.framesMissed;
+        list.push_back(std::move(frames));
+    }
+    return list;
+}
+
+std::string sidecarText(const StudyHead& head, const PlannedSession& plan,
+                        const std::vector<StoredTrial>& trials, ExportFormat format) {
     ordered_json sidecar;
     if (format == ExportFormat::psychds) {
         sidecar = {{"@context", "https://schema.org/"},
                    {"@type", "Dataset"},
                    {"variableMeasured", columnNames(kTrialColumns)}};
         sidecar["session"] = sessionSidecar(head, plan);
+        sidecar["session"]["frames"] = frameSidecar(trials);
     } else {
         const ordered_json session = sessionSidecar(head, plan);
         sidecar = {{"TaskName", session["task"]}};
@@ -172,7 +195,7 @@ core::Expected<void> writeSession(const StudyStore& store, const Participant& pa
     const core::Expected<void> written = writeChecked(path + extension, tableText(rows, tableFormat(format)));
     if (!written || format == ExportFormat::excel)
         return written;
-    return writeChecked(path + ".json", sidecarText(head, plan, format));
+    return writeChecked(path + ".json", sidecarText(head, plan, *trials, format));
 }
 
 /// Path of a participant's table beside those of the sessions, without its extension. name: alphanumeric.
@@ -299,7 +322,8 @@ std::vector<std::string> fileLabels(const std::vector<Participant>& participants
         std::string label = alphanumeric(participant.id);
         if (label != participant.id)
             label += number;
-        while (!used.insert(label).second)
+        // Some file systems take letters for the same whatever their case is.
+        while (!used.insert(QString::fromStdString(label).toLower().toStdString()).second)
             label += number;
         labels.push_back(std::move(label));
     }

@@ -152,6 +152,20 @@ QString safeName(const std::string& name) {
     return safe;
 }
 
+/// Names of files, no two the same although letters may be left out of them and their case may not count.
+class FileNames {
+public:
+    QString add(const QString& name) {
+        QString unique = name;
+        for (int number = 2; !m_used.insert(unique.toLower()).second; ++number)
+            unique = QStringLiteral("%1-%2").arg(name).arg(number);
+        return unique;
+    }
+
+private:
+    std::set<QString> m_used;
+};
+
 } // namespace
 
 figure::SvgCanvas accuracyFigure(const TaskResults& task, std::optional<Mode> mode) {
@@ -257,11 +271,13 @@ figure::SvgCanvas transferFigure(const TaskResults& task, std::optional<Mode> mo
 
 std::vector<StudyFigure> studyFigures(const std::vector<TaskResults>& results, std::optional<Mode> mode) {
     std::vector<StudyFigure> figures;
+    FileNames tasks;
+    FileNames files;
     const auto add = [&](const QString& name, figure::SvgCanvas picture) {
-        figures.push_back({name.toStdString(), std::move(picture)});
+        figures.push_back({files.add(name).toStdString(), std::move(picture)});
     };
     for (const TaskResults& task : results) {
-        const QString id = safeName(task.task);
+        const QString id = tasks.add(safeName(task.task));
         for (const GroupSummary& group : task.groups) {
             const QString place = id + QLatin1Char('_') + safeName(group.condition);
             const std::string title = task.task + ", " + group.condition;
@@ -289,15 +305,6 @@ core::Expected<void> writeFigures(const std::vector<TaskResults>& results, const
                                             {},
                                             {directory.path().toStdString()}});
     const std::vector<StudyFigure> figures = studyFigures(results, mode);
-    std::set<std::string> names;
-    for (const StudyFigure& figure : figures) {
-        if (!names.insert(figure.name).second)
-            return core::Unexpected(
-                core::Error{core::ErrorKind::refused,
-                            ChartText::tr("two figures have the same name").toStdString(),
-                            {},
-                            {directory.filePath(QString::fromStdString(figure.name)).toStdString()}});
-    }
     for (const StudyFigure& figure : figures) {
         const std::string svg = figure.picture.standalone();
         for (const FigureFormat& format : formats) {

@@ -37,7 +37,8 @@ struct StudyFigure {
 
 /// Every picture of a study: confusion_TASK_CONDITION (percent) and confusion_counts_TASK_CONDITION of all
 /// participants in the test phase; accuracy_TASK, patterns_TASK, response_time_TASK, transfer_TASK. Other
-/// characters of names than letters, digits, - and _ become _. Thread: any.
+/// characters of names than the letters a to z, digits, - and _ become _, and a number is added where that
+/// makes two names the same. Thread: any.
 [[nodiscard]] std::vector<StudyFigure> studyFigures(const std::vector<TaskResults>& results,
                                                     std::optional<Mode> mode);
 
@@ -48,8 +49,8 @@ struct FigureFormat {
     std::function<core::Expected<std::string>(const std::string& svg)> convert = {};
 };
 
-/// Writes all pictures into FOLDER/figures, in each format. Error: ioFailed; refused when two would have the
-/// same name; what a conversion reports. Thread: any.
+/// Writes all pictures into FOLDER/figures, in each format. Error: ioFailed; what a conversion
+/// reports. Thread: any.
 [[nodiscard]] core::Expected<void> writeFigures(const std::vector<TaskResults>& results,
                                                 const std::string& folder, std::optional<Mode> mode = {},
                                                 const std::vector<FigureFormat>& formats = {{"svg", {}}});

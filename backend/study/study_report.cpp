@@ -324,6 +324,16 @@ QString pageStyle() {
                           "line.soft{stroke:var(--grid)}line.dashed{stroke:var(--soft)}");
 }
 
+QString framesText(const TrialTally::Frames& frames) {
+    return ReportText::tr(
+               "Stimuli: %1 trials were played on a bracelet; the longest write of a frame took %2 ms. "
+               "Frames were missed in %3 of them, %4 in all.")
+        .arg(frames.trials)
+        .arg(frames.longestWrite_ms, 0, 'f', 2)
+        .arg(frames.trialsWithMisses)
+        .arg(frames.missed);
+}
+
 QString modeBanner(std::optional<Mode> mode) {
     if (!mode || *mode == Mode::run)
         return {};
@@ -351,13 +361,18 @@ std::string reportHtml(const std::vector<TaskResults>& results, const ReportHead
     html += QStringLiteral("<p>%1</p>\n")
                 .arg(ReportText::tr("Data: %1. TeleTA Console %2.")
                          .arg(sources.join(QStringLiteral(", ")), escaped(heading.appVersion)));
+    if (heading.frames.trials > 0)
+        html += QStringLiteral("<p>%1</p>\n").arg(framesText(heading.frames));
     for (const TaskResults& task : results)
         html += TaskSection(task, heading.mode).html();
-    html += QStringLiteral("<section>\n<h2>%1</h2>\n<p>%2</p>\n</section>\n</main>\n</body>\n</html>\n")
-                .arg(ReportText::tr("Compute it again"),
-                     ReportText::tr(
-                         "analysis.R beside this page computes accuracy, intervals and the analysis of "
-                         "variance again from confusion_long.csv: Rscript analysis.R"));
+    html +=
+        QStringLiteral("<section>\n<h2>%1</h2>\n<p>%2</p>\n</section>\n</main>\n</body>\n</html>\n")
+            .arg(ReportText::tr("Compute it again"),
+                 ReportText::tr(
+                     "analysis.R beside this page computes its numbers again from confusion_long.csv, but "
+                     "the response times, which that file does not have, and the bootstrap intervals: "
+                     "Rscript analysis.R. In the folder of the study it computes the response times too, "
+                     "from the exported trials."));
     return html.toStdString();
 }
 

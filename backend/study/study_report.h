@@ -17,6 +17,7 @@ struct ReportHeading {
     std::optional<Mode> mode;         ///< empty: unknown; others than run are said loudly
     std::vector<std::string> sources; ///< studies and files, as they were named
     std::string appVersion;
+    TrialTally::Frames frames = {}; ///< how the stimuli were played; of no trials: nothing is said
 };
 
 /// The results as one page of HTML 5 that needs nothing else: figures as SVG within, each with its table,

@@ -272,6 +272,7 @@ core::Expected<void> tallyStore(const StudyStore& store, ModeFilter& modes, Tria
                         return twoPeople({store.shownName()}, participant.id, *before);
                     isTaken = true;
                 }
+                tally.addFrames(result.frameWrite_ms, result.framesMissed);
                 const std::string_view response =
                     result.response ? std::string_view(task.patterns.at(*result.response).letter)
                                     : std::string_view();

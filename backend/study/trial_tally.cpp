@@ -32,6 +32,15 @@ bool TrialTally::add(const TalliedTrial& trial) {
     return true;
 }
 
+void TrialTally::addFrames(std::optional<double> longestWrite_ms, std::optional<std::size_t> missed) {
+    if (!longestWrite_ms && !missed)
+        return;
+    ++m_frames.trials;
+    m_frames.longestWrite_ms = std::max(m_frames.longestWrite_ms, longestWrite_ms.value_or(0.0));
+    m_frames.missed += missed.value_or(0);
+    m_frames.trialsWithMisses += missed.value_or(0) > 0 ? 1 : 0;
+}
+
 std::size_t TrialTally::indexOf(std::string_view name) {
     const auto found = std::find(m_names.begin(), m_names.end(), name);
     const auto index = static_cast<std::size_t>(found - m_names.begin());

@@ -52,6 +52,16 @@ public:
     /// Where what is counted came from; whoever adds trials keeps it.
     [[nodiscard]] TrialOrigins& origins() { return m_origins; }
 
+    /// How the stimuli came to the bracelet, where it is known.
+    struct Frames {
+        std::size_t trials = 0; ///< of which it is known
+        double longestWrite_ms = 0.0;
+        std::size_t missed = 0;
+        std::size_t trialsWithMisses = 0;
+    };
+    void addFrames(std::optional<double> longestWrite_ms, std::optional<std::size_t> missed);
+    [[nodiscard]] const Frames& frames() const { return m_frames; }
+
     [[nodiscard]] const std::map<Key, Cell>& cells() const { return m_cells; }
     [[nodiscard]] const std::vector<std::string>& names() const { return m_names; }
 
@@ -59,6 +69,7 @@ private:
     [[nodiscard]] std::size_t indexOf(std::string_view name);
 
     TrialOrigins m_origins;
+    Frames m_frames;
     std::map<Key, Cell> m_cells;
     std::vector<std::string> m_names;
     std::pair<const Key, Cell>* m_last = nullptr; ///< rows of a file come session by session

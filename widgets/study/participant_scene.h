@@ -28,6 +28,7 @@ struct ParticipantScene {
         stimulus,  ///< it is felt
         answering, ///< it is over
         feedback,  ///< the right answer is shown; Space goes on
+        resting,   ///< Space goes on once restLeft_s is over
         paused,
         stopped, ///< STOP, or a device that is lost
         finished,
@@ -45,8 +46,9 @@ struct ParticipantScene {
     bool canReplay = false;
     std::optional<std::size_t> answered = {};  ///< the last answer, in feedback and after it
     std::optional<std::size_t> presented = {}; ///< the right answer; in feedback only
-    bool questionnaireLocked = false;          ///< its answers are being kept, or are those of a program
-    QString questionnaireProblem = {};         ///< why they could not be kept
+    int restLeft_s = 0;
+    bool questionnaireLocked = false;  ///< its answers are being kept, or are those of a program
+    QString questionnaireProblem = {}; ///< why they could not be kept
 
     friend bool operator==(const ParticipantScene&, const ParticipantScene&) = default;
 };

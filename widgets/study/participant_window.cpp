@@ -135,6 +135,9 @@ QString ParticipantWindow::instruction() const {
         return m_scene.answered == m_scene.presented ? tr("Right. Press Space to go on.")
                                                      : tr("That was another one: the pattern marked with "
                                                           "\u2713 was felt. Press Space to go on.");
+    case State::resting:
+        return m_scene.restLeft_s > 0 ? tr("Have a rest. You may go on in %1 s.").arg(m_scene.restLeft_s)
+                                      : tr("Have a rest. Press Space when you would like to go on.");
     case State::paused:
         return tr("Pause. Please wait for the experimenter.");
     case State::stopped:
@@ -309,7 +312,7 @@ void ParticipantWindow::pressAt(const QPointF& at, const QString& device, std::i
         return;
     }
     // Beside the buttons a press asks for the next trial, so that a session needs no keyboard.
-    if (m_scene.state == State::ready || m_scene.state == State::feedback)
+    if (m_scene.state == State::ready || m_scene.state == State::feedback || m_scene.state == State::resting)
         emit nextRequested(time_ns);
 }
 

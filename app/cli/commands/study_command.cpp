@@ -370,8 +370,10 @@ core::Expected<void> StudyCommand::tallyInputs(study::TrialTally& tally, study::
 }
 
 core::Expected<void> StudyCommand::writeAll(const std::vector<study::TaskResults>& results,
-                                            const study::ModeFilter& modes) const {
+                                            const study::ModeFilter& modes,
+                                            const study::TrialTally::Frames& frames) const {
     study::ReportHeading heading;
+    heading.frames = frames;
     heading.title = StudyText::tr("Results of the study").toStdString();
     heading.mode = modes.wanted ? modes.wanted : modes.seen;
     heading.sources = m_inputs;
@@ -400,7 +402,7 @@ core::Expected<void> StudyCommand::runAnalyze() const {
     if (const core::Expected<void> counted = tallyInputs(tally, modes); !counted)
         return counted;
     const std::vector<study::TaskResults> results = study::studyResults(tally);
-    if (const core::Expected<void> written = writeAll(results, modes); !written)
+    if (const core::Expected<void> written = writeAll(results, modes, tally.frames()); !written)
         return written;
     return m_json ? printDocument(toJson(results)) : printFields(toFields(results));
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/cli/command.h"
+#include "backend/study/trial_tally.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -10,7 +11,6 @@
 
 namespace teleta::study {
 class StudyStore;
-class TrialTally;
 struct ModeFilter;
 struct TaskResults;
 } // namespace teleta::study
@@ -41,7 +41,8 @@ private:
     [[nodiscard]] core::Expected<void> runNoise() const;
     [[nodiscard]] core::Expected<void> tallyInputs(study::TrialTally& tally, study::ModeFilter& modes) const;
     [[nodiscard]] core::Expected<void> writeAll(const std::vector<study::TaskResults>& results,
-                                                const study::ModeFilter& modes) const;
+                                                const study::ModeFilter& modes,
+                                                const study::TrialTally::Frames& frames) const;
     [[nodiscard]] core::Expected<void> goOn(study::StudyStore& store) const;
 
     CLI::App* m_rehearse = nullptr;

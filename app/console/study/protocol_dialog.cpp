@@ -4,6 +4,7 @@
 #include "app/console/background.h"
 #include "backend/core/output_file.h"
 #include "backend/study/protocol_text.h"
+#include "backend/study/stimulus_set.h"
 #include "widgets/base/form_row.h"
 #include "widgets/base/theme.h"
 
@@ -35,6 +36,7 @@ constexpr double kShortest_s = 0.001;
 constexpr double kLongest_s = 3600.0;
 constexpr double kLoudest_dBA = 85.0;
 constexpr int kMostRepetitions = 1000;
+constexpr int kMostTrials = 100'000;
 constexpr double kPatternLines_em = 10.0;
 
 QStringList parts(const QString& text, QChar separator) {
@@ -60,6 +62,8 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     , m_order(new QComboBox(this))
     , m_practice(makePhase(protocol.practice))
     , m_test(makePhase(protocol.test))
+    , m_restEvery(new QSpinBox(this))
+    , m_rest_s(makeNumber(protocol.rest.atLeast_s, 0.0, kLongest_s, 1, QStringLiteral(" s")))
     , m_noise(new QComboBox(this))
     , m_level_dBA(makeNumber(protocol.noise_dBA, 0.0, kLoudest_dBA, 1, QStringLiteral(" dBA")))
     , m_taskRows(new QVBoxLayout)
@@ -76,6 +80,14 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     m_order->addItems(
         {tr("all repetitions together, in random order"), tr("each repetition in a random order")});
     m_order->setCurrentIndex(protocol.order == study::OrderMethod::fullRandom ? 0 : 1);
+    m_restEvery->setObjectName(QStringLiteral("restEvery"));
+    m_restEvery->setRange(0, kMostTrials);
+    m_restEvery->setSpecialValueText(tr("no rests"));
+    m_restEvery->setPrefix(tr("after every ", "before a number of trials"));
+    m_restEvery->setSuffix(tr(" trials", "after a number"));
+    m_restEvery->setValue(static_cast<int>(protocol.rest.everyTrials));
+    m_rest_s.box->setObjectName(QStringLiteral("rest_s"));
+    m_rest_s.box->setPrefix(tr("at least ", "before a number of seconds"));
     m_noise->addItems({tr("pink"), tr("none")});
     m_noise->setCurrentIndex(protocol.noiseColour == "none" ? 1 : 0);
     m_verdict->setObjectName(QStringLiteral("verdict"));
@@ -97,6 +109,7 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     addRow(tr("Or&der"), {m_order});
     addRow(tr("&Practice"), {m_practice.repetitions, m_practice.feedback, m_practice.diagram});
     addRow(tr("&Test"), {m_test.repetitions, m_test.feedback, m_test.diagram});
+    addRow(tr("Rests"), {m_restEvery, m_rest_s.box});
     addRow(tr("&Masking noise"), {m_noise, m_level_dBA.box});
     if (!m_questionnaires.empty())
         form->addRow(tr("Questionnaires"), new QLabel(tr("%n questionnaire(s), kept as they are", nullptr,
@@ -129,6 +142,7 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
             &ProtocolDialog::paperRequested);
     m_save = button(tr("Sa&ve as\u2026"), QDialogButtonBox::ActionRole);
     m_make = button(tr("Make a st&udy\u2026"), QDialogButtonBox::ActionRole);
+    m_make->setObjectName(QStringLiteral("makeStudy"));
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(area, 1);
     layout->addWidget(m_verdict);
@@ -143,7 +157,7 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     });
     for (QLineEdit* edit : {m_name, m_description})
         connect(edit, &QLineEdit::textChanged, this, &ProtocolDialog::check);
-    for (QSpinBox* box : {m_practice.repetitions, m_test.repetitions})
+    for (QSpinBox* box : {m_practice.repetitions, m_test.repetitions, m_restEvery})
         connect(box, &QSpinBox::valueChanged, this, &ProtocolDialog::check);
     connect(m_noise, &QComboBox::currentIndexChanged, this, &ProtocolDialog::check);
     for (const study::StudyTask& task : protocol.tasks)
@@ -234,6 +248,7 @@ core::Expected<study::Protocol> ProtocolDialog::protocol() const {
     };
     protocol.practice = phase(m_practice);
     protocol.test = phase(m_test);
+    protocol.rest = {static_cast<std::size_t>(m_restEvery->value()), m_rest_s.value()};
     protocol.noiseColour = m_noise->currentIndex() == 0 ? "pink" : "none";
     protocol.noise_dBA = m_level_dBA.value();
     protocol.questionnaires = m_questionnaires;
@@ -256,10 +271,19 @@ core::Expected<study::Protocol> ProtocolDialog::protocol() const {
 void ProtocolDialog::check() {
     const auto valid = protocol();
     m_level_dBA.box->setEnabled(m_noise->currentIndex() == 0);
+    m_rest_s.box->setEnabled(m_restEvery->value() > 0);
     m_save->setEnabled(valid.has_value());
-    m_make->setEnabled(valid.has_value());
+    const std::vector<std::string> missing =
+        valid ? study::missingStimuli(*valid) : std::vector<std::string>();
+    m_make->setEnabled(valid.has_value() && missing.empty());
     QPalette colours = palette();
-    if (valid) {
+    if (!missing.empty()) {
+        m_verdict->setText(QStringLiteral("\u2717 ") +
+                           tr("There is no pattern %1 to be felt. A study can be made of tasks, letters and "
+                              "conditions whose patterns come with the program; the file can be saved.")
+                               .arg(QString::fromStdString(missing.front())));
+        colours.setColor(QPalette::WindowText, base::statusColours(palette()).lost);
+    } else if (valid) {
         m_verdict->setText(QStringLiteral("\u2713 ") + tr("%n test trial(s) a participant", nullptr,
                                                           static_cast<int>(valid->testTrials())));
         colours.setColor(QPalette::WindowText, base::statusColours(palette()).live);

@@ -76,6 +76,8 @@ private:
     QComboBox* m_order;
     PhaseRow m_practice;
     PhaseRow m_test;
+    QSpinBox* m_restEvery;
+    NumberField m_rest_s;
     QComboBox* m_noise;
     NumberField m_level_dBA;
     QVBoxLayout* m_taskRows;

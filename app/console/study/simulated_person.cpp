@@ -50,7 +50,10 @@ void SimulatedPerson::look() {
     if (!m_present || session == nullptr || m_runner.waitsForExperimenter() || m_timer.isActive())
         return;
     double wait_s = kBetweenTrials_s;
-    if (session->stage() == Stage::feedback) {
+    if (m_runner.hold() == StudyRunner::Hold::rest) {
+        wait_s += m_runner.restLeft_s();
+        m_answer.reset();
+    } else if (session->stage() == Stage::feedback) {
         wait_s = kReadsFeedback_s;
         m_answer.reset();
     } else if (session->stage() == Stage::ready) {
@@ -77,7 +80,8 @@ void SimulatedPerson::act() {
     const study::Session* session = m_runner.session();
     if (!m_present || session == nullptr || m_runner.waitsForExperimenter())
         return;
-    if (session->stage() == Stage::ready || session->stage() == Stage::feedback) {
+    if (m_runner.hold() == StudyRunner::Hold::rest || session->stage() == Stage::ready ||
+        session->stage() == Stage::feedback) {
         m_runner.next(m_clock());
     } else if (m_answer && m_answer->response) {
         const study::KeyPress press{m_answer->response, "simulated", std::to_string(*m_answer->response + 1),

@@ -59,17 +59,18 @@ core::Expected<StudyOverview> replaced(StudyDesk::Store& store, core::Expected<S
 } // namespace
 
 StudyController::StudyController(BraceletStation& station, core::StopSwitch& stop, SteadyClock clock,
-                                 QObject* parent)
+                                 WallClock utcNow, QObject* parent)
     : QObject(parent)
     , m_station(station)
     , m_stop(stop)
     , m_clock(std::move(clock))
+    , m_utcNow(std::move(utcNow))
     , m_bracelet(station, stop)
     , m_round(m_desk)
     , m_runner(
           stop, [this] { return now_ns(); },
           [this](const study::TrialResult& result, StudyRunner::Kept kept) {
-              m_desk.ask([record = *m_record, result, now = QDateTime::currentDateTimeUtc()](
+              m_desk.ask([record = *m_record, result, now = m_utcNow()](
                              StudyDesk::Store& store) { return store->keepTrial(record, result, now); },
                          std::move(kept));
           })
@@ -226,7 +227,7 @@ void StudyController::rehearse(const QString& folder, const study::StudyScene& s
     head.mode = study::Mode::simulated;
     head.plannedParticipants = scene.participants;
     head.lapses = scene.lapses.value_or(0.0);
-    head.created = QDateTime::currentDateTimeUtc();
+    head.created = m_utcNow();
     head.appVersion = QCoreApplication::applicationVersion().toStdString();
     openOrCreate(folder.toStdString(), head);
 }
@@ -341,6 +342,9 @@ std::vector<study::RunCheck> StudyController::checks() const {
     if (m_overview) {
         now.mode = m_overview->head.mode;
         now.protocol = &m_overview->head.protocol;
+        now.missingStimuli = m_overview->missingStimuli;
+        now.stimuliChanged = m_overview->stimuliChanged;
+        now.madeBy = m_overview->head.appVersion;
     }
     const ParticipantOverview* participant = chosenParticipant();
     const SessionOverview* session = chosenSession();
@@ -381,10 +385,8 @@ void StudyController::begin() {
     m_foundInterrupted = false;
     const auto planIndex = static_cast<std::size_t>(m_chosen->second);
     m_desk.ask(
-        [who = participant->participant, planIndex, plan = session->plan,
-         now = QDateTime::currentDateTimeUtc()](StudyDesk::Store& store) {
-            return openSession(*store, who, planIndex, plan, now);
-        },
+        [who = participant->participant, planIndex, plan = session->plan, now = m_utcNow()](
+            StudyDesk::Store& store) { return openSession(*store, who, planIndex, plan, now); },
         [this, who = participant->participant, plan = session->plan](core::Expected<OpenedSession> opened) {
             --m_busy;
             if (!opened) {
@@ -406,9 +408,8 @@ void StudyController::begin() {
 }
 
 void StudyController::beginTrials(const OpenedSession& opened, const study::PlannedSession& plan) {
-    const core::Expected<void> begun =
-        m_runner.begin(output(), m_overview->head.protocol, plan, opened.kept,
-                       beganAt_ns(opened, now_ns(), QDateTime::currentDateTimeUtc()));
+    const core::Expected<void> begun = m_runner.begin(output(), m_overview->head.protocol, plan, opened.kept,
+                                                      beganAt_ns(opened, now_ns(), m_utcNow()));
     if (!begun) {
         forgetSession();
         stopRehearsal();
@@ -512,7 +513,7 @@ void StudyController::keepNote(const QString& text) {
     };
     m_desk.ask(
         [who = m_participant, record = *m_record, text = text.toStdString(),
-         now = QDateTime::currentDateTimeUtc()](StudyDesk::Store& store) {
+         now = m_utcNow()](StudyDesk::Store& store) {
             Written written{store->keepNote(record, text, now), {}};
             if (written.kept)
                 written.exported = study::exportNotes(*store, who, study::ExportFormat::psychds);

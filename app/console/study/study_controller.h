@@ -11,6 +11,7 @@
 #include "backend/study/run_checks.h"
 #include "backend/study/study_scene.h"
 
+#include <QDateTime>
 #include <QObject>
 #include <QString>
 
@@ -30,10 +31,11 @@ class StudyController : public QObject {
 
 public:
     using SteadyClock = std::function<std::int64_t()>;
+    using WallClock = std::function<QDateTime()>; ///< UTC
 
-    /// station and stop must outlive it. clock: the steady clock, or that of a test.
+    /// station and stop must outlive it. clock, utcNow: those of the system, or of a test.
     StudyController(BraceletStation& station, core::StopSwitch& stop, SteadyClock clock = core::steadyNow_ns,
-                    QObject* parent = nullptr);
+                    WallClock utcNow = QDateTime::currentDateTimeUtc, QObject* parent = nullptr);
     ~StudyController() override;
 
     /// What comes of these comes as a signal.
@@ -134,6 +136,7 @@ private:
     BraceletStation& m_station;
     core::StopSwitch& m_stop;
     SteadyClock m_clock;
+    WallClock m_utcNow;
     double m_speed = 1.0;
     std::int64_t m_anchor_ns = 0; ///< since when a fast rehearsal's clock runs
 

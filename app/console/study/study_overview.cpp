@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/study/study_overview.h"
 
+#include "backend/study/stimulus_set.h"
+
+#include <QCoreApplication>
+
 #include <algorithm>
 
 namespace teleta::console {
@@ -37,6 +41,12 @@ core::Expected<void> findDue(const study::StudyStore& store, const study::Partic
     return {};
 }
 
+/// Studies of the first programs do not say with which stimuli they were made.
+bool stimuliChanged(const study::StudyHead& head) {
+    return !head.stimulusSetSha256.empty() &&
+           head.stimulusSetSha256 != study::stimulusSetSha256(head.protocol);
+}
+
 } // namespace
 
 std::optional<std::size_t> ParticipantOverview::nextSession() const {
@@ -47,7 +57,13 @@ std::optional<std::size_t> ParticipantOverview::nextSession() const {
 }
 
 core::Expected<StudyOverview> overviewOf(const study::StudyStore& store) {
-    StudyOverview overview{store.location(), store.shownName(), store.head(), {}, store.isReadOnly()};
+    StudyOverview overview{store.location(),
+                           store.shownName(),
+                           store.head(),
+                           {},
+                           store.isReadOnly(),
+                           study::missingStimuli(store.head().protocol),
+                           stimuliChanged(store.head())};
     const auto participants = store.participants();
     if (!participants)
         return core::Unexpected(participants.error());
@@ -80,6 +96,16 @@ core::Expected<StudyOverview> overviewOf(const study::StudyStore& store) {
 core::Expected<OpenedSession> openSession(study::StudyStore& store, const study::Participant& participant,
                                           std::size_t planIndex, const study::PlannedSession& plan,
                                           const QDateTime& now) {
+    if (stimuliChanged(store.head()))
+        return core::Unexpected(core::Error{
+            core::ErrorKind::refused,
+            QCoreApplication::translate("StudyOverview",
+                                        "the patterns are not those with which this study was begun")
+                .toStdString(),
+            QCoreApplication::translate("StudyOverview", "version %1 of the program, or a new study")
+                .arg(QString::fromStdString(store.head().appVersion))
+                .toStdString(),
+            {store.shownName()}});
     auto claim = store.claim(participant);
     if (!claim)
         return core::Unexpected(claim.error());

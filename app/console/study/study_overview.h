@@ -37,6 +37,8 @@ struct StudyOverview {
     study::StudyHead head;
     std::vector<ParticipantOverview> participants;
     bool isReadOnly = false; ///< it can only be looked at
+    std::vector<std::string> missingStimuli = {};
+    bool stimuliChanged = false; ///< since the study was made
 };
 
 /// Thread: that of the store. Error: what the store reports.

@@ -58,9 +58,9 @@ QString newFolder(const QString& kind) {
 } // namespace
 
 StudyPage::StudyPage(BraceletStation& station, core::StopSwitch& stop, StudyController::SteadyClock clock,
-                     QWidget* parent)
+                     StudyController::WallClock utcNow, QWidget* parent)
     : QWidget(parent)
-    , m_controller(station, stop, std::move(clock))
+    , m_controller(station, stop, std::move(clock), std::move(utcNow))
     , m_messages(new chrome::MessageBar(this))
     , m_stack(new QStackedWidget(this))
     , m_tabs(new QTabWidget(this))
@@ -449,6 +449,9 @@ void StudyPage::tick() {
     m_controller.tick();
     if (isVisible() && m_controller.overview())
         showSession();
+    // A rest counts down.
+    if (m_controller.runner().hold() == StudyRunner::Hold::rest)
+        m_participant->setScene(StudyScenes::participant(m_controller));
 }
 
 QStringList StudyPage::viewNames() {

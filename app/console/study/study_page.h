@@ -36,7 +36,8 @@ class StudyPage : public QWidget {
 
 public:
     StudyPage(BraceletStation& station, core::StopSwitch& stop,
-              StudyController::SteadyClock clock = core::steadyNow_ns, QWidget* parent = nullptr);
+              StudyController::SteadyClock clock = core::steadyNow_ns,
+              StudyController::WallClock utcNow = QDateTime::currentDateTimeUtc, QWidget* parent = nullptr);
 
     ~StudyPage() override;
 

@@ -5,6 +5,7 @@
 #include "backend/study/stimulus_set.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace teleta::console {
@@ -61,7 +62,10 @@ core::Expected<void> StudyRunner::begin(StimulusOutput& output, const study::Pro
     m_session = std::move(*session);
     m_stimuli = std::move(stimuli);
     m_stimulus_s = protocol.stimulus_s;
+    m_rest = protocol.rest;
     m_results.assign(kept.begin(), kept.end());
+    // Whoever was interrupted has rested.
+    m_rested = progress();
     settle();
     emit changed();
     return {};
@@ -86,6 +90,10 @@ void StudyRunner::next(std::int64_t time_ns) {
     if (!m_session)
         return;
     letPass(time_ns);
+    if (m_hold == Hold::rest && time_ns >= m_restUntil_ns) {
+        m_hold = Hold::none;
+        m_session->goOn();
+    }
     if (m_hold != Hold::none)
         return;
     if (m_session->stage() == Stage::feedback) {
@@ -173,7 +181,7 @@ void StudyRunner::poll() {
         if (m_stop.engaged() && isRunning(m_session->stage()))
             fail(tr("STOP was pressed"), Hold::stopped, now_ns);
         settle();
-    } else if (m_stop.engaged() && m_hold == Hold::none && !m_concluded) {
+    } else if (m_stop.engaged() && !waitsForExperimenter() && !m_concluded) {
         hold(Hold::stopped, tr("STOP was pressed"));
     }
     if (m_session && (stage != m_session->stage() || held != m_hold))
@@ -205,6 +213,25 @@ bool StudyRunner::isPracticeOver() const {
            m_results.back().planned.phase == Phase::practice;
 }
 
+/// Of the phase that goes on: its completed trials.
+std::pair<Phase, std::size_t> StudyRunner::progress() const {
+    const study::PlannedTrial* current = m_session->current();
+    const Phase phase = current == nullptr ? Phase::test : current->phase;
+    return {phase, static_cast<std::size_t>(
+                       std::count_if(m_results.begin(), m_results.end(), [phase](const auto& result) {
+                           return result.planned.phase == phase && result.isComplete();
+                       }))};
+}
+
+bool StudyRunner::isRestDue() const {
+    const auto now = progress();
+    return m_rest.isDueAfter(now.second) && now != m_rested;
+}
+
+double StudyRunner::restLeft_s() const {
+    return m_hold == Hold::rest ? std::max(0.0, 1e-9 * static_cast<double>(m_restUntil_ns - m_clock())) : 0.0;
+}
+
 void StudyRunner::hold(Hold why, const QString& reason) {
     m_nextWanted = false;
     m_hold = why;
@@ -233,6 +260,11 @@ void StudyRunner::settle() {
             hold(Hold::blockEnd);
         else if (std::exchange(m_pauseWanted, false))
             hold(Hold::paused);
+        else if (isRestDue()) {
+            m_rested = progress();
+            m_restUntil_ns = m_clock() + std::llround(1e9 * m_rest.atLeast_s);
+            hold(Hold::rest);
+        }
     }
     if (m_keeping || m_hold == Hold::notKept || m_concluded)
         return;

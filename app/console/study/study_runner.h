@@ -12,6 +12,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace teleta::console {
@@ -32,6 +33,7 @@ public:
     enum class Hold {
         none,
         paused,     ///< by the experimenter
+        rest,       ///< the protocol has one here; the participant goes on after its time
         blockEnd,   ///< practice is over, the test begins when the experimenter says so
         stopped,    ///< STOP
         deviceLost, ///< the stimulus could not be shown as it should
@@ -75,7 +77,9 @@ public:
     /// Results of this session in their order, those that were kept before too.
     [[nodiscard]] const std::vector<study::TrialResult>& results() const { return m_results; }
     /// The next step is the experimenter's, not the participant's.
-    [[nodiscard]] bool waitsForExperimenter() const { return m_hold != Hold::none; }
+    [[nodiscard]] bool waitsForExperimenter() const { return m_hold != Hold::none && m_hold != Hold::rest; }
+    /// Of a rest, until the participant may go on; 0 when that is now.
+    [[nodiscard]] double restLeft_s() const;
 
 signals:
     void changed();
@@ -95,6 +99,8 @@ private:
     void turn();
     void letPass(std::int64_t time_ns);
     [[nodiscard]] bool isPracticeOver() const;
+    [[nodiscard]] std::pair<study::Phase, std::size_t> progress() const;
+    [[nodiscard]] bool isRestDue() const;
     void settle();
     void keep(const study::TrialResult& result);
     void hold(Hold hold, const QString& reason = {});
@@ -108,6 +114,9 @@ private:
     std::optional<study::Session> m_session;
     std::vector<const pattern::Pattern*> m_stimuli;
     double m_stimulus_s = 0.0;
+    study::RestSettings m_rest;
+    std::pair<study::Phase, std::size_t> m_rested; ///< progress() at the last rest
+    std::int64_t m_restUntil_ns = 0;
     std::vector<study::TrialResult> m_results;
     Hold m_hold = Hold::none;
     QString m_reason;

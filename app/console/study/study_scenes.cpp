@@ -8,6 +8,7 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace teleta::console {
@@ -144,7 +145,7 @@ NextStep StudyScenes::nextStep(const StudyController& controller) {
             return NextStep::retry;
         if (isOver(runner))
             return simulated && controller.isRehearsing() ? NextStep::stopRehearsal : NextStep::leaveSession;
-        if (runner.hold() != Hold::none)
+        if (runner.waitsForExperimenter() || (runner.hold() == Hold::rest && !controller.isRehearsing()))
             return NextStep::goOn;
         return controller.isRehearsing() ? NextStep::stopRehearsal : NextStep::none;
     }
@@ -346,6 +347,14 @@ void StudyScenes::describeRunning(const StudyController& controller, studyview::
         scene.state = tr("Paused.");
         scene.tone = Tone::attention;
         break;
+    case Hold::rest: {
+        const int left_s = static_cast<int>(std::ceil(runner.restLeft_s()));
+        scene.next = step == NextStep::stopRehearsal ? QString() : tr("End the rest");
+        scene.state = left_s > 0 ? tr("Rest. The participant may go on in %1 s.").arg(left_s)
+                                 : tr("Rest. The participant goes on with Space.");
+        scene.tone = Tone::calm;
+        break;
+    }
     case Hold::blockEnd:
         scene.next = tr("Begin the test");
         scene.state = tr("Practice is over. In the test there is no feedback unless the protocol says so.");
@@ -439,6 +448,10 @@ studyview::ParticipantScene StudyScenes::participant(const StudyController& cont
     case Hold::blockEnd:
     case Hold::notKept:
         scene.state = State::paused;
+        return scene;
+    case Hold::rest:
+        scene.state = State::resting;
+        scene.restLeft_s = static_cast<int>(std::ceil(runner.restLeft_s()));
         return scene;
     case Hold::none:
         break;

@@ -20,9 +20,18 @@ struct WritingText {
     Q_DECLARE_TR_FUNCTIONS(StudyWriting)
 };
 
+core::Expected<std::vector<study::TaskResults>> resultsOf(const study::StudyStore& store,
+                                                          study::TrialTally& tally) {
+    study::ModeFilter modes;
+    if (const core::Expected<void> counted = study::tallyStore(store, modes, tally); !counted)
+        return core::Unexpected(counted.error());
+    return study::studyResults(tally);
+}
+
 /// Tables, figures and report of a study in its folder "results", which is returned.
 core::Expected<QString> writeAnalysis(const study::StudyStore& store, const QDir& study) {
-    const core::Expected<std::vector<study::TaskResults>> tasks = resultsOf(store);
+    study::TrialTally tally;
+    const core::Expected<std::vector<study::TaskResults>> tasks = resultsOf(store, tally);
     if (!tasks)
         return core::Unexpected(tasks.error());
     const QString results = study.filePath(QStringLiteral("results"));
@@ -36,7 +45,8 @@ core::Expected<QString> writeAnalysis(const study::StudyStore& store, const QDir
     const study::ReportHeading heading{WritingText::tr("Results of the study").toStdString(),
                                        mode,
                                        {onServer ? store.shownName() : study.path().toStdString()},
-                                       QCoreApplication::applicationVersion().toStdString()};
+                                       QCoreApplication::applicationVersion().toStdString(),
+                                       tally.frames()};
     return study::writeResults(*tasks, folder)
         .and_then([&] { return study::writeFigures(*tasks, folder, mode, formats); })
         .and_then([&] { return study::writeReport(*tasks, heading, folder); })
@@ -45,19 +55,12 @@ core::Expected<QString> writeAnalysis(const study::StudyStore& store, const QDir
 
 } // namespace
 
-core::Expected<std::vector<study::TaskResults>> resultsOf(const study::StudyStore& store) {
-    study::ModeFilter modes;
-    study::TrialTally tally;
-    if (const core::Expected<void> counted = study::tallyStore(store, modes, tally); !counted)
-        return core::Unexpected(counted.error());
-    return study::studyResults(tally);
-}
-
 core::Expected<std::vector<study::TaskResults>> resultsOf(const study::StoreLocation& location) {
     const core::Expected<study::StudyStore> store = study::StudyStore::openForReading(location);
     if (!store)
         return core::Unexpected(store.error());
-    return resultsOf(*store);
+    study::TrialTally tally;
+    return resultsOf(*store, tally);
 }
 
 core::Expected<QString> writeStudy(const study::StudyStore& store, const QString& format) {

@@ -10,10 +10,8 @@
 
 namespace teleta::console {
 
-/// The results of what a study has now. Error: what the store reports. Thread: any; the second, that of the
-/// store.
+/// The results of what a study has now. Error: what the store reports. Thread: any.
 [[nodiscard]] core::Expected<std::vector<study::TaskResults>> resultsOf(const study::StoreLocation& location);
-[[nodiscard]] core::Expected<std::vector<study::TaskResults>> resultsOf(const study::StudyStore& store);
 
 /// Writes a study into its folder. format: psychds, bids, excel, or analysis for tables, figures and report.
 /// Returns the folder that was written. Error: what the store reports, ioFailed. Thread: that of the store;

@@ -152,7 +152,28 @@ TEST(WriteFigures, makesAFileForEachTaskAndCondition) {
     EXPECT_TRUE(std::filesystem::exists(folder.path("out/figures/confusion_shape_fast_slow.svg")));
     EXPECT_TRUE(std::filesystem::exists(folder.path("out/figures/accuracy_shape.svg")));
     ASSERT_TRUE(tally.add({"P", "shape", "fast_slow", Phase::test, "A", "A", 1.0}));
-    EXPECT_EQ(writeFigures(studyResults(tally), folder.path("out")).error().kind, core::ErrorKind::refused);
+    ASSERT_TRUE(writeFigures(studyResults(tally), folder.path("more")));
+    EXPECT_TRUE(std::filesystem::exists(folder.path("more/figures/confusion_shape_fast_slow.svg")));
+    EXPECT_TRUE(std::filesystem::exists(folder.path("more/figures/confusion_shape_fast_slow-2.svg")));
+}
+
+TEST(StudyFigures, haveFilesOfTheirOwnWhateverTheLettersOfTheirTasks) {
+    TrialTally tally;
+    // "form" and "colour" in Japanese, the same in another case, and what other names look like together.
+    for (const char* task : {"\u5f62", "\u8272", "shape", "Shape", "a"})
+        for (const char* condition : {"static", "b_c"})
+            ASSERT_TRUE(tally.add({"P", task, condition, Phase::test, "A", "A", 1.0}));
+    ASSERT_TRUE(tally.add({"P", "a_b", "c", Phase::test, "A", "A", 1.0}));
+    std::set<QString> names;
+    const auto figures = studyFigures(studyResults(tally), {});
+    for (const StudyFigure& figure : figures) {
+        EXPECT_TRUE(names.insert(QString::fromStdString(figure.name).toLower()).second) << figure.name;
+        EXPECT_EQ(
+            figure.name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_-0123456789"),
+            std::string::npos)
+            << figure.name;
+    }
+    EXPECT_EQ(figures.size(), 5U * 8U + 6U);
 }
 
 } // namespace teleta::study

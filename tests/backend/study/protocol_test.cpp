@@ -57,6 +57,27 @@ TEST(Protocol, ofThePaperHasItsTrialsAndTimes) {
     EXPECT_EQ(sessions[3].test.size(), 25U);
 }
 
+TEST(Protocol, hasRestsWhereItSaysSo) {
+    EXPECT_EQ(parseProtocol(kSmall, "p.toml")->rest.everyTrials, 0U);
+    const std::string rests = with(kSmall, "[masking_noise]",
+                                   "[pause]\nevery_trials = 10\nat_least_s = 30.5\n"
+                                   "[masking_noise]");
+    const RestSettings rest = parseProtocol(rests, "p.toml").value().rest;
+    EXPECT_EQ(rest.everyTrials, 10U);
+    EXPECT_EQ(rest.atLeast_s, 30.5);
+    for (const std::size_t completed : {0U, 9U, 11U, 19U})
+        EXPECT_FALSE(rest.isDueAfter(completed)) << completed;
+    EXPECT_TRUE(rest.isDueAfter(10) && rest.isDueAfter(20));
+    EXPECT_FALSE(RestSettings().isDueAfter(10));
+    const auto line = [&](const std::string& from, const std::string& to) {
+        return errorOf(with(rests, from, to)).where.line;
+    };
+    EXPECT_EQ(line("every_trials = 10", "every_trials = 0"), 11);
+    EXPECT_EQ(line("at_least_s = 30.5", "at_least_s = -1.0"), 12);
+    EXPECT_EQ(line("at_least_s = 30.5", "at_least = 30.5"), 12) << "a key without its unit";
+    EXPECT_EQ(line("every_trials = 10\n", ""), 10);
+}
+
 TEST(Protocol, readsWhatMayBeChanged) {
     const core::Expected<Protocol> protocol = parseProtocol(kSmall, "p.toml");
     ASSERT_TRUE(protocol) << core::describe(protocol.error());

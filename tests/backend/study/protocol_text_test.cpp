@@ -21,6 +21,8 @@ void expectTheSame(const Protocol& read, const Protocol& written) {
         EXPECT_EQ((read.*phase).feedback, (written.*phase).feedback);
         EXPECT_EQ((read.*phase).diagram, (written.*phase).diagram);
     }
+    EXPECT_EQ(read.rest.everyTrials, written.rest.everyTrials);
+    EXPECT_EQ(read.rest.atLeast_s, written.rest.atLeast_s);
     EXPECT_EQ(read.noiseColour, written.noiseColour);
     EXPECT_EQ(read.noise_dBA, written.noise_dBA);
     ASSERT_EQ(read.tasks.size(), written.tasks.size());
@@ -67,6 +69,14 @@ TEST(ProtocolText, isReadBackAsTheSameProtocol) {
         ASSERT_TRUE(read) << teleta::core::describe(read.error());
         expectTheSame(*read, protocol);
     }
+}
+
+TEST(ProtocolText, writesRests) {
+    Protocol protocol = smallProtocol();
+    protocol.rest = {15, 20.0};
+    const auto read = parseProtocol(protocolText(protocol), "text");
+    ASSERT_TRUE(read) << teleta::core::describe(read.error());
+    expectTheSame(*read, protocol);
 }
 
 TEST(ProtocolText, keepsWhatIsHardToWrite) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/study/protocol_text.h"
 #include "backend/study/rehearsal.h"
 #include "backend/study/simulated_participant.h"
 #include "tests/backend/core/temporary_folder.h"
@@ -88,6 +89,37 @@ TEST_F(RehearsalTest, isTheSameAfterAnInterruptionAtAnyTrial) {
         EXPECT_EQ(progress->trialsBefore, stop);
         EXPECT_EQ(rows(store), expected) << "stopped after " << stop;
     }
+}
+
+TEST_F(RehearsalTest, restsWhereTheProtocolSaysSo) {
+    const auto onsets_s = [&](const std::string& name, const RestSettings& rest) {
+        StudyHead head;
+        head.protocol = smallProtocol();
+        head.protocol.rest = rest;
+        head.protocol.source = protocolText(head.protocol);
+        head.seed = 5;
+        head.mode = Mode::simulated;
+        head.plannedParticipants = 1;
+        head.created = QDateTime(QDate(2026, 11, 3), QTime(9, 0), Qt::UTC);
+        StudyStore store = std::move(StudyStore::create(m_folder.path(name), head).value());
+        EXPECT_TRUE(rehearse(store, [](std::size_t) { return true; }));
+        std::vector<double> onsets;
+        const std::vector<Participant> participants = store.participants().value();
+        const std::vector<SessionRecord> sessions = store.sessions(participants.front()).value();
+        const std::vector<StoredTrial> trials = store.trials(sessions.front()).value();
+        for (const StoredTrial& trial : trials)
+            if (trial.result.planned.phase == Phase::test)
+                onsets.push_back(trial.result.onset_s);
+        return onsets;
+    };
+    const std::vector<double> without = onsets_s("without", {});
+    const std::vector<double> with = onsets_s("with", {2, 100.0});
+    ASSERT_EQ(with.size(), without.size());
+    ASSERT_GE(with.size(), 5U);
+    // Rests in practice move all of them; those in the test, one after every second trial.
+    for (std::size_t i = 0; i < with.size(); ++i)
+        EXPECT_NEAR(with[i] - without[i] - (with[0] - without[0]), 100.0 * static_cast<double>(i / 2), 1e-6)
+            << i;
 }
 
 TEST_F(RehearsalTest, refusesAStudyWithRealParticipants) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/run_checks.h"
+#include "backend/study/stimulus_set.h"
 #include "tests/backend/core/temporary_folder.h"
 #include "tests/backend/study/small_protocol.h"
 
@@ -50,12 +51,25 @@ protected:
 
 TEST_F(RunChecksTest, aRunMayBeginWhenEverythingIsReady) {
     const std::vector<RunCheck> checks = preRunChecks(m_now);
-    EXPECT_EQ(checks.size(), 7U);
+    EXPECT_EQ(checks.size(), 8U);
     EXPECT_TRUE(allPassed(checks));
     for (const RunCheck& check : checks) {
         EXPECT_NE(check.finding, "") << check.name;
         EXPECT_EQ(check.remedy, "") << check.name;
     }
+}
+
+TEST_F(RunChecksTest, refusesStimuliThatAreMissingOrNotThoseOfTheBeginning) {
+    m_now.stimuliChanged = true;
+    m_now.madeBy = "0.7.1";
+    EXPECT_EQ(onlyFailure().kind, RunCheckKind::stimuli);
+    EXPECT_NE(onlyFailure().remedy.find("0.7.1"), std::string::npos);
+    m_now.missingStimuli = {"taste.A.static"};
+    EXPECT_NE(onlyFailure().finding.find("taste.A.static"), std::string::npos);
+    EXPECT_EQ(missingStimuli(*paperProtocol()), std::vector<std::string>());
+    Protocol other = *paperProtocol();
+    other.tasks.front().patterns.front().letter = "Z";
+    EXPECT_EQ(missingStimuli(other), (std::vector<std::string>{"shape.Z.static", "shape.Z.dynamic"}));
 }
 
 TEST_F(RunChecksTest, refusesAMissingALostAndAStoppedBracelet) {

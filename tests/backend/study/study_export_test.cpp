@@ -179,6 +179,42 @@ TEST(FileLabels, doNotChangeWhenMorePeopleEnrol) {
     EXPECT_EQ(before, (std::vector<std::string>{"abx1", "ab", "x3", "abx1x4", "abx5", "abx5x6", "P07"}));
 }
 
+TEST(FileLabels, areNotTheSameWhereTheCaseOfLettersDoesNotCount) {
+    std::set<QString> files;
+    const auto labels = fileLabels({{1, "P7", 0}, {2, "p7", 1}, {3, "p7x2", 2}, {4, "P 7", 3}});
+    for (const std::string& label : labels)
+        EXPECT_TRUE(files.insert(QString::fromStdString(label).toLower()).second) << label;
+    EXPECT_EQ(labels.front(), "P7");
+}
+
+TEST_F(StudyExportTest, theSidecarTellsHowTheFramesOfEachStimulusWerePlayed) {
+    StudyStore store = create(Mode::run);
+    addSession(store, "P07");
+    const Participant participant = store.participants()->front();
+    const SessionRecord session = store.sessions(participant)->front();
+    TrialResult played;
+    played.planned = {Phase::test, 3, 1, 2, 1};
+    played.trialInBlock = 3;
+    played.frameWrite_ms = 0.75;
+    played.framesMissed = 2;
+    ASSERT_TRUE(store.keepTrial(session, played, kNow));
+    ASSERT_TRUE(exportStudy(store, ExportFormat::psychds));
+    const auto frames = nlohmann::json::parse(read(
+        "data/subject-P07/subject-P07_session-20261103T142233_task-shape_data.json"))["session"]["frames"];
+    ASSERT_EQ(frames.size(), 1U) << "of what was played";
+    EXPECT_EQ(frames[0], nlohmann::json({{"phase", "test"},
+                                         {"trial", 3},
+                                         {"attempt", 2},
+                                         {"longest_frame_write_ms", 0.75},
+                                         {"frames_missed", 2}}));
+    TrialTally tally;
+    ModeFilter modes;
+    ASSERT_TRUE(tallyStore(store, modes, tally));
+    EXPECT_EQ(tally.frames().trials, 1U);
+    EXPECT_EQ(tally.frames().missed, 2U);
+    EXPECT_EQ(tally.frames().longestWrite_ms, 0.75);
+}
+
 TEST_F(StudyExportTest, aParticipantThatTheStudyDoesNotHaveIsAnErrorAndNoFile) {
     StudyStore store = create(Mode::run);
     addSession(store, "P07");

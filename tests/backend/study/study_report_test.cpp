@@ -112,6 +112,15 @@ TEST(StudyReport, saysLoudlyThatDataAreNotThoseOfAStudy) {
     EXPECT_FALSE(has(reportHtml(results(), heading({})), "class=\"mode\""));
 }
 
+TEST(StudyReport, saysHowTheStimuliWerePlayedWhereThatIsKnown) {
+    EXPECT_FALSE(has(reportHtml(results(), heading()), "were played on a bracelet"));
+    ReportHeading played = heading();
+    played.frames = {.trials = 110, .longestWrite_ms = 0.754, .missed = 7, .trialsWithMisses = 3};
+    EXPECT_TRUE(has(reportHtml(results(), played),
+                    "110 trials were played on a bracelet; the longest write of a frame took 0.75 ms. Frames "
+                    "were missed in 3 of them, 7 in all."));
+}
+
 TEST(StudyReport, isWrittenIntoTheFolder) {
     const test::TemporaryFolder folder;
     ASSERT_TRUE(writeReport(results(), heading(), folder.path("out")));

@@ -4,7 +4,11 @@
 #include "tests/support/form_labels.h"
 
 #include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
 #include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSpinBox>
 #include <QTest>
 
 using namespace teleta;
@@ -43,6 +47,36 @@ private slots:
                 QCOMPARE(read->tasks[t].patterns[p].name, protocol.tasks[t].patterns[p].name);
             }
         }
+    }
+
+    void saysBeforeAStudyIsMadeThatItsStimuliAreMissing() {
+        ProtocolDialog dialog(paper());
+        auto* make = dialog.findChild<QPushButton*>("makeStudy");
+        auto* verdict = dialog.findChild<QLabel*>("verdict");
+        QVERIFY(make->isEnabled());
+        auto* id = dialog.findChild<QLineEdit*>("taskId");
+        id->setText("taste");
+        QVERIFY(!make->isEnabled());
+        QVERIFY2(verdict->text().contains("taste.A.static"), qPrintable(verdict->text()));
+        id->setText("shape");
+        QVERIFY(make->isEnabled());
+    }
+
+    void restsAreReadAndCanBeChanged() {
+        study::Protocol protocol = paper();
+        protocol.rest = {10, 12.3456};
+        ProtocolDialog dialog(protocol);
+        auto* seconds = dialog.findChild<QDoubleSpinBox*>("rest_s");
+        QCOMPARE(dialog.protocol()->rest.atLeast_s, 12.3456);
+        QVERIFY(seconds->isEnabled());
+        seconds->setValue(20.0);
+        auto* every = dialog.findChild<QSpinBox*>("restEvery");
+        every->setValue(15);
+        QCOMPARE(dialog.protocol()->rest.everyTrials, std::size_t(15));
+        QCOMPARE(dialog.protocol()->rest.atLeast_s, 20.0);
+        every->setValue(0);
+        QVERIFY(!seconds->isEnabled());
+        QCOMPARE(dialog.protocol()->rest.everyTrials, std::size_t(0));
     }
 
     void everyLetterOfItsLabelsReachesAField() {

@@ -61,7 +61,8 @@ protected:
     std::unique_ptr<console::StudyPage> m_page;
     std::unique_ptr<QTimer> m_tick;
 
-    std::string m_more; ///< of the protocol
+    std::string m_more;      ///< of the protocol
+    qint64 m_clockSet_s = 0; ///< by how much somebody has set the clock
 
     [[nodiscard]] QString studyFolder() const { return m_folder->filePath(QStringLiteral("study")); }
 
@@ -78,7 +79,9 @@ protected:
     }
 
     void openPage() {
-        m_page = std::make_unique<console::StudyPage>(*m_station, *m_stop);
+        m_page = std::make_unique<console::StudyPage>(*m_station, *m_stop, core::steadyNow_ns, [this] {
+            return QDateTime::currentDateTimeUtc().addSecs(m_clockSet_s);
+        });
         m_page->resize(1200, 800);
         m_page->show();
         m_tick = std::make_unique<QTimer>();
@@ -194,6 +197,7 @@ protected:
         m_station.reset();
         m_stop.reset();
         m_more.clear();
+        m_clockSet_s = 0;
     }
 };
 

@@ -283,6 +283,65 @@ private slots:
         QVERIFY2(after[3].result.onset_s > after[2].result.onset_s, "the times of a session go on");
     }
 
+    void aClockThatIsSetBackADayBetweenAnAbortAndTheRestLosesAndOverwritesNothing() {
+        openStudy();
+        beginSession();
+        finishPractice();
+        doTrial();
+        QTRY_VERIFY_WITH_TIMEOUT(!runner().isKeeping(), kPatience_ms);
+        controller().abort();
+        QTRY_VERIFY_WITH_TIMEOUT(!controller().isBusy(), kPatience_ms);
+        const auto before = kept();
+        QCOMPARE(before.size(), std::size_t(3));
+        m_clockSet_s = -86'400;
+        controller().leaveSession();
+        QTRY_VERIFY_WITH_TIMEOUT(nextButton()->text().contains(QStringLiteral("Go on")), kPatience_ms);
+        beginSession();
+        for (int trial = 0; trial < 3; ++trial)
+            doTrial();
+        QTRY_VERIFY_WITH_TIMEOUT(controller().chosenSession()->isFinished(), kPatience_ms);
+        const auto after = kept();
+        QCOMPARE(after.size(), std::size_t(6));
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            QCOMPARE(after[i].time, before[i].time);
+            QCOMPARE(after[i].result.onset_s, before[i].result.onset_s);
+        }
+        for (std::size_t i = before.size(); i < after.size(); ++i) {
+            QVERIFY2(after[i].time < before.back().time, "the time of the clock, as it is");
+            QVERIFY2(after[i].result.onset_s > after[i - 1].result.onset_s,
+                     "the session goes on all the same");
+        }
+        // The next session is another one although its clock says that it began before.
+        QTest::mouseClick(nextButton(), Qt::LeftButton);
+        beginSession();
+        doTrial();
+        QTRY_COMPARE_WITH_TIMEOUT(kept(0, 1).size(), std::size_t(1), kPatience_ms);
+        QCOMPARE(kept().size(), std::size_t(6));
+    }
+
+    void stimuliThatHaveChangedSinceTheStudyBeganKeepItFromGoingOn() {
+        openStudy();
+        execute("UPDATE study SET stimulus_set_sha256 = 'other', app_version = '0.7.1'");
+        m_tick.reset();
+        m_page.reset();
+        openPage();
+        m_page->open(studyFolder());
+        QTRY_VERIFY_WITH_TIMEOUT(controller().overview().has_value(), kPatience_ms);
+        controller().setNoiseConfirmed(true);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_page->sessionPanel().scene().checks.empty(), kPatience_ms);
+        const auto& checks = m_page->sessionPanel().scene().checks;
+        QVERIFY(std::any_of(checks.begin(), checks.end(), [](const auto& check) {
+            return !check.passed && check.remedy.contains(QStringLiteral("0.7.1"));
+        }));
+        controller().begin();
+        QVERIFY(!controller().isBusy());
+        const auto participant = controller().chosenParticipant()->participant;
+        const auto plan = controller().chosenSession()->plan;
+        auto store = study::StudyStore::open(studyFolder().toStdString());
+        QVERIFY(!console::openSession(*store, participant, 0, plan, QDateTime::currentDateTimeUtc()));
+        QVERIFY(store->sessions(participant)->empty());
+    }
+
     void aPageThatIsClosedInMidTrialLosesNothingThatWasAnswered() {
         openStudy();
         beginSession();
