@@ -70,6 +70,8 @@ public:
     /// Takes the oldest frame that waits; false when there is none.
     virtual bool pop(CameraFrame& frame) = 0;
     [[nodiscard]] virtual DeviceStatus status() const = 0;
+    /// Null when the source is not a playback that can be controlled.
+    [[nodiscard]] virtual PlaybackControl* playback() { return nullptr; }
 };
 
 /// Makes the frames of a simulated camera, one call a frame. The device paces the calls and stamps the

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace teleta::core {
 
@@ -57,6 +58,13 @@ struct PlaybackPosition {
     bool loop = false;
 };
 
+/// A moment of a recording that somebody marked.
+struct PlaybackMark {
+    double time_s = 0.0;       ///< as that of PlaybackPosition
+    double sourceTime_s = 0.0; ///< as that of the frames
+    std::string text;
+};
+
 /// Control of a playback. Every call returns at once; the worker carries it out.
 /// Thread: one controlling thread.
 class PlaybackControl {
@@ -71,6 +79,8 @@ public:
     virtual void seek(double time_s) = 0;
     virtual void setLoop(bool loop) = 0;
     [[nodiscard]] virtual PlaybackPosition position() const = 0;
+    /// In order of time; they never change.
+    [[nodiscard]] virtual std::vector<PlaybackMark> marks() const { return {}; }
 };
 
 /// A tactile array, real, simulated or recorded: facade over a worker thread that reads and stamps frames.

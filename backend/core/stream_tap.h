@@ -60,6 +60,18 @@ public:
                       .discontinuity = frame.discontinuity});
     }
 
+    /// One picture, for a thread that can wait; as below.
+    [[nodiscard]] bool tryAppend(const CameraFrame& frame) {
+        if (isClosed() || frame.image.isEmpty())
+            return true;
+        TappedFrames frames{.time_ns = {frame.time_ns},
+                            .sourceTime_s = {frame.capture_s},
+                            .values = {},
+                            .image = frame.image,
+                            .discontinuity = frame.discontinuity};
+        return m_queue.tryPush(frames);
+    }
+
     /// For a thread that can wait: false when there is no room, and then nothing happened.
     template <typename Number>
     [[nodiscard]] bool tryAppend(std::span<const std::int64_t> time_ns, std::span<const double> sourceTime_s,

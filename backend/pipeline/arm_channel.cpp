@@ -3,9 +3,12 @@
 
 #include "backend/core/elapsed.h"
 #include "backend/core/steady_time.h"
+#include "backend/pipeline/recorded_streams.h"
+#include "backend/recording/stream_columns.h"
 
 #include <limits>
 #include <numbers>
+#include <span>
 #include <utility>
 
 namespace teleta::pipeline {
@@ -28,6 +31,8 @@ ArmChannel::~ArmChannel() {
 std::size_t ArmChannel::process() {
     bool changed = takeCommands();
 
+    m_tapsInUse = m_taps.get();
+
     // Joints first: a skin frame that was read before them is then there, too.
     m_joints.clear();
     core::JointSample sample;
@@ -47,6 +52,11 @@ std::size_t ArmChannel::process() {
         }
     };
     for (const core::JointSample& next : m_joints) {
+        if (m_tapsInUse) {
+            const auto values = recording::jointValues(next);
+            m_tapsInUse->joints->append(next.time_ns, next.sourceTime_s, std::span<const double>(values),
+                                        next.discontinuity);
+        }
         feedContactsUntil(next.time_ns - 1);
         if (auto touch = m_estimator.update(next))
             take(std::move(*touch));
@@ -84,6 +94,10 @@ bool ArmChannel::takeCommands() {
 }
 
 void ArmChannel::take(TouchRecord&& touch) {
+    if (m_tapsInUse) {
+        const auto values = touchValues(touch);
+        m_tapsInUse->touches->append(touch.ready_ns, touch.ready_s, std::span<const double>(values));
+    }
     const std::shared_ptr<TactileFeedback> feedback = m_feedback.get();
     if (feedback)
         feedback->onTouch(touch);

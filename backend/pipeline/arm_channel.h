@@ -7,6 +7,7 @@
 #include "backend/core/latest_exchange.h"
 #include "backend/core/mailbox.h"
 #include "backend/pipeline/arm_snapshot.h"
+#include "backend/pipeline/channel_taps.h"
 #include "backend/pipeline/contour_explorer.h"
 #include "backend/pipeline/tactile_feedback.h"
 #include "backend/pipeline/touch_channel.h"
@@ -71,6 +72,9 @@ public:
     /// The settings in use.
     [[nodiscard]] ArmSettings settings() const { return m_settingsInUse.get(); }
 
+    /// Who gets copies of joint samples and touches from the next ones on; null: nobody. Any thread.
+    void record(std::shared_ptr<const ArmTaps> taps) { m_taps.set(std::move(taps)); }
+
     [[nodiscard]] std::uint64_t samplesProcessed() const {
         return m_samplesProcessed.load(std::memory_order_relaxed);
     }
@@ -93,6 +97,8 @@ private:
     core::LatestCopy<ArmSettings> m_settingsInUse;
     std::atomic<bool> m_contourReset{false};
     core::LatestCopy<std::shared_ptr<TactileFeedback>> m_feedback;
+    core::LatestCopy<std::shared_ptr<const ArmTaps>> m_taps;
+    std::shared_ptr<const ArmTaps> m_tapsInUse; ///< of the pipeline's thread
 
     std::vector<core::JointSample> m_joints;
     std::vector<SkinContact> m_contacts;

@@ -3,6 +3,7 @@
 
 #include "backend/core/elapsed.h"
 #include "backend/core/steady_time.h"
+#include "backend/pipeline/recorded_camera.h"
 
 #include <opencv2/imgproc.hpp>
 
@@ -10,6 +11,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <string_view>
 #include <tuple>
 #include <utility>
@@ -50,8 +52,13 @@ core::Expected<std::shared_ptr<CameraChannel>> CameraChannel::make(std::unique_p
     auto finder = vision::makeContactFinder(vision::contactLadder().front(), camera, settings.contacts);
     if (!finder)
         return core::Unexpected(finder.error());
-    return std::shared_ptr<CameraChannel>(new CameraChannel(
+    std::shared_ptr<CameraChannel> channel(new CameraChannel(
         std::move(source), camera, stop, std::move(reaction), settings, std::move(*finder)));
+    if (!settings.reference.isEmpty()) {
+        if (auto taken = channel->m_tracker.next(viewOf(settings.reference), 0.0); !taken)
+            return core::Unexpected(taken.error());
+    }
+    return channel;
 }
 
 CameraChannel::CameraChannel(std::unique_ptr<core::CameraSource> source, const vision::CylinderCamera& camera,
@@ -119,10 +126,13 @@ void CameraChannel::run(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
         m_data.waitFor(kIdlePeriod);
         takeWishes();
+        takeTaps();
         core::CameraFrame frame;
         core::CameraFrame newest;
         bool any = false;
         while (m_source->pop(frame)) {
+            if (m_tapsInUse)
+                m_tapsInUse->pictures->append(frame);
             if (any)
                 frame.replace(newest);
             newest = std::move(frame);
@@ -193,13 +203,16 @@ void CameraChannel::makeReady(const vision::ContactRung& rung) {
 void CameraChannel::process(const core::CameraFrame& frame) {
     if (m_first_ns == 0)
         m_first_ns = frame.time_ns;
-    if (frame.discontinuity || m_processed.load(std::memory_order_relaxed) == 0) {
+    m_frame_ns = frame.time_ns;
+    const bool isFirst = m_processed.load(std::memory_order_relaxed) == 0;
+    if (frame.discontinuity || isFirst) {
         // Time goes on by at least a frame.
         m_offset_s =
             std::max(core::elapsed_s(m_first_ns, frame.time_ns), m_time_s + kLeastPeriod_s) - frame.capture_s;
         if (m_tracker.hasReference()) {
             m_tracker.forget();
-            addEvent({.kind = CameraEvent::Kind::restart, .time_s = frame.capture_s + m_offset_s});
+            if (!isFirst)
+                addEvent({.kind = CameraEvent::Kind::restart, .time_s = frame.capture_s + m_offset_s});
         }
         if (m_reaction)
             m_reaction->forget();
@@ -219,6 +232,9 @@ void CameraChannel::process(const core::CameraFrame& frame) {
     react(usable ? &*contacts : nullptr, frame.time_ns);
     if (!hadReference && m_tracker.hasReference())
         addEvent({.kind = CameraEvent::Kind::reference, .time_s = m_time_s});
+    if (!hadReference)
+        recordReference(frame.time_ns, frame.capture_s);
+    recordContacts(frame, *contacts);
     report(*contacts);
     if (!frame.image.isEmpty()) {
         m_lastImage = frame.image;
@@ -346,7 +362,36 @@ void CameraChannel::report(const std::vector<FollowedContact>& contacts) {
     }
 }
 
+void CameraChannel::takeTaps() {
+    std::shared_ptr<const CameraTaps> taps = m_taps.get();
+    if (taps == m_tapsInUse)
+        return;
+    m_tapsInUse = std::move(taps);
+    recordReference(core::steadyNow_ns(), m_time_s);
+}
+
+void CameraChannel::recordReference(std::int64_t time_ns, double time_s) {
+    // Nobody writes to the reference's pixels.
+    if (m_tapsInUse && m_tracker.hasReference())
+        m_tapsInUse->reference->append(
+            {.image = core::greyImageOf(m_tracker.reference()), .time_ns = time_ns, .capture_s = time_s});
+}
+
+void CameraChannel::recordContacts(const core::CameraFrame& frame,
+                                   const std::vector<FollowedContact>& contacts) {
+    if (!m_tapsInUse)
+        return;
+    for (const FollowedContact& followed : contacts) {
+        if (!followed.seen && followed.event != ContactEvent::ends)
+            continue;
+        const auto values = contactValues(followed);
+        m_tapsInUse->contacts->append(frame.time_ns, frame.capture_s, std::span<const double>(values));
+    }
+}
+
 void CameraChannel::addEvent(CameraEvent event) {
+    if (m_tapsInUse && m_tapsInUse->event)
+        m_tapsInUse->event(event, m_frame_ns);
     m_events.push(std::move(event));
 }
 

@@ -3,12 +3,14 @@
 
 #include "backend/core/bounded_queue.h"
 #include "backend/core/camera_source.h"
+#include "backend/core/latest_copy.h"
 #include "backend/core/latest_exchange.h"
 #include "backend/core/mailbox.h"
 #include "backend/core/rate_meter.h"
 #include "backend/core/stop_switch.h"
 #include "backend/core/wakeup.h"
 #include "backend/pipeline/camera_snapshot.h"
+#include "backend/pipeline/channel_taps.h"
 #include "backend/vision/contacts/contact_ladder.h"
 
 #include <atomic>
@@ -40,6 +42,7 @@ public:
     struct Settings {
         vision::CameraTracker::Settings tracker;
         vision::ContactSettings contacts;
+        core::GreyImage reference = {}; ///< the tube with nothing touching it; empty: the first frame
     };
 
     /// source: not null. reaction: null when no arm reacts. stop: outlives the channel.
@@ -75,6 +78,12 @@ public:
     [[nodiscard]] std::uint64_t generation() const { return m_snapshots.generation(); }
     bool popEvent(CameraEvent& event) { return m_events.pop(event); }
 
+    /// Who gets copies of pictures, contacts and events from the next ones on, and of the reference; null:
+    /// nobody. Any thread.
+    void record(std::shared_ptr<const CameraTaps> taps) { m_taps.set(std::move(taps)); }
+    [[nodiscard]] const vision::CylinderCamera& camera() const { return m_camera; }
+    [[nodiscard]] const Settings& settings() const { return m_settings; }
+
     /// Another rung of the ladder once it is ready; an unknown name changes nothing.
     void chooseRung(const std::string& name);
     /// The next frame shows the skin untouched.
@@ -106,6 +115,9 @@ private:
     void locate(CameraSnapshot& snapshot) const;
     void report(const std::vector<vision::FollowedContact>& contacts);
     void addEvent(CameraEvent event);
+    void takeTaps();
+    void recordReference(std::int64_t time_ns, double time_s);
+    void recordContacts(const core::CameraFrame& frame, const std::vector<vision::FollowedContact>& contacts);
     [[nodiscard]] bool mayReact() const;
 
     std::unique_ptr<core::CameraSource> m_source;
@@ -123,6 +135,7 @@ private:
     std::atomic<std::uint64_t> m_permission{kNoPermission};
     std::atomic<bool> m_permissionAsked{false};
     core::Mailbox<ReadyFinder> m_ready;
+    core::LatestCopy<std::shared_ptr<const CameraTaps>> m_taps;
     std::atomic<std::uint64_t> m_processed{0};
 
     // The vision thread's own.
@@ -136,10 +149,12 @@ private:
     core::RateMeter m_rate;
     core::GreyImage m_lastImage, m_lastPreview;
     std::int64_t m_first_ns = 0;
+    std::int64_t m_frame_ns = 0;  ///< of the frame at hand
     std::int64_t m_usable_ns = 0; ///< time of the newest frame that could be used
     double m_offset_s = 0.0;      ///< from the source's time to that of the snapshots
     double m_time_s = 0.0;
     std::uint64_t m_passedOver = 0;
+    std::shared_ptr<const CameraTaps> m_tapsInUse;
     int m_following = 0; ///< contact that the arm follows, or is held from following
 
     std::jthread m_maker;

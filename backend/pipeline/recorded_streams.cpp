@@ -2,6 +2,7 @@
 #include "backend/pipeline/recorded_streams.h"
 
 #include "backend/core/json_document.h"
+#include "backend/core/number_text.h"
 #include "backend/recording/stream_columns.h"
 #include "backend/stiffness/material.h"
 
@@ -175,6 +176,17 @@ recording::StreamInfo touchStream(const std::string& name, const core::ArmDescri
     return info;
 }
 
+recording::StreamInfo tactorStream(const std::string& name, const core::BraceletDescription& description,
+                                   double rate_Hz) {
+    recording::StreamInfo info = streamOf(name, description.name, recording::StreamKind::tactors,
+                                          recording::ValueType::float32, {core::kTactors});
+    info.nominalRate_Hz = rate_Hz;
+    for (std::size_t i = 1; i <= core::kTactors; ++i)
+        info.columns.push_back({std::string("t").append(core::NumberText(i).view()), ""});
+    info.details = ordered_json{{"simulated", description.simulated}}.dump();
+    return info;
+}
+
 std::array<double, kFeatureValues> featureValues(const contact::TactileFeatures& features) {
     const auto orNothing = [](const std::optional<double>& value) { return value.value_or(kNothing); };
     return {static_cast<double>(features.type), features.force_N,
@@ -268,45 +280,6 @@ core::Expected<RecordedArm> recordedArm(const recording::StreamInfo& stream, con
     if (reader.error())
         return badDetails(stream, file, core::describe(*reader.error()));
     return arm;
-}
-
-core::Expected<std::vector<RecordedSource>> recordedSources(const recording::Recording& recording) {
-    std::vector<RecordedSource> sources;
-    std::optional<core::Error> why;
-    const std::vector<recording::StreamInfo>& streams = recording.streams();
-    for (std::size_t i = 0; i < streams.size(); ++i) {
-        if (streams[i].kind != recording::StreamKind::array)
-            continue;
-        auto array = recordedArray(streams[i], recording.path());
-        if (!array) {
-            why = why.value_or(array.error());
-            continue;
-        }
-        sources.push_back({.arrayStream = i, .array = std::move(*array), .jointStream = {}, .arm = {}});
-    }
-    for (std::size_t i = 0; i < streams.size(); ++i) {
-        if (streams[i].kind != recording::StreamKind::joints)
-            continue;
-        auto arm = recordedArm(streams[i], recording.path());
-        if (!arm)
-            continue;
-        const auto skin = std::ranges::find_if(sources, [&](const RecordedSource& source) {
-            return streams[source.arrayStream].name == arm->skinStream;
-        });
-        if (skin != sources.end()) {
-            skin->jointStream = i;
-            skin->arm = std::move(arm->description);
-        }
-    }
-    if (sources.empty() && why)
-        return core::Unexpected(*why);
-    if (sources.empty())
-        return core::Unexpected(
-            core::Error{core::ErrorKind::refused,
-                        RecordedStreamText::tr("the recording has no tactile array").toStdString(),
-                        RecordedStreamText::tr("a recording of an array or an arm").toStdString(),
-                        {recording.path()}});
-    return sources;
 }
 
 } // namespace teleta::pipeline

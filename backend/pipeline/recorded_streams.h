@@ -3,11 +3,11 @@
 
 #include "backend/contact/tactile_features.h"
 #include "backend/core/arm_device.h"
+#include "backend/core/bracelet_device.h"
 #include "backend/core/device.h"
 #include "backend/core/error.h"
 #include "backend/pipeline/touch_record.h"
 #include "backend/pipeline/touch_snapshot.h"
-#include "backend/recording/recording.h"
 #include "backend/recording/recording_types.h"
 
 #include <array>
@@ -38,6 +38,10 @@ armStream(const std::string& name, const core::ArmDescription& description, cons
 [[nodiscard]] recording::StreamInfo touchStream(const std::string& name,
                                                 const core::ArmDescription& description);
 
+/// Frames that were sent to a bracelet: a share of the full drive for each tactor.
+[[nodiscard]] recording::StreamInfo
+tactorStream(const std::string& name, const core::BraceletDescription& description, double rate_Hz);
+
 /// A frame of a stream of features; NaN where a feature is not defined.
 [[nodiscard]] std::array<double, kFeatureValues> featureValues(const contact::TactileFeatures& features);
 /// A frame of a stream of touches; NaN where nothing is known.
@@ -59,17 +63,5 @@ struct RecordedArm {
 };
 [[nodiscard]] core::Expected<RecordedArm> recordedArm(const recording::StreamInfo& stream,
                                                       const std::string& file);
-
-/// What can be played of a recording: an array, and the arm that wears it.
-struct RecordedSource {
-    std::size_t arrayStream = 0;
-    RecordedArray array;
-    std::optional<std::size_t> jointStream; ///< empty: the array was on its own
-    core::ArmDescription arm;
-};
-/// Every array of a recording, in its order; what is not described is left out. Error: as above when none is;
-/// refused: it has none.
-[[nodiscard]] core::Expected<std::vector<RecordedSource>>
-recordedSources(const recording::Recording& recording);
 
 } // namespace teleta::pipeline

@@ -3,10 +3,13 @@
 
 #include "backend/core/elapsed.h"
 #include "backend/core/steady_time.h"
+#include "backend/pipeline/recorded_streams.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <span>
 #include <utility>
 
 namespace teleta::pipeline {
@@ -53,6 +56,7 @@ void TouchChannel::clearTare() {
 
 std::size_t TouchChannel::process(std::vector<SkinContact>* contacts, double circumference_m) {
     const bool changed = takeCommands();
+    const std::shared_ptr<const TouchTaps> taps = m_taps.get();
     std::size_t frames = 0;
     // What comes meanwhile waits for the next time: a source that is as fast as its reader would never let
     // go.
@@ -66,11 +70,16 @@ std::size_t TouchChannel::process(std::vector<SkinContact>* contacts, double cir
             m_tracker.reset();
             m_features.reset();
         }
+        m_recordedFeatures.clear();
         for (std::size_t index = 0; index < m_block.frames(); ++index) {
             processFrame(m_block, index);
+            if (taps)
+                std::ranges::copy(featureValues(m_current.features), std::back_inserter(m_recordedFeatures));
             if (contacts != nullptr)
                 contacts->push_back(strongestContact(circumference_m));
         }
+        if (taps)
+            record(*taps);
         frames += m_block.frames();
     }
     if (frames > 0) {
@@ -81,6 +90,14 @@ std::size_t TouchChannel::process(std::vector<SkinContact>* contacts, double cir
         publish();
     }
     return frames;
+}
+
+void TouchChannel::record(const TouchTaps& taps) {
+    const std::span<const std::int64_t> time_ns(m_block.time_ns);
+    const std::span<const double> sourceTime_s(m_block.sourceTime_s);
+    taps.frames->append(time_ns, sourceTime_s, std::span<const float>(m_block.values), m_block.discontinuity);
+    taps.features->append(time_ns, sourceTime_s, std::span<const double>(m_recordedFeatures),
+                          m_block.discontinuity);
 }
 
 bool TouchChannel::takeCommands() {

@@ -7,12 +7,14 @@
 #include "backend/core/latest_copy.h"
 #include "backend/core/latest_exchange.h"
 #include "backend/core/mailbox.h"
+#include "backend/pipeline/channel_taps.h"
 #include "backend/pipeline/touch_record.h"
 #include "backend/pipeline/touch_snapshot.h"
 
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace teleta::pipeline {
@@ -59,6 +61,9 @@ public:
         return m_revision.load(std::memory_order_acquire);
     }
 
+    /// Who gets copies of frames and features from the next ones on; null: nobody. Any thread.
+    void record(std::shared_ptr<const TouchTaps> taps) { m_taps.set(std::move(taps)); }
+
     [[nodiscard]] std::uint64_t framesProcessed() const {
         return m_framesProcessed.load(std::memory_order_relaxed);
     }
@@ -93,6 +98,7 @@ private:
     void analyse(const core::SampleBlock& block, std::size_t index);
     void accumulateTare(const core::SampleBlock& block, std::size_t index);
     void publish();
+    void record(const TouchTaps& taps);
 
     std::unique_ptr<core::TactileSource> m_source;
     ChannelSettings m_settings;
@@ -100,6 +106,8 @@ private:
     std::atomic<std::uint64_t> m_revision{0};
     core::Mailbox<Change> m_changes;
     core::Mailbox<TareRequest> m_tareRequests;
+    core::LatestCopy<std::shared_ptr<const TouchTaps>> m_taps;
+    std::vector<double> m_recordedFeatures; ///< of the block at hand
 
     contact::FrameConditioner m_conditioner;
     contact::FeatureExtractor m_features;

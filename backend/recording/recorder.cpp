@@ -66,8 +66,26 @@ void Recorder::add(RecordingEvent event) {
         m_addedEvents.push_back(std::move(event));
 }
 
-void Recorder::mark(std::string note) {
-    add({.time_ns = core::steadyNow_ns(), .kind = kMark, .text = std::move(note)});
+std::uint64_t Recorder::mark(std::string note) {
+    return mark(std::move(note), core::steadyNow_ns());
+}
+
+std::uint64_t Recorder::mark(std::string note, std::int64_t time_ns) {
+    const std::scoped_lock lock(m_mutex);
+    const std::uint64_t number = ++m_marks;
+    m_addedEvents.push_back(
+        {.time_ns = time_ns, .kind = kMark, .text = std::move(note), .value = static_cast<double>(number)});
+    return number;
+}
+
+void Recorder::renameMark(std::uint64_t number, std::string note) {
+    const std::scoped_lock lock(m_mutex);
+    m_markChanges.push_back({number, std::move(note)});
+}
+
+void Recorder::removeMark(std::uint64_t number) {
+    const std::scoped_lock lock(m_mutex);
+    m_markChanges.push_back({number, {}});
 }
 
 core::Expected<void> Recorder::stop() {
@@ -82,6 +100,11 @@ core::Expected<void> Recorder::stop() {
     if (status.state == RecorderStatus::State::failed)
         return core::Unexpected(status.error);
     return {};
+}
+
+void Recorder::restoreMark(std::uint64_t number, std::string note, std::int64_t time_ns) {
+    const std::scoped_lock lock(m_mutex);
+    m_markChanges.push_back({number, std::move(note), time_ns});
 }
 
 void Recorder::run(RecordingHead head, std::promise<core::Expected<void>> begun,
@@ -168,6 +191,7 @@ void Recorder::end() {
         added.tap->close();
     m_addedStreams.clear();
     m_addedEvents.clear();
+    m_markChanges.clear();
     for (const auto& tap : m_taps)
         tap->close();
 }
@@ -175,10 +199,12 @@ void Recorder::end() {
 core::Expected<void> Recorder::takeNew(RecordingWriter& writer) {
     std::vector<Added> streams;
     std::vector<RecordingEvent> events;
+    std::vector<MarkChange> changes;
     {
         const std::scoped_lock lock(m_mutex);
         streams.swap(m_addedStreams);
         events.swap(m_addedEvents);
+        changes.swap(m_markChanges);
     }
     for (Added& stream : streams) {
         if (const core::Expected<void> done = writer.addStream(stream.info); !done)
@@ -187,6 +213,8 @@ core::Expected<void> Recorder::takeNew(RecordingWriter& writer) {
     }
     for (RecordingEvent& event : events)
         writer.take(std::move(event));
+    for (MarkChange& change : changes)
+        writer.take(std::move(change));
     return {};
 }
 

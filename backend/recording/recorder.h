@@ -33,7 +33,7 @@ struct RecorderStatus {
     std::uint64_t bytes = 0;   ///< of the file
     std::uint64_t frames = 0;  ///< of all streams, that are safe in the file
     std::uint64_t dropped = 0; ///< frames that the writer could not take in time, or not at all
-    std::uint64_t marks = 0;
+    std::uint64_t marks = 0;   ///< that are in the file
 };
 
 struct RecorderOptions {
@@ -69,8 +69,15 @@ public:
 
     /// Adds an event; time_ns: steady clock. After the end it is not kept. Returns at once.
     void add(RecordingEvent event);
-    /// Adds a mark for now.
-    void mark(std::string note);
+    /// Adds a mark for now, or for another time; returns its number. Returns at once, as the next two.
+    std::uint64_t mark(std::string note);
+    std::uint64_t mark(std::string note, std::int64_t time_ns);
+    /// Gives a mark another note. It keeps its time.
+    void renameMark(std::uint64_t number, std::string note);
+    /// Takes a mark out of the recording.
+    void removeMark(std::uint64_t number);
+    /// Sets a mark that was taken out again, under its number.
+    void restoreMark(std::uint64_t number, std::string note, std::int64_t time_ns);
 
     [[nodiscard]] RecorderStatus status() const { return m_status.get(); }
     [[nodiscard]] const std::string& path() const { return m_path; }
@@ -102,6 +109,8 @@ private:
     std::condition_variable_any m_condition;
     std::vector<Added> m_addedStreams;         ///< guarded by m_mutex
     std::vector<RecordingEvent> m_addedEvents; ///< guarded by m_mutex
+    std::vector<MarkChange> m_markChanges;     ///< guarded by m_mutex; all of marks that were added before
+    std::uint64_t m_marks = 0;                 ///< guarded by m_mutex
     std::vector<std::string> m_names;          ///< guarded by m_mutex
     bool m_ended = false;                      ///< guarded by m_mutex
 

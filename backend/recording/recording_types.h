@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -78,11 +79,18 @@ struct RecordingEvent {
     double value = 0.0;
 };
 
-/// Kind of the events that a person sets.
+/// Kind of the events that a person sets; value: number of the mark, by which it can be changed.
 inline constexpr char kMark[] = "mark";
 /// Frames of a stream (text) that the writer could not take: value.
 inline constexpr char kDropped[] = "dropped";
 /// The recording was ended, not cut off.
 inline constexpr char kStopped[] = "stopped";
+
+/// What becomes of a mark after it was set.
+struct MarkChange {
+    std::uint64_t number = 0;
+    std::optional<std::string> note;                        ///< empty: the mark is taken away
+    std::optional<std::int64_t> restored_ns = std::nullopt; ///< it is set again, at this time
+};
 
 } // namespace teleta::recording

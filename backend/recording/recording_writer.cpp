@@ -165,6 +165,10 @@ void RecordingWriter::take(RecordingEvent event) {
     m_events.push_back(std::move(event));
 }
 
+void RecordingWriter::take(MarkChange change) {
+    m_markChanges.push_back(std::move(change));
+}
+
 core::Expected<void> RecordingWriter::commit() {
     auto begun = m_database.run(QStringLiteral("BEGIN IMMEDIATE"));
     if (!begun)
@@ -187,6 +191,13 @@ core::Expected<void> RecordingWriter::commit() {
         m_marks += event.kind == kMark ? 1 : 0;
     m_events.clear();
     m_waitingBytes = 0;
+    for (const MarkChange& change : m_markChanges) {
+        if (change.restored_ns)
+            ++m_marks;
+        else if (!change.note)
+            --m_marks;
+    }
+    m_markChanges.clear();
     return {};
 }
 
@@ -204,6 +215,28 @@ core::Expected<void> RecordingWriter::writeAll() {
             QStringLiteral("INSERT INTO event (time_ns, kind, text, value) VALUES (?, ?, ?, ?)"),
             {static_cast<qlonglong>(event.time_ns), textOf(event.kind), textOf(event.text),
              numberOf(event.value)});
+        if (!done)
+            return core::Unexpected(done.error());
+    }
+    return writeMarkChanges();
+}
+
+core::Expected<void> RecordingWriter::writeMarkChanges() {
+    // In their order, after the marks themselves.
+    for (const MarkChange& change : m_markChanges) {
+        const auto number = static_cast<double>(change.number);
+        core::Expected<QSqlQuery> done;
+        if (change.restored_ns)
+            done = m_database.run(
+                QStringLiteral("INSERT INTO event (time_ns, kind, text, value) VALUES (?, ?, ?, ?)"),
+                {static_cast<qlonglong>(*change.restored_ns), QString::fromLatin1(kMark),
+                 textOf(change.note.value_or(std::string())), number});
+        else if (change.note)
+            done = m_database.run(QStringLiteral("UPDATE event SET text = ? WHERE kind = ? AND value = ?"),
+                                  {textOf(*change.note), QString::fromLatin1(kMark), number});
+        else
+            done = m_database.run(QStringLiteral("DELETE FROM event WHERE kind = ? AND value = ?"),
+                                  {QString::fromLatin1(kMark), number});
         if (!done)
             return core::Unexpected(done.error());
     }

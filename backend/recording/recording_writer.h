@@ -32,6 +32,7 @@ public:
     /// there are more.
     void setDropped(std::size_t stream, std::uint64_t frames);
     void take(RecordingEvent event);
+    void take(MarkChange change);
 
     /// Writes what was taken since the last time: all of it or nothing.
     [[nodiscard]] core::Expected<void> commit();
@@ -61,6 +62,7 @@ private:
 
     [[nodiscard]] core::Expected<void> writeAll();
     [[nodiscard]] core::Expected<void> writeBlock(const Stream& stream, const core::TappedFrames& block);
+    [[nodiscard]] core::Expected<void> writeMarkChanges();
     [[nodiscard]] core::Expected<void> writeAnchor();
 
     RecordingDatabase m_database;
@@ -71,6 +73,7 @@ private:
     std::optional<QSqlQuery> m_insertBlock;
     std::vector<Stream> m_streams;
     std::vector<RecordingEvent> m_events;
+    std::vector<MarkChange> m_markChanges; ///< in the order in which they were asked for
     std::optional<TimeAnchor> m_anchor;
     std::size_t m_waitingBytes = 0;
     std::uint64_t m_frames = 0;

@@ -6,6 +6,7 @@
 #include "backend/scene_run/probing_run.h"
 #include "backend/scene_run/reacting_arm.h"
 #include "backend/scene_run/scene_reaction.h"
+#include "backend/scene_run/scene_recording.h"
 #include "backend/simulation/camera/simulated_tube.h"
 #include "backend/vision/contacts/camera_tracker.h"
 #include "backend/vision/contacts/contact_ladder.h"
@@ -186,6 +187,14 @@ core::Expected<SceneSummary> runCameraScene(const scene::Scene& scene, const Run
     if (!log)
         return core::Unexpected(log.error());
 
+    core::Expected<SceneRecording> recording = SceneRecording::open(options, scene);
+    if (!recording)
+        return core::Unexpected(recording.error());
+    if (recording->isOpen())
+        recording->beginCamera(
+            {.name = options.name, .nominalRate_Hz = scene.rate_Hz, .simulated = true, .recorded = false},
+            tube.camera(), trackerSettings(world).bump, core::greyImageOf(cv::Mat1b(frame.clone())));
+
     const double duration_s = options.duration_s.value_or(scene.duration_s);
     const auto frames = static_cast<std::uint64_t>(std::llround(duration_s * scene.rate_Hz));
     CameraMeasures measures(world, 1.0 / scene.rate_Hz);
@@ -223,11 +232,19 @@ core::Expected<SceneSummary> runCameraScene(const scene::Scene& scene, const Run
         measures.add(time_s, tube.truth(), *contacts, tube.arm().pose());
         log->add(done + 1, time_s, *contacts, tracker.bump() ? tracker.bump()->contact : 0,
                  tube.arm().pose());
+        if (recording->isOpen())
+            recording->addPicture(time_s, core::greyImageOf(cv::Mat1b(frame.clone())));
+        for (const vision::FollowedContact& followed : *contacts) {
+            if (followed.seen || followed.event == vision::ContactEvent::ends)
+                recording->addContact(time_s, followed);
+        }
         if (log->failed())
             break;
     }
-    if (auto written = log->finish(); !written)
-        return core::Unexpected(written.error());
+    for (const core::Expected<void>& written : {log->finish(), recording->finish()}) {
+        if (!written)
+            return core::Unexpected(written.error());
+    }
     summary.simulated_s = tube.time_s();
     for (const simulation::EffectTime& effect : tube.effectTimes())
         summary.effects.push_back({std::string(effect.name), effect.time_s});

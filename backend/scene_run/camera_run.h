@@ -10,6 +10,7 @@ namespace teleta::scene_run {
 ///   contacts.csv   as `teleta track` writes them
 ///   arm.csv        time_s,turn_rad,along_m,aside_x_m,aside_y_m
 ///   reference.png  the tube with nothing touching it
+///   recording.teleta   pictures and contacts, to be replayed; none of a scene that is probed
 /// Measures: contact_error_mean_m and contact_error_p95_m, distance on the skin from each true contact that
 /// is deeper than 0.6 mm to the nearest one that was found, and contacts_missed without any; bump_to_stop_s,
 /// from the last frame before the true contact passes the thresholds to the command that stops the arm, null

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/scene_run/scene_recording.h"
 
+#include "backend/pipeline/recorded_camera.h"
 #include "backend/pipeline/recorded_streams.h"
 #include "backend/recording/stream_columns.h"
 #include "backend/scene_run/scene_settings.h"
@@ -99,6 +100,36 @@ void SceneRecording::beginArm(const core::ArmDescription& description) {
     m_touches.tap = m_recorder->addStream(pipeline::touchStream("touches", description));
 }
 
+void SceneRecording::beginCamera(const core::CameraDescription& description,
+                                 const vision::CylinderCamera& camera,
+                                 const vision::BumpDetector::Settings& bump,
+                                 const core::GreyImage& untouched) {
+    if (!m_recorder)
+        return;
+    constexpr char kReference[] = "reference";
+    // A stream of its own: it is no moment of the scene.
+    const auto reference = m_recorder->addStream(pipeline::referenceStream(kReference, description));
+    append(*reference, 0.0, untouched);
+    m_pictures =
+        m_recorder->addStream(pipeline::cameraStream("camera", description, camera, bump, kReference));
+    m_contacts.tap = m_recorder->addStream(pipeline::contactStream("contacts", description));
+}
+
+void SceneRecording::append(core::StreamTap& tap, double time_s, const core::GreyImage& picture) {
+    while (!tap.tryAppend({.image = picture, .time_ns = std::llround(time_s * 1e9), .capture_s = time_s}))
+        std::this_thread::sleep_for(kWaitForWriter);
+}
+
+void SceneRecording::addPicture(double time_s, const core::GreyImage& picture) {
+    if (m_pictures)
+        append(*m_pictures, time_s, picture);
+}
+
+void SceneRecording::addContact(double time_s, const vision::FollowedContact& followed) {
+    const auto values = pipeline::contactValues(followed);
+    m_contacts.add(time_s, std::span<const double>(values));
+}
+
 void SceneRecording::addFrame(double time_s, std::span<const float> values) {
     m_frames.add(time_s, values);
 }
@@ -119,6 +150,7 @@ core::Expected<void> SceneRecording::finish() {
     m_frames.flush();
     m_joints.flush();
     m_touches.flush();
+    m_contacts.flush();
     if (const core::Expected<void> stopped = m_recorder->stop(); !stopped)
         return stopped;
     const std::string& part = m_recorder->path();

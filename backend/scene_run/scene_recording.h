@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/core/arm_device.h"
+#include "backend/core/camera_source.h"
 #include "backend/core/device.h"
 #include "backend/core/error.h"
 #include "backend/core/stream_tap.h"
@@ -9,6 +10,8 @@
 #include "backend/recording/recorder.h"
 #include "backend/scene/scene.h"
 #include "backend/scene_run/scene_run.h"
+#include "backend/vision/contacts/camera_tracker.h"
+#include "backend/vision/cylinder_projection.h"
 
 #include <memory>
 #include <span>
@@ -27,10 +30,17 @@ public:
 
     void beginArray(const core::SourceDescription& description, const scene::Scene& scene);
     void beginArm(const core::ArmDescription& description);
+    /// untouched: the picture of the tube with which the others are compared.
+    void beginCamera(const core::CameraDescription& description, const vision::CylinderCamera& camera,
+                     const vision::BumpDetector::Settings& bump, const core::GreyImage& untouched);
 
     void addFrame(double time_s, std::span<const float> values);
     void addJoints(const core::JointSample& sample);
     void addTouch(const pipeline::TouchRecord& touch);
+    void addPicture(double time_s, const core::GreyImage& picture);
+    void addContact(double time_s, const vision::FollowedContact& followed);
+    /// Whether anything is written.
+    [[nodiscard]] bool isOpen() const { return m_recorder != nullptr; }
 
     /// Error: as Recorder::stop(); ioFailed when it cannot have its name, and then it is whole as the part
     /// file.
@@ -50,10 +60,14 @@ private:
     };
 
     std::string m_path;
+    static void append(core::StreamTap& tap, double time_s, const core::GreyImage& picture);
+
     std::unique_ptr<recording::Recorder> m_recorder;
     Batch<float> m_frames;
     Batch<double> m_joints;
     Batch<double> m_touches;
+    Batch<double> m_contacts;
+    std::shared_ptr<core::StreamTap> m_pictures;
 };
 
 } // namespace teleta::scene_run

@@ -25,7 +25,8 @@ struct RunOptions {
 /// Runs a scene as fast as the machine allows, through the same processing as a device's data, and compares
 /// what was estimated with what the simulated world knows. Files in outFolder:
 ///   summary.json   see SceneSummary::toJson
-///   recording.teleta   what arrays and arms delivered, to be replayed (scene_recording.h); none of a camera
+///   recording.teleta   what the devices delivered, to be replayed (scene_recording.h); none of a camera
+///   that is probed, whose pairs are its data
 ///   frames.csv     time_s,t0,t1,...: the frames of the tactile array, as `teleta features` reads them
 ///   of an arm: joints.csv, touches.csv, contour.csv (arm_run.h)
 ///   of a servo: servo.csv, points.csv (servo_run.h)

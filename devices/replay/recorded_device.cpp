@@ -11,7 +11,7 @@ core::Expected<std::shared_ptr<RecordedPlayer>> RecordedPlayer::open(RecordedCon
     const core::Expected<recording::Recording> recording = recording::Recording::open(config.path);
     if (!recording)
         return core::Unexpected(recording.error());
-    const auto extent = recording->extent(config.arrayStream);
+    const auto extent = recording->extent(config.stream);
     if (!extent)
         return core::Unexpected(extent.error());
     if (!*extent)
@@ -20,7 +20,11 @@ core::Expected<std::shared_ptr<RecordedPlayer>> RecordedPlayer::open(RecordedCon
             QCoreApplication::translate("ReplayDevice", "the recording has no frames").toStdString(),
             {},
             {config.path}});
-    return std::make_shared<RecordedPlayer>(std::move(config), **extent, recording->head().start_ns);
+    RecordedFacts facts{.extent = **extent, .start_ns = recording->head().start_ns, .marks = {}};
+    for (const recording::RecordingEvent& event : recording->events())
+        if (event.kind == recording::kMark)
+            facts.marks.push_back({event.time_ns, event.text});
+    return std::make_shared<RecordedPlayer>(std::move(config), std::move(facts));
 }
 
 } // namespace teleta::replay

@@ -30,6 +30,8 @@ public:
     [[nodiscard]] std::span<const Number> values() const {
         return recording::valuesOf<Number>(m_block, m_index, m_channels);
     }
+    /// Of a stream of pictures.
+    [[nodiscard]] const core::GreyImage& image() const { return m_block.image; }
     /// The stream had jumped before this frame when it was recorded, or frames before it are damaged.
     [[nodiscard]] bool jumps() const { return (m_block.discontinuity || m_passedOver) && m_index == 0; }
     /// Blocks that were passed over, all passes together.

@@ -12,7 +12,8 @@ namespace teleta::replay {
 
 namespace {
 
-constexpr std::size_t kRecordedFramesPerBlock = 64;
+/// The first frame after a time that was asked for is shown for it when it comes within this time.
+constexpr double kShortGap_ns = 50e6;
 /// A worker that is later than this does not catch up.
 constexpr std::int64_t kLongestLag_ns = 500'000'000;
 
@@ -26,22 +27,27 @@ core::JointSample jointSample(std::span<const double> values) {
     return sample;
 }
 
+std::unique_ptr<RecordedOutlet> makeOutlet(const RecordedConfig& config) {
+    if (config.camera)
+        return std::make_unique<RecordedCameraOutlet>(config.queuePictures);
+    return std::make_unique<RecordedArrayOutlet>(config.queueBlocks);
+}
+
 } // namespace
 
-RecordedWorker::RecordedWorker(RecordedConfig config, const recording::Recording::Extent& extent,
-                               std::int64_t start_ns)
+RecordedWorker::RecordedWorker(RecordedConfig config, RecordedFacts facts)
     : m_config(std::move(config))
-    , m_extent(extent)
-    , m_start_ns(start_ns)
-    , m_outlet(m_config.queueBlocks)
+    , m_facts(std::move(facts))
+    , m_span(m_config.span.value_or(RecordedConfig::Span{m_facts.extent.first_ns, m_facts.extent.last_ns}))
+    , m_outlet(makeOutlet(m_config))
     , m_joints(m_config.queueJoints)
     , m_desk(m_config.clock, m_config.autoplay, m_config.loop, m_config.speed) {
-    m_shown_ns.set(extent.first_ns);
+    m_shown_ns.set(m_span.first_ns);
 }
 
 void RecordedWorker::open(core::Wakeup& consumer) {
     m_consumer = &consumer;
-    m_outlet.open(consumer, now_ns());
+    m_outlet->open(consumer, now_ns());
     m_jointsRead.store(0);
     m_jointOverflowAtOpen = m_joints.overflow();
     m_desk.set([this](PlaybackCommands& commands) {
@@ -87,29 +93,37 @@ void RecordedWorker::setLoop(bool loop) {
 }
 
 double RecordedWorker::period_ns() const {
-    return m_extent.frames > 1 ? static_cast<double>(m_extent.last_ns - m_extent.first_ns) /
-                                     static_cast<double>(m_extent.frames - 1)
-                               : 0.0;
+    const recording::Recording::Extent& extent = m_facts.extent;
+    return extent.frames > 1 ? static_cast<double>(extent.last_ns - extent.first_ns) /
+                                   static_cast<double>(extent.frames - 1)
+                             : 0.0;
 }
 
 core::PlaybackPosition RecordedWorker::position() const {
-    const std::int64_t shown_ns = m_shown_ns.get() - m_extent.first_ns;
+    const std::int64_t shown_ns = m_shown_ns.get();
+    const double since_ns = static_cast<double>(shown_ns - m_facts.extent.first_ns);
     core::PlaybackPosition position;
-    position.time_s = static_cast<double>(shown_ns) * 1e-9;
-    position.duration_s = static_cast<double>(m_extent.last_ns - m_extent.first_ns) * 1e-9;
-    position.frames = m_extent.frames;
-    position.frame =
-        period_ns() > 0.0
-            ? std::min(static_cast<std::uint64_t>(std::llround(static_cast<double>(shown_ns) / period_ns())),
-                       m_extent.frames - 1)
-            : 0;
+    position.time_s = static_cast<double>(shown_ns - m_span.first_ns) * 1e-9;
+    position.duration_s = static_cast<double>(m_span.last_ns - m_span.first_ns) * 1e-9;
+    position.frames = m_facts.extent.frames;
+    if (period_ns() > 0.0 && since_ns > 0.0)
+        position.frame =
+            std::min(static_cast<std::uint64_t>(std::llround(since_ns / period_ns())), position.frames - 1);
     position.indexed = true;
     m_desk.describe(position);
     return position;
 }
 
+std::vector<core::PlaybackMark> RecordedWorker::marks() const {
+    std::vector<core::PlaybackMark> marks;
+    for (const RecordedFacts::Mark& mark : m_facts.marks)
+        marks.push_back({static_cast<double>(mark.time_ns - m_span.first_ns) * 1e-9,
+                         static_cast<double>(mark.time_ns - m_facts.start_ns) * 1e-9, mark.text});
+    return marks;
+}
+
 core::DeviceStatus RecordedWorker::jointStatus() const {
-    core::DeviceStatus status = m_outlet.status();
+    core::DeviceStatus status = m_outlet->status();
     status.framesRead = m_jointsRead.load();
     status.framesLost = m_joints.overflow() - m_jointOverflowAtOpen;
     const bool runs = status.state == core::DeviceState::live;
@@ -122,11 +136,11 @@ void RecordedWorker::run(const std::stop_token& stop) {
     // A database belongs to the thread that opened it.
     const core::Expected<recording::Recording> recording = recording::Recording::open(m_config.path);
     if (recording) {
-        RecordedTrack array(*recording, m_config.arrayStream);
+        RecordedTrack frames(*recording, m_config.stream);
         std::optional<RecordedTrack> joints;
         if (m_config.jointStream)
             joints.emplace(*recording, *m_config.jointStream);
-        play(array, joints ? &*joints : nullptr, stop);
+        play(frames, joints ? &*joints : nullptr, stop);
     } else {
         loseBy(recording.error());
         while (!stop.stop_requested()) {
@@ -134,19 +148,19 @@ void RecordedWorker::run(const std::stop_token& stop) {
             m_desk.waitUntil(core::PacingClock::kNever_ns, stop);
         }
     }
-    m_outlet.setState(core::DeviceState::closed, now_ns());
+    m_outlet->setState(core::DeviceState::closed, now_ns());
 }
 
-void RecordedWorker::play(RecordedTrack& array, RecordedTrack* joints, const std::stop_token& stop) {
+void RecordedWorker::play(RecordedTrack& frames, RecordedTrack* joints, const std::stop_token& stop) {
     while (!stop.stop_requested()) {
         const PlaybackCommands previous = std::exchange(m_active, m_desk.take([] {}));
-        const core::DeviceState state = m_outlet.state();
+        const core::DeviceState state = m_outlet->state();
         const bool ended = state == core::DeviceState::finished || state == core::DeviceState::lost;
         core::Expected<void> done;
         if (m_active.seek_s)
-            done = seekTo(array, joints, *m_active.seek_s, stop);
+            done = seekTo(frames, joints, *m_active.seek_s, stop);
         else if (ended && m_active.playing)
-            done = seekTo(array, joints, 0.0, stop);
+            done = seekTo(frames, joints, 0.0, stop);
         else if (previous.playing != m_active.playing || previous.speed != m_active.speed) {
             anchorAt(m_shown_ns.get());
             // As fast as possible, frames run ahead of the clock.
@@ -154,131 +168,151 @@ void RecordedWorker::play(RecordedTrack& array, RecordedTrack* joints, const std
                 m_jumped = m_jointsJumped = true;
         }
         if (done && m_active.steps != 0)
-            done = stepBy(array, joints, m_active.steps, stop);
-        countDamage(array, joints);
+            done = stepBy(frames, joints, m_active.steps, stop);
+        countDamage(frames, joints);
         if (done && !m_active.playing) {
             if (!ended || m_active.seek_s)
-                m_outlet.setState(core::DeviceState::paused, now_ns());
+                m_outlet->setState(core::DeviceState::paused, now_ns());
             m_desk.waitUntil(core::PacingClock::kNever_ns, stop);
             continue;
         }
         if (done)
-            done = playDue(array, joints, stop);
-        if (!done)
+            done = playDue(frames, joints, stop);
+        if (!done) {
+            // What came before it is not lost.
+            if (m_outlet->taken() > 0)
+                deliver(stop);
             loseBy(done.error());
-        countDamage(array, joints);
+        }
+        countDamage(frames, joints);
     }
 }
 
-void RecordedWorker::countDamage(const RecordedTrack& array, const RecordedTrack* joints) {
-    m_damagedBlocks.store(array.damagedBlocks() + (joints != nullptr ? joints->damagedBlocks() : 0));
+void RecordedWorker::countDamage(const RecordedTrack& frames, const RecordedTrack* joints) {
+    m_damagedBlocks.store(frames.damagedBlocks() + (joints != nullptr ? joints->damagedBlocks() : 0));
 }
 
-core::Expected<void> RecordedWorker::seekTo(RecordedTrack& array, RecordedTrack* joints, double time_s,
+core::Expected<void> RecordedWorker::seekTo(RecordedTrack& frames, RecordedTrack* joints, double time_s,
                                             const std::stop_token& stop) {
-    const double duration_s = static_cast<double>(m_extent.last_ns - m_extent.first_ns) * 1e-9;
-    const std::int64_t time_ns =
-        time_s < duration_s ? m_extent.first_ns + std::llround(time_s * 1e9) : m_extent.last_ns;
-    if (const core::Expected<void> done = array.seek(time_ns); !done)
+    const double duration_s = static_cast<double>(m_span.last_ns - m_span.first_ns) * 1e-9;
+    const std::int64_t wanted_ns =
+        time_s < duration_s ? m_span.first_ns + std::llround(time_s * 1e9) : m_span.last_ns;
+    // Of what is played beside it the end may be later: the last frame is then shown.
+    const std::int64_t time_ns = std::min(wanted_ns, m_facts.extent.last_ns);
+    if (const core::Expected<void> done = frames.seek(time_ns); !done)
         return done;
-    if (array.atEnd()) {
+    if (frames.atEnd()) {
         // The last block may be damaged.
-        if (const auto moved = array.back(1); !moved)
+        if (const auto moved = frames.back(1); !moved)
             return core::Unexpected(moved.error());
     }
-    if (array.atEnd())
+    if (frames.atEnd())
         return {};
     m_jumped = true;
-    return show(array, joints, stop);
+    // Where there is no frame for a while, what is played beside it goes on, and so does the time.
+    const double gap_ns = std::max(2.0 * period_ns(), kShortGap_ns);
+    if (m_config.span && static_cast<double>(frames.time_ns() - wanted_ns) > gap_ns) {
+        m_jointsJumped = true;
+        anchorAt(wanted_ns);
+        m_shown_ns.set(wanted_ns);
+        return joints != nullptr ? joints->seek(wanted_ns) : core::Expected<void>();
+    }
+    return show(frames, joints, m_config.span ? std::max(frames.time_ns(), wanted_ns) : frames.time_ns(),
+                stop);
 }
 
-core::Expected<void> RecordedWorker::stepBy(RecordedTrack& array, RecordedTrack* joints, long long frames,
+core::Expected<void> RecordedWorker::stepBy(RecordedTrack& frames, RecordedTrack* joints, long long by,
                                             const std::stop_token& stop) {
     // The track is at the frame behind the one that is shown.
-    if (frames < 0) {
-        const core::Expected<std::uint64_t> moved = array.back(static_cast<std::uint64_t>(-frames) + 1);
+    if (by < 0) {
+        const core::Expected<std::uint64_t> moved = frames.back(static_cast<std::uint64_t>(-by) + 1);
         if (!moved)
             return core::Unexpected(moved.error());
         if (*moved < 2) // the first one is shown already
-            return *moved == 0 ? core::Expected<void>() : array.advance();
+            return *moved == 0 ? core::Expected<void>() : frames.advance();
     } else {
-        if (array.atEnd())
+        if (frames.atEnd())
             return {};
-        for (long long i = 1; i < frames && !array.atEnd() && !stop.stop_requested(); ++i) {
-            if (const core::Expected<void> done = array.advance(); !done)
+        for (long long i = 1; i < by && !frames.atEnd() && !stop.stop_requested(); ++i) {
+            if (const core::Expected<void> done = frames.advance(); !done)
                 return done;
         }
-        if (array.atEnd()) {
-            if (const auto moved = array.back(1); !moved)
+        if (frames.atEnd()) {
+            if (const auto moved = frames.back(1); !moved)
                 return core::Unexpected(moved.error());
         }
     }
-    m_jumped = m_jumped || frames != 1;
-    return show(array, joints, stop);
+    m_jumped = m_jumped || by != 1;
+    return show(frames, joints, frames.time_ns(), stop);
 }
 
-/// Delivers the array's frame now, whatever its time, also when paused.
-core::Expected<void> RecordedWorker::show(RecordedTrack& array, RecordedTrack* joints,
+/// Delivers the frame that the track is at now, for this time, also when paused.
+core::Expected<void> RecordedWorker::show(RecordedTrack& frames, RecordedTrack* joints, std::int64_t at_ns,
                                           const std::stop_token& stop) {
     if (joints != nullptr) {
-        if (const core::Expected<void> done = joints->seek(array.time_ns()); !done)
+        if (const core::Expected<void> done = joints->seek(at_ns); !done)
             return done;
         m_jointsJumped = true;
     }
-    anchorAt(array.time_ns());
-    core::SampleBlock block;
-    append(block, array);
-    deliver(block, stop);
-    return array.advance();
+    anchorAt(at_ns);
+    take(frames);
+    m_shown_ns.set(at_ns);
+    deliver(stop);
+    return frames.advance();
 }
 
-core::Expected<void> RecordedWorker::playDue(RecordedTrack& array, RecordedTrack* joints,
+core::Expected<void> RecordedWorker::playEnd(RecordedTrack& frames, RecordedTrack* joints,
+                                             const std::stop_token& stop) {
+    const bool unpaced = std::isinf(m_active.speed);
+    const std::int64_t end_ns =
+        due_ns(m_active.loop ? m_span.last_ns + std::llround(period_ns()) : m_span.last_ns);
+    if (!unpaced && now_ns() < end_ns) {
+        m_outlet->setState(core::DeviceState::live, now_ns());
+        m_desk.waitUntil(end_ns, stop);
+        return {};
+    }
+    if (m_active.loop)
+        return seekTo(frames, joints, 0.0, stop);
+    m_shown_ns.set(m_span.last_ns);
+    endAs(core::DeviceState::finished);
+    return {};
+}
+
+core::Expected<void> RecordedWorker::playDue(RecordedTrack& frames, RecordedTrack* joints,
                                              const std::stop_token& stop) {
     const bool unpaced = std::isinf(m_active.speed);
     const auto hasJoints = [&] { return joints != nullptr && !joints->atEnd(); };
     const auto jointsNext = [&] {
-        return hasJoints() && (array.atEnd() || joints->time_ns() <= array.time_ns());
+        return hasJoints() && (frames.atEnd() || joints->time_ns() <= frames.time_ns());
     };
-    if (array.atEnd() && !hasJoints()) {
-        if (!m_active.loop) {
-            endAs(core::DeviceState::finished);
-            return {};
-        }
-        const std::int64_t seam_ns = due_ns(m_extent.last_ns + std::llround(period_ns()));
-        if (!unpaced && now_ns() < seam_ns) {
-            m_outlet.setState(core::DeviceState::live, now_ns());
-            m_desk.waitUntil(seam_ns, stop);
-            return {};
-        }
-        return seekTo(array, joints, 0.0, stop);
-    }
-    const std::int64_t first_ns = jointsNext() ? joints->time_ns() : array.time_ns();
+    if (frames.atEnd() && !hasJoints())
+        return playEnd(frames, joints, stop);
+    const std::int64_t first_ns = jointsNext() ? joints->time_ns() : frames.time_ns();
     const std::int64_t now = now_ns();
     if (!unpaced) {
         const std::int64_t next_ns = due_ns(first_ns);
         if (now < next_ns) {
-            m_outlet.setState(core::DeviceState::live, now);
+            m_outlet->setState(core::DeviceState::live, now);
             m_desk.waitUntil(next_ns, stop);
             return {};
         }
         if (now - next_ns > kLongestLag_ns)
             anchorAt(first_ns);
     }
-    core::SampleBlock block;
     const auto isDue = [&](const RecordedTrack& track) { return unpaced || due_ns(track.time_ns()) <= now; };
     // Joints first, up to the newest frame of the block: a skin frame that was read before them is then
     // there.
-    while (block.frames() < kRecordedFramesPerBlock) {
+    while (!m_outlet->isFull()) {
         if (jointsNext() && isDue(*joints)) {
             deliver(*joints, stop);
             if (const core::Expected<void> done = joints->advance(); !done)
                 return done;
-        } else if (!array.atEnd() && !jointsNext() && isDue(array)) {
+        } else if (!frames.atEnd() && !jointsNext() && isDue(frames)) {
             // A jump can only be told at the beginning of a block.
-            if (block.frames() > 0 && array.jumps())
+            if (m_outlet->taken() > 0 && frames.jumps())
                 break;
-            append(block, array);
-            if (const core::Expected<void> done = array.advance(); !done)
+            take(frames);
+            if (const core::Expected<void> done = frames.advance(); !done)
                 return done;
         } else {
             break;
@@ -286,31 +320,24 @@ core::Expected<void> RecordedWorker::playDue(RecordedTrack& array, RecordedTrack
         if (stop.stop_requested())
             return {};
     }
-    if (block.frames() > 0)
-        deliver(block, stop);
+    if (m_outlet->taken() > 0)
+        deliver(stop);
     else if (joints != nullptr && m_consumer != nullptr)
         m_consumer->notify();
     return {};
 }
 
-void RecordedWorker::append(core::SampleBlock& block, const RecordedTrack& array) {
-    const auto values = array.values<float>();
-    block.channels = values.size();
-    block.discontinuity = block.discontinuity || m_jumped || array.jumps();
-    m_jumped = false;
-    block.time_ns.push_back(due_ns(array.time_ns()));
-    block.sourceTime_s.push_back(static_cast<double>(array.time_ns() - m_start_ns) / 1e9);
-    block.values.insert(block.values.end(), values.begin(), values.end());
-    m_shown_ns.set(array.time_ns());
+void RecordedWorker::take(const RecordedTrack& frames) {
+    const bool jumped = std::exchange(m_jumped, false) || frames.jumps();
+    m_outlet->take(frames, {.time_ns = std::max(due_ns(frames.time_ns()), m_anchor_ns),
+                            .sourceTime_s = static_cast<double>(frames.time_ns() - m_facts.start_ns) / 1e9,
+                            .jumped = jumped});
+    m_shown_ns.set(frames.time_ns());
 }
 
-void RecordedWorker::deliver(core::SampleBlock& block, const std::stop_token& stop) {
+void RecordedWorker::deliver(const std::stop_token& stop) {
     const core::DeviceState state = m_active.playing ? core::DeviceState::live : core::DeviceState::paused;
-    if (!std::isinf(m_active.speed)) {
-        m_outlet.deliver(std::move(block), state);
-        return;
-    }
-    while (!m_outlet.tryDeliver(block, state)) {
+    while (!m_outlet->deliver(state, std::isinf(m_active.speed))) {
         if (!m_desk.waitForRoom(stop))
             return;
     }
@@ -319,7 +346,7 @@ void RecordedWorker::deliver(core::SampleBlock& block, const std::stop_token& st
 void RecordedWorker::deliver(const RecordedTrack& joints, const std::stop_token& stop) {
     core::JointSample sample = jointSample(joints.values<double>());
     sample.time_ns = due_ns(joints.time_ns());
-    sample.sourceTime_s = static_cast<double>(joints.time_ns() - m_start_ns) / 1e9;
+    sample.sourceTime_s = static_cast<double>(joints.time_ns() - m_facts.start_ns) / 1e9;
     sample.discontinuity = std::exchange(m_jointsJumped, false) || joints.jumps();
     m_jointsRead.fetch_add(1, std::memory_order_relaxed);
     if (!std::isinf(m_active.speed)) {
@@ -336,7 +363,7 @@ void RecordedWorker::deliver(const RecordedTrack& joints, const std::stop_token&
 void RecordedWorker::endAs(core::DeviceState state, std::string message) {
     m_active.playing = false;
     m_desk.set([](PlaybackCommands& commands) { commands.playing = false; });
-    m_outlet.setState(state, now_ns(), std::move(message));
+    m_outlet->setState(state, now_ns(), std::move(message));
 }
 
 void RecordedWorker::loseBy(core::Error error) {

@@ -5,21 +5,33 @@
 #include "backend/core/device.h"
 #include "backend/core/error.h"
 #include "backend/core/latest_copy.h"
-#include "backend/core/source_outlet.h"
 #include "backend/recording/recording.h"
 #include "devices/replay/playback_desk.h"
 #include "devices/replay/recorded_config.h"
+#include "devices/replay/recorded_outlet.h"
 #include "devices/replay/recorded_track.h"
 
 #include <atomic>
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 namespace teleta::replay {
 
-/// Plays the array of a recording, and the joints of the arm that wears it, in step.
+/// What a worker has to know of a recording beforehand.
+struct RecordedFacts {
+    struct Mark {
+        std::int64_t time_ns = 0;
+        std::string text;
+    };
+    recording::Recording::Extent extent; ///< of the stream
+    std::int64_t start_ns = 0;           ///< of the recording
+    std::vector<Mark> marks;             ///< in order of time
+};
+
+/// Plays an array of a recording and the joints of the arm that wears it, in step, or a camera.
 ///   due = anchor + (time of the frame - time at the anchor) / speed
 /// A frame's time_ns is when it was due, so that frames keep their order and distance; its source time is
 /// that since the recording's start.
@@ -27,7 +39,7 @@ namespace teleta::replay {
 /// controlling thread.
 class RecordedWorker {
 public:
-    RecordedWorker(RecordedConfig config, const recording::Recording::Extent& extent, std::int64_t start_ns);
+    RecordedWorker(RecordedConfig config, RecordedFacts facts);
 
     void open(core::Wakeup& consumer);
     void run(const std::stop_token& stop);
@@ -41,8 +53,10 @@ public:
     void setLoop(bool loop);
     [[nodiscard]] core::PlaybackPosition position() const;
 
-    [[nodiscard]] core::SourceOutlet& outlet() { return m_outlet; }
-    [[nodiscard]] const core::SourceOutlet& outlet() const { return m_outlet; }
+    [[nodiscard]] std::vector<core::PlaybackMark> marks() const;
+
+    /// Of a camera, a RecordedCameraOutlet, otherwise a RecordedArrayOutlet.
+    [[nodiscard]] RecordedOutlet& outlet() { return *m_outlet; }
     [[nodiscard]] core::BoundedQueue<core::JointSample>& joints() { return m_joints; }
     [[nodiscard]] core::DeviceStatus jointStatus() const;
     [[nodiscard]] const RecordedConfig& config() const { return m_config; }
@@ -52,32 +66,34 @@ public:
     [[nodiscard]] core::Error error() const { return m_error.get(); }
 
 private:
-    void play(RecordedTrack& array, RecordedTrack* joints, const std::stop_token& stop);
-    [[nodiscard]] core::Expected<void> seekTo(RecordedTrack& array, RecordedTrack* joints, double time_s,
+    void play(RecordedTrack& frames, RecordedTrack* joints, const std::stop_token& stop);
+    [[nodiscard]] core::Expected<void> seekTo(RecordedTrack& frames, RecordedTrack* joints, double time_s,
                                               const std::stop_token& stop);
-    [[nodiscard]] core::Expected<void> stepBy(RecordedTrack& array, RecordedTrack* joints, long long frames,
+    [[nodiscard]] core::Expected<void> stepBy(RecordedTrack& frames, RecordedTrack* joints, long long by,
                                               const std::stop_token& stop);
-    [[nodiscard]] core::Expected<void> show(RecordedTrack& array, RecordedTrack* joints,
+    [[nodiscard]] core::Expected<void> show(RecordedTrack& frames, RecordedTrack* joints, std::int64_t at_ns,
                                             const std::stop_token& stop);
-    [[nodiscard]] core::Expected<void> playDue(RecordedTrack& array, RecordedTrack* joints,
+    [[nodiscard]] core::Expected<void> playDue(RecordedTrack& frames, RecordedTrack* joints,
                                                const std::stop_token& stop);
-    void deliver(core::SampleBlock& block, const std::stop_token& stop);
+    [[nodiscard]] core::Expected<void> playEnd(RecordedTrack& frames, RecordedTrack* joints,
+                                               const std::stop_token& stop);
+    void take(const RecordedTrack& frames);
+    void deliver(const std::stop_token& stop);
     void deliver(const RecordedTrack& joints, const std::stop_token& stop);
-    void append(core::SampleBlock& block, const RecordedTrack& array);
     void endAs(core::DeviceState state, std::string message = {});
     void loseBy(core::Error error);
-    void countDamage(const RecordedTrack& array, const RecordedTrack* joints);
+    void countDamage(const RecordedTrack& frames, const RecordedTrack* joints);
     void anchorAt(std::int64_t time_ns);
     [[nodiscard]] std::int64_t due_ns(std::int64_t time_ns) const;
     [[nodiscard]] double period_ns() const;
     [[nodiscard]] std::int64_t now_ns() const { return m_config.clock->now_ns(); }
 
     RecordedConfig m_config;
-    recording::Recording::Extent m_extent; ///< of the array
-    std::int64_t m_start_ns;               ///< of the recording
-    core::SourceOutlet m_outlet;
+    RecordedFacts m_facts;
+    RecordedConfig::Span m_span; ///< that is played
+    std::unique_ptr<RecordedOutlet> m_outlet;
     core::BoundedQueue<core::JointSample> m_joints;
-    core::LatestCopy<std::int64_t> m_shown_ns; ///< time of the newest frame
+    core::LatestCopy<std::int64_t> m_shown_ns; ///< time that was played up to
 
     core::LatestCopy<core::Error> m_error;
     std::atomic<std::uint64_t> m_damagedBlocks{0};
@@ -87,7 +103,7 @@ private:
     // The worker's own.
     core::Wakeup* m_consumer = nullptr;
     PlaybackCommands m_active;
-    bool m_jumped = true; ///< before the next block
+    bool m_jumped = true; ///< before the next frame
     bool m_jointsJumped = true;
     std::int64_t m_anchor_ns = 0;
     std::int64_t m_anchorTime_ns = 0;

@@ -7,6 +7,8 @@
 #include "app/cli/validators.h"
 #include "backend/core/wakeup.h"
 #include "backend/pipeline/touch_channel.h"
+#include "backend/vision/contacts/contact_ladder.h"
+#include "backend/vision/contacts/contact_rows.h"
 #include "devices/replay/recorded_device.h"
 
 #include <QCoreApplication>
@@ -44,10 +46,25 @@ void tellLosses(std::uint64_t damagedBlocks, std::uint64_t framesLost) {
     std::fprintf(stderr, "teleta: %s\n", qUtf8Printable(counts.join(QStringLiteral(", "))));
 }
 
+/// Ends the output after a source has ended.
+core::Expected<void> finish(RowOutput& rows, const replay::RecordedControl& source,
+                            const core::DeviceStatus& status) {
+    tellLosses(source.damagedBlocks(), status.framesLost);
+    if (status.state == core::DeviceState::lost && !interrupted()) {
+        rows.flush();
+        return core::Unexpected(source.error());
+    }
+    const core::Expected<void> finished = rows.finish();
+    if (finished && interrupted())
+        return core::Unexpected(interruption());
+    return finished;
+}
+
 } // namespace
 
 QString ReplayCommand::summary() const {
-    return ReplayText::tr("Play a recording through the processing of a device and print its features");
+    return ReplayText::tr(
+        "Play a recording through the processing of a device and print its features, or a camera's contacts");
 }
 
 const char* ReplayCommand::example() const {
@@ -60,7 +77,8 @@ void ReplayCommand::declare(CLI::App& app) {
         ->type_name("")
         ->required();
     app.add_option("--stream", m_stream,
-                   ReplayText::tr("Name of the array's stream; otherwise the first array").toStdString())
+                   ReplayText::tr("Name of the stream of an array or a camera; otherwise the first one")
+                       .toStdString())
         ->type_name("NAME");
     app.add_option("--speed", m_speed,
                    ReplayText::tr("Times the recorded speed; otherwise as fast as possible").toStdString())
@@ -74,16 +92,23 @@ void ReplayCommand::declare(CLI::App& app) {
     declareOut(app, m_output.outPath);
 }
 
-core::Expected<pipeline::RecordedSource>
+core::Expected<ReplayCommand::Source>
 ReplayCommand::chooseSource(const recording::Recording& recording) const {
     auto sources = pipeline::recordedSources(recording);
     if (!sources)
         return core::Unexpected(sources.error());
-    const auto found = std::ranges::find_if(*sources, [&](const pipeline::RecordedSource& source) {
-        return m_stream.empty() || recording.streams()[source.arrayStream].name == m_stream;
-    });
-    if (found != sources->end())
-        return std::move(*found);
+    QStringList names;
+    const auto isChosen = [&](std::size_t stream) {
+        const std::string& name = recording.streams()[stream].name;
+        names << QString::fromStdString(name);
+        return m_stream.empty() || name == m_stream;
+    };
+    for (pipeline::RecordedSource& source : sources->arrays)
+        if (isChosen(source.arrayStream))
+            return Source(std::move(source));
+    for (pipeline::RecordedCamera& source : sources->cameras)
+        if (isChosen(source.stream))
+            return Source(std::move(source));
     // What is there under that name may not be described.
     for (const recording::StreamInfo& stream : recording.streams()) {
         if (stream.name != m_stream || stream.kind != recording::StreamKind::array)
@@ -91,29 +116,103 @@ ReplayCommand::chooseSource(const recording::Recording& recording) const {
         if (const auto array = pipeline::recordedArray(stream, recording.path()); !array)
             return core::Unexpected(array.error());
     }
-    QStringList names;
-    for (const pipeline::RecordedSource& source : *sources)
-        names << QString::fromStdString(recording.streams()[source.arrayStream].name);
-    throw CLI::ValidationError("--stream", ReplayText::tr("the recording has the arrays %1")
+    throw CLI::ValidationError("--stream", ReplayText::tr("the recording has the arrays and cameras %1")
                                                .arg(names.join(QStringLiteral(", ")))
                                                .toStdString());
+}
+
+replay::RecordedConfig ReplayCommand::configOf(std::size_t stream) const {
+    replay::RecordedConfig config;
+    config.path = m_path;
+    config.stream = stream;
+    config.speed = m_speed.value_or(std::numeric_limits<double>::infinity());
+    config.queueBlocks = kBlocksAtOnce;
+    return config;
 }
 
 core::Expected<void> ReplayCommand::run() {
     const core::Expected<recording::Recording> recording = recording::Recording::open(m_path);
     if (!recording)
         return core::Unexpected(recording.error());
-    core::Expected<pipeline::RecordedSource> source = chooseSource(*recording);
+    core::Expected<Source> source = chooseSource(*recording);
     if (!source)
         return core::Unexpected(source.error());
-    pipeline::ChannelSettings settings = std::move(source->array.settings);
+    if (const auto* camera = std::get_if<pipeline::RecordedCamera>(&*source))
+        return replayCamera(*recording, *camera);
+    return replayArray(std::get<pipeline::RecordedSource>(std::move(*source)));
+}
+
+core::Expected<void> ReplayCommand::replayCamera(const recording::Recording& recording,
+                                                 const pipeline::RecordedCamera& source) {
+    if (m_threshold)
+        throw CLI::ValidationError("--threshold",
+                                   ReplayText::tr("it is of an array, but the stream \"%1\" is of a camera")
+                                       .arg(QString::fromStdString(recording.streams()[source.stream].name))
+                                       .toStdString());
+    auto finder = vision::makeContactFinder(vision::contactLadder().front(), source.camera);
+    if (!finder)
+        return core::Unexpected(finder.error());
+    vision::CameraTracker tracker(std::move(*finder), {.identities = {}, .bump = source.bump});
+    const auto reference = pipeline::firstReference(recording, source);
+    if (!reference)
+        return core::Unexpected(reference.error());
+    const auto matrixOf = [](const core::GreyImage& image) {
+        return image.isEmpty() ? cv::Mat1b()
+                               : cv::Mat1b(image.height_px, image.width_px,
+                                           const_cast<std::uint8_t*>(image.pixels.get()));
+    };
+    if (!reference->isEmpty()) {
+        if (const auto taken = tracker.next(matrixOf(*reference), 0.0); !taken)
+            return core::Unexpected(taken.error());
+    }
+    replay::RecordedConfig config = configOf(source.stream);
+    config.camera = source.description;
+    const auto player = replay::RecordedPlayer::open(std::move(config));
+    if (!player)
+        return core::Unexpected(player.error());
+    core::Expected<RowOutput> rows = RowOutput::open(vision::kContactColumns, m_output);
+    if (!rows)
+        return core::Unexpected(rows.error());
+
+    core::Wakeup data;
+    replay::RecordedCamera camera(*player);
+    ProgressBar progress(ProgressBar::Unit::frames, rows->onTerminal());
+    camera.start(data);
+    core::DeviceStatus status;
+    // The reference, wherever it is kept, is frame 0.
+    const long long first = reference->isEmpty() ? 0 : 1;
+    long long done = 0;
+    for (bool ended = false; !ended && !interrupted() && !rows->failed();) {
+        status = camera.status();
+        ended = status.state == core::DeviceState::finished || status.state == core::DeviceState::lost;
+        if (!ended)
+            data.waitFor(kIdle);
+        core::CameraFrame frame;
+        while (!interrupted() && camera.pop(frame)) {
+            ++done;
+            const auto contacts = tracker.next(matrixOf(frame.image), frame.capture_s);
+            if (!contacts)
+                continue; // counted by the tracker
+            const int bumped = tracker.bump() ? tracker.bump()->contact : 0;
+            for (const vision::FollowedContact& followed : *contacts) {
+                if (followed.seen || followed.event == vision::ContactEvent::ends)
+                    vision::writeContact(*rows, first + static_cast<long long>(frame.number), frame.capture_s,
+                                         followed, bumped);
+            }
+            rows->flushIfDue();
+            progress.update(static_cast<double>(done), static_cast<double>(camera.position().frames));
+        }
+    }
+    camera.stop();
+    progress.erase();
+    return finish(*rows, camera, status);
+}
+
+core::Expected<void> ReplayCommand::replayArray(pipeline::RecordedSource source) {
+    pipeline::ChannelSettings settings = std::move(source.array.settings);
     settings.features.threshold_N = m_threshold.value_or(settings.features.threshold_N);
-    replay::RecordedConfig config;
-    config.path = m_path;
-    config.arrayStream = source->arrayStream;
-    config.array = std::move(source->array.description);
-    config.speed = m_speed.value_or(std::numeric_limits<double>::infinity());
-    config.queueBlocks = kBlocksAtOnce;
+    replay::RecordedConfig config = configOf(source.arrayStream);
+    config.array = std::move(source.array.description);
     const auto player = replay::RecordedPlayer::open(std::move(config));
     if (!player)
         return core::Unexpected(player.error());
@@ -144,11 +243,6 @@ core::Expected<void> ReplayCommand::run() {
     }
     channel.source().stop();
     progress.erase();
-    tellLosses(array.damagedBlocks(), array.status().framesLost);
-    if (status.state == core::DeviceState::lost && !interrupted()) {
-        rows->flush();
-        return core::Unexpected(array.error());
-    }
     if (channel.samplesNotShown() > 0) {
         rows->flush();
         return core::Unexpected(core::Error{core::ErrorKind::ioFailed,
@@ -158,10 +252,7 @@ core::Expected<void> ReplayCommand::run() {
                                             {},
                                             {m_path}});
     }
-    const core::Expected<void> finished = rows->finish();
-    if (finished && interrupted())
-        return core::Unexpected(interruption());
-    return finished;
+    return finish(*rows, array, status);
 }
 
 } // namespace teleta::cli

@@ -3,15 +3,19 @@
 
 #include "app/cli/command.h"
 #include "app/cli/command_io.h"
-#include "backend/pipeline/recorded_streams.h"
+#include "backend/pipeline/recorded_sources.h"
 #include "backend/recording/recording.h"
+#include "devices/replay/recorded_config.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <variant>
 
 namespace teleta::cli {
 
-/// `teleta replay RECORDING`: the array of a recording through the same processing as a device's frames.
+/// `teleta replay RECORDING`: an array of a recording through the same processing as a device's frames, or a
+/// camera's pictures.
 class ReplayCommand : public Command {
 public:
     [[nodiscard]] const char* name() const override { return "replay"; }
@@ -21,8 +25,13 @@ public:
     [[nodiscard]] core::Expected<void> run() override;
 
 private:
-    [[nodiscard]] core::Expected<pipeline::RecordedSource>
-    chooseSource(const recording::Recording& recording) const;
+    using Source = std::variant<pipeline::RecordedSource, pipeline::RecordedCamera>;
+    [[nodiscard]] core::Expected<Source> chooseSource(const recording::Recording& recording) const;
+    [[nodiscard]] core::Expected<void> replayArray(pipeline::RecordedSource source);
+    [[nodiscard]] core::Expected<void> replayCamera(const recording::Recording& recording,
+                                                    const pipeline::RecordedCamera& source);
+    /// Where the frames of a stream come from.
+    [[nodiscard]] replay::RecordedConfig configOf(std::size_t stream) const;
 
     std::string m_path;
     std::string m_stream;

@@ -120,3 +120,29 @@ TEST_F(ReplayCommand, whatIsNoRecordingIsABadInput) {
     EXPECT_EQ(run({"replay", m_folder.path("none.teleta")}).exitCode, 3);
     EXPECT_EQ(run({"replay", recording(), "--speed", "0"}).exitCode, 2);
 }
+
+TEST(ReplayCommandOfACamera, theContactsAreThoseOfTheRun) {
+    TemporaryFolder folder;
+    ASSERT_EQ(run({"simulate", "vtacarm-bump", "--duration", "0.7", "--out", folder.path("run")}).exitCode,
+              0);
+    const std::string recording = folder.path("run/recording.teleta");
+    const ProgramResult replayed = run({"replay", recording});
+    ASSERT_EQ(replayed.exitCode, 0) << replayed.err;
+    const auto rows = splitCsv(replayed.out);
+    const auto expected = splitCsv(readAll(folder.path("run/contacts.csv")));
+    ASSERT_EQ(rows.size(), expected.size());
+    ASSERT_GT(rows.size(), 3U) << "the finger comes after 0.45 s, then the arm draws back";
+    EXPECT_EQ(rows[0], expected[0]);
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        EXPECT_EQ(rows[i][0], expected[i][0]) << "frame of row " << i;
+        EXPECT_NEAR(std::stod(rows[i][1]), std::stod(expected[i][1]), 1e-8);
+        for (std::size_t column = 2; column < rows[i].size(); ++column)
+            EXPECT_EQ(rows[i][column], expected[i][column]) << "row " << i << ", column " << column;
+    }
+    EXPECT_EQ(run({"replay", recording, "--threshold", "1"}).exitCode, 2);
+
+    ASSERT_EQ(run({"export", recording, "--csv", folder.path("csv")}).exitCode, 0);
+    EXPECT_EQ(splitCsv(readAll(folder.path("csv/camera.csv"))).size(), 1U + 28U) << "0.7 s at 40 Hz";
+    EXPECT_EQ(splitCsv(readAll(folder.path("csv/reference.csv"))).size(), 2U);
+    EXPECT_EQ(splitCsv(readAll(folder.path("csv/contacts.csv"))).size(), expected.size());
+}

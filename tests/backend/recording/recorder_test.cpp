@@ -206,3 +206,28 @@ TEST_F(RecorderTest, aSteadyClockGetsOneAnchor) {
     ASSERT_TRUE(recorder->stop());
     EXPECT_EQ(Recording::open(path())->anchors().size(), 1U);
 }
+
+TEST_F(RecorderTest, marksCanBeRenamedTakenOutAndSetAgain) {
+    auto recorder = start();
+    const std::uint64_t first = recorder->mark("one", m_start_ns + 10);
+    const std::uint64_t second = recorder->mark("two", m_start_ns + 20);
+    const std::uint64_t third = recorder->mark("three", m_start_ns + 30);
+    recorder->renameMark(first, "the first");
+    // Once they are in the file as well.
+    while (recorder->status().marks < 3)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    recorder->removeMark(second);
+    recorder->removeMark(third);
+    recorder->restoreMark(third, "again", m_start_ns + 30);
+    recorder->renameMark(third, "and again");
+    ASSERT_TRUE(recorder->stop());
+    EXPECT_EQ(recorder->status().marks, 2U);
+    const auto recording = Recording::open(path());
+    ASSERT_TRUE(recording);
+    std::vector<std::pair<std::string, std::int64_t>> marks;
+    for (const RecordingEvent& event : recording->events())
+        if (event.kind == kMark)
+            marks.emplace_back(event.text, event.time_ns - m_start_ns);
+    EXPECT_EQ(marks,
+              (std::vector<std::pair<std::string, std::int64_t>>{{"the first", 10}, {"and again", 30}}));
+}

@@ -333,3 +333,117 @@ TEST_F(RecordedDeviceTest, aRecordingWithoutFramesIsRefused) {
     ASSERT_FALSE(player);
     EXPECT_EQ(player.error().kind, core::ErrorKind::refused);
 }
+
+TEST_F(RecordedDeviceTest, whatIsPlayedTogetherHasOneTime) {
+    write(4); // from 1.0 s to 1.3 s of the recording
+    replay::RecordedConfig config;
+    config.path = path();
+    config.array.layout = {.rows = 2, .columns = 3, .pitch_m = 0.01};
+    config.clock = m_clock;
+    config.span = replay::RecordedConfig::Span{kStart_ns, kStart_ns + 2'000'000'000};
+    auto player = replay::RecordedPlayer::open(config);
+    ASSERT_TRUE(player);
+    m_array = std::make_unique<replay::RecordedArray>(*player);
+    m_array->start(m_wakeup);
+    m_clock->settle();
+    EXPECT_EQ(received(), Values{}) << "another source began earlier";
+    EXPECT_NEAR(m_array->position().duration_s, 2.0, 1e-9);
+    m_clock->advance(10 * kTenth_ns);
+    EXPECT_EQ(received(), Values{0.0F});
+    EXPECT_NEAR(m_array->position().time_s, 1.0, 1e-9);
+    m_clock->advance(3 * kTenth_ns);
+    EXPECT_EQ(received(), (Values{1.0F, 2.0F, 3.0F}));
+    EXPECT_EQ(m_array->status().state, core::DeviceState::live) << "another source goes on";
+    m_clock->advance(7 * kTenth_ns);
+    EXPECT_TRUE(comesTo(core::DeviceState::finished));
+    m_array->seek(1.9);
+    EXPECT_EQ(take(1), Values{3.0F}) << "as it was left";
+    m_array->seek(0.5);
+    m_clock->settle();
+    EXPECT_EQ(received(), Values{}) << "there was nothing yet";
+    EXPECT_TRUE(eventually(m_wakeup, [&] { return m_array->position().time_s == 0.5; }));
+}
+
+TEST_F(RecordedDeviceTest, marksAreToldByTheTimeOfThePlayback) {
+    {
+        auto recorder = Recorder::start(path(), headAt(kStart_ns), {.simulatedTime = true}).value();
+        const auto array = recorder->addStream(arrayInfo());
+        appendFrame(*array, kStart_ns + 1'000'000'000, 1.0F);
+        recorder->add({.time_ns = kStart_ns + 1'250'000'000, .kind = kMark, .text = "slipped"});
+        ASSERT_TRUE(recorder->stop());
+    }
+    open();
+    const auto marks = m_array->marks();
+    ASSERT_EQ(marks.size(), 1U);
+    EXPECT_NEAR(marks[0].time_s, 0.25, 1e-9) << "since the first frame";
+    EXPECT_NEAR(marks[0].sourceTime_s, 1.25, 1e-9) << "since the recording's start";
+    EXPECT_EQ(marks[0].text, "slipped");
+}
+
+namespace {
+
+/// Four pictures at 10 Hz, all grey, the number of each its grey level.
+void writePictures(const std::string& path) {
+    StreamInfo info;
+    info.name = "camera";
+    info.kind = StreamKind::camera;
+    info.type = ValueType::grey8;
+    info.shape = {2, 3};
+    auto recorder = Recorder::start(path, headAt(kStart_ns), {.simulatedTime = true}).value();
+    const auto tap = recorder->addStream(info);
+    for (int i = 0; i < 4; ++i) {
+        std::shared_ptr<std::uint8_t[]> pixels(new std::uint8_t[6]);
+        std::fill_n(pixels.get(), 6, static_cast<std::uint8_t>(10 * i));
+        tap->append({.image = {std::shared_ptr<const std::uint8_t>(pixels, pixels.get()), 3, 2},
+                     .time_ns = kStart_ns + i * kTenth_ns,
+                     .capture_s = i * 0.1});
+    }
+    ASSERT_TRUE(recorder->stop());
+}
+
+} // namespace
+
+TEST_F(RecordedDeviceTest, aCameraIsPlayedPictureByPicture) {
+    writePictures(path());
+    replay::RecordedConfig config;
+    config.path = path();
+    config.camera = core::CameraDescription{.name = "tube", .nominalRate_Hz = 10.0, .recorded = true};
+    config.clock = m_clock;
+    auto player = replay::RecordedPlayer::open(config);
+    ASSERT_TRUE(player) << core::describe(player.error());
+    replay::RecordedCamera camera(*player);
+    camera.start(m_wakeup);
+    m_clock->settle();
+    std::vector<int> levels;
+    std::vector<core::CameraFrame> frames;
+    const auto takeAll = [&] {
+        core::CameraFrame frame;
+        while (camera.pop(frame)) {
+            levels.push_back(frame.image.pixels.get()[5]);
+            frames.push_back(frame);
+        }
+    };
+    takeAll();
+    EXPECT_EQ(levels, std::vector<int>{0});
+    m_clock->advance(kTenth_ns);
+    m_clock->advance(kTenth_ns);
+    takeAll();
+    EXPECT_EQ(levels, (std::vector<int>{0, 10, 20}));
+    EXPECT_TRUE(frames[0].discontinuity);
+    EXPECT_FALSE(frames[1].discontinuity);
+    EXPECT_EQ(frames[2].time_ns - frames[1].time_ns, kTenth_ns);
+    EXPECT_NEAR(frames[2].capture_s, 0.2, 1e-9);
+    EXPECT_EQ(frames[2].number, 2U);
+    EXPECT_EQ(camera.status().state, core::DeviceState::live);
+    m_clock->advance(kTenth_ns);
+    EXPECT_TRUE(eventually(m_wakeup, [&] { return camera.status().state == core::DeviceState::finished; }));
+    ASSERT_NE(camera.playback(), nullptr);
+    camera.playback()->seek(0.1);
+    EXPECT_TRUE(eventually(m_wakeup, [&] {
+        takeAll();
+        return levels.back() == 10;
+    })) << "a picture is shown although the playback is paused";
+    EXPECT_TRUE(frames.back().discontinuity);
+    camera.stop();
+    EXPECT_EQ(camera.status().state, core::DeviceState::closed);
+}
