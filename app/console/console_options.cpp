@@ -6,6 +6,7 @@
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
+#include <QFileInfo>
 
 #include <cmath>
 #include <limits>
@@ -84,9 +85,13 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
            "Examples:\n"
            "  teleta-console --scene tactile-indenter\n"
            "  teleta-console --replay run.csv --rows 64 --columns 27 --tare empty.csv --threshold 10\n"
+           "  teleta-console session.teleta\n"
            "  teleta-console --camera 0 --camera-model camera.json\n"
            "  teleta-console --sources both-arrays.toml --theme dark"));
     m_parser.setSingleDashWordOptionMode(QCommandLineParser::ParseAsLongOptions);
+    m_parser.addPositionalArgument(QStringLiteral("FILE"),
+                                   tr("Recordings (.teleta, .csv), scenes and source lists (.toml) to open."),
+                                   QStringLiteral("[FILE...]"));
     const QCommandLineOption help = m_parser.addHelpOption();
     const QCommandLineOption version = m_parser.addVersionOption();
 
@@ -96,8 +101,9 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
         tr("SCENE"));
     const auto seed = option("seed", tr("Seed of the simulated scenes (default 1)."), tr("N"));
     const auto replay = option("replay",
-                               tr("Play back recorded frames, CSV time_s,t0,t1,... (repeatable; the options "
-                                  "below go with the recordings in their order)."),
+                               tr("Play back a recording of this program, or recorded frames, CSV "
+                                  "time_s,t0,t1,... (repeatable; the options below go with the recordings "
+                                  "in their order)."),
                                tr("FILE"));
     const auto rows = option("rows", tr("Rows of the array (default: by the number of taxels)."), tr("N"));
     const auto columns = option("columns", tr("Columns of the array."), tr("N"));
@@ -112,6 +118,8 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
         option("threshold", tr("Load from which a taxel is in contact (default 0.2)."), tr("LOAD"));
     const auto rate = option("rate", tr("Play at this rate in Hz instead of the recorded times."), tr("HZ"));
     const auto sources = option("sources", tr("Open the sources listed in a TOML file."), tr("FILE"));
+    const auto record =
+        option("record", tr("Record all sources and the bracelet into a new file."), tr("FILE"));
     const auto camera = option(
         "camera", tr("Open a camera in the soft tube by its number, or a video of one."), tr("FILE|N"));
     const auto cameraModel =
@@ -158,10 +166,14 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
                 QCoreApplication::applicationName() + QLatin1Char(' ') +
                     QCoreApplication::applicationVersion(),
                 0};
-    if (!m_parser.positionalArguments().isEmpty())
-        fail(tr("unexpected argument \"%1\"").arg(m_parser.positionalArguments().front()));
-
     ConsoleOptions options;
+    options.files = m_parser.positionalArguments();
+    for (const QString& file : options.files) {
+        const QString suffix = QFileInfo(file).suffix().toLower();
+        if (suffix != QLatin1String("teleta") && suffix != QLatin1String("csv") &&
+            suffix != QLatin1String("toml"))
+            fail(tr("unexpected argument \"%1\"").arg(file));
+    }
     options.scenes = m_parser.values(scene);
     const auto allRows = integers(rows, 1, core::ArrayLayout::kMaximumSide);
     const auto allColumns = integers(columns, 1, core::ArrayLayout::kMaximumSide);
@@ -191,6 +203,7 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
         options.recordings.push_back(recording);
     }
     options.sourceList = m_parser.value(sources);
+    options.record = m_parser.value(record);
     if (const auto seeds = integers(seed, 0, std::numeric_limits<int>::max()); !seeds.empty())
         options.seed = static_cast<std::uint64_t>(seeds.back());
     options.pattern = m_parser.value(pattern);

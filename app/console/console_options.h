@@ -27,9 +27,11 @@ struct ConsoleOptions {
         bool inverted = false;
     };
 
+    QStringList files; ///< recordings, scenes and source lists
     QStringList scenes;
     std::vector<Recording> recordings;
     QString sourceList;
+    QString record; ///< file to record into from the start on
     std::uint64_t seed = 1;
     QString pattern;       ///< id or file to open on the Patterns page
     QString dataFolder;    ///< of the user's own patterns and of what was not saved; empty: none is used

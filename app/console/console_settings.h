@@ -53,6 +53,10 @@ public:
     [[nodiscard]] QStringList recentFiles() const;
     void addRecentFile(const QString& path);
 
+    /// Where recordings are kept; empty: nobody chose a folder.
+    [[nodiscard]] QString recordingFolder() const { return text("recording/folder", {}); }
+    void setRecordingFolder(const QString& folder) { set("recording/folder", folder); }
+
     /// Pattern files, the newest first.
     [[nodiscard]] QStringList recentPatterns() const;
     void addRecentPattern(const QString& path);

@@ -14,7 +14,8 @@
 #include "app/console/operate/camera_dialog.h"
 #include "app/console/operate/demo_scenes.h"
 #include "app/console/operate/operate_page.h"
-#include "app/console/operate/recording_dialog.h"
+#include "app/console/operate/recording_controls.h"
+#include "app/console/operate/recording_files.h"
 #include "app/console/operate/source_list.h"
 #include "app/console/patterns/pattern_collection.h"
 #include "app/console/patterns/patterns_page.h"
@@ -24,6 +25,7 @@
 #include "widgets/base/theme.h"
 #include "widgets/chrome/device_strip.h"
 #include "widgets/chrome/page_rail.h"
+#include "widgets/chrome/recording_indicator.h"
 #include "widgets/chrome/stop_button.h"
 #include "widgets/pattern/pattern_editor.h"
 
@@ -76,6 +78,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     , m_sources(stop)
     , m_collection(new PatternCollection(
           options.dataFolder.isEmpty() ? QString() : options.dataFolder + QStringLiteral("/patterns"), this))
+    , m_recordings(new RecordingFiles(m_sources, settings, this))
     , m_rail(new chrome::PageRail(this))
     , m_pages(new QStackedWidget(this))
     , m_operate(new OperatePage(m_sources, stop, this))
@@ -91,6 +94,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
                               : options.dataFolder + QStringLiteral("/cost/tradeoff.csv"),
                           {}, this))
     , m_braceletMenu(new BraceletMenu(m_operate->bracelet(), settings, this))
+    , m_recording(new RecordingControls(m_sources, *m_operate, settings, stop, this))
     , m_hand(std::make_unique<HandStation>())
     , m_devices(new chrome::DeviceStrip(this))
     , m_stopButton(new chrome::StopButton(this))
@@ -118,6 +122,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     statusRow->setContentsMargins(base::grid(this), base::grid(this, 0.5), base::grid(this, 0.5),
                                   base::grid(this, 0.5));
     statusRow->addWidget(m_devices, 1);
+    statusRow->addWidget(m_recording->indicator());
     statusRow->addWidget(m_stopButton);
 
     auto* right = new QVBoxLayout;
@@ -146,9 +151,11 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
         showStop();
     });
     connect(&m_sources, &SourceManager::failed, this, &MainWindow::onFailed);
+    connect(m_recordings, &RecordingFiles::failed, this, &MainWindow::onFailed);
+    connect(m_recordings, &RecordingFiles::opened, this, &MainWindow::addRecent);
     connect(m_operate, &OperatePage::demoRequested, this, &MainWindow::openDemo);
     connect(m_operate, &OperatePage::openRecordingRequested, this, [this] {
-        askForFile(tr("Open recording"), tr("Recorded frames (*.csv)"), &MainWindow::openRecording);
+        askForFile(tr("Open recording"), tr("Recordings (*.teleta *.csv)"), &MainWindow::openRecording);
     });
     connect(m_operate, &OperatePage::openListRequested, this, [this] {
         askForFile(tr("Open source list"), tr("Source lists (*.toml)"), &MainWindow::openList);
@@ -214,6 +221,7 @@ MainWindow::~MainWindow() {
 void MainWindow::onTick() {
     m_sources.poll();
     m_operate->armViews().setHand(m_hand->motion(), m_hand->text());
+    m_recording->tick();
     m_operate->tick();
     m_patterns->tick();
     m_study->tick();
@@ -228,16 +236,10 @@ void MainWindow::onTick() {
 
 void MainWindow::openRequested(const ConsoleOptions& options) {
     openScenes(options.scenes, options.study);
-    for (const ConsoleOptions::Recording& recording : options.recordings) {
-        runInBackground(
-            this, [recording] { return completeRecording(recording); },
-            [this, name = QFileInfo(recording.path).fileName()](core::Expected<RecordingRequest> request) {
-                if (request)
-                    m_sources.open(*request);
-                else
-                    onFailed(name, request.error());
-            });
-    }
+    for (const QString& path : options.files)
+        openFile(path);
+    for (const ConsoleOptions::Recording& recording : options.recordings)
+        m_recordings->openAs(recording);
     if (options.camera)
         m_sources.open(*options.camera);
     if (!options.sourceList.isEmpty())
@@ -248,6 +250,8 @@ void MainWindow::openRequested(const ConsoleOptions& options) {
         m_study->watchRehearsal(options.study);
     else if (!options.study.isEmpty() && options.scenes.isEmpty())
         m_study->open(options.study);
+    if (!options.record.isEmpty())
+        m_recording->station().start(options.record);
     if (!options.cameraPairs.isEmpty())
         m_calibrate->openPairs(options.cameraPairs);
 }
@@ -297,7 +301,7 @@ void MainWindow::openCamera() {
 }
 
 void MainWindow::openFile(const QString& path) {
-    if (path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
+    if (isRecordingName(path) || path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
         openRecording(path);
         return;
     }
@@ -316,26 +320,7 @@ void MainWindow::openFile(const QString& path) {
 }
 
 void MainWindow::openRecording(const QString& path) {
-    runInBackground(
-        this, [path] { return guessRecording(path.toStdString()); },
-        [this, path](core::Expected<RecordingRequest> guess) {
-            if (!guess) {
-                onFailed(QFileInfo(path).fileName(), guess.error());
-                return;
-            }
-            const auto known = m_settings.recording(path);
-            const bool fits = known && known->layout.taxels() == guess->layout.taxels();
-            auto* dialog = new RecordingDialog(fits ? *known : *guess, this);
-            dialog->setAttribute(Qt::WA_DeleteOnClose);
-            connect(dialog, &QDialog::accepted, this, [this, dialog, path] {
-                const RecordingRequest request = dialog->request();
-                m_settings.setRecording(request);
-                m_settings.addRecentFile(path);
-                m_operate->chooser().setRecent(m_settings.recentFiles());
-                m_sources.open(request);
-            });
-            dialog->open();
-        });
+    m_recordings->open(path);
 }
 
 void MainWindow::openList(const QString& path) {
@@ -346,11 +331,15 @@ void MainWindow::openList(const QString& path) {
                 onFailed(QFileInfo(path).fileName(), list.error());
                 return;
             }
-            m_settings.addRecentFile(path);
-            m_operate->chooser().setRecent(m_settings.recentFiles());
+            addRecent(path);
             for (const SourceRequest& request : *list)
                 m_sources.open(request);
         });
+}
+
+void MainWindow::addRecent(const QString& path) {
+    m_settings.addRecentFile(path);
+    m_operate->chooser().setRecent(m_settings.recentFiles());
 }
 
 void MainWindow::askForFile(const QString& title, const QString& filter,
@@ -440,6 +429,7 @@ void MainWindow::buildMenus() {
     view->addAction(tr("&Full screen"), QKeySequence::FullScreen, this,
                     [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
 
+    m_recording->fill(*menuBar()->addMenu(tr("&Recording")));
     buildArmMenu();
     m_braceletMenu->fill(*menuBar()->addMenu(tr("&Bracelet")));
 
@@ -552,6 +542,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     m_stop.engage();
     m_clock.stop();
     saveState();
+    m_recording->station().stop();
     m_sources.closeAll();
     QMainWindow::closeEvent(event);
 }
@@ -579,7 +570,7 @@ void MainWindow::changeEvent(QEvent* event) {
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     for (const QUrl& url : event->mimeData()->urls()) {
         const QString suffix = QFileInfo(url.toLocalFile()).suffix().toLower();
-        if (suffix == QLatin1String("csv") || suffix == QLatin1String("toml")) {
+        if (QStringList{"csv", "toml", "teleta"}.contains(suffix)) {
             event->acceptProposedAction();
             return;
         }

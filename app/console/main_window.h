@@ -29,6 +29,8 @@ class HandStation;
 class OperatePage;
 class PatternCollection;
 class PatternsPage;
+class RecordingControls;
+class RecordingFiles;
 class StudyPage;
 
 /// The console's window: rail of pages, status bar with the devices, STOP, menus. Composition only: what a
@@ -51,6 +53,7 @@ public:
     [[nodiscard]] CalibratePage& calibratePage() { return *m_calibrate; }
     [[nodiscard]] CostPage& costPage() { return *m_cost; }
     [[nodiscard]] OperatePage& operatePage() { return *m_operate; }
+    [[nodiscard]] RecordingControls& recording() { return *m_recording; }
     /// Whether a source failed to open since the start; decides the exit code of --screenshot.
     [[nodiscard]] bool anyFailure() const { return m_anyFailure; }
 
@@ -75,6 +78,7 @@ private:
     void openFile(const QString& path);
     void openRecording(const QString& path);
     void openList(const QString& path);
+    void addRecent(const QString& path);
     void askForFile(const QString& title, const QString& filter, void (MainWindow::*open)(const QString&));
     void openScene(const QString& path);
     void openScenes(const QStringList& scenes, const QString& studyFolder);
@@ -89,6 +93,7 @@ private:
     SourceManager m_sources;
     GuiClock m_clock;
     PatternCollection* m_collection;
+    RecordingFiles* m_recordings;
     chrome::PageRail* m_rail;
     QStackedWidget* m_pages;
     OperatePage* m_operate;
@@ -97,6 +102,7 @@ private:
     CalibratePage* m_calibrate;
     CostPage* m_cost;
     BraceletMenu* m_braceletMenu;
+    RecordingControls* m_recording;
     std::unique_ptr<HandStation> m_hand;
     chrome::DeviceStrip* m_devices;
     chrome::StopButton* m_stopButton;

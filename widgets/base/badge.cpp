@@ -24,6 +24,8 @@ QString provenanceText(Provenance provenance) {
         return QCoreApplication::translate("Provenance", "SIMULATED");
     case Provenance::recorded:
         return QCoreApplication::translate("Provenance", "RECORDED");
+    case Provenance::recordedSimulation:
+        return QCoreApplication::translate("Provenance", "RECORDED SIMULATION");
     case Provenance::live:
         break;
     }

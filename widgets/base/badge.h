@@ -13,9 +13,9 @@ class QPainter;
 namespace teleta::base {
 
 /// Where the data of a view come from. Every view that shows data which are not live says so in violet.
-enum class Provenance { live, recorded, simulated };
+enum class Provenance { live, recorded, simulated, recordedSimulation };
 
-/// "SIMULATED", "RECORDED", translated; empty for live data.
+/// "SIMULATED", "RECORDED", "RECORDED SIMULATION", translated; empty for live data.
 [[nodiscard]] QString provenanceText(Provenance provenance);
 
 /// A word in a coloured box, for states that must not be missed.

@@ -128,6 +128,11 @@ bool StripChartView::addMark(double sourceTime_s, const QString& label) {
     return true;
 }
 
+void StripChartView::clearMarks() {
+    m_marks.clear();
+    invalidate();
+}
+
 void StripChartView::requestMark() {
     if (const auto sample = shownSample())
         emit markRequested(m_history.sourceTime_s(*sample));

@@ -39,6 +39,7 @@ public:
     /// A vertical line with a label where the stream was at that time of its own. False when it is no longer
     /// kept.
     bool addMark(double sourceTime_s, const QString& label);
+    void clearMarks();
     [[nodiscard]] std::size_t marks() const { return m_marks.size(); }
 
     void populateMenu(QMenu& menu, std::optional<Strip> strip = std::nullopt);

@@ -3,6 +3,7 @@
 
 #include "widgets/base/icons.h"
 #include "widgets/base/theme.h"
+#include "widgets/chrome/time_slider.h"
 
 #include <QAbstractItemView>
 #include <QComboBox>
@@ -10,15 +11,13 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QMouseEvent>
 #include <QSignalBlocker>
-#include <QSlider>
-#include <QStyle>
 #include <QToolButton>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace teleta::chrome {
 
@@ -26,30 +25,6 @@ namespace {
 
 constexpr int kSliderSteps = 10'000;
 constexpr std::array kSpeeds{0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0};
-
-/// A slider that goes where it is clicked, as a time bar does.
-class TimeSlider : public QSlider {
-public:
-    using QSlider::QSlider;
-
-protected:
-    void mousePressEvent(QMouseEvent* event) override {
-        if (event->button() == Qt::LeftButton && width() > 1) {
-            setSliderDown(true);
-            setSliderPosition(QStyle::sliderValueFromPosition(minimum(), maximum(),
-                                                              qRound(event->position().x()), width() - 1));
-            event->accept();
-            return;
-        }
-        QSlider::mousePressEvent(event);
-    }
-    void mouseMoveEvent(QMouseEvent* event) override {
-        if (isSliderDown())
-            setSliderPosition(QStyle::sliderValueFromPosition(minimum(), maximum(),
-                                                              qRound(event->position().x()), width() - 1));
-    }
-    void mouseReleaseEvent(QMouseEvent* /*event*/) override { setSliderDown(false); }
-};
 
 QString clockText(double time_s) {
     const auto tenths = static_cast<long long>(std::floor(std::max(time_s, 0.0) * 10.0));
@@ -107,6 +82,7 @@ void PlaybackBar::setPosition(const core::PlaybackPosition& position) {
     m_position = position;
     const double share =
         position.duration_s > 0.0 ? std::clamp(position.time_s / position.duration_s, 0.0, 1.0) : 0.0;
+    m_slider->setDuration(position.duration_s);
     if (!m_slider->isSliderDown()) {
         const QSignalBlocker blocked(m_slider);
         m_slider->setValue(qRound(share * kSliderSteps));
@@ -135,6 +111,29 @@ void PlaybackBar::setPosition(const core::PlaybackPosition& position) {
     }
 }
 
+void PlaybackBar::setMarks(std::vector<core::PlaybackMark> marks) {
+    m_marks = std::move(marks);
+    m_slider->setMarks(m_marks);
+}
+
+void PlaybackBar::goToMark(bool forward) {
+    // One that was just gone to is behind, however exactly its frame was met.
+    constexpr double kSame_s = 0.3;
+    const double now_s = m_position.time_s;
+    if (forward) {
+        const auto next = std::ranges::find_if(
+            m_marks, [&](const core::PlaybackMark& mark) { return mark.time_s > now_s + kSame_s; });
+        if (next != m_marks.end())
+            emit seekRequested(next->time_s);
+        return;
+    }
+    const auto before = std::find_if(m_marks.rbegin(), m_marks.rend(), [&](const core::PlaybackMark& mark) {
+        return mark.time_s < now_s - kSame_s;
+    });
+    if (before != m_marks.rend())
+        emit seekRequested(before->time_s);
+}
+
 void PlaybackBar::keyPressEvent(QKeyEvent* event) {
     switch (event->key()) {
     case Qt::Key_Space:
@@ -148,6 +147,10 @@ void PlaybackBar::keyPressEvent(QKeyEvent* event) {
         return;
     case Qt::Key_Home:
         emit seekRequested(0.0);
+        return;
+    case Qt::Key_PageUp:
+    case Qt::Key_PageDown:
+        goToMark(event->key() == Qt::Key_PageDown);
         return;
     case Qt::Key_End:
         emit seekRequested(m_position.duration_s);

@@ -5,15 +5,19 @@
 
 #include <QWidget>
 
+#include <vector>
+
 class QComboBox;
 class QLabel;
-class QSlider;
 class QToolButton;
 
 namespace teleta::chrome {
 
-/// Control of a playback: play and pause, single steps, a time bar, speed, loop. Shows a position, emits
-/// intents. Keys: Space plays or pauses, Left and Right step, Home and End go to the ends. Thread: GUI.
+class TimeSlider;
+
+/// Control of a playback: play and pause, single steps, a time bar with marks, speed, loop. Shows a position,
+/// emits intents. Keys: Space plays or pauses, Left and Right step, Page Up and Page Down go from mark to
+/// mark, Home and End to the ends. Thread: GUI.
 class PlaybackBar : public QWidget {
     Q_OBJECT
 
@@ -21,6 +25,8 @@ public:
     explicit PlaybackBar(QWidget* parent = nullptr);
 
     void setPosition(const core::PlaybackPosition& position);
+    /// marks: in order of time.
+    void setMarks(std::vector<core::PlaybackMark> marks);
 
 signals:
     void playRequested();
@@ -39,6 +45,7 @@ private:
     void restyle();
     void retranslate();
     void togglePlay();
+    void goToMark(bool forward);
     [[nodiscard]] double sliderTime_s(int value) const;
 
     QToolButton* m_toStart;
@@ -46,10 +53,11 @@ private:
     QToolButton* m_play;
     QToolButton* m_forward;
     QToolButton* m_loop;
-    QSlider* m_slider;
+    TimeSlider* m_slider;
     QLabel* m_time;
     QComboBox* m_speed;
     core::PlaybackPosition m_position;
+    std::vector<core::PlaybackMark> m_marks;
     bool m_shownPaused = false;
 };
 

@@ -56,7 +56,8 @@ void SourceChooser::setSources(const std::vector<Source>& sources, std::uint64_t
             text = tr("%1 \u2014 %2", "a source and whether its data are simulated or recorded")
                        .arg(text, provenance);
         m_box->addItem(base::themeIcon(source.provenance == base::Provenance::simulated ? base::Icon::scene
-                                       : source.provenance == base::Provenance::recorded
+                                       : source.provenance == base::Provenance::recorded ||
+                                               source.provenance == base::Provenance::recordedSimulation
                                            ? base::Icon::recording
                                            : base::Icon::sensor),
                        text, QVariant::fromValue<qulonglong>(source.key));
@@ -101,7 +102,7 @@ void SourceChooser::rebuildMenu() {
     QAction* recording =
         m_menu->addAction(base::themeIcon(base::Icon::recording), tr("Open &recording\u2026"), this,
                           &SourceChooser::openRecordingRequested);
-    recording->setToolTip(tr("Recorded frames as CSV: time_s,t0,t1,\u2026"));
+    recording->setToolTip(tr("A recording of this program, or recorded frames as CSV: time_s,t0,t1,\u2026"));
     m_menu->addAction(base::themeIcon(base::Icon::scene), tr("Open &scene file\u2026"), this,
                       &SourceChooser::openSceneRequested);
     QAction* camera = m_menu->addAction(base::themeIcon(base::Icon::sensor), tr("Open &camera\u2026"), this,

@@ -43,7 +43,7 @@ BraceletSession::open(BraceletChoice choice, const std::string& deviceFile, cons
 }
 
 BraceletSession::BraceletSession(std::unique_ptr<core::BraceletSource> source, const core::StopSwitch& stop)
-    : m_source(std::move(source)) {
+    : m_source(std::make_unique<TappedBracelet>(std::move(source))) {
     const std::string& serial = m_source->description().serial;
     auto found = motors::findMotors(serial);
     if (!found)

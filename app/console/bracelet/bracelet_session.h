@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/console/bracelet/tapped_bracelet.h"
 #include "backend/core/bracelet_device.h"
 #include "backend/core/error.h"
 #include "backend/core/stop_switch.h"
@@ -12,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace teleta::console {
 
@@ -38,6 +40,8 @@ public:
 
     [[nodiscard]] const core::BraceletSource& source() const { return *m_source; }
     [[nodiscard]] playback::Player& player() { return *m_player; }
+    /// Who gets copies of the frames that are written; null: nobody. Thread: any.
+    void record(std::shared_ptr<core::StreamTap> tap) { m_source->setTap(std::move(tap)); }
     /// As the file of this bracelet says; assumed motors without one.
     [[nodiscard]] const motors::MotorCalibration& calibration() const { return m_calibration; }
     /// Why that file could not be used.
@@ -50,7 +54,7 @@ public:
 
 private:
     core::Wakeup m_wakeup; ///< nobody waits for it: the views look at 30 Hz
-    std::unique_ptr<core::BraceletSource> m_source;
+    std::unique_ptr<TappedBracelet> m_source;
     motors::MotorCalibration m_calibration;
     std::optional<core::Error> m_calibrationError;
     motors::WearerLimits m_limits;

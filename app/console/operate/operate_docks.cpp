@@ -20,7 +20,7 @@ constexpr qint32 kLayoutVersion = 5;
 
 constexpr std::array<const char*, OperateDocks::kDocks> kNames{
     "heatmap", "reconstruction", "charts",  "processing", "stiffness", "bracelet", "joints", "touches",
-    "jog",     "feedback",       "contour", "servo",      "runs",      "camera",   "events"};
+    "jog",     "feedback",       "contour", "servo",      "runs",      "camera",   "events", "marks"};
 
 } // namespace
 
@@ -69,6 +69,8 @@ bool OperateDocks::restore(const QByteArray& layout) {
 }
 
 bool OperateDocks::belongs(Kind kind, std::size_t dock) {
+    if (dock == marks)
+        return true;
     if (kind == Kind::camera)
         return dock == reconstruction || dock == camera || dock == events;
     if (dock < stiffness)
@@ -158,7 +160,9 @@ void OperateDocks::arrange() {
         addDockWidget(Qt::LeftDockWidgetArea, m_docks[camera]);
         splitDockWidget(m_docks[camera], m_docks[reconstruction], Qt::Horizontal);
         splitDockWidget(m_docks[reconstruction], m_docks[events], Qt::Vertical);
-        show({camera, reconstruction, events});
+        tabifyDockWidget(m_docks[events], m_docks[marks]);
+        show({camera, reconstruction, events, marks});
+        m_docks[events]->raise();
         return;
     }
     addDockWidget(Qt::LeftDockWidgetArea, m_docks[heatmap]);
@@ -166,16 +170,19 @@ void OperateDocks::arrange() {
         splitDockWidget(m_docks[heatmap], m_docks[charts], Qt::Vertical);
         splitDockWidget(m_docks[heatmap], m_docks[reconstruction], Qt::Horizontal);
         addDockWidget(Qt::RightDockWidgetArea, m_docks[processing]);
-        show({heatmap, charts, reconstruction, processing});
+        tabifyDockWidget(m_docks[charts], m_docks[marks]);
+        show({heatmap, charts, reconstruction, processing, marks});
+        m_docks[charts]->raise();
         return;
     }
     if (m_kind == Kind::servo) {
         splitDockWidget(m_docks[heatmap], m_docks[charts], Qt::Vertical);
         splitDockWidget(m_docks[heatmap], m_docks[reconstruction], Qt::Horizontal);
         tabifyDockWidget(m_docks[charts], m_docks[runs]);
+        tabifyDockWidget(m_docks[charts], m_docks[marks]);
         addDockWidget(Qt::RightDockWidgetArea, m_docks[servo]);
         tabifyDockWidget(m_docks[servo], m_docks[processing]);
-        show({heatmap, charts, runs, reconstruction, servo, processing});
+        show({heatmap, charts, runs, marks, reconstruction, servo, processing});
         m_docks[charts]->raise();
         m_docks[servo]->raise();
         return;
@@ -185,13 +192,14 @@ void OperateDocks::arrange() {
     tabifyDockWidget(m_docks[joints], m_docks[contour]);
     tabifyDockWidget(m_docks[joints], m_docks[charts]);
     tabifyDockWidget(m_docks[joints], m_docks[touches]);
+    tabifyDockWidget(m_docks[joints], m_docks[marks]);
     addDockWidget(Qt::RightDockWidgetArea, m_docks[stiffness]);
     splitDockWidget(m_docks[stiffness], m_docks[bracelet], Qt::Vertical);
     splitDockWidget(m_docks[bracelet], m_docks[jog], Qt::Vertical);
     tabifyDockWidget(m_docks[jog], m_docks[feedback]);
     tabifyDockWidget(m_docks[jog], m_docks[processing]);
-    show({heatmap, reconstruction, joints, contour, charts, touches, stiffness, bracelet, jog, feedback,
-          processing});
+    show({heatmap, reconstruction, joints, contour, charts, touches, marks, stiffness, bracelet, jog,
+          feedback, processing});
     m_docks[joints]->raise();
     m_docks[jog]->raise();
 }
@@ -237,7 +245,8 @@ void OperateDocks::retranslate() {
                                              tr("Processing"), tr("Stiffness"),      tr("Bracelet"),
                                              tr("Joints"),     tr("Touches"),        tr("Jog"),
                                              tr("Feedback"),   tr("Contour"),        tr("Servo"),
-                                             tr("Servo runs"), tr("Camera"),         tr("Events")};
+                                             tr("Servo runs"), tr("Camera"),         tr("Events"),
+                                             tr("Marks")};
     for (std::size_t i = 0; i < kDocks; ++i)
         m_docks[i]->setWindowTitle(titles[i]);
 }

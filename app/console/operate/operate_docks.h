@@ -39,9 +39,10 @@ public:
         servo,
         runs,
         camera,
-        events
+        events,
+        marks
     };
-    static constexpr std::size_t kDocks = 15;
+    static constexpr std::size_t kDocks = 16;
     /// Whether a kind of source shows a dock.
     [[nodiscard]] static bool belongs(Kind kind, std::size_t dock);
 

@@ -19,20 +19,16 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <variant>
 
 namespace teleta::console {
 
 namespace {
 
-base::Provenance provenanceOf(const core::SourceDescription& description) {
+template <typename Description>
+base::Provenance provenanceOf(const Description& description) {
     if (description.simulated)
-        return base::Provenance::simulated;
-    return description.recorded ? base::Provenance::recorded : base::Provenance::live;
-}
-
-base::Provenance provenanceOf(const core::CameraDescription& description) {
-    if (description.simulated)
-        return base::Provenance::simulated;
+        return description.recorded ? base::Provenance::recordedSimulation : base::Provenance::simulated;
     return description.recorded ? base::Provenance::recorded : base::Provenance::live;
 }
 
@@ -48,6 +44,13 @@ core::DeviceStatus statusOf(const SourceManager::Item& item) {
 
 bool isRecorded(const SourceManager::Item& item) {
     return item.camera ? item.camera->description().recorded : item.channel->description().recorded;
+}
+
+/// Null when the source is no playback, or is being opened.
+core::PlaybackControl* playbackOf(const SourceManager::Item& item) {
+    if (item.camera)
+        return item.camera->source().playback();
+    return item.channel ? item.channel->playback() : nullptr;
 }
 
 /// Nobody looks at this arm: what it felt meanwhile is not shown later as if it were new.
@@ -84,7 +87,8 @@ OperatePage::OperatePage(SourceManager& sources, core::StopSwitch& stop, QWidget
     , m_settings(new tactile::ChannelSettingsPanel(this))
     , m_arm(new ArmViews(stop, *m_bracelet, *m_scene, this))
     , m_servo(new ServoViews(*m_scene, this))
-    , m_camera(new CameraViews(*m_scene, this)) {
+    , m_camera(new CameraViews(*m_scene, this))
+    , m_marks(new MarkViews(*m_charts, this)) {
     auto* top = new QHBoxLayout;
     top->setContentsMargins(base::grid(this), base::grid(this, 0.5), base::grid(this), base::grid(this, 0.5));
     top->addWidget(m_chooser);
@@ -103,6 +107,7 @@ OperatePage::OperatePage(SourceManager& sources, core::StopSwitch& stop, QWidget
     m_arm->addTo(*m_docks);
     m_servo->addTo(*m_docks);
     m_camera->addTo(*m_docks);
+    m_docks->add(OperateDocks::marks, &m_marks->list());
     m_docks->begin();
 
     m_stack->addWidget(m_empty);
@@ -170,6 +175,7 @@ void OperatePage::tick() {
         else if (&item != m_sources.active())
             drain(*item.camera);
     }
+    m_marks->tick();
     m_charts->refresh();
     m_bracelet->tick();
     m_arm->tick();
@@ -187,8 +193,10 @@ void OperatePage::tickArray(SourceManager::Item& item, std::int64_t now_ns) {
     const bool active = &item == m_sources.active();
     pipeline::FeatureSample sample;
     while (item.channel->popSample(sample)) {
-        if (active)
-            m_charts->append(sample);
+        if (!active)
+            continue;
+        m_charts->append(sample);
+        m_marks->take(sample);
     }
     if (item.arm && !active)
         drain(*item.arm);
@@ -261,6 +269,7 @@ std::vector<chrome::DeviceReading> OperatePage::readings() const {
 void OperatePage::onActiveChanged() {
     m_latency_s.reset();
     m_charts->clear();
+    m_marks->setSource(playback());
     SourceManager::Item* item = m_sources.active();
     showArray(item != nullptr && item->channel ? item : nullptr);
     const std::shared_ptr<pipeline::CameraChannel> camera = item != nullptr ? item->camera : nullptr;
@@ -310,30 +319,71 @@ void OperatePage::onSourcesChanged() {
     }
     const SourceManager::Item* active = m_sources.active();
     m_chooser->setSources(sources, active != nullptr ? active->key : 0);
-    m_playback->setVisible(playback() != nullptr);
+    core::PlaybackControl* control = playback();
+    m_playback->setMarks(control != nullptr ? control->marks() : std::vector<core::PlaybackMark>());
+    m_playback->setVisible(control != nullptr);
     QWidget* shown = m_sources.items().empty() ? static_cast<QWidget*>(m_empty) : m_docks;
     m_stack->setCurrentWidget(shown);
+}
+
+template <typename Call>
+void OperatePage::withOthers(const Call& call) {
+    SourceManager::Item* shown = m_sources.active();
+    const auto* playback = shown != nullptr ? std::get_if<PlaybackRequest>(&shown->request) : nullptr;
+    if (playback == nullptr)
+        return;
+    for (SourceManager::Item& item : m_sources.items()) {
+        const auto* other = std::get_if<PlaybackRequest>(&item.request);
+        if (other == nullptr || &item == shown || other->path != playback->path)
+            continue;
+        if (core::PlaybackControl* control = playbackOf(item))
+            call(*control);
+    }
 }
 
 void OperatePage::connectPlayback() {
     const auto forward = [this](auto call) {
         return [this, call](auto... arguments) {
-            if (core::PlaybackControl* control = playback())
+            if (core::PlaybackControl* control = playback()) {
                 (control->*call)(arguments...);
+                withOthers([&](core::PlaybackControl& other) { (other.*call)(arguments...); });
+            }
         };
     };
-    connect(m_playback, &chrome::PlaybackBar::playRequested, this, forward(&core::PlaybackControl::play));
+    connect(m_playback, &chrome::PlaybackBar::playRequested, this, &OperatePage::startPlayback);
     connect(m_playback, &chrome::PlaybackBar::pauseRequested, this, forward(&core::PlaybackControl::pause));
-    connect(m_playback, &chrome::PlaybackBar::stepRequested, this, forward(&core::PlaybackControl::step));
+    connect(m_playback, &chrome::PlaybackBar::stepRequested, this, &OperatePage::stepPlayback);
     connect(m_playback, &chrome::PlaybackBar::seekRequested, this, forward(&core::PlaybackControl::seek));
+    connect(m_marks, &MarkViews::seekRequested, m_playback, &chrome::PlaybackBar::seekRequested);
     connect(m_playback, &chrome::PlaybackBar::speedRequested, this,
             forward(&core::PlaybackControl::setSpeed));
     connect(m_playback, &chrome::PlaybackBar::loopRequested, this, forward(&core::PlaybackControl::setLoop));
 }
 
+void OperatePage::startPlayback() {
+    core::PlaybackControl* control = playback();
+    if (control == nullptr)
+        return;
+    // What is played together begins together; single steps of one source moved no other.
+    const core::PlaybackPosition position = control->position();
+    const bool atEnd = position.time_s >= position.duration_s;
+    control->play();
+    withOthers([&](core::PlaybackControl& other) {
+        other.seek(atEnd ? 0.0 : position.time_s);
+        other.play();
+    });
+}
+
+void OperatePage::stepPlayback(int frames) {
+    if (core::PlaybackControl* control = playback()) {
+        control->step(frames);
+        withOthers([](core::PlaybackControl& other) { other.pause(); });
+    }
+}
+
 core::PlaybackControl* OperatePage::playback() {
     SourceManager::Item* item = m_sources.active();
-    return item != nullptr && item->channel ? item->channel->playback() : nullptr;
+    return item != nullptr && item->isOpen() ? playbackOf(*item) : nullptr;
 }
 
 void OperatePage::watchFailures(const SourceManager::Item& item) {
@@ -376,7 +426,8 @@ void OperatePage::retranslate() {
         button->setToolTip(toolTip);
     };
     set("openDemo", tr("Open &demo scene"), tr("A simulated arm that touches five materials"));
-    set("openRecording", tr("Open &recording\u2026"), tr("Recorded frames as CSV: time_s,t0,t1,\u2026"));
+    set("openRecording", tr("Open &recording\u2026"),
+        tr("A recording of this program, or recorded frames as CSV: time_s,t0,t1,\u2026"));
     set("openList", tr("Open source &list\u2026"), tr("A TOML file that lists scenes and recordings"));
 }
 

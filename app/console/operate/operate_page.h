@@ -4,6 +4,7 @@
 #include "app/console/bracelet/bracelet_station.h"
 #include "app/console/operate/arm_views.h"
 #include "app/console/operate/camera_views.h"
+#include "app/console/operate/mark_views.h"
 #include "app/console/operate/operate_docks.h"
 #include "app/console/operate/servo_views.h"
 #include "app/console/operate/source_manager.h"
@@ -56,6 +57,7 @@ public:
     [[nodiscard]] ArmViews& armViews() { return *m_arm; }
     [[nodiscard]] CameraViews& cameraViews() { return *m_camera; }
     [[nodiscard]] BraceletStation& bracelet() { return *m_bracelet; }
+    [[nodiscard]] MarkViews& marks() { return *m_marks; }
     void retranslate();
 
 signals:
@@ -76,6 +78,11 @@ private:
     [[nodiscard]] chrome::DeviceReading readingOf(const SourceManager::Item& item, std::int64_t now_ns) const;
     void watchFailures(const SourceManager::Item& item);
     core::PlaybackControl* playback();
+    /// Tells the other sources of the recording that is shown what was asked of it.
+    template <typename Call>
+    void withOthers(const Call& call);
+    void startPlayback();
+    void stepPlayback(int frames);
 
     SourceManager& m_sources;
     chrome::MessageBar* m_messages;
@@ -92,6 +99,7 @@ private:
     ArmViews* m_arm;
     ServoViews* m_servo;
     CameraViews* m_camera;
+    MarkViews* m_marks;
     std::uint64_t m_settingsRevision = 0;
     std::optional<double> m_latency_s;
     std::vector<pipeline::ChannelKey> m_reportedLost;

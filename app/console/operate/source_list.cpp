@@ -56,6 +56,19 @@ RecordingRequest readRecordingSource(scene::TomlTable& table, const std::string&
     return request;
 }
 
+/// All sources of a recording of this program.
+void readPlaybacks(scene::TomlTable& table, const std::string& listPath,
+                   std::vector<SourceRequest>& requests) {
+    auto playbacks = playbacksOf(besideList(listPath, table.text("recording")));
+    if (!playbacks)
+        table.fail("recording", playbacks.error().message, playbacks.error().expected);
+    const bool loop = table.boolean("loop", false);
+    for (PlaybackRequest& playback : playbacks.value_or(std::vector<PlaybackRequest>())) {
+        playback.loop = loop;
+        requests.emplace_back(std::move(playback));
+    }
+}
+
 WtsRequest readWtsSource(scene::TomlTable& table, const std::string& listPath) {
     WtsRequest request;
     if (auto address = wts::parseWtsAddress(table.text("wts")))
@@ -102,6 +115,8 @@ core::Expected<std::vector<SourceRequest>> readSourceList(const std::string& pat
             requests.emplace_back(readWtsSource(table, path));
         else if (table.has("camera"))
             requests.emplace_back(readCameraSource(table, path));
+        else if (isRecordingName(QString::fromStdString(table.text("recording"))))
+            readPlaybacks(table, path, requests);
         else
             requests.emplace_back(readRecordingSource(table, path));
         table.finish();

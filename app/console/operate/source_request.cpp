@@ -221,6 +221,8 @@ QString pathOf(const SourceRequest& request) {
         return QString::fromStdString(recording->path);
     if (const auto* camera = std::get_if<CameraRequest>(&request))
         return QString::fromStdString(camera->source);
+    if (const auto* playback = std::get_if<PlaybackRequest>(&request))
+        return QString::fromStdString(playback->path);
     const auto* scene = std::get_if<SceneRequest>(&request);
     return scene != nullptr ? QString::fromStdString(scene->path) : QString();
 }
@@ -228,6 +230,10 @@ QString pathOf(const SourceRequest& request) {
 } // namespace
 
 QString displayName(const SourceRequest& request) {
+    if (const auto* playback = std::get_if<PlaybackRequest>(&request); playback && !playback->source.empty())
+        return QStringLiteral("%1 (%2)").arg(
+            QFileInfo(QString::fromStdString(playback->path)).completeBaseName(),
+            QString::fromStdString(playback->source));
     const QString link = linkOf(request);
     return link.isEmpty() ? QFileInfo(pathOf(request)).completeBaseName() : link;
 }
@@ -245,6 +251,8 @@ pipeline::SourceFactory makeSourceFactory(SourceRequest request, const core::Sto
             return openWts(*connected);
         if (const auto* camera = std::get_if<CameraRequest>(&request))
             return openCamera(*camera, stop);
+        if (const auto* playback = std::get_if<PlaybackRequest>(&request))
+            return openPlayback(*playback, stop);
         return openScene(std::get<SceneRequest>(request), stop);
     };
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/console/operate/playback_request.h"
 #include "backend/core/array_layout.h"
 #include "backend/core/error.h"
 #include "backend/core/stop_switch.h"
@@ -52,7 +53,8 @@ struct CameraRequest {
     bool loop = true;      ///< of a file
 };
 
-using SourceRequest = std::variant<RecordingRequest, SceneRequest, WtsRequest, CameraRequest>;
+using SourceRequest =
+    std::variant<RecordingRequest, SceneRequest, WtsRequest, CameraRequest, PlaybackRequest>;
 
 /// Name under which people know the source: the file name without its folder, or the name of the link.
 [[nodiscard]] QString displayName(const SourceRequest& request);

@@ -91,6 +91,45 @@ private slots:
         QCOMPARE(bar.findChild<QLabel*>()->text(), QString("1:01.2 / 1:00.0"));
     }
 
+    void goesFromMarkToMark() {
+        PlaybackBar bar;
+        bar.setPosition(position(15.0, true));
+        bar.setMarks({{10.0, 10.0, "a"}, {20.0, 20.0, "b"}, {30.0, 30.0, "c"}});
+        QSignalSpy seeks(&bar, &PlaybackBar::seekRequested);
+        auto* slider = bar.findChild<QSlider*>();
+        QTest::keyClick(slider, Qt::Key_PageDown);
+        bar.setPosition(position(20.0, true));
+        QTest::keyClick(slider, Qt::Key_PageDown);
+        QTest::keyClick(&bar, Qt::Key_PageUp);
+        bar.setPosition(position(30.0, true));
+        QTest::keyClick(&bar, Qt::Key_PageDown);
+        QCOMPARE(seeks.size(), 3);
+        QCOMPARE(seeks[0][0].toDouble(), 20.0);
+        QCOMPARE(seeks[1][0].toDouble(), 30.0);
+        QCOMPARE(seeks[2][0].toDouble(), 10.0);
+    }
+
+    void drawsMarksWhereTheyAre() {
+        PlaybackBar bar;
+        bar.resize(900, 40);
+        bar.show();
+        bar.setPosition(position(0.0, true));
+        auto* slider = bar.findChild<QSlider*>();
+        const QImage without = slider->grab().toImage();
+        bar.setMarks({{30.0, 30.0, "half"}, {90.0, 90.0, "behind the end"}});
+        const QImage with = slider->grab().toImage();
+        int left = with.width();
+        int right = 0;
+        for (int x = 0; x < with.width(); ++x)
+            for (int y = 0; y < with.height(); ++y)
+                if (with.pixel(x, y) != without.pixel(x, y)) {
+                    left = std::min(left, x);
+                    right = std::max(right, x);
+                }
+        QVERIFY2(left < with.width() / 2 + 1 && right >= with.width() / 2 - 1 && right - left < 24,
+                 qPrintable(QString("%1 to %2 of %3").arg(left).arg(right).arg(with.width())));
+    }
+
     void survivesAnEmptyRecording() {
         PlaybackBar bar;
         PlaybackPosition empty;

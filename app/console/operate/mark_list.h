@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <QWidget>
+
+#include <cstdint>
+#include <vector>
+
+class QLabel;
+class QTableWidget;
+
+namespace teleta::console {
+
+/// The marks of a recording: when, and what somebody wrote about it. Texts are typed in their row, Delete
+/// takes a mark out, Ctrl+Z undoes; a double click on a time goes there. Thread: GUI.
+class MarkList : public QWidget {
+    Q_OBJECT
+
+public:
+    struct Row {
+        std::uint64_t number = 0;
+        double time_s = 0.0;
+        QString text;
+
+        friend bool operator==(const Row&, const Row&) = default;
+    };
+
+    explicit MarkList(QWidget* parent = nullptr);
+
+    void setMarks(std::vector<Row> rows, bool editable);
+    [[nodiscard]] const std::vector<Row>& marks() const { return m_rows; }
+    /// Begins to type the text of a mark.
+    void edit(std::uint64_t number);
+
+signals:
+    void renamed(std::uint64_t number, const QString& text);
+    void removed(std::uint64_t number);
+    void timeChosen(double time_s);
+
+protected:
+    void changeEvent(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void rebuild();
+    void retranslate();
+
+    QTableWidget* m_table;
+    QLabel* m_hint;
+    std::vector<Row> m_rows;
+    bool m_editable = false;
+    bool m_building = false;
+};
+
+} // namespace teleta::console

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/operate/recording_controls.h"
+
+#include "app/console/operate/mark_views.h"
+#include "app/console/operate/operate_page.h"
+#include "backend/core/steady_time.h"
+#include "widgets/chrome/recording_indicator.h"
+
+#include <QAction>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QStandardPaths>
+
+#include <utility>
+#include <variant>
+
+namespace teleta::console {
+
+RecordingControls::RecordingControls(SourceManager& sources, OperatePage& page, ConsoleSettings& settings,
+                                     const core::StopSwitch& stop, QWidget* window)
+    : QObject(window)
+    , m_sources(sources)
+    , m_page(page)
+    , m_settings(settings)
+    , m_window(window)
+    , m_station(sources, page.bracelet(), stop)
+    , m_export(window)
+    , m_indicator(new chrome::RecordingIndicator(window))
+    , m_record(new QAction(this))
+    , m_mark(new QAction(this))
+    , m_folder(new QAction(this))
+    , m_csv(new QAction(this))
+    , m_undo(new QAction(this))
+    , m_redo(new QAction(this)) {
+    m_record->setShortcut(Qt::CTRL | Qt::Key_R);
+    m_mark->setShortcut(Qt::Key_M);
+    m_undo->setShortcut(QKeySequence::Undo);
+    m_redo->setShortcut(QKeySequence::Redo);
+    // Other pages have an undo of their own.
+    for (QAction* action : {m_undo, m_redo}) {
+        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+        m_page.addAction(action);
+    }
+    connect(m_record, &QAction::triggered, this, &RecordingControls::toggle);
+    connect(m_mark, &QAction::triggered, this, [this] { mark(core::steadyNow_ns()); });
+    connect(m_folder, &QAction::triggered, this, &RecordingControls::askForFolder);
+    connect(m_csv, &QAction::triggered, this, &RecordingControls::exportCsv);
+    connect(&m_export, &RecordingExport::finished, this,
+            [this](const QString& folder, int files, int damaged) {
+                const QString left =
+                    damaged > 0 ? tr("%n damaged block(s) left out.", nullptr, damaged) : QString();
+                m_page.messages().post({damaged > 0 ? chrome::Message::Severity::warning
+                                                    : chrome::Message::Severity::information,
+                                        tr("%n CSV file(s) were written.", nullptr, files), left, folder});
+            });
+    connect(&m_export, &RecordingExport::failed, this, [this](const QString& name, const core::Error& error) {
+        m_page.messages().post(
+            {chrome::Message::Severity::error, tr("%1 could not be exported.", "a file").arg(name),
+             tr("Choose another recording or folder."), QString::fromStdString(core::describe(error))});
+    });
+    connect(m_undo, &QAction::triggered, &m_station.undoStack(), &QUndoStack::undo);
+    connect(m_redo, &QAction::triggered, &m_station.undoStack(), &QUndoStack::redo);
+    connect(m_indicator, &chrome::RecordingIndicator::toggleRequested, this, &RecordingControls::toggle);
+    connect(m_indicator, &chrome::RecordingIndicator::markRequested, this,
+            [this] { mark(core::steadyNow_ns()); });
+    connect(&m_station, &RecordingStation::stateChanged, this, &RecordingControls::update);
+    connect(&m_station, &RecordingStation::failed, this, &RecordingControls::onFailed);
+    connect(&m_station, &RecordingStation::finished, this, [this](const QString& path) {
+        m_page.messages().post({chrome::Message::Severity::information,
+                                tr("%1 was recorded.", "a file").arg(QFileInfo(path).fileName()),
+                                tr("Open > Open recording plays it."), path});
+    });
+    MarkViews& marks = m_page.marks();
+    connect(&m_station, &RecordingStation::marksChanged, this,
+            [this, &marks] { marks.setRecorded(m_station.marks(), m_station.isRecording()); });
+    connect(&marks, &MarkViews::markRequested, this, &RecordingControls::mark);
+    connect(&marks.list(), &MarkList::renamed, &m_station, &RecordingStation::renameMark,
+            Qt::QueuedConnection);
+    connect(&marks.list(), &MarkList::removed, &m_station, &RecordingStation::removeMark,
+            Qt::QueuedConnection);
+    update();
+}
+
+void RecordingControls::fill(QMenu& menu) {
+    update();
+    menu.addAction(m_record);
+    menu.addAction(m_mark);
+    menu.addAction(m_folder);
+    menu.addSeparator();
+    menu.addAction(m_csv);
+}
+
+void RecordingControls::toggle() {
+    if (m_station.state() == RecordingStation::State::idle)
+        m_station.start(QDir(folder()).filePath(m_station.suggestedName()));
+    else
+        m_station.stop();
+}
+
+void RecordingControls::mark(std::int64_t time_ns) {
+    if (m_station.isRecording())
+        m_station.mark(time_ns);
+    else
+        m_page.messages().post({chrome::Message::Severity::information, tr("Nothing is recorded now."),
+                                tr("Marks are kept in a recording. Ctrl+R begins one."), QString()});
+}
+
+QString RecordingControls::folder() const {
+    const QString known = m_settings.recordingFolder();
+    if (!known.isEmpty())
+        return known;
+    return QDir(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation))
+        .filePath(QStringLiteral("TeleTA"));
+}
+
+void RecordingControls::exportCsv() {
+    const auto* shown = m_sources.active();
+    const auto* played = shown != nullptr ? std::get_if<PlaybackRequest>(&shown->request) : nullptr;
+    const QString last = m_station.path();
+    m_export.ask(played != nullptr ? QString::fromStdString(played->path)
+                 : last.isEmpty()  ? folder() + QLatin1Char('/')
+                                   : last);
+}
+
+void RecordingControls::askForFolder() {
+    auto* dialog = new QFileDialog(m_window, tr("Folder of the recordings"), folder());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::Directory);
+    connect(dialog, &QFileDialog::fileSelected, this,
+            [this](const QString& path) { m_settings.setRecordingFolder(path); });
+    dialog->open();
+}
+
+void RecordingControls::tick() {
+    m_station.tick();
+    using State = chrome::RecordingReading::State;
+    chrome::RecordingReading reading;
+    switch (m_station.state()) {
+    case RecordingStation::State::idle:
+        break;
+    case RecordingStation::State::starting:
+        reading.state = State::starting;
+        break;
+    case RecordingStation::State::recording:
+        reading.state = State::recording;
+        break;
+    case RecordingStation::State::stopping:
+        reading.state = State::stopping;
+        break;
+    }
+    reading.duration_s = m_station.status().duration_s;
+    reading.bytes = m_station.status().bytes;
+    reading.lost = m_station.status().dropped;
+    m_indicator->setReading(reading);
+    QUndoStack& undo = m_station.undoStack();
+    m_undo->setEnabled(undo.canUndo());
+    m_redo->setEnabled(undo.canRedo());
+}
+
+void RecordingControls::update() {
+    const bool recording = m_station.isRecording();
+    m_record->setText(recording ? tr("End the &recording") : tr("&Record"));
+    m_record->setEnabled(recording || m_station.state() == RecordingStation::State::idle);
+    m_mark->setText(tr("&Mark this moment"));
+    m_mark->setEnabled(recording);
+    m_folder->setText(tr("&Folder of the recordings\u2026"));
+    m_csv->setText(tr("&Export recording as CSV\u2026"));
+    m_undo->setText(tr("&Undo"));
+    m_redo->setText(tr("&Redo"));
+    m_page.marks().setRecorded(m_station.marks(), recording);
+}
+
+void RecordingControls::onFailed(const core::Error& error, bool begun) {
+    const QString details = QString::fromStdString(core::describe(error));
+    if (begun)
+        m_page.messages().post(
+            {chrome::Message::Severity::error,
+             tr("The recording ended: %1.").arg(QString::fromStdString(error.message)),
+             tr("What was recorded until then can be opened: %1").arg(QFileInfo(m_station.path()).fileName()),
+             details});
+    else
+        m_page.messages().post({chrome::Message::Severity::error, tr("The recording could not begin."),
+                                tr("Choose another folder in the menu Recording."), details});
+}
+
+} // namespace teleta::console

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/console_settings.h"
+#include "app/console/operate/recording_export.h"
+#include "app/console/operate/recording_station.h"
+
+#include <QObject>
+#include <QString>
+
+#include <memory>
+
+class QAction;
+class QMenu;
+class QWidget;
+
+namespace teleta::chrome {
+class RecordingIndicator;
+}
+
+namespace teleta::console {
+
+class OperatePage;
+
+/// How a person records: actions with keys, the part of the status bar, messages, the folder of the files.
+/// Thread: GUI.
+class RecordingControls : public QObject {
+    Q_OBJECT
+
+public:
+    /// window: of dialogs, and owner.
+    RecordingControls(SourceManager& sources, OperatePage& page, ConsoleSettings& settings,
+                      const core::StopSwitch& stop, QWidget* window);
+
+    /// For the status bar, which owns it.
+    [[nodiscard]] chrome::RecordingIndicator* indicator() { return m_indicator; }
+    [[nodiscard]] RecordingStation& station() { return m_station; }
+    [[nodiscard]] RecordingExport& csv() { return m_export; }
+    /// Adds the actions.
+    void fill(QMenu& menu);
+    /// Records into a new file of the usual folder, or ends the recording.
+    void toggle();
+    void tick();
+
+private:
+    void mark(std::int64_t time_ns);
+    void askForFolder();
+    void exportCsv();
+    [[nodiscard]] QString folder() const;
+    void update();
+    void onFailed(const core::Error& error, bool begun);
+
+    SourceManager& m_sources;
+    OperatePage& m_page;
+    ConsoleSettings& m_settings;
+    QWidget* m_window;
+    RecordingStation m_station;
+    RecordingExport m_export;
+    chrome::RecordingIndicator* m_indicator;
+    QAction* m_record;
+    QAction* m_mark;
+    QAction* m_folder;
+    QAction* m_csv;
+    QAction* m_undo;
+    QAction* m_redo;
+};
+
+} // namespace teleta::console

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/console_options.h"
+#include "app/console/console_settings.h"
+#include "app/console/operate/source_manager.h"
+
+#include <QObject>
+#include <QString>
+#include <QWidget>
+
+namespace teleta::console {
+
+/// Opens recordings as sources: those of this program (.teleta) at once, CSV files after it was asked how
+/// they are to be read. Files are read on other threads. Thread: GUI.
+class RecordingFiles : public QObject {
+    Q_OBJECT
+
+public:
+    /// window: of the dialogs, and owner.
+    RecordingFiles(SourceManager& sources, ConsoleSettings& settings, QWidget* window);
+
+    void open(const QString& path);
+    /// Asks nothing: what the command line does not say is guessed.
+    void openAs(const ConsoleOptions::Recording& recording);
+
+signals:
+    void opened(const QString& path);
+    void failed(const QString& name, const core::Error& error);
+
+private:
+    void play(const QString& path);
+    void askHow(const RecordingRequest& guess);
+
+    SourceManager& m_sources;
+    ConsoleSettings& m_settings;
+    QWidget* m_window;
+};
+
+} // namespace teleta::console

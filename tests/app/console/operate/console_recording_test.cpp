@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/common/scene_file.h"
+#include "app/console/main_window.h"
+#include "app/console/operate/operate_page.h"
+#include "app/console/operate/recording_controls.h"
+#include "backend/pipeline/camera_channel.h"
+#include "backend/recording/csv_export.h"
+#include "backend/simulation/simulated_array.h"
+#include "widgets/base/theme.h"
+#include "widgets/charts/strip_chart_view.h"
+#include "widgets/chrome/playback_bar.h"
+#include "widgets/chrome/recording_indicator.h"
+
+#include <QDropEvent>
+#include <QFile>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QSignalSpy>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <memory>
+#include <sys/resource.h>
+
+using namespace teleta;
+using console::ConsoleOptions;
+using console::ConsoleSettings;
+using console::MainWindow;
+using console::RecordingStation;
+
+namespace {
+
+constexpr int kPatience_ms = 60'000;
+
+/// All frames of a stream in one row.
+struct Frames {
+    std::vector<double> sourceTime_s;
+    std::vector<std::byte> values;
+};
+
+Frames framesOf(const recording::Recording& recording, const std::string& name) {
+    Frames all;
+    for (std::size_t i = 0; i < recording.streams().size(); ++i) {
+        if (recording.streams()[i].name != name)
+            continue;
+        recording::StreamReader reader = recording.reader(i);
+        core::TappedFrames block;
+        while (reader.next(block).value_or(false)) {
+            all.sourceTime_s.insert(all.sourceTime_s.end(), block.sourceTime_s.begin(),
+                                    block.sourceTime_s.end());
+            all.values.insert(all.values.end(), block.values.begin(), block.values.end());
+        }
+    }
+    return all;
+}
+
+std::vector<std::string> marksOf(const recording::Recording& recording) {
+    std::vector<std::string> marks;
+    for (const recording::RecordingEvent& event : recording.events())
+        if (event.kind == recording::kMark)
+            marks.push_back(event.text);
+    return marks;
+}
+
+} // namespace
+
+/// Recording and playing in the window as a whole.
+class RecordingTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+    std::unique_ptr<core::StopSwitch> m_stop;
+    std::unique_ptr<ConsoleSettings> m_settings;
+    std::unique_ptr<MainWindow> m_window;
+
+    void openWindow(const ConsoleOptions& options) {
+        m_window.reset();
+        m_stop = std::make_unique<core::StopSwitch>();
+        m_settings = std::make_unique<ConsoleSettings>(true);
+        m_window = std::make_unique<MainWindow>(options, *m_settings, *m_stop);
+        m_window->show();
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        m_window->openRequested(options);
+    }
+
+    void openScene(const QString& name) {
+        ConsoleOptions options;
+        options.scenes << name;
+        openWindow(options);
+        QTRY_VERIFY_WITH_TIMEOUT(showsData(), kPatience_ms);
+    }
+
+    bool showsData() const {
+        auto* item = m_window->sources().active();
+        return item != nullptr && item->displayed > 0;
+    }
+    bool shows(const std::string& stream) const {
+        auto* item = m_window->sources().active();
+        const auto* playback =
+            item != nullptr ? std::get_if<console::PlaybackRequest>(&item->request) : nullptr;
+        return playback != nullptr && playback->stream == stream;
+    }
+    RecordingStation& station() const { return m_window->recording().station(); }
+    console::OperatePage& page() const { return m_window->operatePage(); }
+
+    void waitForFrames(std::uint64_t frames) {
+        QTRY_VERIFY_WITH_TIMEOUT(station().status().frames >= frames, kPatience_ms);
+    }
+    void end() {
+        QTest::keyClick(m_window.get(), Qt::Key_R, Qt::ControlModifier);
+        QTRY_COMPARE_WITH_TIMEOUT(station().state(), RecordingStation::State::idle, kPatience_ms);
+    }
+
+    void drop(const QString& path) {
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(path)});
+        QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(m_window.get(), &enter);
+        QVERIFY(enter.isAccepted());
+        QDropEvent event(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(m_window.get(), &event);
+    }
+
+private slots:
+    void initTestCase() {
+        qputenv("HOME", m_folder.path().toUtf8());
+        qputenv("XDG_CONFIG_HOME", m_folder.filePath("config").toUtf8());
+        base::applyTheme(base::ThemeChoice::light);
+    }
+    void cleanup() { m_window.reset(); }
+
+    void whatWasRecordedIsWhatTheSceneGaveAndIsPlayedAgain() {
+        openScene("tactile-indenter");
+        QTest::keyClick(m_window.get(), Qt::Key_R, Qt::ControlModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(station().isRecording(), kPatience_ms);
+        const QString path = station().path();
+        QVERIFY2(path.startsWith(m_folder.filePath("Documents/TeleTA")), qPrintable(path));
+        QVERIFY2(path.endsWith("-tactile-indenter.teleta"), qPrintable(path));
+        auto* indicator = m_window->findChild<chrome::RecordingIndicator*>();
+        QTRY_VERIFY(indicator->text().contains("Recording 0:"));
+        waitForFrames(100);
+
+        // Three marks by key and button; the second one is taken back, the third gets a text.
+        QTest::keyClick(m_window.get(), Qt::Key_M);
+        QTest::mouseClick(indicator->findChild<QToolButton*>("mark"), Qt::LeftButton);
+        QCOMPARE(station().marks().size(), std::size_t(2));
+        page().docks().bringForward("marks");
+        auto* table = page().marks().list().findChild<QTableWidget*>();
+        QCOMPARE(table->rowCount(), 2);
+        table->setFocus();
+        QTest::keyClick(table, Qt::Key_Z, Qt::ControlModifier);
+        QTRY_COMPARE(station().marks().size(), std::size_t(1));
+        QTest::keyClick(m_window.get(), Qt::Key_M);
+        page().marks().list().edit(station().marks().back().number);
+        auto* editor = table->findChild<QLineEdit*>();
+        QVERIFY(editor != nullptr);
+        QTest::keyClicks(editor, "it moved");
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_COMPARE(station().marks().back().text, QString("it moved"));
+        auto* charts = m_window->findChild<charts::StripChartView*>();
+        QTRY_COMPARE_WITH_TIMEOUT(charts->marks(), std::size_t(2), kPatience_ms);
+
+        // A source that opens meanwhile joins.
+        m_window->sources().open(console::SceneRequest{"tactile-two-contacts", 1});
+        QTRY_VERIFY_WITH_TIMEOUT(station().status().frames >= 1000, kPatience_ms);
+        end();
+
+        const auto recording = recording::Recording::open(path.toStdString());
+        QVERIFY2(recording, recording ? "" : core::describe(recording.error()).c_str());
+        QVERIFY(recording->isComplete());
+        QCOMPARE(recording->head().scene, std::string("tactile-indenter"));
+        QVERIFY(recording->head().sceneText.find("rate_Hz") != std::string::npos);
+        QCOMPARE(marksOf(*recording), (std::vector<std::string>{"", "it moved"}));
+        const Frames other = framesOf(*recording, "tactile-two-contacts-frames");
+        QVERIFY(!other.sourceTime_s.empty());
+
+        // The same scene with the same seed gives the same frames.
+        const Frames frames = framesOf(*recording, "tactile-indenter-frames");
+        QVERIFY(frames.sourceTime_s.size() >= 100);
+        auto scene = app::readScene("tactile-indenter");
+        auto array = simulation::SimulatedArray::make(*scene, 1);
+        QVERIFY(array);
+        const std::size_t taxels = (*array)->description().layout.taxels();
+        std::vector<float> expected(taxels);
+        const auto* values = reinterpret_cast<const float*>(frames.values.data());
+        std::size_t compared = 0;
+        for (std::size_t i = 0; i < frames.sourceTime_s.size(); ++i, values += taxels) {
+            while ((*array)->time_s() < frames.sourceTime_s[i] - 1e-9)
+                (*array)->next(expected, false);
+            if ((*array)->time_s() > frames.sourceTime_s[i] + 1e-9)
+                break; // the scene began anew
+            QVERIFY2(std::equal(expected.begin(), expected.end(), values), qPrintable(QString::number(i)));
+            ++compared;
+        }
+        QVERIFY(compared >= 100);
+
+        // What is exported by the window is what the recording holds.
+        QSignalSpy exported(&m_window->recording().csv(), &console::RecordingExport::finished);
+        m_window->recording().csv().start(path, m_folder.filePath("csv"));
+        QTRY_COMPARE_WITH_TIMEOUT(exported.size(), 1, kPatience_ms);
+        QFile csv(m_folder.filePath("csv/tactile-indenter-frames.csv"));
+        QVERIFY(csv.open(QIODevice::ReadOnly));
+        QCOMPARE(csv.readAll().count('\n'), static_cast<int>(frames.sourceTime_s.size()) + 1);
+        QVERIFY(QFile::exists(m_folder.filePath("csv/events.csv")));
+
+        // Dropped on the window it is played, with its marks, and says what it is.
+        m_window->sources().closeAll();
+        drop(path);
+        QTRY_VERIFY_WITH_TIMEOUT(shows("tactile-indenter-frames") && showsData(), kPatience_ms);
+        QCOMPARE(m_window->sources().items().size(), std::size_t(2));
+        auto* item = m_window->sources().active();
+        QVERIFY(item->channel->description().recorded);
+        auto* playback = item->channel->playback();
+        QCOMPARE(playback->marks().size(), std::size_t(2));
+        auto* bar = m_window->findChild<chrome::PlaybackBar*>();
+        QVERIFY(bar->isVisible());
+        QTest::keyClick(bar, Qt::Key_Space);
+        QTRY_VERIFY(playback->position().paused);
+        QTest::keyClick(bar, Qt::Key_Home);
+        QTRY_COMPARE_WITH_TIMEOUT(item->channel->snapshot().sourceTime_s,
+                                  recording->time_s(firstTime(*recording, "tactile-indenter-frames")),
+                                  kPatience_ms);
+        const Frames features = framesOf(*recording, "tactile-indenter-features");
+        const auto* first = reinterpret_cast<const double*>(features.values.data());
+        QCOMPARE(item->channel->snapshot().features.force_N, first[1]);
+        QTest::keyClick(bar, Qt::Key_PageDown);
+        QTRY_VERIFY(std::abs(playback->position().time_s - playback->marks()[0].time_s) < 0.1);
+    }
+
+    static std::int64_t firstTime(const recording::Recording& recording, const std::string& name) {
+        for (std::size_t i = 0; i < recording.streams().size(); ++i)
+            if (recording.streams()[i].name == name)
+                return (*recording.extent(i))->first_ns;
+        return 0;
+    }
+
+    void anArmIsPlayedWithItsSkinAndTheBraceletIsInTheFile() {
+        openScene("teleta-touch");
+        const QString path = m_folder.filePath("arm.teleta");
+        station().start(path);
+        waitForFrames(2000);
+        m_stop->engage();
+        QTRY_VERIFY(station().isRecording());
+        end();
+        m_stop->release();
+        const auto recording = recording::Recording::open(path.toStdString());
+        QVERIFY(recording);
+        std::vector<std::string> names;
+        for (const recording::StreamInfo& stream : recording->streams())
+            names.push_back(stream.name);
+        for (const char* name : {"teleta-touch-frames", "teleta-touch-features", "teleta-touch-joints",
+                                 "teleta-touch-touches", "bracelet"})
+            QVERIFY2(std::ranges::find(names, name) != names.end(), name);
+        QVERIFY(std::ranges::any_of(recording->events(), [](const recording::RecordingEvent& event) {
+            return event.kind == "stop_engaged";
+        }));
+        m_window->sources().closeAll();
+        drop(path);
+        QTRY_VERIFY_WITH_TIMEOUT(showsData() && m_window->sources().active()->arm != nullptr, kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->sources().active()->arm->samplesProcessed() > 100, kPatience_ms);
+    }
+
+    void aCameraIsPlayedWithTheReferenceThatItHad() {
+        openScene("vtacarm-bump");
+        auto* item = m_window->sources().active();
+        QTRY_VERIFY_WITH_TIMEOUT(item->camera->framesProcessed() > 3, kPatience_ms);
+        const QString path = m_folder.filePath("camera.teleta");
+        station().start(path);
+        waitForFrames(8);
+        end();
+        m_window->sources().closeAll();
+        drop(path);
+        QTRY_VERIFY_WITH_TIMEOUT(showsData(), kPatience_ms);
+        item = m_window->sources().active();
+        QVERIFY(item->camera != nullptr && item->camera->description().recorded);
+        QTRY_VERIFY_WITH_TIMEOUT(item->camera->snapshot().hasReference, kPatience_ms);
+        QVERIFY(m_window->findChild<chrome::PlaybackBar*>()->isVisible());
+        QCOMPARE(page().messages().count(), 1); // that it was recorded
+    }
+
+    void aFullDiskEndsTheRecordingWithAMessageAndTheFileOpens() {
+        openScene("tactile-indenter");
+        const QString path = m_folder.filePath("full.teleta");
+        station().start(path);
+        waitForFrames(100);
+        const auto ignored = std::signal(SIGXFSZ, SIG_IGN);
+        rlimit before{};
+        QCOMPARE(getrlimit(RLIMIT_FSIZE, &before), 0);
+        rlimit full = before;
+        full.rlim_cur = std::filesystem::file_size(path.toStdString() + "-wal");
+        QCOMPARE(setrlimit(RLIMIT_FSIZE, &full), 0);
+        QTRY_COMPARE_WITH_TIMEOUT(station().state(), RecordingStation::State::idle, kPatience_ms);
+        QCOMPARE(setrlimit(RLIMIT_FSIZE, &before), 0);
+        std::signal(SIGXFSZ, ignored);
+        QCOMPARE(page().messages().count(), 1);
+        const std::uint64_t processed = m_window->sources().active()->channel->framesProcessed();
+        QTRY_VERIFY(m_window->sources().active()->channel->framesProcessed() > processed);
+        const auto recording = recording::Recording::open(path.toStdString());
+        QVERIFY2(recording, recording ? "" : core::describe(recording.error()).c_str());
+        QVERIFY(!recording->isComplete());
+        QVERIFY(framesOf(*recording, "tactile-indenter-frames").sourceTime_s.size() >= 50);
+    }
+
+    void aFolderThatCannotBeMadeIsToldAndNothingIsLost() {
+        openScene("tactile-indenter");
+        station().start("/proc/nowhere/run.teleta");
+        QTRY_COMPARE_WITH_TIMEOUT(page().messages().count(), 1, kPatience_ms);
+        QCOMPARE(station().state(), RecordingStation::State::idle);
+        QVERIFY(m_window->sources().active() != nullptr);
+    }
+
+    void whatIsNoRecordingIsToldInABar() {
+        openScene("tactile-indenter");
+        QFile file(m_folder.filePath("foreign.teleta"));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write("no database at all") > 0);
+        file.close();
+        drop(file.fileName());
+        QTRY_COMPARE_WITH_TIMEOUT(page().messages().count(), 1, kPatience_ms);
+        QCOMPARE(m_window->sources().items().size(), std::size_t(1));
+        QVERIFY(QApplication::activeModalWidget() == nullptr);
+    }
+
+    void closingTheWindowCompletesTheFile() {
+        openScene("tactile-indenter");
+        const QString path = m_folder.filePath("closed.teleta");
+        station().start(path);
+        waitForFrames(50);
+        m_window->close();
+        m_window.reset();
+        QVERIFY(!QFile::exists(path + "-wal"));
+        const auto recording = recording::Recording::open(path.toStdString());
+        QVERIFY(recording);
+        QVERIFY(recording->isComplete());
+    }
+};
+
+QTEST_MAIN(RecordingTest)
+#include "console_recording_test.moc"

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/device.h"
+
+#include <QSlider>
+
+#include <vector>
+
+namespace teleta::chrome {
+
+/// The time bar of a playback: goes where it is clicked, shows marks as ticks with their texts as tool tips.
+/// Keys are left to whom it belongs. Thread: GUI.
+class TimeSlider : public QSlider {
+    Q_OBJECT
+
+public:
+    using QSlider::QSlider;
+
+    void setDuration(double duration_s);
+    void setMarks(std::vector<core::PlaybackMark> marks);
+
+protected:
+    bool event(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    [[nodiscard]] int valueAt(double x_px) const;
+    /// Where a mark is drawn, in px from the left; empty: outside.
+    [[nodiscard]] double x_px(const core::PlaybackMark& mark) const;
+    [[nodiscard]] bool isShown(const core::PlaybackMark& mark) const;
+
+    double m_duration_s = 0.0;
+    std::vector<core::PlaybackMark> m_marks;
+};
+
+} // namespace teleta::chrome
