@@ -72,6 +72,7 @@ void openShortcuts(QWidget* parent) {
     const std::vector<std::pair<QString, QString>> shortcuts{
         {AboutText::tr("Esc Esc, Ctrl+."), AboutText::tr("STOP: whatever moves stops at once")},
         {AboutText::tr("Ctrl+1"), AboutText::tr("Page Operate")},
+        {AboutText::tr("Ctrl+R, M"), AboutText::tr("Record, mark this moment in the recording")},
         {AboutText::tr("Space"), AboutText::tr("Play or pause, in the playback bar")},
         {AboutText::tr("Left, Right"), AboutText::tr("One frame back or forward, in the playback bar")},
         {AboutText::tr("Home, End"), AboutText::tr("Start or end of the recording, in the playback bar")},
@@ -83,7 +84,8 @@ void openShortcuts(QWidget* parent) {
         {AboutText::tr("Space, P"), AboutText::tr("Play or pause; pen; in the timeline of a pattern")},
         {AboutText::tr("Ctrl+N, O, S, Shift+S, E"),
          AboutText::tr("New, open, save, save as, export, on the page Patterns")},
-        {AboutText::tr("Ctrl+Z, Ctrl+Y"), AboutText::tr("Undo, redo, on the page Patterns")},
+        {AboutText::tr("Ctrl+Z, Ctrl+Y"),
+         AboutText::tr("Undo, redo: marks on the page Operate, edits on the page Patterns")},
         {AboutText::tr("Ctrl+X, C, V, Shift+V, D"),
          AboutText::tr("Cut, copy, paste in place, paste at the playhead, duplicate, in the timeline")},
         {AboutText::tr(",  .  with Shift"),

@@ -62,6 +62,10 @@ RecordingControls::RecordingControls(SourceManager& sources, OperatePage& page, 
     });
     connect(m_undo, &QAction::triggered, &m_station.undoStack(), &QUndoStack::undo);
     connect(m_redo, &QAction::triggered, &m_station.undoStack(), &QUndoStack::redo);
+    connect(&m_station.undoStack(), &QUndoStack::canUndoChanged, m_undo, &QAction::setEnabled);
+    connect(&m_station.undoStack(), &QUndoStack::canRedoChanged, m_redo, &QAction::setEnabled);
+    m_undo->setEnabled(false);
+    m_redo->setEnabled(false);
     connect(m_indicator, &chrome::RecordingIndicator::toggleRequested, this, &RecordingControls::toggle);
     connect(m_indicator, &chrome::RecordingIndicator::markRequested, this,
             [this] { mark(core::steadyNow_ns()); });
@@ -154,9 +158,6 @@ void RecordingControls::tick() {
     reading.bytes = m_station.status().bytes;
     reading.lost = m_station.status().dropped;
     m_indicator->setReading(reading);
-    QUndoStack& undo = m_station.undoStack();
-    m_undo->setEnabled(undo.canUndo());
-    m_redo->setEnabled(undo.canRedo());
 }
 
 void RecordingControls::update() {

@@ -251,8 +251,11 @@ void RecordingStation::begin(std::shared_ptr<Recorder> recorder) {
 void RecordingStation::stop() {
     if (m_state == State::starting)
         m_stopWanted = true;
-    if (m_state == State::recording)
+    if (m_state == State::recording) {
+        // What happened since the last tick is told too.
+        watch();
         close();
+    }
 }
 
 void RecordingStation::close() {

@@ -40,7 +40,7 @@ private slots:
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QString>("reason");
         QTest::newRow("unknown option") << QStringList{"--frobnicate"} << "frobnicate";
-        QTest::newRow("stray argument") << QStringList{"run.csv"} << "run.csv";
+        QTest::newRow("stray argument") << QStringList{"run.png"} << "run.png";
         QTest::newRow("rows not a number") << QStringList{"--replay", "a", "--rows", "six"} << "six";
         QTest::newRow("rows out of range") << QStringList{"--replay", "a", "--rows", "0"} << "1 to 1024";
         QTest::newRow("rate not finite") << QStringList{"--rate", "nan"} << "nan";
@@ -69,6 +69,14 @@ private slots:
         QVERIFY(!alone.options.has_value());
         QCOMPARE(alone.exitCode, 2);
         QVERIFY(alone.text.contains("--camera-model"));
+    }
+
+    void takesFilesAndTheNameOfARecordingToMake() {
+        const auto parsed =
+            parseOptions({"teleta-console", "a.teleta", "frames.CSV", "lab.toml", "--record", "new.teleta"});
+        QVERIFY(parsed.options.has_value());
+        QCOMPARE(parsed.options->files, (QStringList{"a.teleta", "frames.CSV", "lab.toml"}));
+        QCOMPARE(parsed.options->record, QString("new.teleta"));
     }
 
     void printsHelpAndVersionWithoutFailing() {
