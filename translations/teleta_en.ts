@@ -118,6 +118,17 @@
     </message>
 </context>
 <context>
+    <name>teleta::chrome::RecordingIndicator</name>
+    <message numerus="yes">
+        <source>Recording %1 · %2 · %n lost</source>
+        <comment>time, size of the file, frames</comment>
+        <translation>
+            <numerusform>Recording %1 · %2 · %n lost</numerusform>
+            <numerusform>Recording %1 · %2 · %n lost</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::CameraCalibrator</name>
     <message numerus="yes">
         <source>use of %n pair(s)</source>
@@ -176,6 +187,23 @@
     </message>
 </context>
 <context>
+    <name>teleta::console::RecordingControls</name>
+    <message numerus="yes">
+        <source>%n damaged block(s) left out.</source>
+        <translation>
+            <numerusform>%n damaged block left out.</numerusform>
+            <numerusform>%n damaged blocks left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n CSV file(s) were written.</source>
+        <translation>
+            <numerusform>%n CSV file was written.</numerusform>
+            <numerusform>%n CSV files were written.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::RecordingDialog</name>
     <message numerus="yes">
         <source>%n taxel(s), as in the file</source>
@@ -222,34 +250,6 @@
         <translation>
             <numerusform>%n touch</numerusform>
             <numerusform>%n touches</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>teleta::chrome::RecordingIndicator</name>
-    <message numerus="yes">
-        <source>Recording %1 · %2 · %n lost</source>
-        <comment>time, size of the file, frames</comment>
-        <translation>
-            <numerusform>Recording %1 · %2 · %n lost</numerusform>
-            <numerusform>Recording %1 · %2 · %n lost</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>teleta::console::RecordingControls</name>
-    <message numerus="yes">
-        <source>%n damaged block(s) left out.</source>
-        <translation>
-            <numerusform>%n damaged block left out.</numerusform>
-            <numerusform>%n damaged blocks left out.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n CSV file(s) were written.</source>
-        <translation>
-            <numerusform>%n CSV file was written.</numerusform>
-            <numerusform>%n CSV files were written.</numerusform>
         </translation>
     </message>
 </context>

@@ -147,10 +147,6 @@
         <translation>Ctrl+Z, Ctrl+Y</translation>
     </message>
     <message>
-        <source>Undo, redo, on the page Patterns</source>
-        <translation>Annuler, rétablir, sur la page Motifs</translation>
-    </message>
-    <message>
         <source>Ctrl+X, C, V, Shift+V, D</source>
         <translation>Ctrl+X, C, V, Shift+V, D</translation>
     </message>
@@ -229,6 +225,18 @@
     <message>
         <source>Rename, duplicate, delete, undo, in the library of patterns</source>
         <translation>Renommer, dupliquer, supprimer, annuler, dans la bibliothèque de motifs</translation>
+    </message>
+    <message>
+        <source>Ctrl+R, M</source>
+        <translation>Ctrl+R, M</translation>
+    </message>
+    <message>
+        <source>Record, mark this moment in the recording</source>
+        <translation>Enregistrer, marquer cet instant dans l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Undo, redo: marks on the page Operate, edits on the page Patterns</source>
+        <translation>Annuler, rétablir&#xa0;: les marques sur la page Conduite, les modifications sur la page Motifs</translation>
     </message>
 </context>
 <context>
@@ -676,10 +684,6 @@
         <translation>N</translation>
     </message>
     <message>
-        <source>Play back recorded frames, CSV time_s,t0,t1,... (repeatable; the options below go with the recordings in their order).</source>
-        <translation>Lire des trames enregistrées, CSV time_s,t0,t1,... (répétable&#xa0;; les options ci-dessous s’appliquent aux enregistrements dans leur ordre).</translation>
-    </message>
-    <message>
         <source>Rows of the array (default: by the number of taxels).</source>
         <translation>Lignes de la matrice (par défaut d’après le nombre de taxels).</translation>
     </message>
@@ -804,22 +808,6 @@
         <translation>--dock %1&#xa0;: valeurs possibles&#xa0;: %2</translation>
     </message>
     <message>
-        <source>Shows what a remote robot arm touches: where, how hard, how stiff, what shape.
-
-Examples:
-  teleta-console --scene tactile-indenter
-  teleta-console --replay run.csv --rows 64 --columns 27 --tare empty.csv --threshold 10
-  teleta-console --camera 0 --camera-model camera.json
-  teleta-console --sources both-arrays.toml --theme dark</source>
-        <translation>Montre ce que touche un bras robotisé distant&#xa0;: où, avec quelle force, quelle raideur, quelle forme.
-
-Exemples&#xa0;:
-  teleta-console --scene tactile-indenter
-  teleta-console --replay run.csv --rows 64 --columns 27 --tare empty.csv --threshold 10
-  teleta-console --camera 0 --camera-model camera.json
-  teleta-console --sources both-arrays.toml --theme dark</translation>
-    </message>
-    <message>
         <source>Open a simulated scene: a file, or the name of one that comes with the program (repeatable).</source>
         <translation>Ouvrir une scène simulée&#xa0;: un fichier, ou le nom d’une scène fournie avec le programme (répétable).</translation>
     </message>
@@ -882,6 +870,36 @@ Exemples&#xa0;:
     <message>
         <source>--camera and --camera-model belong together: a camera is of no use without its calibration</source>
         <translation>--camera et --camera-model vont ensemble&#xa0;: une caméra est inutile sans son étalonnage</translation>
+    </message>
+    <message>
+        <source>Shows what a remote robot arm touches: where, how hard, how stiff, what shape.
+
+Examples:
+  teleta-console --scene tactile-indenter
+  teleta-console --replay run.csv --rows 64 --columns 27 --tare empty.csv --threshold 10
+  teleta-console session.teleta
+  teleta-console --camera 0 --camera-model camera.json
+  teleta-console --sources both-arrays.toml --theme dark</source>
+        <translation>Montre ce que touche un bras robotisé distant&#xa0;: où, avec quelle force, quelle raideur, quelle forme.
+
+Exemples&#xa0;:
+  teleta-console --scene tactile-indenter
+  teleta-console --replay run.csv --rows 64 --columns 27 --tare empty.csv --threshold 10
+  teleta-console session.teleta
+  teleta-console --camera 0 --camera-model camera.json
+  teleta-console --sources both-arrays.toml --theme dark</translation>
+    </message>
+    <message>
+        <source>Recordings (.teleta, .csv), scenes and source lists (.toml) to open.</source>
+        <translation>Enregistrements (.teleta, .csv), scènes et listes de sources (.toml) à ouvrir.</translation>
+    </message>
+    <message>
+        <source>Play back a recording of this program, or recorded frames, CSV time_s,t0,t1,... (repeatable; the options below go with the recordings in their order).</source>
+        <translation>Lire un enregistrement de ce programme, ou des trames enregistrées, CSV time_s,t0,t1,... (répétable&#xa0;; les options ci-dessous s’appliquent aux enregistrements dans leur ordre).</translation>
+    </message>
+    <message>
+        <source>Record all sources and the bracelet into a new file.</source>
+        <translation>Enregistrer toutes les sources et le bracelet dans un nouveau fichier.</translation>
     </message>
 </context>
 <context>
@@ -3129,6 +3147,13 @@ Aire %6</translation>
     </message>
 </context>
 <context>
+    <name>PlaybackRequest</name>
+    <message>
+        <source>the recording has no stream &quot;%1&quot; to play</source>
+        <translation>l’enregistrement n’a pas de flux «&#xa0;%1&#xa0;» à lire</translation>
+    </message>
+</context>
+<context>
     <name>ProgramText</name>
     <message>
         <source>Usage</source>
@@ -3193,6 +3218,17 @@ Aire %6</translation>
         <source>RECORDED</source>
         <translation>ENREGISTRÉ</translation>
     </message>
+    <message>
+        <source>RECORDED SIMULATION</source>
+        <translation>SIMULATION ENREGISTRÉE</translation>
+    </message>
+</context>
+<context>
+    <name>RecordedCameraText</name>
+    <message>
+        <source>the stream &quot;%1&quot; is not described: %2</source>
+        <translation>le flux «&#xa0;%1&#xa0;» n’est pas décrit&#xa0;: %2</translation>
+    </message>
 </context>
 <context>
     <name>RecordedStreamText</name>
@@ -3212,12 +3248,12 @@ Aire %6</translation>
         <translation>ce n’est pas un bras</translation>
     </message>
     <message>
-        <source>the recording has no tactile array</source>
-        <translation>l’enregistrement n’a pas de matrice tactile</translation>
+        <source>the recording has no frames of an array or a camera</source>
+        <translation>l’enregistrement n’a ni trames de matrice ni images de caméra</translation>
     </message>
     <message>
-        <source>a recording of an array or an arm</source>
-        <translation>un enregistrement d’une matrice ou d’un bras</translation>
+        <source>a recording of an array, an arm or a camera</source>
+        <translation>un enregistrement d’une matrice, d’un bras ou d’une caméra</translation>
     </message>
 </context>
 <context>
@@ -3458,16 +3494,8 @@ Aire %6</translation>
         </translation>
     </message>
     <message>
-        <source>Play a recording through the processing of a device and print its features</source>
-        <translation>Rejouer un enregistrement à travers le traitement d’un appareil et afficher ses caractéristiques</translation>
-    </message>
-    <message>
         <source>Recording of the console or of teleta simulate</source>
         <translation>Enregistrement de la console ou de teleta simulate</translation>
-    </message>
-    <message>
-        <source>Name of the array&apos;s stream; otherwise the first array</source>
-        <translation>Nom du flux de la matrice&#xa0;; sinon la première matrice</translation>
     </message>
     <message>
         <source>Times the recorded speed; otherwise as fast as possible</source>
@@ -3477,16 +3505,28 @@ Aire %6</translation>
         <source>Load from which a taxel is in contact; otherwise as it was recorded</source>
         <translation>Charge à partir de laquelle un taxel est en contact&#xa0;; sinon comme enregistré</translation>
     </message>
-    <message>
-        <source>the recording has the arrays %1</source>
-        <translation>l’enregistrement a les matrices %1</translation>
-    </message>
     <message numerus="yes">
         <source>%n frame(s) were not printed</source>
         <translation>
             <numerusform>%n trame n’a pas été affichée</numerusform>
             <numerusform>%n trames n’ont pas été affichées</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Play a recording through the processing of a device and print its features, or a camera&apos;s contacts</source>
+        <translation>Rejouer un enregistrement à travers le traitement d’un appareil et afficher ses caractéristiques, ou les contacts d’une caméra</translation>
+    </message>
+    <message>
+        <source>Name of the stream of an array or a camera; otherwise the first one</source>
+        <translation>Nom du flux d’une matrice ou d’une caméra&#xa0;; sinon le premier</translation>
+    </message>
+    <message>
+        <source>the recording has the arrays and cameras %1</source>
+        <translation>l’enregistrement contient les matrices et caméras %1</translation>
+    </message>
+    <message>
+        <source>it is of an array, but the stream &quot;%1&quot; is of a camera</source>
+        <translation>cela concerne une matrice, mais le flux «&#xa0;%1&#xa0;» est celui d’une caméra</translation>
     </message>
 </context>
 <context>
@@ -8147,6 +8187,53 @@ Aire %6</translation>
     </message>
 </context>
 <context>
+    <name>teleta::chrome::RecordingIndicator</name>
+    <message>
+        <source>Begins…</source>
+        <translation>Démarrage…</translation>
+    </message>
+    <message>
+        <source>Is completed…</source>
+        <translation>Finalisation…</translation>
+    </message>
+    <message numerus="yes">
+        <source>Recording %1 · %2 · %n lost</source>
+        <comment>time, size of the file, frames</comment>
+        <translation>
+            <numerusform>Enregistrement %1 · %2 · %n perdue</numerusform>
+            <numerusform>Enregistrement %1 · %2 · %n perdues</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>End the recording (Ctrl+R)</source>
+        <translation>Terminer l’enregistrement (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>Record all sources and the bracelet into a file (Ctrl+R)</source>
+        <translation>Enregistrer toutes les sources et le bracelet dans un fichier (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>End the recording</source>
+        <translation>Terminer l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Mark</source>
+        <translation>Marquer</translation>
+    </message>
+    <message>
+        <source>Mark this moment (M)</source>
+        <translation>Marquer cet instant (M)</translation>
+    </message>
+    <message>
+        <source>Mark this moment</source>
+        <translation>Marquer cet instant</translation>
+    </message>
+</context>
+<context>
     <name>teleta::chrome::SourceChooser</name>
     <message>
         <source>%1 (opening…)</source>
@@ -8165,10 +8252,6 @@ Aire %6</translation>
     <message>
         <source>Open &amp;recording…</source>
         <translation>Ouvrir un en&amp;registrement…</translation>
-    </message>
-    <message>
-        <source>Recorded frames as CSV: time_s,t0,t1,…</source>
-        <translation>Trames enregistrées en CSV&#xa0;: time_s,t0,t1,…</translation>
     </message>
     <message>
         <source>Open &amp;scene file…</source>
@@ -8210,6 +8293,10 @@ Aire %6</translation>
         <source>The source that the views show</source>
         <translation>La source que montrent les vues</translation>
     </message>
+    <message>
+        <source>A recording of this program, or recorded frames as CSV: time_s,t0,t1,…</source>
+        <translation>Un enregistrement de ce programme, ou des trames enregistrées en CSV&#xa0;: time_s,t0,t1,…</translation>
+    </message>
 </context>
 <context>
     <name>teleta::chrome::StopButton</name>
@@ -8244,6 +8331,13 @@ Aire %6</translation>
     <message>
         <source>Stop everything that moves at once (Esc Esc, or Ctrl+.)</source>
         <translation>Arrêter aussitôt tout ce qui bouge (Esc Esc, ou Ctrl+.)</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::chrome::TimeSlider</name>
+    <message>
+        <source>Mark</source>
+        <translation>Marque</translation>
     </message>
 </context>
 <context>
@@ -8922,10 +9016,6 @@ Aire %6</translation>
         <translation>Ouvrir un enregistrement</translation>
     </message>
     <message>
-        <source>Recorded frames (*.csv)</source>
-        <translation>Trames enregistrées (*.csv)</translation>
-    </message>
-    <message>
         <source>Open source list</source>
         <translation>Ouvrir une liste de sources</translation>
     </message>
@@ -9077,6 +9167,37 @@ Aire %6</translation>
     <message>
         <source>As the de&amp;sktop</source>
         <translation>Comme le b&amp;ureau</translation>
+    </message>
+    <message>
+        <source>Recordings (*.teleta *.csv)</source>
+        <translation>Enregistrements (*.teleta *.csv)</translation>
+    </message>
+    <message>
+        <source>&amp;Recording</source>
+        <translation>&amp;Enregistrement</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::MarkList</name>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>What was marked</source>
+        <translation>Ce qui a été marqué</translation>
+    </message>
+    <message>
+        <source>Marks</source>
+        <translation>Marques</translation>
+    </message>
+    <message>
+        <source>No marks. M sets one while something is recorded; its text can be typed then.</source>
+        <translation>Aucune marque. M en pose une pendant un enregistrement&#xa0;; son texte peut alors être saisi.</translation>
+    </message>
+    <message>
+        <source>Moments that somebody marked in the recording. Double-click a text or press Enter to type it, Delete takes a mark out, Ctrl+Z undoes. In a recording that is played, a double click on a time goes there.</source>
+        <translation>Instants que quelqu’un a marqués dans l’enregistrement. Double-cliquez sur un texte ou appuyez sur Entrée pour le saisir&#xa0;; Suppr retire une marque, Ctrl+Z annule. Dans un enregistrement en cours de lecture, un double clic sur un temps y mène.</translation>
     </message>
 </context>
 <context>
@@ -9298,6 +9419,10 @@ Aire %6</translation>
         <source>Events</source>
         <translation>Événements</translation>
     </message>
+    <message>
+        <source>Marks</source>
+        <translation>Marques</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::OperatePage</name>
@@ -9335,10 +9460,6 @@ Aire %6</translation>
         <translation>Ouvrir un en&amp;registrement…</translation>
     </message>
     <message>
-        <source>Recorded frames as CSV: time_s,t0,t1,…</source>
-        <translation>Trames enregistrées en CSV&#xa0;: time_s,t0,t1,…</translation>
-    </message>
-    <message>
         <source>Open source &amp;list…</source>
         <translation>Ouvrir une &amp;liste de sources…</translation>
     </message>
@@ -9357,6 +9478,10 @@ Aire %6</translation>
     <message>
         <source>A simulated arm that touches five materials</source>
         <translation>Un bras simulé qui touche cinq matériaux</translation>
+    </message>
+    <message>
+        <source>A recording of this program, or recorded frames as CSV: time_s,t0,t1,…</source>
+        <translation>Un enregistrement de ce programme, ou des trames enregistrées en CSV&#xa0;: time_s,t0,t1,…</translation>
     </message>
 </context>
 <context>
@@ -9768,6 +9893,97 @@ Aire %6</translation>
     </message>
 </context>
 <context>
+    <name>teleta::console::RecordingControls</name>
+    <message numerus="yes">
+        <source>%n damaged block(s) left out.</source>
+        <translation>
+            <numerusform>%n bloc endommagé ignoré.</numerusform>
+            <numerusform>%n blocs endommagés ignorés.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n CSV file(s) were written.</source>
+        <translation>
+            <numerusform>%n fichier CSV a été écrit.</numerusform>
+            <numerusform>%n fichiers CSV ont été écrits.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 could not be exported.</source>
+        <comment>a file</comment>
+        <translation>%1 n’a pas pu être exporté.</translation>
+    </message>
+    <message>
+        <source>Choose another recording or folder.</source>
+        <translation>Choisissez un autre enregistrement ou dossier.</translation>
+    </message>
+    <message>
+        <source>%1 was recorded.</source>
+        <comment>a file</comment>
+        <translation>%1 a été enregistré.</translation>
+    </message>
+    <message>
+        <source>Open &gt; Open recording plays it.</source>
+        <translation>Ouvrir &gt; Ouvrir un enregistrement permet de le lire.</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded now.</source>
+        <translation>Aucun enregistrement n’est en cours.</translation>
+    </message>
+    <message>
+        <source>Marks are kept in a recording. Ctrl+R begins one.</source>
+        <translation>Les marques sont conservées dans un enregistrement. Ctrl+R en commence un.</translation>
+    </message>
+    <message>
+        <source>Folder of the recordings</source>
+        <translation>Dossier des enregistrements</translation>
+    </message>
+    <message>
+        <source>End the &amp;recording</source>
+        <translation>&amp;Terminer l’enregistrement</translation>
+    </message>
+    <message>
+        <source>&amp;Record</source>
+        <translation>&amp;Enregistrer</translation>
+    </message>
+    <message>
+        <source>&amp;Mark this moment</source>
+        <translation>&amp;Marquer cet instant</translation>
+    </message>
+    <message>
+        <source>&amp;Folder of the recordings…</source>
+        <translation>&amp;Dossier des enregistrements…</translation>
+    </message>
+    <message>
+        <source>&amp;Export recording as CSV…</source>
+        <translation>E&amp;xporter un enregistrement en CSV…</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rétablir</translation>
+    </message>
+    <message>
+        <source>The recording ended: %1.</source>
+        <translation>L’enregistrement s’est terminé&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>What was recorded until then can be opened: %1</source>
+        <translation>Ce qui a été enregistré jusque-là peut être ouvert&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>The recording could not begin.</source>
+        <translation>L’enregistrement n’a pas pu commencer.</translation>
+    </message>
+    <message>
+        <source>Choose another folder in the menu Recording.</source>
+        <translation>Choisissez un autre dossier dans le menu Enregistrement.</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::RecordingDialog</name>
     <message>
         <source>The &amp;values fall under load</source>
@@ -9872,6 +10088,53 @@ Aire %6</translation>
     <message>
         <source>Frames (*.csv)</source>
         <translation>Trames (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::RecordingExport</name>
+    <message>
+        <source>Export recording as CSV</source>
+        <translation>Exporter un enregistrement en CSV</translation>
+    </message>
+    <message>
+        <source>Recordings (*.teleta)</source>
+        <translation>Enregistrements (*.teleta)</translation>
+    </message>
+    <message>
+        <source>Folder for the CSV files</source>
+        <translation>Dossier des fichiers CSV</translation>
+    </message>
+    <message>
+        <source>Exporting %1…</source>
+        <comment>a file</comment>
+        <translation>Exportation de %1…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::RecordingStation</name>
+    <message>
+        <source>mark</source>
+        <translation>marque</translation>
+    </message>
+    <message>
+        <source>removal of a mark</source>
+        <translation>suppression d’une marque</translation>
+    </message>
+    <message>
+        <source>text of a mark</source>
+        <translation>texte d’une marque</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation>le dossier ne peut pas être créé</translation>
+    </message>
+    <message>
+        <source>a folder that can be written to</source>
+        <translation>un dossier où l’on peut écrire</translation>
     </message>
 </context>
 <context>

@@ -147,10 +147,6 @@
         <translation>Ctrl+Z, Ctrl+Y</translation>
     </message>
     <message>
-        <source>Undo, redo, on the page Patterns</source>
-        <translation>元に戻す、やり直す (パターンページ)</translation>
-    </message>
-    <message>
         <source>Ctrl+X, C, V, Shift+V, D</source>
         <translation>Ctrl+X, C, V, Shift+V, D</translation>
     </message>
@@ -229,6 +225,18 @@
     <message>
         <source>Rename, duplicate, delete, undo, in the library of patterns</source>
         <translation>名前の変更、複製、削除、元に戻す (パターンライブラリ)</translation>
+    </message>
+    <message>
+        <source>Ctrl+R, M</source>
+        <translation>Ctrl+R, M</translation>
+    </message>
+    <message>
+        <source>Record, mark this moment in the recording</source>
+        <translation>記録、この瞬間にマークを付ける</translation>
+    </message>
+    <message>
+        <source>Undo, redo: marks on the page Operate, edits on the page Patterns</source>
+        <translation>元に戻す、やり直す: 操作ページではマーク、パターンページでは編集</translation>
     </message>
 </context>
 <context>
@@ -676,10 +684,6 @@
         <translation>N</translation>
     </message>
     <message>
-        <source>Play back recorded frames, CSV time_s,t0,t1,... (repeatable; the options below go with the recordings in their order).</source>
-        <translation>記録したフレームを再生します。CSV time_s,t0,t1,... (繰り返し指定可。以下のオプションは記録の順に対応します)。</translation>
-    </message>
-    <message>
         <source>Rows of the array (default: by the number of taxels).</source>
         <translation>アレイの行数 (既定値: タクセル数から決定)。</translation>
     </message>
@@ -804,22 +808,6 @@
         <translation>--dock %1: 次のいずれかが必要です: %2</translation>
     </message>
     <message>
-        <source>Shows what a remote robot arm touches: where, how hard, how stiff, what shape.
-
-Examples:
-  teleta-console --scene tactile-indenter
-  teleta-console --replay run.csv --rows 64 --columns 27 --tare empty.csv --threshold 10
-  teleta-console --camera 0 --camera-model camera.json
-  teleta-console --sources both-arrays.toml --theme dark</source>
-        <translation>遠隔のロボットアームが触れているものの位置、強さ、硬さ、形を表示します。
-
-例:
-  teleta-console --scene tactile-indenter
-  teleta-console --replay run.csv --rows 64 --columns 27 --tare empty.csv --threshold 10
-  teleta-console --camera 0 --camera-model camera.json
-  teleta-console --sources both-arrays.toml --theme dark</translation>
-    </message>
-    <message>
         <source>Open a simulated scene: a file, or the name of one that comes with the program (repeatable).</source>
         <translation>シミュレーションシーンを開きます: ファイル、または付属シーンの名前 (繰り返し指定可)。</translation>
     </message>
@@ -882,6 +870,36 @@ Examples:
     <message>
         <source>--camera and --camera-model belong together: a camera is of no use without its calibration</source>
         <translation>--cameraと--camera-modelは対で必要です: カメラはキャリブレーションなしでは使えません</translation>
+    </message>
+    <message>
+        <source>Shows what a remote robot arm touches: where, how hard, how stiff, what shape.
+
+Examples:
+  teleta-console --scene tactile-indenter
+  teleta-console --replay run.csv --rows 64 --columns 27 --tare empty.csv --threshold 10
+  teleta-console session.teleta
+  teleta-console --camera 0 --camera-model camera.json
+  teleta-console --sources both-arrays.toml --theme dark</source>
+        <translation>遠隔のロボットアームが触れているものの位置、強さ、硬さ、形を表示します。
+
+例:
+  teleta-console --scene tactile-indenter
+  teleta-console --replay run.csv --rows 64 --columns 27 --tare empty.csv --threshold 10
+  teleta-console session.teleta
+  teleta-console --camera 0 --camera-model camera.json
+  teleta-console --sources both-arrays.toml --theme dark</translation>
+    </message>
+    <message>
+        <source>Recordings (.teleta, .csv), scenes and source lists (.toml) to open.</source>
+        <translation>開く記録 (.teleta、.csv)、シーン、ソースリスト (.toml)。</translation>
+    </message>
+    <message>
+        <source>Play back a recording of this program, or recorded frames, CSV time_s,t0,t1,... (repeatable; the options below go with the recordings in their order).</source>
+        <translation>このプログラムの記録、または記録したフレーム (CSV time_s,t0,t1,...) を再生します (繰り返し指定可。以下のオプションは記録の順に対応します)。</translation>
+    </message>
+    <message>
+        <source>Record all sources and the bracelet into a new file.</source>
+        <translation>すべてのソースとブレスレットを新しいファイルに記録します。</translation>
     </message>
 </context>
 <context>
@@ -3125,6 +3143,13 @@ x %4, y %5
     </message>
 </context>
 <context>
+    <name>PlaybackRequest</name>
+    <message>
+        <source>the recording has no stream &quot;%1&quot; to play</source>
+        <translation>記録に再生できるストリーム「%1」がありません</translation>
+    </message>
+</context>
+<context>
     <name>ProgramText</name>
     <message>
         <source>Usage</source>
@@ -3189,6 +3214,17 @@ x %4, y %5
         <source>RECORDED</source>
         <translation>記録</translation>
     </message>
+    <message>
+        <source>RECORDED SIMULATION</source>
+        <translation>シミュレーションの記録</translation>
+    </message>
+</context>
+<context>
+    <name>RecordedCameraText</name>
+    <message>
+        <source>the stream &quot;%1&quot; is not described: %2</source>
+        <translation>ストリーム「%1」が記述されていません: %2</translation>
+    </message>
 </context>
 <context>
     <name>RecordedStreamText</name>
@@ -3208,12 +3244,12 @@ x %4, y %5
         <translation>アームではありません</translation>
     </message>
     <message>
-        <source>the recording has no tactile array</source>
-        <translation>記録に触覚アレイがありません</translation>
+        <source>the recording has no frames of an array or a camera</source>
+        <translation>記録にアレイまたはカメラのフレームがありません</translation>
     </message>
     <message>
-        <source>a recording of an array or an arm</source>
-        <translation>アレイまたはアームの記録</translation>
+        <source>a recording of an array, an arm or a camera</source>
+        <translation>アレイ、アーム、またはカメラの記録</translation>
     </message>
 </context>
 <context>
@@ -3452,16 +3488,8 @@ x %4, y %5
         </translation>
     </message>
     <message>
-        <source>Play a recording through the processing of a device and print its features</source>
-        <translation>記録をデバイスの処理に通して再生し、特徴量を表示します</translation>
-    </message>
-    <message>
         <source>Recording of the console or of teleta simulate</source>
         <translation>コンソールまたはteleta simulateの記録</translation>
-    </message>
-    <message>
-        <source>Name of the array&apos;s stream; otherwise the first array</source>
-        <translation>アレイのストリーム名。省略時は最初のアレイ</translation>
     </message>
     <message>
         <source>Times the recorded speed; otherwise as fast as possible</source>
@@ -3471,15 +3499,27 @@ x %4, y %5
         <source>Load from which a taxel is in contact; otherwise as it was recorded</source>
         <translation>タクセルが接触とみなされる荷重。省略時は記録時の値</translation>
     </message>
-    <message>
-        <source>the recording has the arrays %1</source>
-        <translation>記録にあるアレイ: %1</translation>
-    </message>
     <message numerus="yes">
         <source>%n frame(s) were not printed</source>
         <translation>
             <numerusform>%nフレームは表示されませんでした</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Play a recording through the processing of a device and print its features, or a camera&apos;s contacts</source>
+        <translation>記録をデバイスの処理に通して再生し、特徴量、またはカメラの接触を表示します</translation>
+    </message>
+    <message>
+        <source>Name of the stream of an array or a camera; otherwise the first one</source>
+        <translation>アレイまたはカメラのストリームの名前。省略時は最初のもの</translation>
+    </message>
+    <message>
+        <source>the recording has the arrays and cameras %1</source>
+        <translation>記録に含まれるアレイとカメラは %1 です</translation>
+    </message>
+    <message>
+        <source>it is of an array, but the stream &quot;%1&quot; is of a camera</source>
+        <translation>アレイ用のオプションですが、ストリーム「%1」はカメラのものです</translation>
     </message>
 </context>
 <context>
@@ -8134,6 +8174,52 @@ x %4, y %5
     </message>
 </context>
 <context>
+    <name>teleta::chrome::RecordingIndicator</name>
+    <message>
+        <source>Begins…</source>
+        <translation>開始中…</translation>
+    </message>
+    <message>
+        <source>Is completed…</source>
+        <translation>完了処理中…</translation>
+    </message>
+    <message numerus="yes">
+        <source>Recording %1 · %2 · %n lost</source>
+        <comment>time, size of the file, frames</comment>
+        <translation>
+            <numerusform>記録中 %1 · %2 · 損失 %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>記録する</translation>
+    </message>
+    <message>
+        <source>End the recording (Ctrl+R)</source>
+        <translation>記録を終了します (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>Record all sources and the bracelet into a file (Ctrl+R)</source>
+        <translation>すべてのソースとブレスレットをファイルに記録します (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>End the recording</source>
+        <translation>記録を終了</translation>
+    </message>
+    <message>
+        <source>Mark</source>
+        <translation>マーク</translation>
+    </message>
+    <message>
+        <source>Mark this moment (M)</source>
+        <translation>この瞬間にマークを付けます (M)</translation>
+    </message>
+    <message>
+        <source>Mark this moment</source>
+        <translation>この瞬間にマークを付ける</translation>
+    </message>
+</context>
+<context>
     <name>teleta::chrome::SourceChooser</name>
     <message>
         <source>%1 (opening…)</source>
@@ -8152,10 +8238,6 @@ x %4, y %5
     <message>
         <source>Open &amp;recording…</source>
         <translation>記録を開く(&amp;R)…</translation>
-    </message>
-    <message>
-        <source>Recorded frames as CSV: time_s,t0,t1,…</source>
-        <translation>記録したフレームのCSV: time_s,t0,t1,…</translation>
     </message>
     <message>
         <source>Open &amp;scene file…</source>
@@ -8197,6 +8279,10 @@ x %4, y %5
         <source>The source that the views show</source>
         <translation>ビューに表示されるソース</translation>
     </message>
+    <message>
+        <source>A recording of this program, or recorded frames as CSV: time_s,t0,t1,…</source>
+        <translation>このプログラムの記録、または記録したフレームのCSV: time_s,t0,t1,…</translation>
+    </message>
 </context>
 <context>
     <name>teleta::chrome::StopButton</name>
@@ -8231,6 +8317,13 @@ x %4, y %5
     <message>
         <source>Stop everything that moves at once (Esc Esc, or Ctrl+.)</source>
         <translation>動いているものをすべて直ちに停止します (Esc EscまたはCtrl+.)</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::chrome::TimeSlider</name>
+    <message>
+        <source>Mark</source>
+        <translation>マーク</translation>
     </message>
 </context>
 <context>
@@ -8905,10 +8998,6 @@ x %4, y %5
         <translation>記録を開く</translation>
     </message>
     <message>
-        <source>Recorded frames (*.csv)</source>
-        <translation>記録したフレーム (*.csv)</translation>
-    </message>
-    <message>
         <source>Open source list</source>
         <translation>ソースリストを開く</translation>
     </message>
@@ -9060,6 +9149,37 @@ x %4, y %5
     <message>
         <source>As the de&amp;sktop</source>
         <translation>デスクトップに合わせる(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Recordings (*.teleta *.csv)</source>
+        <translation>記録 (*.teleta *.csv)</translation>
+    </message>
+    <message>
+        <source>&amp;Recording</source>
+        <translation>記録(&amp;R)</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::MarkList</name>
+    <message>
+        <source>Time</source>
+        <translation>時刻</translation>
+    </message>
+    <message>
+        <source>What was marked</source>
+        <translation>マークの内容</translation>
+    </message>
+    <message>
+        <source>Marks</source>
+        <translation>マーク</translation>
+    </message>
+    <message>
+        <source>No marks. M sets one while something is recorded; its text can be typed then.</source>
+        <translation>マークはありません。記録中にMでマークを付けると、そのテキストを入力できます。</translation>
+    </message>
+    <message>
+        <source>Moments that somebody marked in the recording. Double-click a text or press Enter to type it, Delete takes a mark out, Ctrl+Z undoes. In a recording that is played, a double click on a time goes there.</source>
+        <translation>記録中に付けられたマークの時点です。テキストをダブルクリックするかEnterを押すと入力でき、Deleteでマークを削除、Ctrl+Zで元に戻します。再生中の記録では、時刻をダブルクリックするとそこへ移動します。</translation>
     </message>
 </context>
 <context>
@@ -9281,6 +9401,10 @@ x %4, y %5
         <source>Events</source>
         <translation>イベント</translation>
     </message>
+    <message>
+        <source>Marks</source>
+        <translation>マーク</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::OperatePage</name>
@@ -9318,10 +9442,6 @@ x %4, y %5
         <translation>記録を開く(&amp;R)…</translation>
     </message>
     <message>
-        <source>Recorded frames as CSV: time_s,t0,t1,…</source>
-        <translation>記録したフレームのCSV: time_s,t0,t1,…</translation>
-    </message>
-    <message>
         <source>Open source &amp;list…</source>
         <translation>ソースリストを開く(&amp;L)…</translation>
     </message>
@@ -9340,6 +9460,10 @@ x %4, y %5
     <message>
         <source>A simulated arm that touches five materials</source>
         <translation>5種類の材料に触れるシミュレーションアーム</translation>
+    </message>
+    <message>
+        <source>A recording of this program, or recorded frames as CSV: time_s,t0,t1,…</source>
+        <translation>このプログラムの記録、または記録したフレームのCSV: time_s,t0,t1,…</translation>
     </message>
 </context>
 <context>
@@ -9748,6 +9872,95 @@ x %4, y %5
     </message>
 </context>
 <context>
+    <name>teleta::console::RecordingControls</name>
+    <message numerus="yes">
+        <source>%n damaged block(s) left out.</source>
+        <translation>
+            <numerusform>破損した%nブロックを除外しました。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n CSV file(s) were written.</source>
+        <translation>
+            <numerusform>%n個のCSVファイルを書き込みました。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 could not be exported.</source>
+        <comment>a file</comment>
+        <translation>%1 をエクスポートできませんでした。</translation>
+    </message>
+    <message>
+        <source>Choose another recording or folder.</source>
+        <translation>別の記録またはフォルダーを選んでください。</translation>
+    </message>
+    <message>
+        <source>%1 was recorded.</source>
+        <comment>a file</comment>
+        <translation>%1 を記録しました。</translation>
+    </message>
+    <message>
+        <source>Open &gt; Open recording plays it.</source>
+        <translation>「開く」&gt;「記録を開く」で再生できます。</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded now.</source>
+        <translation>現在、何も記録していません。</translation>
+    </message>
+    <message>
+        <source>Marks are kept in a recording. Ctrl+R begins one.</source>
+        <translation>マークは記録に保存されます。Ctrl+Rで記録を開始します。</translation>
+    </message>
+    <message>
+        <source>Folder of the recordings</source>
+        <translation>記録のフォルダー</translation>
+    </message>
+    <message>
+        <source>End the &amp;recording</source>
+        <translation>記録を終了(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Record</source>
+        <translation>記録する(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Mark this moment</source>
+        <translation>この瞬間にマークを付ける(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Folder of the recordings…</source>
+        <translation>記録のフォルダー(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>&amp;Export recording as CSV…</source>
+        <translation>記録をCSVとしてエクスポート(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>元に戻す(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>やり直す(&amp;R)</translation>
+    </message>
+    <message>
+        <source>The recording ended: %1.</source>
+        <translation>記録が終了しました: %1。</translation>
+    </message>
+    <message>
+        <source>What was recorded until then can be opened: %1</source>
+        <translation>それまでの記録は開くことができます: %1</translation>
+    </message>
+    <message>
+        <source>The recording could not begin.</source>
+        <translation>記録を開始できませんでした。</translation>
+    </message>
+    <message>
+        <source>Choose another folder in the menu Recording.</source>
+        <translation>「記録」メニューで別のフォルダーを選んでください。</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::RecordingDialog</name>
     <message>
         <source>The &amp;values fall under load</source>
@@ -9851,6 +10064,53 @@ x %4, y %5
     <message>
         <source>Frames (*.csv)</source>
         <translation>フレーム (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::RecordingExport</name>
+    <message>
+        <source>Export recording as CSV</source>
+        <translation>記録をCSVとしてエクスポート</translation>
+    </message>
+    <message>
+        <source>Recordings (*.teleta)</source>
+        <translation>記録 (*.teleta)</translation>
+    </message>
+    <message>
+        <source>Folder for the CSV files</source>
+        <translation>CSVファイルのフォルダー</translation>
+    </message>
+    <message>
+        <source>Exporting %1…</source>
+        <comment>a file</comment>
+        <translation>%1 をエクスポート中…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::RecordingStation</name>
+    <message>
+        <source>mark</source>
+        <translation>マーク</translation>
+    </message>
+    <message>
+        <source>removal of a mark</source>
+        <translation>マークの削除</translation>
+    </message>
+    <message>
+        <source>text of a mark</source>
+        <translation>マークのテキスト</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation>フォルダーを作成できません</translation>
+    </message>
+    <message>
+        <source>a folder that can be written to</source>
+        <translation>書き込み可能なフォルダー</translation>
     </message>
 </context>
 <context>

@@ -147,10 +147,6 @@
         <translation>Ctrl+Z、Ctrl+Y</translation>
     </message>
     <message>
-        <source>Undo, redo, on the page Patterns</source>
-        <translation>在“图案”页：撤销、重做</translation>
-    </message>
-    <message>
         <source>Ctrl+X, C, V, Shift+V, D</source>
         <translation>Ctrl+X、C、V、Shift+V、D</translation>
     </message>
@@ -229,6 +225,18 @@
     <message>
         <source>Rename, duplicate, delete, undo, in the library of patterns</source>
         <translation>在图案库中：重命名、创建副本、删除、撤销</translation>
+    </message>
+    <message>
+        <source>Ctrl+R, M</source>
+        <translation>Ctrl+R、M</translation>
+    </message>
+    <message>
+        <source>Record, mark this moment in the recording</source>
+        <translation>记录；在记录中标记此刻</translation>
+    </message>
+    <message>
+        <source>Undo, redo: marks on the page Operate, edits on the page Patterns</source>
+        <translation>撤销、重做：“操作”页上的标记，“图案”页上的编辑</translation>
     </message>
 </context>
 <context>
@@ -676,10 +684,6 @@
         <translation>N</translation>
     </message>
     <message>
-        <source>Play back recorded frames, CSV time_s,t0,t1,... (repeatable; the options below go with the recordings in their order).</source>
-        <translation>回放记录的帧，CSV time_s,t0,t1,...（可重复；以下选项按顺序对应各记录）。</translation>
-    </message>
-    <message>
         <source>Rows of the array (default: by the number of taxels).</source>
         <translation>阵列的行数（默认由触元数决定）。</translation>
     </message>
@@ -804,22 +808,6 @@
         <translation>--dock %1：应为 %2 之一</translation>
     </message>
     <message>
-        <source>Shows what a remote robot arm touches: where, how hard, how stiff, what shape.
-
-Examples:
-  teleta-console --scene tactile-indenter
-  teleta-console --replay run.csv --rows 64 --columns 27 --tare empty.csv --threshold 10
-  teleta-console --camera 0 --camera-model camera.json
-  teleta-console --sources both-arrays.toml --theme dark</source>
-        <translation>显示远程机械臂所触碰的内容：位置、力度、刚度、形状。
-
-示例：
-  teleta-console --scene tactile-indenter
-  teleta-console --replay run.csv --rows 64 --columns 27 --tare empty.csv --threshold 10
-  teleta-console --camera 0 --camera-model camera.json
-  teleta-console --sources both-arrays.toml --theme dark</translation>
-    </message>
-    <message>
         <source>Open a simulated scene: a file, or the name of one that comes with the program (repeatable).</source>
         <translation>打开模拟场景：文件，或程序自带场景的名称（可重复）。</translation>
     </message>
@@ -882,6 +870,36 @@ Examples:
     <message>
         <source>--camera and --camera-model belong together: a camera is of no use without its calibration</source>
         <translation>--camera 与 --camera-model 须同时使用：没有标定，相机无法使用</translation>
+    </message>
+    <message>
+        <source>Shows what a remote robot arm touches: where, how hard, how stiff, what shape.
+
+Examples:
+  teleta-console --scene tactile-indenter
+  teleta-console --replay run.csv --rows 64 --columns 27 --tare empty.csv --threshold 10
+  teleta-console session.teleta
+  teleta-console --camera 0 --camera-model camera.json
+  teleta-console --sources both-arrays.toml --theme dark</source>
+        <translation>显示远程机械臂所触碰的内容：位置、力度、刚度、形状。
+
+示例：
+  teleta-console --scene tactile-indenter
+  teleta-console --replay run.csv --rows 64 --columns 27 --tare empty.csv --threshold 10
+  teleta-console session.teleta
+  teleta-console --camera 0 --camera-model camera.json
+  teleta-console --sources both-arrays.toml --theme dark</translation>
+    </message>
+    <message>
+        <source>Recordings (.teleta, .csv), scenes and source lists (.toml) to open.</source>
+        <translation>要打开的记录（.teleta、.csv）、场景和数据源列表（.toml）。</translation>
+    </message>
+    <message>
+        <source>Play back a recording of this program, or recorded frames, CSV time_s,t0,t1,... (repeatable; the options below go with the recordings in their order).</source>
+        <translation>回放本程序的记录，或记录的帧，CSV time_s,t0,t1,...（可重复；以下选项按顺序对应各记录）。</translation>
+    </message>
+    <message>
+        <source>Record all sources and the bracelet into a new file.</source>
+        <translation>将所有数据源和手环记录到新文件中。</translation>
     </message>
 </context>
 <context>
@@ -3125,6 +3143,13 @@ x %4，y %5
     </message>
 </context>
 <context>
+    <name>PlaybackRequest</name>
+    <message>
+        <source>the recording has no stream &quot;%1&quot; to play</source>
+        <translation>记录中没有可回放的数据流“%1”</translation>
+    </message>
+</context>
+<context>
     <name>ProgramText</name>
     <message>
         <source>Usage</source>
@@ -3189,6 +3214,17 @@ x %4，y %5
         <source>RECORDED</source>
         <translation>记录</translation>
     </message>
+    <message>
+        <source>RECORDED SIMULATION</source>
+        <translation>模拟记录</translation>
+    </message>
+</context>
+<context>
+    <name>RecordedCameraText</name>
+    <message>
+        <source>the stream &quot;%1&quot; is not described: %2</source>
+        <translation>数据流“%1”没有描述：%2</translation>
+    </message>
 </context>
 <context>
     <name>RecordedStreamText</name>
@@ -3208,12 +3244,12 @@ x %4，y %5
         <translation>它不是机械臂</translation>
     </message>
     <message>
-        <source>the recording has no tactile array</source>
-        <translation>记录中没有触觉阵列</translation>
+        <source>the recording has no frames of an array or a camera</source>
+        <translation>记录中没有阵列或相机的帧</translation>
     </message>
     <message>
-        <source>a recording of an array or an arm</source>
-        <translation>阵列或机械臂的记录</translation>
+        <source>a recording of an array, an arm or a camera</source>
+        <translation>阵列、机械臂或相机的记录</translation>
     </message>
 </context>
 <context>
@@ -3452,16 +3488,8 @@ x %4，y %5
         </translation>
     </message>
     <message>
-        <source>Play a recording through the processing of a device and print its features</source>
-        <translation>让记录经过设备的处理流程回放，并输出其特征</translation>
-    </message>
-    <message>
         <source>Recording of the console or of teleta simulate</source>
         <translation>控制台或 teleta simulate 的记录</translation>
-    </message>
-    <message>
-        <source>Name of the array&apos;s stream; otherwise the first array</source>
-        <translation>阵列数据流的名称；默认为第一个阵列</translation>
     </message>
     <message>
         <source>Times the recorded speed; otherwise as fast as possible</source>
@@ -3471,15 +3499,27 @@ x %4，y %5
         <source>Load from which a taxel is in contact; otherwise as it was recorded</source>
         <translation>触元视为接触的最小载荷；默认与记录时相同</translation>
     </message>
-    <message>
-        <source>the recording has the arrays %1</source>
-        <translation>记录中有阵列 %1</translation>
-    </message>
     <message numerus="yes">
         <source>%n frame(s) were not printed</source>
         <translation>
             <numerusform>%n 帧未输出</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Play a recording through the processing of a device and print its features, or a camera&apos;s contacts</source>
+        <translation>让记录经过设备的处理流程回放，并输出其特征或相机的接触</translation>
+    </message>
+    <message>
+        <source>Name of the stream of an array or a camera; otherwise the first one</source>
+        <translation>阵列或相机的数据流名称；默认为第一个</translation>
+    </message>
+    <message>
+        <source>the recording has the arrays and cameras %1</source>
+        <translation>记录中的阵列和相机为 %1</translation>
+    </message>
+    <message>
+        <source>it is of an array, but the stream &quot;%1&quot; is of a camera</source>
+        <translation>此选项用于阵列，但数据流“%1”来自相机</translation>
     </message>
 </context>
 <context>
@@ -8134,6 +8174,52 @@ x %4，y %5
     </message>
 </context>
 <context>
+    <name>teleta::chrome::RecordingIndicator</name>
+    <message>
+        <source>Begins…</source>
+        <translation>正在开始…</translation>
+    </message>
+    <message>
+        <source>Is completed…</source>
+        <translation>正在完成…</translation>
+    </message>
+    <message numerus="yes">
+        <source>Recording %1 · %2 · %n lost</source>
+        <comment>time, size of the file, frames</comment>
+        <translation>
+            <numerusform>正在记录 %1 · %2 · 丢失 %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>End the recording (Ctrl+R)</source>
+        <translation>结束记录 (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>Record all sources and the bracelet into a file (Ctrl+R)</source>
+        <translation>将所有数据源和手环记录到文件 (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>End the recording</source>
+        <translation>结束记录</translation>
+    </message>
+    <message>
+        <source>Mark</source>
+        <translation>标记</translation>
+    </message>
+    <message>
+        <source>Mark this moment (M)</source>
+        <translation>标记此刻 (M)</translation>
+    </message>
+    <message>
+        <source>Mark this moment</source>
+        <translation>标记此刻</translation>
+    </message>
+</context>
+<context>
     <name>teleta::chrome::SourceChooser</name>
     <message>
         <source>%1 (opening…)</source>
@@ -8152,10 +8238,6 @@ x %4，y %5
     <message>
         <source>Open &amp;recording…</source>
         <translation>打开记录(&amp;R)…</translation>
-    </message>
-    <message>
-        <source>Recorded frames as CSV: time_s,t0,t1,…</source>
-        <translation>记录的帧，CSV 格式：time_s,t0,t1,…</translation>
     </message>
     <message>
         <source>Open &amp;scene file…</source>
@@ -8197,6 +8279,10 @@ x %4，y %5
         <source>The source that the views show</source>
         <translation>各视图显示的数据源</translation>
     </message>
+    <message>
+        <source>A recording of this program, or recorded frames as CSV: time_s,t0,t1,…</source>
+        <translation>本程序的记录，或 CSV 格式的记录帧：time_s,t0,t1,…</translation>
+    </message>
 </context>
 <context>
     <name>teleta::chrome::StopButton</name>
@@ -8231,6 +8317,13 @@ x %4，y %5
     <message>
         <source>Stop everything that moves at once (Esc Esc, or Ctrl+.)</source>
         <translation>立即停止一切运动（Esc Esc 或 Ctrl+.）</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::chrome::TimeSlider</name>
+    <message>
+        <source>Mark</source>
+        <translation>标记</translation>
     </message>
 </context>
 <context>
@@ -8905,10 +8998,6 @@ x %4，y %5
         <translation>打开记录</translation>
     </message>
     <message>
-        <source>Recorded frames (*.csv)</source>
-        <translation>记录的帧 (*.csv)</translation>
-    </message>
-    <message>
         <source>Open source list</source>
         <translation>打开数据源列表</translation>
     </message>
@@ -9060,6 +9149,37 @@ x %4，y %5
     <message>
         <source>As the de&amp;sktop</source>
         <translation>跟随桌面(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Recordings (*.teleta *.csv)</source>
+        <translation>记录 (*.teleta *.csv)</translation>
+    </message>
+    <message>
+        <source>&amp;Recording</source>
+        <translation>记录(&amp;R)</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::MarkList</name>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>What was marked</source>
+        <translation>标记内容</translation>
+    </message>
+    <message>
+        <source>Marks</source>
+        <translation>标记</translation>
+    </message>
+    <message>
+        <source>No marks. M sets one while something is recorded; its text can be typed then.</source>
+        <translation>没有标记。记录时按 M 可添加标记，随后可输入其文字。</translation>
+    </message>
+    <message>
+        <source>Moments that somebody marked in the recording. Double-click a text or press Enter to type it, Delete takes a mark out, Ctrl+Z undoes. In a recording that is played, a double click on a time goes there.</source>
+        <translation>记录中被标记的时刻。双击文字或按 Enter 可输入，Delete 删除标记，Ctrl+Z 撤销。在回放的记录中，双击时间可跳转到该处。</translation>
     </message>
 </context>
 <context>
@@ -9281,6 +9401,10 @@ x %4，y %5
         <source>Events</source>
         <translation>事件</translation>
     </message>
+    <message>
+        <source>Marks</source>
+        <translation>标记</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::OperatePage</name>
@@ -9318,10 +9442,6 @@ x %4，y %5
         <translation>打开记录(&amp;R)…</translation>
     </message>
     <message>
-        <source>Recorded frames as CSV: time_s,t0,t1,…</source>
-        <translation>记录的帧，CSV 格式：time_s,t0,t1,…</translation>
-    </message>
-    <message>
         <source>Open source &amp;list…</source>
         <translation>打开数据源列表(&amp;L)…</translation>
     </message>
@@ -9340,6 +9460,10 @@ x %4，y %5
     <message>
         <source>A simulated arm that touches five materials</source>
         <translation>触碰五种材料的模拟机械臂</translation>
+    </message>
+    <message>
+        <source>A recording of this program, or recorded frames as CSV: time_s,t0,t1,…</source>
+        <translation>本程序的记录，或 CSV 格式的记录帧：time_s,t0,t1,…</translation>
     </message>
 </context>
 <context>
@@ -9748,6 +9872,95 @@ x %4，y %5
     </message>
 </context>
 <context>
+    <name>teleta::console::RecordingControls</name>
+    <message numerus="yes">
+        <source>%n damaged block(s) left out.</source>
+        <translation>
+            <numerusform>略去 %n 个损坏的数据块。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n CSV file(s) were written.</source>
+        <translation>
+            <numerusform>已写入 %n 个 CSV 文件。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 could not be exported.</source>
+        <comment>a file</comment>
+        <translation>无法导出 %1。</translation>
+    </message>
+    <message>
+        <source>Choose another recording or folder.</source>
+        <translation>请选择其他记录或文件夹。</translation>
+    </message>
+    <message>
+        <source>%1 was recorded.</source>
+        <comment>a file</comment>
+        <translation>已记录 %1。</translation>
+    </message>
+    <message>
+        <source>Open &gt; Open recording plays it.</source>
+        <translation>可通过“打开”&gt;“打开记录”回放。</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded now.</source>
+        <translation>当前没有在记录。</translation>
+    </message>
+    <message>
+        <source>Marks are kept in a recording. Ctrl+R begins one.</source>
+        <translation>标记保存在记录中。按 Ctrl+R 开始记录。</translation>
+    </message>
+    <message>
+        <source>Folder of the recordings</source>
+        <translation>记录的文件夹</translation>
+    </message>
+    <message>
+        <source>End the &amp;recording</source>
+        <translation>结束记录(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Record</source>
+        <translation>开始记录(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Mark this moment</source>
+        <translation>标记此刻(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Folder of the recordings…</source>
+        <translation>记录的文件夹(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>&amp;Export recording as CSV…</source>
+        <translation>将记录导出为 CSV(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>重做(&amp;R)</translation>
+    </message>
+    <message>
+        <source>The recording ended: %1.</source>
+        <translation>记录已结束：%1。</translation>
+    </message>
+    <message>
+        <source>What was recorded until then can be opened: %1</source>
+        <translation>可以打开此前已记录的内容：%1</translation>
+    </message>
+    <message>
+        <source>The recording could not begin.</source>
+        <translation>无法开始记录。</translation>
+    </message>
+    <message>
+        <source>Choose another folder in the menu Recording.</source>
+        <translation>请在“记录”菜单中选择其他文件夹。</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::RecordingDialog</name>
     <message>
         <source>The &amp;values fall under load</source>
@@ -9851,6 +10064,53 @@ x %4，y %5
     <message>
         <source>Frames (*.csv)</source>
         <translation>帧 (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::RecordingExport</name>
+    <message>
+        <source>Export recording as CSV</source>
+        <translation>将记录导出为 CSV</translation>
+    </message>
+    <message>
+        <source>Recordings (*.teleta)</source>
+        <translation>记录 (*.teleta)</translation>
+    </message>
+    <message>
+        <source>Folder for the CSV files</source>
+        <translation>CSV 文件的文件夹</translation>
+    </message>
+    <message>
+        <source>Exporting %1…</source>
+        <comment>a file</comment>
+        <translation>正在导出 %1…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::RecordingStation</name>
+    <message>
+        <source>mark</source>
+        <translation>标记</translation>
+    </message>
+    <message>
+        <source>removal of a mark</source>
+        <translation>删除标记</translation>
+    </message>
+    <message>
+        <source>text of a mark</source>
+        <translation>标记的文字</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation>无法创建文件夹</translation>
+    </message>
+    <message>
+        <source>a folder that can be written to</source>
+        <translation>可写入的文件夹</translation>
     </message>
 </context>
 <context>
