@@ -49,11 +49,13 @@ core::Expected<std::shared_ptr<CameraChannel>> CameraChannel::make(std::unique_p
                                                                    const core::StopSwitch& stop,
                                                                    std::unique_ptr<CameraReaction> reaction,
                                                                    const Settings& settings) {
-    auto finder = vision::makeContactFinder(vision::contactLadder().front(), camera, settings.contacts);
+    std::stop_source stopping;
+    auto finder = vision::makeContactFinder(vision::contactLadder().front(), camera, settings.contacts,
+                                            stopping.get_token());
     if (!finder)
         return core::Unexpected(finder.error());
     std::shared_ptr<CameraChannel> channel(new CameraChannel(
-        std::move(source), camera, stop, std::move(reaction), settings, std::move(*finder)));
+        std::move(source), camera, stop, std::move(reaction), settings, std::move(*finder), stopping));
     if (!settings.reference.isEmpty()) {
         if (auto taken = channel->m_tracker.next(viewOf(settings.reference), 0.0); !taken)
             return core::Unexpected(taken.error());
@@ -63,12 +65,14 @@ core::Expected<std::shared_ptr<CameraChannel>> CameraChannel::make(std::unique_p
 
 CameraChannel::CameraChannel(std::unique_ptr<core::CameraSource> source, const vision::CylinderCamera& camera,
                              const core::StopSwitch& stop, std::unique_ptr<CameraReaction> reaction,
-                             const Settings& settings, std::unique_ptr<vision::ContactFinder> finder)
+                             const Settings& settings, std::unique_ptr<vision::ContactFinder> finder,
+                             std::stop_source stopping)
     : m_source(std::move(source))
     , m_camera(camera)
     , m_stop(stop)
     , m_reaction(std::move(reaction))
     , m_settings(settings)
+    , m_stopping(std::move(stopping))
     , m_tracker(std::move(finder), settings.tracker)
     , m_rung(&vision::contactLadder().front()) {
     setMayReact(true);
@@ -86,6 +90,7 @@ void CameraChannel::start() {
 }
 
 void CameraChannel::stop() {
+    m_stopping.request_stop();
     if (m_thread.joinable()) {
         m_thread.request_stop();
         m_data.notify();
@@ -190,7 +195,9 @@ void CameraChannel::takeRungs() {
 void CameraChannel::makeReady(const vision::ContactRung& rung) {
     m_makingRung = &rung;
     m_maker = std::jthread([this, &rung, reference = m_tracker.reference()] {
-        ReadyFinder ready{&rung, vision::makeContactFinder(rung, m_camera, m_settings.contacts), reference};
+        ReadyFinder ready{
+            &rung, vision::makeContactFinder(rung, m_camera, m_settings.contacts, m_stopping.get_token()),
+            reference};
         if (ready.finder && !reference.empty()) {
             if (const auto taken = (*ready.finder)->setReference(reference); !taken)
                 ready.finder = core::Unexpected(taken.error());

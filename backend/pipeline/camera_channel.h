@@ -16,6 +16,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <thread>
 
@@ -59,8 +60,9 @@ public:
     CameraChannel(const CameraChannel&) = delete;
     CameraChannel& operator=(const CameraChannel&) = delete;
 
+    /// Once.
     void start();
-    /// Ends source and vision, and lets the arm stand. Idempotent.
+    /// Ends source and vision, and lets the arm stand; waits for one frame at most. Idempotent.
     void stop();
 
     [[nodiscard]] const core::CameraDescription& description() const { return m_source->description(); }
@@ -94,7 +96,8 @@ public:
 private:
     CameraChannel(std::unique_ptr<core::CameraSource> source, const vision::CylinderCamera& camera,
                   const core::StopSwitch& stop, std::unique_ptr<CameraReaction> reaction,
-                  const Settings& settings, std::unique_ptr<vision::ContactFinder> finder);
+                  const Settings& settings, std::unique_ptr<vision::ContactFinder> finder,
+                  std::stop_source stopping);
     /// A finder that was made ready, or why it cannot be.
     struct ReadyFinder {
         const vision::ContactRung* rung = nullptr;
@@ -136,6 +139,7 @@ private:
     std::atomic<bool> m_permissionAsked{false};
     core::Mailbox<ReadyFinder> m_ready;
     core::LatestCopy<std::shared_ptr<const CameraTaps>> m_taps;
+    std::stop_source m_stopping; ///< ends what makes a finder ready
     std::atomic<std::uint64_t> m_processed{0};
 
     // The vision thread's own.

@@ -217,8 +217,9 @@ std::optional<CameraParameters> unfold(const CameraParameters& camera, Pairs kep
     constexpr double kByChance = 6.63;
     const double forNothing = std::sqrt(1.0 + kByChance / spareEquations(kept.size(), kPoseAndFocus));
     for (const double upTo : {kFieldOfView, 3.0, 2.0, 1.2 * needed}) {
+        // The last one may be wider than those before it.
         if (upTo <= std::max(valid, needed))
-            break;
+            continue;
         if (const std::optional<CameraParameters> found = unfolded(upTo, forNothing))
             return found;
     }

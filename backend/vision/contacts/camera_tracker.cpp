@@ -62,6 +62,8 @@ core::Expected<void> CameraTracker::changeFinder(std::unique_ptr<ContactFinder> 
             return set;
     }
     m_finder = std::move(finder);
+    if (m_hasReference)
+        m_finder->forget(); // it has not seen the frames since the reference
     return {};
 }
 

@@ -27,14 +27,16 @@ public:
     ContactFinder& operator=(const ContactFinder&) = delete;
 
     /// Takes the frame in which nothing touches the skin.
-    /// Error: refused (wrong size, no pattern to be seen).
-    [[nodiscard]] virtual core::Expected<void> setReference(const cv::Mat1b& frame) = 0;
+    /// Error: refused (wrong size, no pattern to be seen, no memory), cancelled by the token that it was made
+    /// with.
+    [[nodiscard]] core::Expected<void> setReference(const cv::Mat1b& frame);
 
     /// Contacts of a frame, the strongest first. Before a reference was set: refused. frame: as large as the
-    /// camera's image, otherwise refused.
-    [[nodiscard]] virtual core::Expected<std::vector<CameraContact>> find(const cv::Mat1b& frame) = 0;
+    /// camera's image, otherwise refused, as when there is no memory.
+    [[nodiscard]] core::Expected<std::vector<CameraContact>> find(const cv::Mat1b& frame);
 
-    /// The stream has jumped: nothing of the frames before may help.
+    /// The stream has jumped: nothing of the frames before may help. Contacts of the next frame do not know
+    /// how much they have deepened.
     virtual void forget() {}
 
     /// Time of each stage in the newest frame.
@@ -49,6 +51,10 @@ public:
     [[nodiscard]] virtual std::vector<Arrow> arrows(std::size_t about) const = 0;
 
 protected:
+    /// setReference() and find(); what OpenCV throws in them becomes an error.
+    [[nodiscard]] virtual core::Expected<void> takeReference(const cv::Mat1b& frame) = 0;
+    [[nodiscard]] virtual core::Expected<std::vector<CameraContact>> findIn(const cv::Mat1b& frame) = 0;
+
     std::array<std::int64_t, kFinderStages> m_stage_ns{};
 };
 

@@ -52,7 +52,8 @@ const std::vector<FollowedContact>& ContactIdentities::update(std::vector<Camera
         followed.begin_s = followed.seen_s = time_s;
         followed.event = ContactEvent::begins;
         followed.seen = true;
-        followed.depthRate_mPerS = framePeriod_s > 0.0 ? followed.contact.depth_m / framePeriod_s : 0.0;
+        if (framePeriod_s > 0.0 && std::isfinite(followed.contact.deepened_m))
+            followed.depthRate_mPerS = followed.contact.deepened_m / framePeriod_s;
         m_followed.push_back(std::move(followed));
     }
     for (std::size_t k = 0; k < followedBefore; ++k) {

@@ -18,8 +18,9 @@ struct FollowedContact {
     double seen_s = 0.0;
     ContactEvent event = ContactEvent::none; ///< in the newest frame
     bool seen = false;                       ///< in the newest frame
-    double depthRate_mPerS =
-        0.0; ///< between the two newest frames that showed it; a new one counts from depth 0
+    /// Between the two newest frames that showed it; of a new one that of its places on the skin, which may
+    /// have moved before it was seen. 0 where it is not known.
+    double depthRate_mPerS = 0.0;
 
     /// Displacement since its start; zero while it is not located.
     [[nodiscard]] Eigen::Vector3d displacement_m() const {
@@ -40,8 +41,8 @@ public:
     explicit ContactIdentities(const Settings& settings)
         : m_settings(settings) {}
 
-    /// time_s: of the frame, rising. framePeriod_s: > 0, of a contact that is new. Returns those that are
-    /// there, and those that end with this frame, in order of identity.
+    /// time_s: of the frame, rising. framePeriod_s: > 0, since the frame before that showed the skin. Returns
+    /// those that are there, and those that end with this frame, in order of identity.
     const std::vector<FollowedContact>& update(std::vector<CameraContact> contacts, double time_s,
                                                double framePeriod_s);
     /// All that are followed end with the next frame; its contacts are new.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace teleta::vision {
 
@@ -41,10 +42,13 @@ const ContactRung* contactRung(std::string_view name) {
     return found == kLadder.end() ? nullptr : &*found;
 }
 
-core::Expected<std::unique_ptr<ContactFinder>>
-makeContactFinder(const ContactRung& rung, const CylinderCamera& camera, const ContactSettings& settings) {
+core::Expected<std::unique_ptr<ContactFinder>> makeContactFinder(const ContactRung& rung,
+                                                                 const CylinderCamera& camera,
+                                                                 const ContactSettings& settings,
+                                                                 std::stop_token stop) {
     if (rung.method != FlowMethod::dots)
-        return FlowContactFinder::make(rung, camera, settings);
+        return withoutExceptions(
+            [&] { return FlowContactFinder::make(rung, camera, settings, std::move(stop)); });
     constexpr int kSmallest_px = 64;
     if (std::min(camera.camera().parameters().width_px, camera.camera().parameters().height_px) <
         kSmallest_px)
@@ -52,7 +56,7 @@ makeContactFinder(const ContactRung& rung, const CylinderCamera& camera, const C
                            .arg(camera.camera().parameters().width_px)
                            .arg(camera.camera().parameters().height_px),
                        VisionText::tr("at least %1 pixels on each side").arg(kSmallest_px));
-    return std::make_unique<DotContactFinder>(camera, settings);
+    return std::make_unique<DotContactFinder>(camera, settings, std::move(stop));
 }
 
 } // namespace teleta::vision

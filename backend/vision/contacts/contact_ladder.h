@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <span>
+#include <stop_token>
 #include <string_view>
 
 namespace teleta::vision {
@@ -43,9 +44,11 @@ struct ContactSettings {
     double paperThreshold_px = 0.3; ///< of the paper's rung, in its small image
 };
 
-/// Error: refused when the camera's image is too small for the rung, or shows none of the skin.
+/// stop: ends the making and the first setReference() before the lens was inverted for each pixel.
+/// Error: refused when the camera's image is too small for the rung or too large for the memory, or shows
+/// none of the skin; cancelled.
 [[nodiscard]] core::Expected<std::unique_ptr<ContactFinder>>
-makeContactFinder(const ContactRung& rung, const CylinderCamera& camera,
-                  const ContactSettings& settings = {});
+makeContactFinder(const ContactRung& rung, const CylinderCamera& camera, const ContactSettings& settings = {},
+                  std::stop_token stop = {});
 
 } // namespace teleta::vision

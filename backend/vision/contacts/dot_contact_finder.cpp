@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -31,19 +32,21 @@ constexpr int kDirections = 24;          ///< of an outline
 
 } // namespace
 
-DotContactFinder::DotContactFinder(const CylinderCamera& camera, const ContactSettings& settings)
+DotContactFinder::DotContactFinder(const CylinderCamera& camera, const ContactSettings& settings,
+                                   std::stop_token stop)
     : m_camera(camera)
     , m_skin(camera.surface())
     , m_settings(settings)
     , m_patches({.radius_m = camera.surface().radius_m,
                  .threshold_m = settings.threshold_m,
-                 .prominence = settings.prominence}) {
+                 .prominence = settings.prominence})
+    , m_stop(std::move(stop)) {
 }
 
 cv::Mat1b DotContactFinder::skinMask() const {
     const CameraParameters& image = m_camera.camera().parameters();
     cv::Mat1b mask(image.height_px, image.width_px);
-    for (int v = 0; v < mask.rows; ++v) {
+    for (int v = 0; v < mask.rows && !m_stop.stop_requested(); ++v) {
         for (int u = 0; u < mask.cols; ++u)
             mask(v, u) = m_camera.locate_m({u, v}) ? 255 : 0;
     }
@@ -58,7 +61,7 @@ DotContactFinder::Unrolled DotContactFinder::unrolled() const {
     map.wrap = static_cast<int>(8.0 * kCellsPerDot);
     map.toImage.create(along, around + 2 * map.wrap);
     map.mask.create(map.toImage.size());
-    for (int row = 0; row < map.toImage.rows; ++row) {
+    for (int row = 0; row < map.toImage.rows && !m_stop.stop_requested(); ++row) {
         const double z_m = m_skin.lowest_z_m + (row + 0.5) * map.step_m;
         for (int column = 0; column < map.toImage.cols; ++column) {
             const double angle_rad = kTurn_rad * (column - map.wrap) / around;
@@ -76,18 +79,23 @@ DotContactFinder::Unrolled DotContactFinder::unrolled() const {
     return map;
 }
 
-void DotContactFinder::prepareMaps() {
+bool DotContactFinder::prepareMaps() {
     if (!m_skinMask.empty())
-        return;
+        return true;
     m_unrolled = unrolled();
-    m_skinMask = skinMask();
+    cv::Mat1b mask = skinMask();
+    if (m_stop.stop_requested())
+        return false;
+    m_skinMask = std::move(mask);
+    return true;
 }
 
-core::Expected<void> DotContactFinder::setReference(const cv::Mat1b& frame) {
+core::Expected<void> DotContactFinder::takeReference(const cv::Mat1b& frame) {
     m_tracker.reset();
     if (const auto sized = checkSize(frame.cols, frame.rows, m_camera); !sized)
         return sized;
-    prepareMaps();
+    if (!prepareMaps())
+        return core::Unexpected(cancelledMaking());
     const Unrolled& map = m_unrolled;
     cv::Mat1f grey;
     frame.convertTo(grey, CV_32F);
@@ -136,7 +144,9 @@ core::Expected<void> DotContactFinder::setReference(const cv::Mat1b& frame) {
             m_samples[i] = *exact;
         m_nodes[i].angle_rad = m_samples[i].angle_rad();
         m_nodes[i].z_m = m_samples[i].p_Sensor_m.z();
+        m_nodes[i].known = tracker.dots()[i].found;
     }
+    m_beforeKnown = true; // in the reference nothing has moved
     m_tracker = std::move(tracker);
     return {};
 }
@@ -166,7 +176,7 @@ void DotContactFinder::findNeighbours(const std::vector<SkinSample>& samples) {
     });
 }
 
-core::Expected<std::vector<CameraContact>> DotContactFinder::find(const cv::Mat1b& frame) {
+core::Expected<std::vector<CameraContact>> DotContactFinder::findIn(const cv::Mat1b& frame) {
     if (!m_tracker)
         return core::Unexpected(noReference());
     if (const auto sized = checkSize(frame.cols, frame.rows, m_camera); !sized)
@@ -188,10 +198,14 @@ core::Expected<std::vector<CameraContact>> DotContactFinder::find(const cv::Mat1
     const std::int64_t tracked_ns = core::steadyNow_ns();
     for (std::size_t i = 0; i < m_nodes.size(); ++i) {
         const Eigen::Vector2d moved_m = m_samples[i].metresPerPixel * m_tracker->displacement_px(i);
+        m_nodes[i].inwardBefore_m = m_beforeKnown && m_nodes[i].known
+                                        ? m_nodes[i].inward_m
+                                        : std::numeric_limits<double>::quiet_NaN();
         m_nodes[i].around_m = moved_m.x();
         m_nodes[i].inward_m = moved_m.y();
         m_nodes[i].known = m_tracker->dots()[i].found;
     }
+    m_beforeKnown = true;
     const std::vector<SkinPatch> patches = m_patches.find(m_nodes, m_neighbours);
     const std::int64_t segmented_ns = core::steadyNow_ns();
     std::vector<CameraContact> contacts;
@@ -208,6 +222,7 @@ CameraContact DotContactFinder::contactOf(const SkinPatch& patch) const {
     contact.p_Sensor_Centre_m = {m_skin.radius_m * std::cos(patch.angle_rad),
                                  m_skin.radius_m * std::sin(patch.angle_rad), patch.z_m};
     contact.depth_m = patch.depth_m;
+    contact.deepened_m = patch.deepened_m;
     const auto pixel = m_camera.camera().project(contact.p_Sensor_Centre_m);
     contact.located = pixel.has_value();
     if (pixel) {
@@ -266,6 +281,7 @@ void DotContactFinder::outline(const SkinPatch& patch, CameraContact& contact) c
 void DotContactFinder::forget() {
     if (m_tracker)
         m_tracker->forget();
+    m_beforeKnown = false;
 }
 
 std::vector<ContactFinder::Arrow> DotContactFinder::arrows(std::size_t about) const {

@@ -8,6 +8,7 @@
 #include "backend/vision/contacts/skin_sample.h"
 
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 namespace teleta::vision {
@@ -16,10 +17,10 @@ namespace teleta::vision {
 /// then are tracked in the image itself. Thread: one.
 class DotContactFinder : public ContactFinder {
 public:
-    DotContactFinder(const CylinderCamera& camera, const ContactSettings& settings);
+    /// stop: ends the work on the lens in the first setReference().
+    DotContactFinder(const CylinderCamera& camera, const ContactSettings& settings,
+                     std::stop_token stop = {});
 
-    [[nodiscard]] core::Expected<void> setReference(const cv::Mat1b& frame) override;
-    [[nodiscard]] core::Expected<std::vector<CameraContact>> find(const cv::Mat1b& frame) override;
     void forget() override;
     [[nodiscard]] std::vector<Arrow> arrows(std::size_t about) const override;
 
@@ -28,6 +29,9 @@ public:
     [[nodiscard]] const std::optional<DotTracker>& tracker() const { return m_tracker; }
 
 private:
+    [[nodiscard]] core::Expected<void> takeReference(const cv::Mat1b& frame) override;
+    [[nodiscard]] core::Expected<std::vector<CameraContact>> findIn(const cv::Mat1b& frame) override;
+
     struct Unrolled {
         cv::Mat2f toImage;
         cv::Mat1b mask;
@@ -36,8 +40,9 @@ private:
     };
     [[nodiscard]] Unrolled unrolled() const;
     [[nodiscard]] cv::Mat1b skinMask() const;
-    /// What depends on the camera alone, once: the lens is inverted for each pixel.
-    void prepareMaps();
+    /// What depends on the camera alone, once: the lens is inverted for each pixel. False when it was
+    /// stopped.
+    [[nodiscard]] bool prepareMaps();
     void findNeighbours(const std::vector<SkinSample>& samples);
     [[nodiscard]] CameraContact contactOf(const SkinPatch& patch) const;
     void outline(const SkinPatch& patch, CameraContact& contact) const;
@@ -46,6 +51,7 @@ private:
     CylinderSurface m_skin;
     ContactSettings m_settings;
     SkinPatches m_patches;
+    std::stop_token m_stop;
     Unrolled m_unrolled;
     cv::Mat1b m_skinMask;
     std::optional<DotTracker> m_tracker;
@@ -54,6 +60,7 @@ private:
     std::vector<std::vector<std::size_t>> m_neighbours;
     double m_pitch_m = 0.0; ///< median distance of the nearest dot
     std::size_t m_found = 0;
+    bool m_beforeKnown = false; ///< m_nodes are those of the frame before
 };
 
 } // namespace teleta::vision

@@ -21,6 +21,19 @@ constexpr int kChanged = 10;          ///< grey levels that are more than noise 
 constexpr int kLeastChanged_px = 4;
 constexpr int kChangedMargin_px = 24;
 constexpr double kLeastArea_m2 = 4e-6; ///< of a contact
+constexpr double kSmoothing_px = 2.0;  ///< at full scale, against noise
+constexpr int kDiffers = 4;            ///< grey levels that are more than noise after that smoothing
+constexpr double kFounded_px = 20.0;   ///< at full scale: from a change to what it tells of
+constexpr double kDeep = 0.9;          ///< quantile of the inward displacement that is a contact's depth
+
+float quantile(std::vector<float>& values, double share) {
+    if (values.empty())
+        return 0.0F;
+    const auto at =
+        values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::ranges::nth_element(values, at);
+    return *at;
+}
 
 int preset(FlowMethod method) {
     switch (method) {
@@ -37,8 +50,11 @@ int preset(FlowMethod method) {
 
 core::Expected<std::unique_ptr<ContactFinder>> FlowContactFinder::make(const ContactRung& rung,
                                                                        const CylinderCamera& camera,
-                                                                       const ContactSettings& settings) {
-    std::unique_ptr<FlowContactFinder> finder(new FlowContactFinder(rung, camera, settings));
+                                                                       const ContactSettings& settings,
+                                                                       const std::stop_token& stop) {
+    std::unique_ptr<FlowContactFinder> finder(new FlowContactFinder(rung, camera, settings, stop));
+    if (stop.stop_requested())
+        return core::Unexpected(cancelledMaking());
     if (finder->m_samples.empty())
         return refused(VisionText::tr("The camera sees none of the skin."));
     if (std::min(finder->m_sampleOf.rows, finder->m_sampleOf.cols) < kSmallestSide_px)
@@ -50,18 +66,21 @@ core::Expected<std::unique_ptr<ContactFinder>> FlowContactFinder::make(const Con
 }
 
 FlowContactFinder::FlowContactFinder(const ContactRung& rung, const CylinderCamera& camera,
-                                     const ContactSettings& settings)
+                                     const ContactSettings& settings, const std::stop_token& stop)
     : m_rung(rung)
     , m_camera(camera)
     , m_skin(camera.surface())
     , m_settings(settings)
     , m_crop(0, 0, camera.camera().parameters().width_px, camera.camera().parameters().height_px)
-    , m_dis(cv::DISOpticalFlow::create(preset(rung.method))) {
-    const auto onSkin = [&](int u, int v) { return m_camera.locate_m({u, v}).has_value(); };
+    , m_dis(cv::DISOpticalFlow::create(preset(rung.method)))
+    , m_finestScale(m_dis->getFinestScale())
+    , m_patchSize_px(m_dis->getPatchSize()) {
     m_cropMask.create(m_crop.size());
     for (int v = 0; v < m_cropMask.rows; ++v) {
+        if (stop.stop_requested())
+            return;
         for (int u = 0; u < m_cropMask.cols; ++u)
-            m_cropMask(v, u) = onSkin(u, v) ? 255 : 0;
+            m_cropMask(v, u) = m_camera.locate_m({u, v}).has_value() ? 255 : 0;
     }
     cv::Size size = kPaperSize;
     if (!rung.paper) {
@@ -74,6 +93,8 @@ FlowContactFinder::FlowContactFinder(const ContactRung& rung, const CylinderCame
         return;
     m_sampleOf.create(size);
     for (int y = 0; y < size.height; ++y) {
+        if (stop.stop_requested())
+            return;
         for (int x = 0; x < size.width; ++x) {
             const auto sample = skinSample(m_camera, inImage_px(x, y));
             m_sampleOf(y, x) = sample ? static_cast<int>(m_samples.size()) : -1;
@@ -95,9 +116,16 @@ void FlowContactFinder::prepare(const cv::Mat1b& frame, cv::Mat1b& small) const 
     cv::resize(masked, small, m_sampleOf.size(), 0.0, 0.0, m_rung.paper ? cv::INTER_LINEAR : cv::INTER_AREA);
 }
 
-core::Expected<void> FlowContactFinder::setReference(const cv::Mat1b& frame) {
+void FlowContactFinder::flow(const cv::Mat1b& reference, const cv::Mat1b& small, cv::Mat2f& flow) {
+    // For an image that is too small for them it takes others, and keeps those.
+    m_dis->setFinestScale(m_finestScale);
+    m_dis->setPatchSize(m_patchSize_px);
+    m_dis->calc(reference, small, flow);
+}
+
+core::Expected<void> FlowContactFinder::takeReference(const cv::Mat1b& frame) {
     m_reference.release();
-    m_warm = false;
+    m_beforeKnown = false;
     if (const auto sized = checkSize(frame.cols, frame.rows, m_camera); !sized)
         return sized;
     prepare(frame, m_small);
@@ -112,10 +140,13 @@ core::Expected<void> FlowContactFinder::setReference(const cv::Mat1b& frame) {
         return refused(VisionText::tr("The image shows no pattern on the skin whose movement could be seen."),
                        VisionText::tr("a frame in focus, in which nothing touches the skin"));
     m_reference = m_small.clone();
+    cv::GaussianBlur(m_reference, m_smoothReference, {}, kSmoothing_px * m_rung.scale);
+    m_flow = cv::Mat2f(m_small.size(), cv::Vec2f(0.0F, 0.0F));
+    m_beforeKnown = true; // in the reference nothing has moved
     return {};
 }
 
-core::Expected<std::vector<CameraContact>> FlowContactFinder::find(const cv::Mat1b& frame) {
+core::Expected<std::vector<CameraContact>> FlowContactFinder::findIn(const cv::Mat1b& frame) {
     if (m_reference.empty())
         return core::Unexpected(noReference());
     if (const auto sized = checkSize(frame.cols, frame.rows, m_camera); !sized)
@@ -125,26 +156,29 @@ core::Expected<std::vector<CameraContact>> FlowContactFinder::find(const cv::Mat
     const std::int64_t prepared_ns = core::steadyNow_ns();
     const cv::Rect whole(0, 0, m_small.cols, m_small.rows);
     const cv::Rect part = m_rung.changedOnly ? changed() : whole;
+    std::swap(m_flow, m_flowBefore);
     if (part == whole) {
-        // DIS starts from the matrix that it is given when that has the right size.
-        if (!(m_rung.warmStart && m_warm))
+        // It starts from the matrix that it is given when that has the right size.
+        if (m_rung.warmStart && m_beforeKnown)
+            m_flowBefore.copyTo(m_flow);
+        else
             m_flow.release();
-        m_dis->calc(m_reference, m_small, m_flow);
-        m_warm = true;
+        flow(m_reference, m_small, m_flow);
     } else {
         m_flow.create(m_small.size());
         m_flow.setTo(cv::Scalar::all(0.0));
         if (!part.empty()) {
-            cv::Mat2f flow;
+            cv::Mat2f partFlow;
             // It takes no part of an image as it lies there.
-            m_dis->calc(m_reference(part).clone(), m_small(part).clone(), flow);
-            flow.copyTo(m_flow(part));
+            flow(m_reference(part).clone(), m_small(part).clone(), partFlow);
+            partFlow.copyTo(m_flow(part));
         }
     }
     const std::int64_t flown_ns = core::steadyNow_ns();
     measure(part);
     const std::int64_t measured_ns = core::steadyNow_ns();
     std::vector<CameraContact> found = contacts();
+    m_beforeKnown = true;
     m_stage_ns = {prepared_ns - start_ns, flown_ns - prepared_ns, measured_ns - flown_ns,
                   core::steadyNow_ns() - measured_ns};
     return found;
@@ -170,9 +204,14 @@ cv::Rect FlowContactFinder::changed() const {
     return box & cv::Rect(0, 0, m_small.cols, m_small.rows);
 }
 
-void FlowContactFinder::measure(const cv::Rect& part) {
+Eigen::Vector2d FlowContactFinder::moved_m(const SkinSample& sample, const cv::Vec2f& flow_px) const {
     const double scaleX = static_cast<double>(m_crop.width) / m_sampleOf.cols;
     const double scaleY = static_cast<double>(m_crop.height) / m_sampleOf.rows;
+    return sample.metresPerPixel * Eigen::Vector2d(scaleX * static_cast<double>(flow_px[0]),
+                                                   scaleY * static_cast<double>(flow_px[1]));
+}
+
+void FlowContactFinder::measure(const cv::Rect& part) {
     m_moved.create(m_sampleOf.size());
     m_moved.setTo(0.0F);
     for (int y = part.y; y < part.y + part.height; ++y) {
@@ -182,12 +221,10 @@ void FlowContactFinder::measure(const cv::Rect& part) {
         for (int x = part.x; x < part.x + part.width; ++x) {
             if (sampleOf[x] < 0)
                 continue;
-            const Eigen::Vector2d flow_px(static_cast<double>(flow[x][0]), static_cast<double>(flow[x][1]));
-            moved[x] = static_cast<float>(
-                m_rung.paper ? flow_px.norm()
-                             : (m_samples[static_cast<std::size_t>(sampleOf[x])].metresPerPixel *
-                                Eigen::Vector2d(scaleX * flow_px.x(), scaleY * flow_px.y()))
-                                   .norm());
+            moved[x] = m_rung.paper
+                           ? std::hypot(flow[x][0], flow[x][1])
+                           : static_cast<float>(
+                                 moved_m(m_samples[static_cast<std::size_t>(sampleOf[x])], flow[x]).norm());
         }
     }
     if (m_rung.paper) {
@@ -197,7 +234,19 @@ void FlowContactFinder::measure(const cv::Rect& part) {
         m_active = m_moved > 0.0F;
     } else {
         m_active = m_moved > static_cast<float>(m_settings.threshold_m);
+        dropUnfounded();
     }
+}
+
+void FlowContactFinder::dropUnfounded() {
+    // At the far end half a pixel is a contact: the flow says that much of noise alone.
+    cv::Mat1b differs;
+    cv::GaussianBlur(m_small, differs, {}, kSmoothing_px * m_rung.scale);
+    cv::absdiff(differs, m_smoothReference, differs);
+    cv::threshold(differs, differs, kDiffers, 255, cv::THRESH_BINARY);
+    const int side = 2 * static_cast<int>(std::lround(kFounded_px * m_rung.scale)) + 1;
+    cv::dilate(differs, differs, cv::Mat1b(side, side, std::uint8_t{1}));
+    cv::bitwise_and(m_active, differs, m_active);
 }
 
 std::vector<CameraContact> FlowContactFinder::contacts() {
@@ -208,19 +257,20 @@ std::vector<CameraContact> FlowContactFinder::contacts() {
     for (std::size_t i = 0; i < contours.size(); ++i) {
         const int label = static_cast<int>(i) + 1;
         cv::drawContours(labels, contours, static_cast<int>(i), label, cv::FILLED);
-        CameraContact contact = contactOf(contours[i], labels, label);
+        double strength = 0.0;
+        CameraContact contact = contactOf(contours[i], labels, label, strength);
         if (contact.located)
-            found.emplace_back(contact.depth_m, std::move(contact));
+            found.emplace_back(strength, std::move(contact));
     }
     std::ranges::stable_sort(found, [](const auto& a, const auto& b) { return a.first > b.first; });
     std::vector<CameraContact> sorted;
-    for (auto& [depth_m, contact] : found)
+    for (auto& [strength, contact] : found)
         sorted.push_back(std::move(contact));
     return sorted;
 }
 
 CameraContact FlowContactFinder::contactOf(const std::vector<cv::Point>& contour, const cv::Mat1i& labels,
-                                           int label) {
+                                           int label, double& strength) {
     const cv::Rect box = cv::boundingRect(contour);
     const double scaleX = static_cast<double>(m_crop.width) / m_sampleOf.cols;
     const double scaleY = static_cast<double>(m_crop.height) / m_sampleOf.rows;
@@ -229,8 +279,9 @@ CameraContact FlowContactFinder::contactOf(const std::vector<cv::Point>& contour
     Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
     double sum = 0.0;
     double area_m2 = 0.0;
-    double depth_m = 0.0;
     std::size_t pixels = 0;
+    m_inward_m.clear();
+    m_inwardBefore_m.clear();
     for (int y = box.y; y < box.y + box.height; ++y) {
         for (int x = box.x; x < box.x + box.width; ++x) {
             if (labels(y, x) != label)
@@ -240,16 +291,15 @@ CameraContact FlowContactFinder::contactOf(const std::vector<cv::Point>& contour
             if (m_sampleOf(y, x) < 0)
                 continue;
             const SkinSample& sample = m_samples[static_cast<std::size_t>(m_sampleOf(y, x))];
-            const cv::Vec2f& flow = m_flow(y, x);
-            const Eigen::Vector2d moved_m =
-                sample.metresPerPixel *
-                Eigen::Vector2d(scaleX * static_cast<double>(flow[0]), scaleY * static_cast<double>(flow[1]));
+            const Eigen::Vector2d here_m = moved_m(sample, m_flow(y, x));
             const double part_m2 = sample.areaPerPixel_m2() * scaleX * scaleY;
             area_m2 += part_m2;
-            depth_m = std::max(depth_m, moved_m.y());
-            const double weight = part_m2 * std::max(0.0, moved_m.norm() - m_settings.threshold_m);
+            m_inward_m.push_back(static_cast<float>(here_m.y()));
+            if (m_beforeKnown)
+                m_inwardBefore_m.push_back(static_cast<float>(moved_m(sample, m_flowBefore(y, x)).y()));
+            const double weight = part_m2 * std::max(0.0, here_m.norm() - m_settings.threshold_m);
             sum += weight;
-            const double angle_rad = sample.angle_rad() + moved_m.x() / m_skin.radius_m;
+            const double angle_rad = sample.angle_rad() + here_m.x() / m_skin.radius_m;
             place_m += weight * Eigen::Vector3d(m_skin.radius_m * std::cos(angle_rad),
                                                 m_skin.radius_m * std::sin(angle_rad), sample.p_Sensor_m.z());
         }
@@ -276,7 +326,11 @@ CameraContact FlowContactFinder::contactOf(const std::vector<cv::Point>& contour
     if (const auto seen = m_camera.camera().project(contact.p_Sensor_Centre_m))
         contact.centre_px = *seen;
     contact.sd_m = m_camera.standardDeviation_m(contact.p_Sensor_Centre_m).value_or(contact.sd_m);
-    contact.depth_m = depth_m;
+    strength = sum;
+    // One pixel's flow may be anything.
+    contact.depth_m = static_cast<double>(quantile(m_inward_m, kDeep));
+    if (m_beforeKnown)
+        contact.deepened_m = contact.depth_m - static_cast<double>(quantile(m_inwardBefore_m, kDeep));
     for (const cv::Point& point : contour) {
         const Eigen::Vector2d at_px = inImage_px(point.x, point.y);
         contact.contour_px.emplace_back(static_cast<float>(at_px.x()), static_cast<float>(at_px.y()));

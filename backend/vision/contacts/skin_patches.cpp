@@ -86,6 +86,10 @@ std::vector<SkinPatch> SkinPatches::find(std::span<const SkinNode> nodes,
         double sum = 0.0;
         double angle = 0.0;
         double along = 0.0;
+        double inward_m = 0.0;
+        double inwardBefore_m = 0.0;
+        bool knownBefore = false;
+        std::size_t lost = 0;
         patch.peak_m = m_moved_m[root];
         for (const std::size_t i : patch.nodes) {
             const double weight = m_moved_m[i];
@@ -96,7 +100,18 @@ std::vector<SkinPatch> SkinPatches::find(std::span<const SkinNode> nodes,
             along += weight * nodes[i].z_m;
             if (nodes[i].known)
                 patch.depth_m = std::max(patch.depth_m, nodes[i].inward_m);
+            if (!nodes[i].known && std::isfinite(nodes[i].inwardBefore_m))
+                ++lost;
+            if (nodes[i].known && std::isfinite(nodes[i].inwardBefore_m)) {
+                inward_m = std::max(inward_m, nodes[i].inward_m);
+                inwardBefore_m = std::max(inwardBefore_m, nodes[i].inwardBefore_m);
+                knownBefore = true;
+            }
         }
+        if (knownBefore)
+            patch.deepened_m = inward_m - inwardBefore_m;
+        if (lost >= m_settings.leastLost)
+            patch.deepened_m = std::max(knownBefore ? patch.deepened_m : 0.0, m_settings.jump_m);
         patch.angle_rad = turn(nodes[root].angle_rad + angle / sum, 0.0);
         patch.z_m = along / sum;
         patches.push_back(std::move(patch));

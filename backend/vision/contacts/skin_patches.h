@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -16,14 +17,18 @@ struct SkinNode {
     double z_m = 0.0;
     double around_m = 0.0; ///< displacement
     double inward_m = 0.0;
-    bool known = false; ///< in this frame
+    bool known = false;                                               ///< in this frame
+    double inwardBefore_m = std::numeric_limits<double>::quiet_NaN(); ///< in the frame before; NaN: not known
 };
 
 /// Points that belong to one contact.
 struct SkinPatch {
     double angle_rad = 0.0; ///< centre
     double z_m = 0.0;
-    double depth_m = 0.0;           ///< largest inward displacement of a point
+    double depth_m = 0.0; ///< largest inward displacement of a point
+    /// How much larger it is than in the frame before, of the points that are known in both; NaN without any.
+    /// At least jump_m when several points were lost, since they moved further than they could be followed.
+    double deepened_m = std::numeric_limits<double>::quiet_NaN();
     double peak_m = 0.0;            ///< largest displacement
     std::vector<std::size_t> nodes; ///< falling displacement
 };
@@ -39,6 +44,8 @@ public:
         double prominence = 0.4;
         double floorShare = 0.25; ///< of the threshold, down to which points still belong to a contact
         std::size_t leastNodes = 3;
+        double jump_m = 0.0012; ///< inward in one frame, that loses points
+        std::size_t leastLost = 2;
     };
     explicit SkinPatches(const Settings& settings)
         : m_settings(settings) {}

@@ -7,6 +7,10 @@
 #include <QCoreApplication>
 #include <QString>
 
+#include <opencv2/core.hpp>
+
+#include <new>
+
 namespace teleta::vision {
 
 /// Texts and errors that the contact finders share.
@@ -24,6 +28,26 @@ struct VisionText {
             VisionText::tr("There is no frame of the untouched skin to compare with.").toStdString(),
             {},
             {}};
+}
+
+[[nodiscard]] inline core::Error cancelledMaking() {
+    return {core::ErrorKind::cancelled,
+            VisionText::tr("The camera was closed before it was ready.").toStdString(),
+            {},
+            {}};
+}
+
+/// What work returns; what OpenCV or the memory throw in it becomes an error: refused.
+template <typename Work>
+[[nodiscard]] auto withoutExceptions(Work work) -> decltype(work()) {
+    try {
+        return work();
+    } catch (const cv::Exception& error) {
+        return refused(
+            VisionText::tr("The image cannot be worked on: %1").arg(QString::fromStdString(error.err)));
+    } catch (const std::bad_alloc&) {
+        return refused(VisionText::tr("There is too little memory for images of this size."));
+    }
 }
 
 /// Error: refused when a frame is not as large as the camera's image.

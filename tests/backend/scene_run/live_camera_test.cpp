@@ -380,6 +380,38 @@ TEST_F(LiveCamera, aNewReferenceForgetsWhatPressesNow) {
     EXPECT_EQ(eventsOf(CameraEvent::Kind::reference), 2);
 }
 
+TEST(CameraChannel, isClosedWhileARungIsMadeReadyWithoutWaitingForTheWholeImage) {
+    auto made = simulation::makeTubeCamera(poke(), 1, std::make_shared<simulation::CarrierLink>());
+    ASSERT_TRUE(made);
+    constexpr int kLarger = 15; // 114 million pixels, each of which takes about a microsecond
+    vision::CameraParameters parameters = made->camera.camera().parameters();
+    parameters.width_px *= kLarger;
+    parameters.height_px *= kLarger;
+    parameters.fx_px *= kLarger;
+    parameters.fy_px *= kLarger;
+    parameters.cx_px *= kLarger;
+    parameters.cy_px *= kLarger;
+    const auto model = vision::CameraModel::create(parameters);
+    ASSERT_TRUE(model);
+    auto source = std::make_unique<SteppedCamera>(std::move(made->generator));
+    SteppedCamera& camera = *source;
+    const core::StopSwitch stop;
+    const auto channel = CameraChannel::make(std::move(source), {*model, made->camera.surface()}, stop);
+    ASSERT_TRUE(channel);
+    (*channel)->start();
+    camera.step(1, false, true);
+    (*channel)->chooseRung("medium-1");
+    for (int i = 0; i < 20'000 && (*channel)->snapshot().nextRung.empty(); ++i) {
+        std::this_thread::sleep_for(1ms);
+        (*channel)->update();
+    }
+    ASSERT_EQ((*channel)->snapshot().nextRung, "medium-1");
+    const std::int64_t begin_ns = core::steadyNow_ns();
+    (*channel)->stop();
+    constexpr double kGenerous_s = 20.0;
+    EXPECT_LT(static_cast<double>(core::steadyNow_ns() - begin_ns) * 1e-9, kGenerous_s);
+}
+
 TEST(CameraChannel, refusesACameraTooSmallForItsDots) {
     scene::Scene scene = poke();
     std::get<scene::CameraWorld>(scene.world).camera.width_px = 40;

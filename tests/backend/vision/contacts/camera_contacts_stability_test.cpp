@@ -26,16 +26,37 @@ CylinderCamera cameraOf(int width_px, int height_px) {
 /// Finds nothing and counts the references that it was given.
 class CountingFinder : public ContactFinder {
 public:
-    core::Expected<void> setReference(const cv::Mat1b&) override {
-        ++m_references;
-        return {};
-    }
-    core::Expected<std::vector<CameraContact>> find(const cv::Mat1b&) override {
-        return std::vector<CameraContact>();
-    }
     [[nodiscard]] std::vector<Arrow> arrows(std::size_t) const override { return {}; }
 
     int m_references = 0;
+
+private:
+    core::Expected<void> takeReference(const cv::Mat1b&) override {
+        ++m_references;
+        return {};
+    }
+    core::Expected<std::vector<CameraContact>> findIn(const cv::Mat1b&) override {
+        return std::vector<CameraContact>();
+    }
+};
+
+/// Does what OpenCV does with images that it cannot work on.
+class ThrowingFinder : public ContactFinder {
+public:
+    [[nodiscard]] std::vector<Arrow> arrows(std::size_t) const override { return {}; }
+
+    bool m_throwsAtReference = false;
+
+private:
+    core::Expected<void> takeReference(const cv::Mat1b& frame) override {
+        if (m_throwsAtReference)
+            (void)frame(cv::Rect(0, 0, frame.cols + 1, 1));
+        return {};
+    }
+    core::Expected<std::vector<CameraContact>> findIn(const cv::Mat1b& frame) override {
+        (void)frame(cv::Rect(0, 0, frame.cols + 1, 1));
+        return std::vector<CameraContact>();
+    }
 };
 
 class HardFrames : public testing::Test {
@@ -48,6 +69,9 @@ protected:
         auto finder = makeContactFinder(contactLadder().front(), m_tube->camera());
         ASSERT_TRUE(finder);
         m_tracker.emplace(std::move(*finder), CameraTracker::Settings());
+        auto noiseless = simulation::SimulatedTube::make(test::cameraScene(false), 1);
+        ASSERT_TRUE(noiseless);
+        m_noiseless = std::move(*noiseless);
     }
     cv::Mat1b press(double depth_m) {
         cv::Mat1b frame;
@@ -55,7 +79,7 @@ protected:
         return frame;
     }
 
-    std::unique_ptr<simulation::SimulatedTube> m_tube;
+    std::unique_ptr<simulation::SimulatedTube> m_tube, m_noiseless;
     cv::Mat1b m_rest;
     std::optional<CameraTracker> m_tracker;
 };
@@ -90,6 +114,70 @@ TEST(ContactLadder, hasNamesThatAreUniqueAndKnowsNoOther) {
     for (const ContactRung& rung : contactLadder())
         EXPECT_EQ(contactRung(rung.name), &rung);
     EXPECT_EQ(contactRung("none"), nullptr);
+}
+
+TEST(CameraTracker, tellsWhatOpenCvThrowsAsAnUnusableFrame) {
+    const cv::Mat1b frame(4, 4, std::uint8_t{1});
+    auto throwing = std::make_unique<ThrowingFinder>();
+    throwing->m_throwsAtReference = true;
+    CameraTracker without(std::move(throwing), {});
+    const auto refused = without.next(frame, 0.0);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().kind, core::ErrorKind::refused);
+    CameraTracker tracker(std::make_unique<ThrowingFinder>(), {});
+    ASSERT_TRUE(tracker.next(frame, 0.0));
+    EXPECT_TRUE(tracker.next(frame, kPeriod_s));
+    EXPECT_EQ(tracker.unusableFrames(), 1U);
+    EXPECT_FALSE(tracker.whyUnusable().empty());
+}
+
+TEST(ContactLadder, endsItsWorkOnTheLensWhenItIsToldTo) {
+    std::stop_source stop;
+    stop.request_stop();
+    for (const ContactRung& rung : contactLadder()) {
+        // 16 million pixels, which take long.
+        const auto finder = makeContactFinder(rung, cameraOf(4000, 4000), {}, stop.get_token());
+        if (rung.method != FlowMethod::dots) {
+            ASSERT_FALSE(finder) << rung.name;
+            EXPECT_EQ(finder.error().kind, core::ErrorKind::cancelled) << rung.name;
+            continue;
+        }
+        ASSERT_TRUE(finder);
+        const auto taken = (*finder)->setReference(cv::Mat1b(4000, 4000, std::uint8_t{1}));
+        ASSERT_FALSE(taken);
+        EXPECT_EQ(taken.error().kind, core::ErrorKind::cancelled);
+    }
+}
+
+TEST_F(HardFrames, areAnsweredByTheChangedPartAloneWhateverWasSeenBefore) {
+    const auto find = [&](ContactFinder& finder, double depth_m, double z_m, double radius_m) {
+        cv::Mat1b frame;
+        m_noiseless->pressed({{.centre = {1.0, z_m}, .ballRadius_m = radius_m, .depth_m = depth_m}}, frame);
+        auto found = finder.find(frame);
+        EXPECT_TRUE(found);
+        return found ? *found : std::vector<CameraContact>();
+    };
+    cv::Mat1b rest;
+    m_noiseless->untouched(rest);
+    const auto make = [&] {
+        auto finder = makeContactFinder(*contactRung("fast-2-changed"), m_noiseless->camera());
+        EXPECT_TRUE(finder && (*finder)->setReference(rest));
+        return std::move(*finder);
+    };
+    const auto used = make();
+    const auto fresh = make();
+    (void)find(*used, 0.001, 0.09, 0.006); // a small part of the image at the far end
+    used->forget();
+    fresh->forget();
+    const auto after = find(*used, 0.0012, 0.03, 0.012);
+    const auto alone = find(*fresh, 0.0012, 0.03, 0.012);
+    ASSERT_EQ(after.size(), alone.size());
+    ASSERT_FALSE(alone.empty());
+    for (std::size_t i = 0; i < alone.size(); ++i) {
+        EXPECT_EQ(after[i].p_Sensor_Centre_m, alone[i].p_Sensor_Centre_m);
+        EXPECT_EQ(after[i].depth_m, alone[i].depth_m);
+        EXPECT_EQ(after[i].area_px, alone[i].area_px);
+    }
 }
 
 TEST_F(HardFrames, ofAContactThatComesAndGoesAreAnsweredByEveryRung) {

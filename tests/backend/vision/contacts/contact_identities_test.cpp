@@ -71,8 +71,16 @@ TEST(ContactIdentities, passOverContactsWithoutAPlace) {
 
 TEST(ContactIdentities, giveTheSpeedAtWhichAContactDeepens) {
     ContactIdentities identities;
-    EXPECT_NEAR(identities.update({at(0.0, 0.02, 0.001)}, 0.0, kPeriod_s).front().depthRate_mPerS, 0.04,
-                1e-12);
+    CameraContact first = at(0.0, 0.02, 0.001);
+    first.deepened_m = 0.0002; // it was there before, but too light to be seen
+    EXPECT_NEAR(identities.update({first}, 0.0, kPeriod_s).front().depthRate_mPerS, 0.008, 1e-12);
+    EXPECT_NEAR(identities.update({at(0.0, 0.02, 0.0015)}, kPeriod_s, kPeriod_s).front().depthRate_mPerS,
+                0.02, 1e-12);
+}
+
+TEST(ContactIdentities, giveNoSpeedOfANewContactWhosePlaceWasNotSeenBefore) {
+    ContactIdentities identities;
+    EXPECT_EQ(identities.update({at(0.0, 0.02, 0.001)}, 0.0, kPeriod_s).front().depthRate_mPerS, 0.0);
     EXPECT_NEAR(identities.update({at(0.0, 0.02, 0.0015)}, kPeriod_s, kPeriod_s).front().depthRate_mPerS,
                 0.02, 1e-12);
 }

@@ -50,6 +50,28 @@ struct Skin {
 
 } // namespace
 
+TEST(SkinPatches, deepenByWhatTheirOwnPointsDidThatAreKnownInBothFrames) {
+    Skin skin;
+    for (SkinNode& node : skin.nodes)
+        node.inwardBefore_m = 0.0;
+    skin.press(0.5, 0.03, 0.0005);
+    for (SkinNode& node : skin.nodes)
+        node.inwardBefore_m = node.inward_m;
+    skin.press(0.5, 0.03, 0.0003);
+    auto patches = skin.find();
+    ASSERT_EQ(patches.size(), 1U);
+    // Both summits have the same shape, so the deepest point has gained 3 parts of 8 of its depth.
+    EXPECT_NEAR(patches[0].deepened_m, patches[0].depth_m * 3.0 / 8.0, 1e-12);
+    // The deepest point was lost before: what it says now is no news.
+    skin.nodes[patches[0].nodes.front()].inwardBefore_m = NAN;
+    patches = skin.find();
+    EXPECT_LT(patches[0].deepened_m, patches[0].depth_m * 3.0 / 8.0);
+    EXPECT_GT(patches[0].deepened_m, 0.0);
+    for (SkinNode& node : skin.nodes)
+        node.inwardBefore_m = NAN;
+    EXPECT_TRUE(std::isnan(skin.find()[0].deepened_m));
+}
+
 TEST(SkinPatches, haveTheCentreOfASmoothSummitBetweenTheirPointsAlsoAtTheSeam) {
     for (const double angle_rad : {0.0, 0.03, 1.234, std::numbers::pi, -3.1}) {
         for (const double z_m : {0.03, 0.0313, 0.0327}) {
