@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <cstdio>
 #include <utility>
 #include <vector>
 
@@ -104,6 +105,12 @@ void CalibrateCommand::declare(CLI::App& app) {
                                           "Length of the elastomer, from z = 0 of the sensor frame, mm")))
         ->capture_default_str()
         ->check(positive());
+    app.add_option("--hole-factor", m_holeFactor,
+                   help(QT_TRANSLATE_NOOP("CalibrateCommand",
+                                          "The points are holes of a shell: their x and y times this factor "
+                                          "are on the elastomer (the paper's shell: 0.97)")))
+        ->capture_default_str()
+        ->check(positive());
     app.add_option("--method", m_method,
                    help(QT_TRANSLATE_NOOP("CalibrateCommand",
                                           "robust: camera and lens, wrong pairs are left out; paper: linear, "
@@ -122,10 +129,11 @@ void CalibrateCommand::declare(CLI::App& app) {
 }
 
 core::Expected<void> CalibrateCommand::run() {
-    const core::Expected<std::vector<vision::CalibrationPair>> pairs =
-        vision::readPairs(m_pairsPath, interrupted);
+    core::Expected<std::vector<vision::CalibrationPair>> pairs = vision::readPairs(m_pairsPath, interrupted);
     if (!pairs)
         return core::Unexpected(pairs.error());
+    for (vision::CalibrationPair& pair : *pairs)
+        pair.p_Sensor_m.head<2>() *= m_holeFactor;
     m_settings.surface.radius_m = 1e-3 * m_radius_mm;
     m_settings.surface.highest_z_m = 1e-3 * m_length_mm;
     const auto calibration = vision::calibrate(*pairs, m_settings, *vision::calibrationMethod(m_method));
@@ -146,6 +154,15 @@ core::Expected<void> CalibrateCommand::run() {
     if (!m_outPath.empty()) {
         if (const core::Expected<void> written = vision::writeCamera(file, m_outPath); !written)
             return written;
+        if (calibration->method == vision::CalibrationMethod::paper) {
+            const QString warning =
+                CalibrateText::tr("The camera that was written has no lens: it is off by %1 mm on average "
+                                  "over the pairs that it kept (%2 of %3).")
+                    .arg(forPeople(1e3 * calibration->mean_error_m))
+                    .arg(calibration->kept)
+                    .arg(pairs->size());
+            std::fputs(("teleta: " + warning.toStdString() + "\n").c_str(), stderr);
+        }
     }
     return m_json ? printDocument(toJson(*calibration, file)) : printTable(*calibration);
 }

@@ -22,6 +22,7 @@ private:
     vision::CalibrationSettings m_settings;
     double m_radius_mm = 1e3 * vision::CylinderSurface{}.radius_m;
     double m_length_mm = 1e3 * vision::CylinderSurface{}.highest_z_m;
+    double m_holeFactor = 1.0;
     std::string m_method = "robust";
     std::string m_outPath;
     std::string m_residualsPath;

@@ -122,6 +122,38 @@ TEST_F(CalibrateCommand, thePaperMethodIsLinear) {
     EXPECT_GT(answer["rms_px"].get<double>(), 1.0);
 }
 
+TEST_F(CalibrateCommand, aCameraWithoutALensIsWrittenWithAWarning) {
+    const std::string path = m_folder.path("camera.json");
+    const ProgramResult paper = calibrate(pairsCsv(), {"--method", "paper", "--out", path});
+    EXPECT_EQ(paper.exitCode, 0) << paper.err;
+    EXPECT_NE(paper.err.find("has no lens"), std::string::npos) << paper.err;
+    const ProgramResult robust = calibrate(pairsCsv(), {"--out", path});
+    EXPECT_EQ(robust.exitCode, 0);
+    EXPECT_EQ(robust.err, "");
+}
+
+TEST_F(CalibrateCommand, holesOfTheShellAreBroughtOntoTheElastomer) {
+    constexpr double kFactor = 0.97; // of the paper
+    const std::string direct = pairsCsv();
+    std::string holes = "u_px,v_px,x_m,y_m,z_m\n";
+    const std::vector<std::vector<std::string>> rows = splitCsv(direct);
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        char line[160];
+        std::snprintf(line, sizeof line, "%s,%s,%.17g,%.17g,%s\n", rows[i][0].c_str(), rows[i][1].c_str(),
+                      std::stod(rows[i][2]) / kFactor, std::stod(rows[i][3]) / kFactor, rows[i][4].c_str());
+        holes += line;
+    }
+    const ProgramResult expected = calibrate(direct, {"--json"});
+    const ProgramResult result = calibrate(holes, {"--json", "--hole-factor", "0.97"});
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const ordered_json camera = ordered_json::parse(result.out)["camera"];
+    const ordered_json same = ordered_json::parse(expected.out)["camera"];
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_NEAR(camera["C_m"][i].get<double>(), same["C_m"][i].get<double>(), 1e-6);
+    EXPECT_EQ(camera["cylinder"], same["cylinder"]);
+    expectError(calibrate(direct, {"--hole-factor", "0"}), 2, "--hole-factor");
+}
+
 TEST_F(CalibrateCommand, printsATableForPeople) {
     const ProgramResult result = calibrate(pairsCsv());
     EXPECT_EQ(result.exitCode, 0);
