@@ -20,6 +20,7 @@ struct CameraContact {
     double sd_m = std::numeric_limits<double>::quiet_NaN();      ///< of the centre, 1 sigma
     std::vector<Eigen::Vector3d> contour_m;                      ///< on the skin, where it could be located
     double depth_m = std::numeric_limits<double>::quiet_NaN(); ///< largest inward displacement that was seen
+    double depthNoise_m = 0.0;                                 ///< of the depth from frame to frame, 1 sigma
     /// By how much the same places of the skin have become deeper since the frame before; NaN: not known.
     double deepened_m = std::numeric_limits<double>::quiet_NaN();
 };

@@ -2,7 +2,6 @@
 #include "backend/vision/contacts/contact_identities.h"
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -34,9 +33,7 @@ const std::vector<FollowedContact>& ContactIdentities::update(std::vector<Camera
         if (taken[i] || followed.seen)
             continue;
         taken[i] = true;
-        const double away_s = time_s - followed.seen_s;
-        followed.depthRate_mPerS =
-            away_s > 0.0 ? (contacts[i].depth_m - followed.contact.depth_m) / away_s : 0.0;
+        followed.depthRate.add(contacts[i], time_s, framePeriod_s);
         contacts[i].id = followed.contact.id;
         followed.contact = std::move(contacts[i]);
         followed.seen_s = time_s;
@@ -52,8 +49,7 @@ const std::vector<FollowedContact>& ContactIdentities::update(std::vector<Camera
         followed.begin_s = followed.seen_s = time_s;
         followed.event = ContactEvent::begins;
         followed.seen = true;
-        if (framePeriod_s > 0.0 && std::isfinite(followed.contact.deepened_m))
-            followed.depthRate_mPerS = followed.contact.deepened_m / framePeriod_s;
+        followed.depthRate.add(followed.contact, time_s, framePeriod_s);
         m_followed.push_back(std::move(followed));
     }
     for (std::size_t k = 0; k < followedBefore; ++k) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/vision/contacts/camera_contact.h"
+#include "backend/vision/contacts/depth_rate.h"
 
 #include <vector>
 
@@ -18,9 +19,8 @@ struct FollowedContact {
     double seen_s = 0.0;
     ContactEvent event = ContactEvent::none; ///< in the newest frame
     bool seen = false;                       ///< in the newest frame
-    /// Between the two newest frames that showed it; of a new one that of its places on the skin, which may
-    /// have moved before it was seen. 0 where it is not known.
-    double depthRate_mPerS = 0.0;
+    /// How fast it deepens; the places of a new one may have moved before it was seen, so it has one at once.
+    DepthRate depthRate;
 
     /// Displacement since its start; zero while it is not located.
     [[nodiscard]] Eigen::Vector3d displacement_m() const {

@@ -16,7 +16,7 @@ std::optional<BumpDetector::Bump> BumpDetector::update(std::span<const FollowedC
     for (const FollowedContact& followed : contacts) {
         if (!followed.seen || std::ranges::find(m_bumped, followed.contact.id) != m_bumped.end())
             continue;
-        const bool bumps = followed.depthRate_mPerS > m_settings.speed_mPerS ||
+        const bool bumps = followed.depthRate.atLeast_mPerS() > m_settings.speed_mPerS ||
                            followed.contact.depth_m > m_settings.depth_m;
         if (bumps && (deepest == nullptr || followed.contact.depth_m > deepest->contact.depth_m))
             deepest = &followed;

@@ -11,8 +11,9 @@
 
 namespace teleta::vision {
 
-/// Sees when something bumps against the skin: a contact that deepens faster, or is deeper, than a threshold.
-/// Thread: one. Source: VTacArm, section IV-C.
+/// Sees when something bumps against the skin: a contact that deepens faster than a threshold, beyond what
+/// the noise of its depth could make of it, or is deeper than another. Thread: one. Source: VTacArm, section
+/// IV-C.
 class BumpDetector {
 public:
     struct Settings {

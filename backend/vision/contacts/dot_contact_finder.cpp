@@ -29,6 +29,7 @@ constexpr double kNarrowest_px = 2.5;    ///< half axis of a window
 constexpr double kNeighbourShare = 1.75; ///< how far neighbours are, as a share of the pitch
 constexpr double kLostShare = 0.5;       ///< with fewer dots found the frame shows no skin
 constexpr int kDirections = 24;          ///< of an outline
+constexpr double kDotNoise_px = 0.15;    ///< of a dot's place from frame to frame
 
 } // namespace
 
@@ -229,6 +230,7 @@ CameraContact DotContactFinder::contactOf(const SkinPatch& patch) const {
         contact.centre_px = *pixel;
         contact.sd_m = m_camera.standardDeviation_m(contact.p_Sensor_Centre_m).value_or(contact.sd_m);
     }
+    contact.depthNoise_m = kDotNoise_px * m_samples[patch.nodes.front()].metresPerPixel.row(1).norm();
     outline(patch, contact);
     return contact;
 }

@@ -24,6 +24,7 @@ constexpr double kLeastArea_m2 = 4e-6; ///< of a contact
 constexpr double kSmoothing_px = 2.0;  ///< at full scale, against noise
 constexpr int kDiffers = 4;            ///< grey levels that are more than noise after that smoothing
 constexpr double kFounded_px = 20.0;   ///< at full scale: from a change to what it tells of
+constexpr double kFlowNoise_px = 0.15; ///< of a contact's flow from frame to frame, in the image made small
 constexpr double kDeep = 0.9;          ///< quantile of the inward displacement that is a contact's depth
 
 float quantile(std::vector<float>& values, double share) {
@@ -327,6 +328,8 @@ CameraContact FlowContactFinder::contactOf(const std::vector<cv::Point>& contour
         contact.centre_px = *seen;
     contact.sd_m = m_camera.standardDeviation_m(contact.p_Sensor_Centre_m).value_or(contact.sd_m);
     strength = sum;
+    if (const auto sample = skinSample(m_camera, contact.centre_px))
+        contact.depthNoise_m = kFlowNoise_px * scaleX * sample->metresPerPixel.row(1).norm();
     // One pixel's flow may be anything.
     contact.depth_m = static_cast<double>(quantile(m_inward_m, kDeep));
     if (m_beforeKnown)

@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 namespace teleta::vision {
 
@@ -86,10 +87,6 @@ std::vector<SkinPatch> SkinPatches::find(std::span<const SkinNode> nodes,
         double sum = 0.0;
         double angle = 0.0;
         double along = 0.0;
-        double inward_m = 0.0;
-        double inwardBefore_m = 0.0;
-        bool knownBefore = false;
-        std::size_t lost = 0;
         patch.peak_m = m_moved_m[root];
         for (const std::size_t i : patch.nodes) {
             const double weight = m_moved_m[i];
@@ -98,20 +95,8 @@ std::vector<SkinPatch> SkinPatches::find(std::span<const SkinNode> nodes,
             angle += weight * (turn(nodes[i].angle_rad, nodes[root].angle_rad) +
                                (nodes[i].known ? nodes[i].around_m : 0.0) / m_settings.radius_m);
             along += weight * nodes[i].z_m;
-            if (nodes[i].known)
-                patch.depth_m = std::max(patch.depth_m, nodes[i].inward_m);
-            if (!nodes[i].known && std::isfinite(nodes[i].inwardBefore_m))
-                ++lost;
-            if (nodes[i].known && std::isfinite(nodes[i].inwardBefore_m)) {
-                inward_m = std::max(inward_m, nodes[i].inward_m);
-                inwardBefore_m = std::max(inwardBefore_m, nodes[i].inwardBefore_m);
-                knownBefore = true;
-            }
         }
-        if (knownBefore)
-            patch.deepened_m = inward_m - inwardBefore_m;
-        if (lost >= m_settings.leastLost)
-            patch.deepened_m = std::max(knownBefore ? patch.deepened_m : 0.0, m_settings.jump_m);
+        measureDepth(nodes, patch);
         patch.angle_rad = turn(nodes[root].angle_rad + angle / sum, 0.0);
         patch.z_m = along / sum;
         patches.push_back(std::move(patch));
@@ -120,6 +105,51 @@ std::vector<SkinPatch> SkinPatches::find(std::span<const SkinNode> nodes,
         return a.peak_m != b.peak_m ? a.peak_m > b.peak_m : a.nodes.front() < b.nodes.front();
     });
     return patches;
+}
+
+std::size_t SkinPatches::loneJump(std::span<const SkinNode> nodes, const SkinPatch& patch) const {
+    std::size_t first = kNone;
+    double most_m = 0.0;
+    double next_m = 0.0;
+    for (const std::size_t i : patch.nodes) {
+        if (!nodes[i].known || !std::isfinite(nodes[i].inwardBefore_m))
+            continue;
+        const double deepened_m = nodes[i].inward_m - nodes[i].inwardBefore_m;
+        if (deepened_m > most_m) {
+            next_m = std::exchange(most_m, deepened_m);
+            first = i;
+        } else if (deepened_m > next_m) {
+            next_m = deepened_m;
+        }
+    }
+    return most_m > m_settings.loneJump_m + m_settings.loneJumpShare * next_m ? first : kNone;
+}
+
+void SkinPatches::measureDepth(std::span<const SkinNode> nodes, SkinPatch& patch) const {
+    const std::size_t alone = loneJump(nodes, patch);
+    double inward_m = 0.0;
+    double inwardBefore_m = 0.0;
+    bool knownBefore = false;
+    std::size_t lost = 0;
+    for (const std::size_t i : patch.nodes) {
+        const bool before = std::isfinite(nodes[i].inwardBefore_m);
+        if (!nodes[i].known) {
+            lost += before ? 1 : 0;
+            continue;
+        }
+        if (i == alone)
+            continue;
+        patch.depth_m = std::max(patch.depth_m, nodes[i].inward_m);
+        if (before) {
+            inward_m = std::max(inward_m, nodes[i].inward_m);
+            inwardBefore_m = std::max(inwardBefore_m, nodes[i].inwardBefore_m);
+            knownBefore = true;
+        }
+    }
+    if (knownBefore)
+        patch.deepened_m = inward_m - inwardBefore_m;
+    if (lost >= m_settings.leastLost)
+        patch.deepened_m = std::max(knownBefore ? patch.deepened_m : 0.0, m_settings.jump_m);
 }
 
 double SkinPatches::smoothed_m(std::span<const SkinNode> nodes, std::span<const std::size_t> candidates,

@@ -27,7 +27,8 @@ struct SkinPatch {
     double z_m = 0.0;
     double depth_m = 0.0; ///< largest inward displacement of a point
     /// How much larger it is than in the frame before, of the points that are known in both; NaN without any.
-    /// At least jump_m when several points were lost, since they moved further than they could be followed.
+    /// At least jump_m when several points were lost at once, since they moved further than they could be
+    /// followed. A point that jumps while no other one does was taken for another and counts for neither.
     double deepened_m = std::numeric_limits<double>::quiet_NaN();
     double peak_m = 0.0;            ///< largest displacement
     std::vector<std::size_t> nodes; ///< falling displacement
@@ -44,8 +45,10 @@ public:
         double prominence = 0.4;
         double floorShare = 0.25; ///< of the threshold, down to which points still belong to a contact
         std::size_t leastNodes = 3;
-        double jump_m = 0.0012; ///< inward in one frame, that loses points
-        std::size_t leastLost = 2;
+        double jump_m = 0.0012;     ///< inward in one frame, that loses points
+        std::size_t leastLost = 3;  ///< fewer vanish behind a dent that grows slowly
+        double loneJump_m = 0.0004; ///< inward in one frame, beyond loneJumpShare of what the next point did
+        double loneJumpShare = 3.0;
     };
     explicit SkinPatches(const Settings& settings)
         : m_settings(settings) {}
@@ -60,6 +63,11 @@ public:
                                     double angle_rad, double z_m, double width_m) const;
 
 private:
+    /// The point of a patch that jumps alone; kNone: none does.
+    [[nodiscard]] std::size_t loneJump(std::span<const SkinNode> nodes, const SkinPatch& patch) const;
+    /// Depth of a patch and how it has changed.
+    void measureDepth(std::span<const SkinNode> nodes, SkinPatch& patch) const;
+
     Settings m_settings;
     std::vector<double> m_moved_m;
     std::vector<std::size_t> m_order;

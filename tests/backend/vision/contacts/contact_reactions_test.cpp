@@ -14,7 +14,9 @@ FollowedContact contact(int id, double angle_rad, double depth_m, double rate_mP
     followed.contact.id = id;
     followed.contact.depth_m = depth_m;
     followed.contact.p_Sensor_Centre_m = {0.025 * std::cos(angle_rad), 0.025 * std::sin(angle_rad), 0.05};
-    followed.depthRate_mPerS = rate_mPerS;
+    constexpr double kPeriod_s = 0.025;
+    followed.contact.deepened_m = rate_mPerS * kPeriod_s;
+    followed.depthRate.add(followed.contact, kPeriod_s, kPeriod_s);
     followed.seen = true;
     return followed;
 }
@@ -54,10 +56,7 @@ TEST(BumpDetector, saysNothingOfAContactThatWasNotSeen) {
     FollowedContact unseen = contact(1, 0.0, 0.002, 0.0);
     unseen.seen = false;
     EXPECT_FALSE(detector.update(std::vector{unseen}));
-    unseen.seen = true;
-    unseen.contact.depth_m = NAN;
-    unseen.depthRate_mPerS = NAN;
-    EXPECT_FALSE(detector.update(std::vector{unseen}));
+    EXPECT_FALSE(detector.update(std::vector{contact(1, 0.0, NAN, NAN)}));
 }
 
 TEST(FollowMotion, isTheTurnAndTheWayAlongTheTubeOfAMixedMotion) {

@@ -72,6 +72,36 @@ TEST(SkinPatches, deepenByWhatTheirOwnPointsDidThatAreKnownInBothFrames) {
     EXPECT_TRUE(std::isnan(skin.find()[0].deepened_m));
 }
 
+TEST(SkinPatches, haveNoDepthFromAPointThatJumpsAlone) {
+    Skin skin;
+    skin.press(0.5, 0.03, 0.0008);
+    for (SkinNode& node : skin.nodes)
+        node.inwardBefore_m = node.inward_m;
+    const double depth_m = skin.find()[0].depth_m;
+    const std::size_t beside = skin.find()[0].nodes[1];
+    skin.nodes[beside].inward_m += 0.001; // taken for the dot of the next ring
+    ASSERT_EQ(skin.find().size(), 1U);
+    EXPECT_NEAR(skin.find()[0].depth_m, depth_m, 1e-12);
+    EXPECT_NEAR(skin.find()[0].deepened_m, 0.0, 1e-12);
+    // Where others go along it is a dent that grows.
+    skin.press(0.5, 0.03, 0.0008);
+    EXPECT_GT(skin.find()[0].depth_m, 1.5 * depth_m);
+}
+
+TEST(SkinPatches, countSeveralPointsThatAreLostAtOnceAsAJump) {
+    Skin skin;
+    skin.press(0.5, 0.03, 0.0008);
+    for (SkinNode& node : skin.nodes)
+        node.inwardBefore_m = node.inward_m;
+    const std::vector<std::size_t> nodes = skin.find()[0].nodes;
+    ASSERT_GE(nodes.size(), 6U);
+    const SkinPatches::Settings settings;
+    for (std::size_t lost = 1; lost <= settings.leastLost; ++lost) {
+        skin.nodes[nodes[2 * lost - 1]].known = false;
+        EXPECT_NEAR(skin.find()[0].deepened_m, lost < settings.leastLost ? 0.0 : settings.jump_m, 1e-12);
+    }
+}
+
 TEST(SkinPatches, haveTheCentreOfASmoothSummitBetweenTheirPointsAlsoAtTheSeam) {
     for (const double angle_rad : {0.0, 0.03, 1.234, std::numbers::pi, -3.1}) {
         for (const double z_m : {0.03, 0.0313, 0.0327}) {
