@@ -4161,6 +4161,14 @@ Aire %6</translation>
         <source>times in order</source>
         <translation>des temps dans l’ordre</translation>
     </message>
+    <message>
+        <source>this is no limit of a servo</source>
+        <translation>ce n’est pas une limite d’un asservissement</translation>
+    </message>
+    <message>
+        <source>names such as force+tool_speed, or nothing</source>
+        <translation>des noms comme force+tool_speed, ou rien</translation>
+    </message>
 </context>
 <context>
     <name>ServoFigure</name>
@@ -4211,6 +4219,18 @@ Aire %6</translation>
     <message>
         <source>time, s</source>
         <translation>temps, s</translation>
+    </message>
+    <message>
+        <source>in contact</source>
+        <translation>en contact</translation>
+    </message>
+    <message>
+        <source>a limit acts (%1)</source>
+        <translation>une limite agit (%1)</translation>
+    </message>
+    <message>
+        <source>weight is moved; its moment is gone</source>
+        <translation>le poids est déplacé&#xa0;; son moment a disparu</translation>
     </message>
 </context>
 <context>

@@ -4154,6 +4154,14 @@ x %4, y %5
         <source>times in order</source>
         <translation>順序どおりの時刻</translation>
     </message>
+    <message>
+        <source>this is no limit of a servo</source>
+        <translation>これはサーボの制限ではありません</translation>
+    </message>
+    <message>
+        <source>names such as force+tool_speed, or nothing</source>
+        <translation>force+tool_speed のような名前、または空</translation>
+    </message>
 </context>
 <context>
     <name>ServoFigure</name>
@@ -4204,6 +4212,18 @@ x %4, y %5
     <message>
         <source>time, s</source>
         <translation>時間、s</translation>
+    </message>
+    <message>
+        <source>in contact</source>
+        <translation>接触中</translation>
+    </message>
+    <message>
+        <source>a limit acts (%1)</source>
+        <translation>制限が作用中 (%1)</translation>
+    </message>
+    <message>
+        <source>weight is moved; its moment is gone</source>
+        <translation>おもりの移動、モーメントの消失</translation>
     </message>
 </context>
 <context>

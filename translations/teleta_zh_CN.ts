@@ -4154,6 +4154,14 @@ x %4，y %5
         <source>times in order</source>
         <translation>按顺序的时间</translation>
     </message>
+    <message>
+        <source>this is no limit of a servo</source>
+        <translation>这不是伺服的限制</translation>
+    </message>
+    <message>
+        <source>names such as force+tool_speed, or nothing</source>
+        <translation>诸如 force+tool_speed 的名称，或为空</translation>
+    </message>
 </context>
 <context>
     <name>ServoFigure</name>
@@ -4204,6 +4212,18 @@ x %4，y %5
     <message>
         <source>time, s</source>
         <translation>时间，s</translation>
+    </message>
+    <message>
+        <source>in contact</source>
+        <translation>接触中</translation>
+    </message>
+    <message>
+        <source>a limit acts (%1)</source>
+        <translation>限制起作用（%1）</translation>
+    </message>
+    <message>
+        <source>weight is moved; its moment is gone</source>
+        <translation>砝码移动；其力矩消失</translation>
     </message>
 </context>
 <context>

@@ -66,6 +66,10 @@ struct EffectIsValid {
     bool operator()(const DriftSpec& spec) const {
         return isNotNegative(spec.sd_N) && isPositive(spec.timeConstant_s);
     }
+    bool operator()(const LatencySpec& spec) const {
+        return isNotNegative(spec.delay_s) && spec.delay_s <= 1.0;
+    }
+    bool operator()(const NonlinearResponseSpec& spec) const { return std::abs(spec.bow) <= 0.25; }
     bool operator()(const TorqueNoiseSpec& spec) const { return isNotNegative(spec.sd_Nm); }
     bool operator()(const EncoderQuantizationSpec& spec) const { return isPositive(spec.step_rad); }
     bool operator()(const GravityErrorSpec& spec) const { return std::isfinite(spec.share); }
@@ -79,6 +83,7 @@ struct EffectIsValid {
                isPositive(spec.length_m) && isPositive(spec.width_m);
     }
     bool operator()(const ContactDampingSpec& spec) const { return isNotNegative(spec.time_s); }
+    bool operator()(const FrictionSpec& spec) const { return isNotNegative(spec.coefficient); }
     bool operator()(const LensDistortionSpec& spec) const { return isCameraEffect(spec); }
     bool operator()(const UnevenLightSpec& spec) const { return isCameraEffect(spec); }
     bool operator()(const SensorNoiseSpec& spec) const { return isCameraEffect(spec); }
@@ -95,6 +100,8 @@ struct EffectName {
     std::string_view operator()(const CrosstalkSpec&) const { return "crosstalk"; }
     std::string_view operator()(const HysteresisSpec&) const { return "hysteresis"; }
     std::string_view operator()(const DriftSpec&) const { return "drift"; }
+    std::string_view operator()(const LatencySpec&) const { return "latency"; }
+    std::string_view operator()(const NonlinearResponseSpec&) const { return "nonlinear_response"; }
     std::string_view operator()(const TorqueNoiseSpec&) const { return "torque_noise"; }
     std::string_view operator()(const EncoderQuantizationSpec&) const { return "encoder_quantization"; }
     std::string_view operator()(const GravityErrorSpec&) const { return "gravity_error"; }
@@ -103,6 +110,7 @@ struct EffectName {
     std::string_view operator()(const BorderStiffeningSpec&) const { return "border_stiffening"; }
     std::string_view operator()(const HousingRimSpec&) const { return "housing_rim"; }
     std::string_view operator()(const ContactDampingSpec&) const { return "damping"; }
+    std::string_view operator()(const FrictionSpec&) const { return "friction"; }
     std::string_view operator()(const LensDistortionSpec&) const { return "lens_distortion"; }
     std::string_view operator()(const UnevenLightSpec&) const { return "uneven_light"; }
     std::string_view operator()(const SensorNoiseSpec&) const { return "sensor_noise"; }

@@ -57,6 +57,17 @@ struct DriftSpec {
     double timeConstant_s = 0.0;
 };
 
+/// Readings come late, as over a bus or through a filter: so many whole frames as are nearest to the delay.
+struct LatencySpec {
+    double delay_s = 0.0; ///< 0 .. 1
+};
+
+/// The reading is a parabola of the load, exact at 0 and at full scale, and most wrong half way between:
+/// there it reads bow of the full scale too much. Piezoresistive cells read too much.
+struct NonlinearResponseSpec {
+    double bow = 0.0; ///< -0.25 .. 0.25, so that the reading rises with the load
+};
+
 /// Gaussian noise of each joint torque, independent from sample to sample.
 struct TorqueNoiseSpec {
     double sd_Nm = 0.0;
@@ -103,20 +114,25 @@ struct ContactDampingSpec {
     double time_s = 0.0; ///< >= 0
 };
 
-/// One imperfection that the scene calls for. What is not listed is not simulated. The first seven are of
-/// taxels, the next five of an arm, the next three of an array that an arm carries, the last six of a camera.
+/// Dry friction of the object on the array's cover.
+struct FrictionSpec {
+    double coefficient = 0.0; ///< >= 0
+};
+
+/// One imperfection that the scene calls for. What is not listed is not simulated. The first nine are of
+/// taxels, the next five of an arm, the next four of an array that an arm carries, the last six of a camera.
 struct Effect {
     std::string why; ///< what the scene would lose without it
     std::variant<NoiseSpec, QuantizationSpec, SaturationSpec, DeadTaxelsSpec, CrosstalkSpec, HysteresisSpec,
-                 DriftSpec, TorqueNoiseSpec, EncoderQuantizationSpec, GravityErrorSpec, GearRippleSpec,
-                 NonlinearObjectSpec, BorderStiffeningSpec, HousingRimSpec, ContactDampingSpec,
-                 LensDistortionSpec, UnevenLightSpec, SensorNoiseSpec, MotionBlurSpec, MarkerPrintErrorSpec,
-                 VignettingSpec>
+                 DriftSpec, LatencySpec, NonlinearResponseSpec, TorqueNoiseSpec, EncoderQuantizationSpec,
+                 GravityErrorSpec, GearRippleSpec, NonlinearObjectSpec, BorderStiffeningSpec, HousingRimSpec,
+                 ContactDampingSpec, FrictionSpec, LensDistortionSpec, UnevenLightSpec, SensorNoiseSpec,
+                 MotionBlurSpec, MarkerPrintErrorSpec, VignettingSpec>
         parameters;
 };
 
 /// Kinds of effects that every tactile array can have; those after them need the world that they are of.
-inline constexpr std::size_t kTaxelEffectKinds = 7;
+inline constexpr std::size_t kTaxelEffectKinds = 9;
 inline constexpr std::size_t kArmEffectKinds = 5;
 /// Kinds that a camera can have, the last ones.
 inline constexpr std::size_t kCameraEffectKinds = 6;

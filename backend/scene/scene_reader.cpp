@@ -9,6 +9,7 @@
 #include <QCoreApplication>
 #include <QString>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -118,79 +119,120 @@ HousingRimSpec readHousingRim(TomlTable& table, const core::ArrayLayout& layout)
     return spec;
 }
 
+using EffectParameters = decltype(Effect::parameters);
+
+struct EffectReader {
+    std::string_view name;
+    EffectParameters (*read)(TomlTable& table, const core::ArrayLayout& layout);
+};
+
+constexpr std::array kTaxelEffects{
+    EffectReader{"noise",
+                 [](TomlTable& table, const core::ArrayLayout&) -> EffectParameters {
+                     return NoiseSpec{.sd_N = table.number("sd_N", NumberRange::notNegative())};
+                 }},
+    EffectReader{"quantization",
+                 [](TomlTable& table, const core::ArrayLayout&) -> EffectParameters {
+                     return QuantizationSpec{.step_N = table.number("step_N", NumberRange::positive())};
+                 }},
+    EffectReader{"saturation",
+                 [](TomlTable&, const core::ArrayLayout&) -> EffectParameters { return SaturationSpec{}; }},
+    EffectReader{"dead_taxels",
+                 [](TomlTable& table, const core::ArrayLayout& layout) -> EffectParameters {
+                     return readDeadTaxels(table, layout);
+                 }},
+    EffectReader{"crosstalk",
+                 [](TomlTable& table, const core::ArrayLayout&) -> EffectParameters {
+                     return CrosstalkSpec{.share = table.number("share", NumberRange::between(0.0, 1.0))};
+                 }},
+    EffectReader{"hysteresis",
+                 [](TomlTable& table, const core::ArrayLayout&) -> EffectParameters {
+                     return HysteresisSpec{.share = table.number("share", NumberRange::between(0.0, 10.0))};
+                 }},
+    EffectReader{"drift",
+                 [](TomlTable& table, const core::ArrayLayout&) -> EffectParameters {
+                     return DriftSpec{.sd_N = table.number("sd_N", NumberRange::notNegative()),
+                                      .timeConstant_s =
+                                          table.number("time_constant_s", NumberRange::positive())};
+                 }},
+    EffectReader{"latency",
+                 [](TomlTable& table, const core::ArrayLayout&) -> EffectParameters {
+                     return LatencySpec{.delay_s = table.number("delay_s", NumberRange::between(0.0, 1.0))};
+                 }},
+    EffectReader{"nonlinear_response",
+                 [](TomlTable& table, const core::ArrayLayout&) -> EffectParameters {
+                     return NonlinearResponseSpec{.bow =
+                                                      table.number("bow", NumberRange::between(-0.25, 0.25))};
+                 }},
+};
+
+constexpr std::array kArmEffects{
+    EffectReader{"torque_noise",
+                 [](TomlTable& table, const core::ArrayLayout&) -> EffectParameters {
+                     return TorqueNoiseSpec{.sd_Nm = table.number("sd_Nm", NumberRange::notNegative())};
+                 }},
+    EffectReader{"encoder_quantization",
+                 [](TomlTable& table, const core::ArrayLayout&) -> EffectParameters {
+                     return EncoderQuantizationSpec{.step_rad =
+                                                        table.number("step_rad", NumberRange::positive())};
+                 }},
+    EffectReader{"gravity_error",
+                 [](TomlTable& table, const core::ArrayLayout&) -> EffectParameters {
+                     return GravityErrorSpec{.share = table.number("share", NumberRange::between(-1.0, 1.0))};
+                 }},
+    EffectReader{"gear_ripple",
+                 [](TomlTable& table, const core::ArrayLayout&) -> EffectParameters {
+                     return GearRippleSpec{
+                         .amplitude_Nm = table.number("amplitude_Nm", NumberRange::notNegative()),
+                         .wavesPerTurn = table.number("waves_per_turn", NumberRange::positive())};
+                 }},
+    EffectReader{"nonlinear_object",
+                 [](TomlTable& table, const core::ArrayLayout&) -> EffectParameters {
+                     return NonlinearObjectSpec{
+                         .doublingDepth_m = table.number("doubling_depth_m", NumberRange::positive())};
+                 }},
+};
+
+constexpr std::array kServoEffects{
+    EffectReader{"border_stiffening",
+                 [](TomlTable& table, const core::ArrayLayout&) -> EffectParameters {
+                     return BorderStiffeningSpec{.share =
+                                                     table.number("share", NumberRange::between(0.0, 10.0))};
+                 }},
+    EffectReader{"housing_rim",
+                 [](TomlTable& table, const core::ArrayLayout& layout) -> EffectParameters {
+                     return readHousingRim(table, layout);
+                 }},
+    EffectReader{"damping",
+                 [](TomlTable& table, const core::ArrayLayout&) -> EffectParameters {
+                     return ContactDampingSpec{.time_s =
+                                                   table.number("time_s", NumberRange::between(0.0, 1.0))};
+                 }},
+    EffectReader{"friction",
+                 [](TomlTable& table, const core::ArrayLayout&) -> EffectParameters {
+                     return FrictionSpec{.coefficient =
+                                             table.number("coefficient", NumberRange::between(0.0, 10.0))};
+                 }},
+};
+
 Effect readEffect(TomlTable table, const Scene& scene, std::set<std::size_t>& listed) {
     if (scene.isCamera())
         return readCameraEffect(table, listed);
-    Effect effect;
-    std::vector<std::string_view> names{"noise",     "quantization", "saturation", "dead_taxels",
-                                        "crosstalk", "hysteresis",   "drift"};
+    std::vector<EffectReader> readers(kTaxelEffects.begin(), kTaxelEffects.end());
     if (scene.isArm())
-        names.insert(names.end(), {"torque_noise", "encoder_quantization", "gravity_error", "gear_ripple",
-                                   "nonlinear_object"});
+        readers.insert(readers.end(), kArmEffects.begin(), kArmEffects.end());
     if (scene.isServo())
-        names.insert(names.end(), {"border_stiffening", "housing_rim", "damping"});
-    // The position in the variant: effects of an arm come before those of a servo.
+        readers.insert(readers.end(), kServoEffects.begin(), kServoEffects.end());
+    std::vector<std::string_view> names;
+    for (const EffectReader& reader : readers)
+        names.push_back(reader.name);
     const std::size_t chosen = table.choice("name", names);
-    const std::size_t kind =
-        scene.isServo() && chosen >= kTaxelEffectKinds ? chosen + kArmEffectKinds : chosen;
-    if (!listed.insert(kind).second)
+    if (!listed.insert(chosen).second)
         table.fail("name", SceneReader::tr("the effect is listed twice").toStdString(),
                    SceneReader::tr("each effect at most once").toStdString());
+    Effect effect;
     effect.why = table.text("why");
-    switch (kind) {
-    case 1:
-        effect.parameters = QuantizationSpec{.step_N = table.number("step_N", NumberRange::positive())};
-        break;
-    case 2:
-        effect.parameters = SaturationSpec{};
-        break;
-    case 3:
-        effect.parameters = readDeadTaxels(table, scene.taxels());
-        break;
-    case 4:
-        effect.parameters = CrosstalkSpec{.share = table.number("share", NumberRange::between(0.0, 1.0))};
-        break;
-    case 5:
-        effect.parameters = HysteresisSpec{.share = table.number("share", NumberRange::between(0.0, 10.0))};
-        break;
-    case 6:
-        effect.parameters =
-            DriftSpec{.sd_N = table.number("sd_N", NumberRange::notNegative()),
-                      .timeConstant_s = table.number("time_constant_s", NumberRange::positive())};
-        break;
-    case 7:
-        effect.parameters = TorqueNoiseSpec{.sd_Nm = table.number("sd_Nm", NumberRange::notNegative())};
-        break;
-    case 8:
-        effect.parameters =
-            EncoderQuantizationSpec{.step_rad = table.number("step_rad", NumberRange::positive())};
-        break;
-    case 9:
-        effect.parameters = GravityErrorSpec{.share = table.number("share", NumberRange::between(-1.0, 1.0))};
-        break;
-    case 10:
-        effect.parameters =
-            GearRippleSpec{.amplitude_Nm = table.number("amplitude_Nm", NumberRange::notNegative()),
-                           .wavesPerTurn = table.number("waves_per_turn", NumberRange::positive())};
-        break;
-    case 11:
-        effect.parameters =
-            NonlinearObjectSpec{.doublingDepth_m = table.number("doubling_depth_m", NumberRange::positive())};
-        break;
-    case 12:
-        effect.parameters =
-            BorderStiffeningSpec{.share = table.number("share", NumberRange::between(0.0, 10.0))};
-        break;
-    case 13:
-        effect.parameters = readHousingRim(table, scene.taxels());
-        break;
-    case 14:
-        effect.parameters =
-            ContactDampingSpec{.time_s = table.number("time_s", NumberRange::between(0.0, 1.0))};
-        break;
-    default:
-        effect.parameters = NoiseSpec{.sd_N = table.number("sd_N", NumberRange::notNegative())};
-    }
+    effect.parameters = readers[chosen].read(table, scene.taxels());
     table.finish();
     return effect;
 }

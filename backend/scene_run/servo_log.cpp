@@ -11,7 +11,7 @@ namespace teleta::scene_run {
 
 namespace {
 
-constexpr std::array<std::string_view, 42> kColumns{"time_s",
+constexpr std::array<std::string_view, 45> kColumns{"time_s",
                                                     "phase",
                                                     "contact",
                                                     "type",
@@ -52,7 +52,10 @@ constexpr std::array<std::string_view, 42> kColumns{"time_s",
                                                     "wz_rad_per_s",
                                                     "tray_rad",
                                                     "energy_J",
-                                                    "limits"};
+                                                    "limits",
+                                                    "coc_x_desired_m",
+                                                    "dzmp_y_desired_m",
+                                                    "mass_x_true_m"};
 
 } // namespace
 
@@ -105,6 +108,9 @@ void ServoLog::add(const simulation::ServoLoop& loop, const std::string& phase, 
     m_csv->number(truth.hinge_rad);
     m_csv->number(arm.energy_J());
     m_csv->text(output.limits.names());
+    m_csv->number(output.desiredCocX_m());
+    m_csv->number(output.desiredDzmpY_m());
+    m_csv->number(arm.object().turns ? truth.massPlace_m : kNone);
     m_csv->endRow();
 }
 

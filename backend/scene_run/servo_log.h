@@ -20,7 +20,9 @@ namespace teleta::scene_run {
 ///   x_m, y_m, z_m, qw, qx, qy, qz (pose of the array in the base),
 ///   x_commanded_m, y_commanded_m, z_commanded_m,
 ///   vx_m_per_s, vy_m_per_s, vz_m_per_s, wx_rad_per_s, wy_rad_per_s, wz_rad_per_s (commanded, in {s}),
-///   tray_rad, energy_J (of the simulated arm)
+///   tray_rad, energy_J (of the simulated arm), limits (those that acted, with + between them),
+///   coc_x_desired_m (of a slide the CoP_x that is wanted, as the paper draws it), dzmp_y_desired_m,
+///   mass_x_true_m (of a weight on a tray)
 /// Without a folder nothing is written.
 class ServoLog {
 public:

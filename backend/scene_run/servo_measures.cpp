@@ -60,7 +60,7 @@ bool ServoMeasures::add(const simulation::ServoLoop& loop) {
     } else if (m_firstContact_s) {
         m_lost_s += m_cycle_s;
     }
-    if (m_massMoves_s && m_now_s >= *m_massMoves_s)
+    if (m_massMoves_s)
         m_tilt_rad = std::max(m_tilt_rad, std::abs(loop.world().truth().hinge_rad));
     const servo::TaskKind kind = loop.output().kind;
     m_lasts = m_lasts || kind == servo::TaskKind::explore || kind == servo::TaskKind::comanipulation;

@@ -24,7 +24,7 @@ namespace teleta::scene_run {
 /// - explore: reconstruction_rms_m (contact points felt, from the true line), path_length_m and
 ///   max_sliding_speed_m_s (over 0.1 s) along the array's x
 /// - comanipulate: dzmp_y_settle_s (from the mass's first motion until |DZMP_y| stays < 0.5 mm),
-///   dzmp_y_final_m (mean of the last second), alpha_z_rms_rad, tray_tilt_max_rad (both from then on)
+///   dzmp_y_final_m (mean of the last second), alpha_z_rms_rad (from then on), tray_tilt_max_rad (ever)
 /// - point, roll: cop_rms_error_m, cop_max_error_m, once aligned and in the lasting task;
 ///   force_settled_max_error_n, the largest force error from 1 s after the alignment on;
 ///   force_overshoot_n, the largest force over the desired one in the whole run

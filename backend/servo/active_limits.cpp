@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/servo/active_limits.h"
 
+#include <algorithm>
+
 namespace teleta::servo {
 
 const char* toString(Limit limit) {
@@ -39,6 +41,21 @@ std::string ActiveLimits::names() const {
         names += toString(static_cast<Limit>(i));
     }
     return names;
+}
+
+std::optional<ActiveLimits> ActiveLimits::fromNames(std::string_view names) {
+    ActiveLimits limits;
+    while (!names.empty()) {
+        const std::string_view name = names.substr(0, names.find('+'));
+        std::size_t i = 0;
+        while (i < kLimits && name != toString(static_cast<Limit>(i)))
+            ++i;
+        if (i == kLimits)
+            return std::nullopt;
+        limits.m_bits.set(i);
+        names.remove_prefix(std::min(names.size(), name.size() + 1));
+    }
+    return limits;
 }
 
 } // namespace teleta::servo

@@ -3,7 +3,9 @@
 
 #include <bitset>
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace teleta::servo {
 
@@ -33,6 +35,8 @@ public:
     [[nodiscard]] bool any() const { return m_bits.any(); }
     /// The names of toString(), with + between them; empty: none.
     [[nodiscard]] std::string names() const;
+    /// From such names. Nothing: one of them is no limit.
+    [[nodiscard]] static std::optional<ActiveLimits> fromNames(std::string_view names);
     bool operator==(const ActiveLimits&) const = default;
 
 private:

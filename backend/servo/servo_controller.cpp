@@ -41,6 +41,21 @@ Eigen::Vector3d kept(const Eigen::Vector3d& velocity, const Eigen::Vector3d& awa
 
 } // namespace
 
+std::optional<double> ServoOutput::desiredCocX_m() const {
+    if (projection(kX, kX) != 0.0)
+        return desired[kX];
+    if (!edge && projection(kWy, kWy) != 0.0)
+        return desired[kWy];
+    return std::nullopt;
+}
+
+std::optional<double> ServoOutput::desiredDzmpY_m() const {
+    // Row 5 of an edge is -DZMP_y.
+    if (edge && (projection(kWy, kWy) != 0.0 || projection(kX, kWy) != 0.0))
+        return 0.0 - desired[kWy];
+    return std::nullopt;
+}
+
 tl::expected<ServoController, TaskRefusal> ServoController::create(ServoPlan plan,
                                                                    const std::optional<ArmGuard>& arm) {
     if (const auto fine = check(plan); !fine)

@@ -44,6 +44,13 @@ struct ServoOutput {
     Vector6 integral = Vector6::Zero();            ///< share of the integral in the twist
     Matrix6 inverseJacobian = Matrix6::Identity();
     Matrix6 projection = Matrix6::Zero();
+
+    /// Where the contact is wanted along x, as the paper draws it (Fig. 10c): the pseudo-measurement of CoP_x
+    /// that makes the sensor slide, or CoC_x of a point that becomes an edge. Nothing: the task has no such
+    /// wish.
+    [[nodiscard]] std::optional<double> desiredCocX_m() const;
+    /// Nothing: the task does not act on the moment.
+    [[nodiscard]] std::optional<double> desiredDzmpY_m() const;
 };
 
 /// The arm that carries the sensor.

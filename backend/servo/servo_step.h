@@ -25,11 +25,14 @@ struct ServoStep {
     double copY_m = kNone;
     double copYDesired_m = kNone;
     double cocX_m = kNone;
+    double cocXDesired_m = kNone; ///< ServoOutput::desiredCocX_m
     double dzmpY_m = kNone;
+    double dzmpYDesired_m = kNone;
     double dzmpYTrue_m = kNone; ///< from the true loads of the taxels
     double alphaZ_rad = kNone;
     double alphaZDesired_rad = kNone;
-    ActiveLimits limits; ///< that acted on the command
+    double massX_m = kNone; ///< of a weight on a tray, along the bar; what is true
+    ActiveLimits limits;    ///< that acted on the command
     Eigen::Vector3d p_Base_Sensor = Eigen::Vector3d::Zero();
     /// Centre of contact of a step that explores an edge; NaN otherwise.
     Eigen::Vector3d p_Base_Contact = Eigen::Vector3d::Constant(kNone);

@@ -9,6 +9,7 @@
 #include <QFileInfo>
 #include <QString>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -26,7 +27,8 @@ constexpr std::array kVectors{&ServoCurves::time_s,        &ServoCurves::force_N
                               &ServoCurves::dzmpY_m,       &ServoCurves::dzmpYTrue_m,
                               &ServoCurves::alphaZ_rad,    &ServoCurves::alphaZDesired_rad,
                               &ServoCurves::x_m,           &ServoCurves::y_m,
-                              &ServoCurves::z_m,           &ServoCurves::way_m};
+                              &ServoCurves::z_m,           &ServoCurves::way_m,
+                              &ServoCurves::cocXDesired_m, &ServoCurves::dzmpYDesired_m};
 
 constexpr std::array<std::string_view, 15> kNames{"time_s",
                                                   "force_true_N",
@@ -45,6 +47,11 @@ constexpr std::array<std::string_view, 15> kNames{"time_s",
                                                   "contact"};
 constexpr std::size_t kNumbers = 13;
 
+/// Columns that files of older versions lack.
+constexpr std::array<std::string_view, 3> kLaterNumbers{"coc_x_desired_m", "dzmp_y_desired_m",
+                                                        "mass_x_true_m"};
+constexpr std::string_view kLimitsName = "limits";
+
 /// Beyond this, SI units, nothing is a place, a force or a time of a run.
 constexpr double kLargest = 1e12;
 
@@ -56,17 +63,52 @@ core::Unexpected badField(const core::CsvReader& csv, std::size_t column, const 
 
 } // namespace
 
+void ServoCurves::lengthen(std::vector<Span>& spans, double now_s, const ActiveLimits& acting, bool goesOn) {
+    if (!spans.empty() && goesOn)
+        spans.back().end_s = now_s;
+    else if (spans.size() < kMostSpans)
+        spans.push_back({now_s, now_s, acting});
+    else
+        spans.back().end_s = now_s;
+}
+
+void ServoCurves::note(const ServoStep& step) {
+    if (step.touching)
+        lengthen(contacts, step.time_s, {}, m_touching);
+    m_touching = step.touching;
+    if (step.limits.any())
+        lengthen(limits, step.time_s, step.limits, m_limited && limits.back().limits == step.limits);
+    m_limited = step.limits.any();
+    if (!massMoves_s && std::isfinite(m_mass_m) && std::isfinite(step.massX_m) && step.massX_m != m_mass_m)
+        massMoves_s = m_noted_s;
+    m_mass_m = step.massX_m;
+    m_noted_s = step.time_s;
+}
+
 void ServoCurves::add(const ServoStep& step, std::string_view phase) {
+    note(step);
     if (phases.empty() || phases.back().second != phase)
         phases.emplace_back(step.time_s, std::string(phase));
     if (!m_start_m && step.touching)
         m_start_m = step.p_Base_Sensor;
     const Eigen::Vector3d way = m_start_m ? Eigen::Vector3d(step.p_Base_Sensor - *m_start_m)
                                           : Eigen::Vector3d::Constant(ServoStep::kNone);
-    const std::array<double, kVectors.size()> values{
-        step.time_s, step.force_N, step.desired_N,   step.copY_m,     step.copYDesired_m,
-        step.cocX_m, step.dzmpY_m, step.dzmpYTrue_m, step.alphaZ_rad, step.alphaZDesired_rad,
-        way.x(),     way.y(),      way.z(),          way.norm()};
+    const std::array<double, kVectors.size()> values{step.time_s,
+                                                     step.force_N,
+                                                     step.desired_N,
+                                                     step.copY_m,
+                                                     step.copYDesired_m,
+                                                     step.cocX_m,
+                                                     step.dzmpY_m,
+                                                     step.dzmpYTrue_m,
+                                                     step.alphaZ_rad,
+                                                     step.alphaZDesired_rad,
+                                                     way.x(),
+                                                     way.y(),
+                                                     way.z(),
+                                                     way.norm(),
+                                                     step.cocXDesired_m,
+                                                     step.dzmpYDesired_m};
     for (std::size_t i = 0; i < kVectors.size(); ++i)
         (this->*kVectors[i]).push_back(values[i]);
 }
@@ -92,6 +134,14 @@ core::Expected<ServoCurves> readServoCurves(const std::string& path) {
     if (!columns)
         return core::Unexpected(columns.error());
 
+    const auto later = [&](std::string_view name) {
+        const auto& header = csv->header();
+        return static_cast<std::size_t>(std::ranges::find(header, name) - header.begin());
+    };
+    std::array<std::size_t, kLaterNumbers.size()> laterColumns{};
+    std::ranges::transform(kLaterNumbers, laterColumns.begin(), later);
+    const std::size_t limitsColumn = later(kLimitsName);
+
     ServoCurves curves;
     curves.name = QFileInfo(QFileInfo(file).absolutePath()).fileName().toStdString();
     std::vector<std::string_view> fields;
@@ -115,6 +165,23 @@ core::Expected<ServoCurves> readServoCurves(const std::string& path) {
                             CurvesText::tr("times in order"));
         before_s = row[0];
         ServoStep step;
+        const std::array laterValues{&step.cocXDesired_m, &step.dzmpYDesired_m, &step.massX_m};
+        for (std::size_t i = 0; i < laterColumns.size(); ++i) {
+            if (laterColumns[i] >= fields.size())
+                continue;
+            const std::optional<double> value = core::numberOrNA(fields[laterColumns[i]]);
+            if (!value || (std::isfinite(*value) && std::abs(*value) > kLargest))
+                return badField(*csv, laterColumns[i], CurvesText::tr("this is no number of a run"),
+                                CurvesText::tr("a number from -1e12 to 1e12, or NA"));
+            *laterValues[i] = *value;
+        }
+        if (limitsColumn < fields.size()) {
+            const std::optional<ActiveLimits> limits = ActiveLimits::fromNames(fields[limitsColumn]);
+            if (!limits)
+                return badField(*csv, limitsColumn, CurvesText::tr("this is no limit of a servo"),
+                                CurvesText::tr("names such as force+tool_speed, or nothing"));
+            step.limits = *limits;
+        }
         step.time_s = row[0];
         step.touching = fields[(*columns)[14]] == "touching";
         step.force_N = row[1];

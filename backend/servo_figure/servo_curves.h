@@ -24,7 +24,9 @@ struct ServoCurves {
     std::vector<double> copY_m;
     std::vector<double> copYDesired_m;
     std::vector<double> cocX_m;
+    std::vector<double> cocXDesired_m;
     std::vector<double> dzmpY_m;
+    std::vector<double> dzmpYDesired_m;
     std::vector<double> dzmpYTrue_m;
     std::vector<double> alphaZ_rad;
     std::vector<double> alphaZDesired_rad;
@@ -33,12 +35,30 @@ struct ServoCurves {
     std::vector<double> way_m;                          ///< the length of that
     std::vector<std::pair<double, std::string>> phases; ///< when each one began
 
+    struct Span {
+        double begin_s;
+        double end_s;
+        ActiveLimits limits; ///< that acted in it
+    };
+    static constexpr std::size_t kMostSpans = 4096; ///< of each kind; further ones lengthen the last
+    std::vector<Span> contacts;                     ///< while the servo takes itself to be in contact
+    std::vector<Span> limits;                       ///< while the same ones act
+    std::optional<double> massMoves_s;              ///< when a weight on the tray is moved first
+
     void add(const ServoStep& step, std::string_view phase);
+    /// The events of a step whose curves are left out.
+    void note(const ServoStep& step);
     /// Keeps every second entry; the phases stay.
     void thin();
 
 private:
+    static void lengthen(std::vector<Span>& spans, double now_s, const ActiveLimits& acting, bool goesOn);
+
     std::optional<Eigen::Vector3d> m_start_m;
+    bool m_touching = false; ///< in the last step
+    bool m_limited = false;
+    double m_mass_m = ServoStep::kNone;
+    double m_noted_s = 0.0;
 };
 
 /// Reads a run that `teleta simulate --out` has written. path: its folder or its servo.csv; the folder names

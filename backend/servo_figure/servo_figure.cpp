@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -36,6 +37,13 @@ struct FigureText {
 
 using Values = std::vector<double> ServoCurves::*;
 
+/// A weight's moment is gone when |DZMP_y| stays below; m.
+constexpr double kSettledDzmp_m = 0.0005;
+constexpr double kStripRow = 10.0; ///< of contacts and limits of a run
+constexpr double kStripGap = 6.0;
+constexpr double kContactWidth = 2.0;
+constexpr double kLimitWidth = 7.0;
+
 struct Line {
     Values values;
     QString name; ///< written into the lane; empty: not
@@ -48,14 +56,21 @@ struct Lane {
     std::vector<Line> lines;  ///< of each run
     Values desired = nullptr; ///< of the first run
     Values truth = nullptr;   ///< of a run alone
+    bool marked = false;      ///< where a weight is moved, and where its moment is gone
 };
 
 std::vector<Lane> lanesFor(bool alone) {
     std::vector<Lane> lanes{
         {FigureText::tr("Force, N"), 1.0, 1.0, {{&ServoCurves::force_N, {}}}, &ServoCurves::desired_N},
         {FigureText::tr("CoP y, mm"), 1e3, 1.0, {{&ServoCurves::copY_m, {}}}, &ServoCurves::copYDesired_m},
-        {FigureText::tr("CoC x, mm"), 1e3, 1.0, {{&ServoCurves::cocX_m, {}}}},
-        {FigureText::tr("DZMP y, mm"), 1e3, 1.0, {{&ServoCurves::dzmpY_m, {}}}},
+        {FigureText::tr("CoC x, mm"), 1e3, 1.0, {{&ServoCurves::cocX_m, {}}}, &ServoCurves::cocXDesired_m},
+        {FigureText::tr("DZMP y, mm"),
+         1e3,
+         1.0,
+         {{&ServoCurves::dzmpY_m, {}}},
+         &ServoCurves::dzmpYDesired_m,
+         nullptr,
+         true},
         {FigureText::tr("\u03b1 z, \u00b0"),
          180.0 / std::numbers::pi,
          2.0,
@@ -121,7 +136,7 @@ QString dots() {
 /// A word of the legend and the line before it.
 struct Entry {
     QString name;
-    QString line;
+    QString line; ///< empty: a cross
     double x = 0.0;
     double y = 0.0;
 };
@@ -137,7 +152,10 @@ public:
         , m_legend(legend())
         , m_canvas(m_width, m_height, FigureText::tr("Tactile servoing: force and features over time")) {
         m_rows = (m_lanes.size() + m_columns - 1) / m_columns;
-        m_plotTop = m_legend.back().y + 34.0;
+        m_stripTop = m_legend.back().y + 34.0;
+        m_plotTop = m_stripTop;
+        if (hasStrip())
+            m_plotTop += kStripRow * static_cast<double>(m_runs.size()) + kStripGap;
         m_laneHeight =
             std::max(24.0, (m_height - m_plotTop - kBottom) / static_cast<double>(m_rows) - kBetweenLanes);
         m_time_s = 1e-3;
@@ -151,6 +169,7 @@ public:
         for (std::size_t column = 0; column < m_columns; ++column) {
             m_left = kPlotLeft + static_cast<double>(column) * (plotWidth() + kRight + kPlotLeft);
             drawPhases();
+            drawStrip();
             const std::size_t first = column * m_rows;
             for (std::size_t i = first; i < std::min(first + m_rows, m_lanes.size()); ++i)
                 drawLane(m_lanes[i], top(i - first));
@@ -178,6 +197,13 @@ private:
         entries.push_back({FigureText::tr("desired"), dashes()});
         if (m_runs.size() == 1)
             entries.push_back({FigureText::tr("true"), dots()});
+        const auto any = [this](const auto& has) { return std::ranges::any_of(m_runs, has); };
+        if (any([](const ServoCurves& run) { return !run.contacts.empty(); }))
+            entries.push_back({FigureText::tr("in contact"), barOf(0, kContactWidth)});
+        if (any([](const ServoCurves& run) { return !run.limits.empty(); }))
+            entries.push_back({limitsName(), barOf(0, kLimitWidth)});
+        if (any([](const ServoCurves& run) { return run.massMoves_s.has_value(); }))
+            entries.push_back({FigureText::tr("weight is moved; its moment is gone"), {}});
         double at = kPlotLeft;
         double row = kLegendTop;
         for (Entry& entry : entries) {
@@ -200,7 +226,10 @@ private:
                                 : FigureText::tr("Tactile servoing"),
                       QStringLiteral("ink bold"));
         for (const Entry& entry : m_legend) {
-            m_canvas.path({{entry.x, entry.y}, {entry.x + kSwatch, entry.y}}, entry.line);
+            if (entry.line.isEmpty())
+                cross(entry.x + 0.5 * kSwatch, entry.y);
+            else
+                m_canvas.path({{entry.x, entry.y}, {entry.x + kSwatch, entry.y}}, entry.line);
             m_canvas.text(entry.x + kSwatch + 6.0, entry.y + 4.5, entry.name, QStringLiteral("ink small"));
         }
     }
@@ -212,14 +241,99 @@ private:
         double room = right();
         for (auto phase = m_runs.front().phases.rbegin(); phase != m_runs.front().phases.rend(); ++phase) {
             const double at = x(phase->first);
-            m_canvas.line(at, m_plotTop - 6.0, at, bottom(), QStringLiteral("soft"));
+            m_canvas.line(at, m_stripTop - 6.0, at, bottom(), QStringLiteral("soft"));
             const QString shown =
                 QString::fromStdString(phase->second).replace(QLatin1Char('_'), QLatin1Char(' '));
             if (at + 6.0 + kLetter * static_cast<double>(shown.size()) > room)
                 continue;
-            m_canvas.text(at + 3.0, m_plotTop - 6.0, shown, QStringLiteral("soft small"));
+            m_canvas.text(at + 3.0, m_stripTop - 6.0, shown, QStringLiteral("soft small"));
             room = at;
         }
+    }
+
+    [[nodiscard]] bool hasStrip() const {
+        return std::ranges::any_of(
+            m_runs, [](const ServoCurves& run) { return !run.contacts.empty() || !run.limits.empty(); });
+    }
+
+    /// Which limits acted in any run.
+    [[nodiscard]] QString limitsName() const {
+        ActiveLimits all;
+        for (const ServoCurves& run : m_runs)
+            for (const ServoCurves::Span& span : run.limits)
+                for (std::size_t i = 0; i < kLimits; ++i)
+                    if (span.limits.has(static_cast<Limit>(i)))
+                        all.set(static_cast<Limit>(i));
+        return FigureText::tr("a limit acts (%1)")
+            .arg(QString::fromStdString(all.names())
+                     .replace(QLatin1Char('_'), QLatin1Char(' '))
+                     .replace(QLatin1Char('+'), QLatin1String(", ")));
+    }
+
+    static QString barOf(std::size_t series, double width) {
+        return QStringLiteral("class=\"hollow series%1\" style=\"stroke-width:%2\"")
+            .arg(QString::number(series), figure::svgNumber(width));
+    }
+
+    /// A row for each run: thin where it is in contact, thick where a limit acts.
+    void drawStrip() {
+        for (std::size_t i = 0; i < m_runs.size(); ++i) {
+            const double middle = m_stripTop + (static_cast<double>(i) + 0.5) * kStripRow;
+            spans(m_runs[i].contacts, middle, barOf(i, kContactWidth));
+            spans(m_runs[i].limits, middle, barOf(i, kLimitWidth));
+        }
+    }
+
+    /// Spans that follow each other within a px are one.
+    void spans(const std::vector<ServoCurves::Span>& spans, double y, const QString& attributes) {
+        std::optional<std::pair<double, double>> open;
+        const auto close = [&] {
+            if (open)
+                m_canvas.path({{open->first, y}, {std::max(open->second, open->first + 1.5), y}}, attributes);
+        };
+        for (const ServoCurves::Span& span : spans) {
+            if (!isShown(span.begin_s) || !isShown(span.end_s))
+                continue;
+            if (open && x(span.begin_s) - open->second < 1.0) {
+                open->second = std::max(open->second, x(span.end_s));
+                continue;
+            }
+            close();
+            open = {x(span.begin_s), x(span.end_s)};
+        }
+        close();
+    }
+
+    void cross(double x, double y) {
+        constexpr double kArm = 4.0;
+        for (const double rise : {kArm, -kArm})
+            m_canvas.path({{x - kArm, y - rise}, {x + kArm, y + rise}},
+                          QStringLiteral("class=\"hollow series1\""));
+    }
+
+    /// When the weight is moved, and when the moment that it causes is gone for good; the paper's crosses.
+    template <typename Y>
+    void drawMarks(const ServoCurves& run, const Y& y) {
+        if (!run.massMoves_s)
+            return;
+        std::optional<std::size_t> moved;
+        std::optional<std::size_t> last;
+        for (std::size_t i = 0; i < run.time_s.size(); ++i) {
+            if (!(run.time_s[i] >= *run.massMoves_s))
+                continue;
+            moved = moved.value_or(i);
+            const double truth_m = run.dzmpYTrue_m[i];
+            if (!(std::abs(std::isfinite(truth_m) ? truth_m : run.dzmpY_m[i]) < kSettledDzmp_m))
+                last = i;
+        }
+        const auto mark = [&](std::size_t i) {
+            if (isShown(run.dzmpY_m[i]) && isShown(run.time_s[i]))
+                cross(x(run.time_s[i]), y(run.dzmpY_m[i]));
+        };
+        if (moved)
+            mark(*moved);
+        if (last && *last + 1 < run.time_s.size())
+            mark(*last + 1);
     }
 
     [[nodiscard]] Axis axisOfLane(const Lane& lane) const {
@@ -268,6 +382,9 @@ private:
                 curve(m_runs[i], m_runs[i].*lane.lines[k].values, y, lineOf(i + k));
         if (lane.truth != nullptr)
             curve(m_runs.front(), m_runs.front().*lane.truth, y, dots());
+        if (lane.marked)
+            for (const ServoCurves& run : m_runs)
+                drawMarks(run, y);
         for (std::size_t k = 0; k < lane.lines.size(); ++k)
             if (!lane.lines[k].name.isEmpty())
                 m_canvas.text(right() + 5.0, upper + 12.0 + 14.0 * static_cast<double>(k), lane.lines[k].name,
@@ -331,6 +448,7 @@ private:
     figure::SvgCanvas m_canvas;
     std::size_t m_rows = 0;
     double m_left = kPlotLeft; ///< of the plot of the column that is drawn
+    double m_stripTop = 0.0;
     double m_plotTop = 0.0;
     double m_laneHeight = 0.0;
     double m_time_s = 0.0;

@@ -34,7 +34,7 @@ struct ContactTruth {
 
 /// The tactile array of a scene, pressed by the scene's indenters. One frame a call:
 ///   contact with the foundation -> skin effects (crosstalk, hysteresis) -> firing threshold
-///   -> read-out effects (drift, noise, saturation, quantization, dead taxels)
+///   -> read-out effects (nonlinear response, drift, noise, saturation, quantization, dead taxels, latency)
 /// Effects always act in this order, however the scene lists them. Only effects that the scene lists exist.
 /// Deterministic: same scene, same seed, same frames.
 /// Thread: one.

@@ -200,6 +200,10 @@ void printSlidingTable() {
     with("saturation", scene::SaturationSpec{});
     with("drift of 30 mN in 20 s", scene::DriftSpec{.sd_N = 0.03, .timeConstant_s = 20.0});
     with("quantization of 0.1 N", scene::QuantizationSpec{.step_N = 0.1});
+    with("friction of 0.3", scene::FrictionSpec{.coefficient = 0.3});
+    with("latency of 20 ms", scene::LatencySpec{.delay_s = 0.02});
+    with("latency of 100 ms", scene::LatencySpec{.delay_s = 0.1});
+    with("a response bowed by 10 %", scene::NonlinearResponseSpec{.bow = 0.1});
     scene::DeadTaxelsSpec dead;
     dead.count = 4;
     with("4 dead taxels", dead);

@@ -6,18 +6,24 @@
 #include "widgets/base/theme.h"
 #include "widgets/servo/servo_texts.h"
 
-#include <QEvent>
+#include <QHelpEvent>
 #include <QPainter>
+#include <QToolTip>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <numeric>
 
 namespace teleta::servo {
 
 namespace {
 
 constexpr int kRows = 6;
+constexpr double kMargin_em = 0.5;
+constexpr double kGap_em = 0.8; ///< between columns
 
 struct Shown {
     double factor;
@@ -79,9 +85,86 @@ double ServoPicture::lineHeight() const {
     return 1.35 * base::em(this, 1);
 }
 
-QSize ServoPicture::sizeHint() const {
+QSize ServoPicture::minimumSizeHint() const {
     const int matrix = base::em(this, 7.5);
     return {base::em(this, 22), static_cast<int>(7.3 * lineHeight()) + matrix + base::em(this, 2.2)};
+}
+
+QSize ServoPicture::sizeHint() const {
+    const Columns natural = columns(0.0);
+    const double width_px = std::accumulate(natural.width_px.begin(), natural.width_px.end(), 0.0) +
+                            natural.unit_px + 2.0 * kMargin_em * base::em(this, 1);
+    return minimumSizeHint().expandedTo({static_cast<int>(std::ceil(width_px)), 0});
+}
+
+std::array<QString, 4> ServoPicture::titles() {
+    return {tr("Feature"), tr("Desired"), tr("Actual"), tr("Error")};
+}
+
+ServoPicture::Columns ServoPicture::columns(double width_px) const {
+    const double em = base::em(this, 1);
+    const QFontMetricsF small(base::sized(font(), base::kSmallText));
+    QFont bold = font();
+    bold.setBold(true);
+    const QFontMetricsF text(bold);
+    // What has to be seen whole: names and numbers. Titles may be cut.
+    std::array<double, 4> least_px{};
+    for (int row = 0; row < kRows; ++row)
+        for (const bool edge : {true, false})
+            least_px[0] = std::max(least_px[0], text.horizontalAdvance(ServoTexts::feature(row, edge)));
+    for (std::size_t i = 1; i < 4; ++i)
+        least_px[i] = text.horizontalAdvance(QStringLiteral("\u2212188.8")) + kGap_em * em;
+    Columns columns;
+    const std::array<QString, 4> titles = ServoPicture::titles();
+    double more_px = 0.0; // that titles want
+    for (std::size_t i = 0; i < 4; ++i) {
+        const double gap_px = i == 0 ? 0.0 : kGap_em * em;
+        columns.width_px[i] = std::max(least_px[i], std::ceil(small.horizontalAdvance(titles[i])) + gap_px);
+        more_px += columns.width_px[i] - least_px[i];
+    }
+    columns.unit_px = text.horizontalAdvance(QStringLiteral("mm")) + kGap_em * em;
+    if (width_px <= 0.0)
+        return columns;
+    const double free_px = width_px - 2.0 * kMargin_em * em - columns.unit_px -
+                           std::accumulate(columns.width_px.begin(), columns.width_px.end(), 0.0);
+    for (std::size_t i = 0; i < 4; ++i) {
+        if (free_px >= 0.0)
+            columns.width_px[i] += i == 0 ? 0.0 : free_px / 3.0;
+        else if (more_px > 0.0)
+            columns.width_px[i] -= std::min(1.0, -free_px / more_px) * (columns.width_px[i] - least_px[i]);
+    }
+    return columns;
+}
+
+QRectF ServoPicture::titleRect(std::size_t index) const {
+    const Columns columns = this->columns(width());
+    const double left = kMargin_em * base::em(this, 1) +
+                        std::accumulate(columns.width_px.begin(),
+                                        columns.width_px.begin() + static_cast<std::ptrdiff_t>(index), 0.0);
+    return {left, 0.0, columns.width_px[index], lineHeight()};
+}
+
+std::array<QString, 4> ServoPicture::shownTitles() const {
+    const QFontMetricsF small(base::sized(font(), base::kSmallText));
+    const Columns columns = this->columns(width());
+    std::array<QString, 4> shown = titles();
+    for (std::size_t i = 0; i < 4; ++i)
+        shown[i] = small.elidedText(shown[i], Qt::ElideRight, columns.width_px[i] + 0.5);
+    return shown;
+}
+
+bool ServoPicture::event(QEvent* event) {
+    if (event->type() == QEvent::ToolTip) {
+        const auto* help = static_cast<QHelpEvent*>(event);
+        const std::array<QString, 4> whole = titles();
+        const std::array<QString, 4> shown = shownTitles();
+        for (std::size_t i = 0; i < 4; ++i)
+            if (shown[i] != whole[i] && titleRect(i).contains(help->pos())) {
+                QToolTip::showText(help->globalPos(), whole[i], this, titleRect(i).toAlignedRect());
+                return true;
+            }
+    }
+    return QWidget::event(event);
 }
 
 void ServoPicture::describe() {
@@ -95,26 +178,24 @@ void ServoPicture::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange)
         describe();
+    updateGeometry();
     update();
 }
 
 void ServoPicture::paintFeatures(QPainter& painter) const {
     const double em = base::em(this, 1);
     const double line = lineHeight();
-    const double margin = 0.5 * em;
-    const double unitWidth = 2.2 * em;
-    const double column = (width() - 2.0 * margin - unitWidth) / 4.0;
-    const auto cell = [&](int row, int index) {
-        return QRectF(margin + index * column, row * line, column, line);
+    const double margin = kMargin_em * em;
+    const auto cell = [&](int row, std::size_t index) {
+        return titleRect(index).translated(0.0, row * line);
     };
     const QColor quiet =
         base::mixed(palette().color(QPalette::WindowText), palette().color(QPalette::Window), 0.35);
     painter.setFont(base::sized(font(), base::kSmallText));
     painter.setPen(quiet);
-    const std::array<QString, 4> titles{tr("Feature"), tr("Desired"), tr("Actual"), tr("Error")};
-    for (int i = 0; i < 4; ++i)
-        painter.drawText(cell(0, i), (i == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter,
-                         titles[static_cast<std::size_t>(i)]);
+    const std::array<QString, 4> titles = shownTitles();
+    for (std::size_t i = 0; i < 4; ++i)
+        painter.drawText(cell(0, i), (i == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter, titles[i]);
     painter.setPen(
         base::mixed(palette().color(QPalette::WindowText), palette().color(QPalette::Window), 0.75));
     painter.drawLine(QPointF(margin, line), QPointF(width() - margin, line));
@@ -130,12 +211,13 @@ void ServoPicture::paintFeatures(QPainter& painter) const {
         painter.drawText(cell(row + 1, 0), Qt::AlignLeft | Qt::AlignVCenter,
                          ServoTexts::feature(row, output.edge));
         const std::array<QString, 3> values = featureTexts(row);
-        for (int i = 0; i < 3; ++i)
+        for (std::size_t i = 0; i < 3; ++i)
             base::drawTabularText(painter, cell(row + 1, i + 1), Qt::AlignRight | Qt::AlignVCenter,
-                                  values[static_cast<std::size_t>(i)]);
+                                  values[i]);
         painter.setFont(font());
         painter.setPen(quiet);
-        painter.drawText(QRectF(margin + 4.0 * column + 0.4 * em, (row + 1) * line, unitWidth, line),
+        const QRectF last = cell(row + 1, 3);
+        painter.drawText(QRectF(last.right() + 0.4 * em, last.top(), width() - last.right(), line),
                          Qt::AlignLeft | Qt::AlignVCenter,
                          shownAs(row, m_report ? m_report->normalCompliance_mPerN : 1.0).unit);
     }

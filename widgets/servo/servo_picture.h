@@ -26,15 +26,29 @@ public:
     /// The rows of a matrix as they are drawn.
     [[nodiscard]] static QStringList matrixTexts(const Matrix6& matrix);
 
+    /// The table's titles as they are drawn: cut, with an ellipsis, where the widget is too narrow for them.
+    [[nodiscard]] std::array<QString, 4> shownTitles() const;
+
+    /// Wide enough for all titles in the language of the moment.
     [[nodiscard]] QSize sizeHint() const override;
-    [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+    [[nodiscard]] QSize minimumSizeHint() const override;
 
 protected:
+    bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void changeEvent(QEvent* event) override;
 
 private:
+    struct Columns {
+        std::array<double, 4> width_px{};
+        double unit_px = 0.0;
+    };
+
     [[nodiscard]] double lineHeight() const;
+    [[nodiscard]] static std::array<QString, 4> titles();
+    /// As wide as their content; what a width leaves over, or lacks, is shared. 0: as they want to be.
+    [[nodiscard]] Columns columns(double width_px) const;
+    [[nodiscard]] QRectF titleRect(std::size_t index) const;
     void paintFeatures(QPainter& painter) const;
     void paintMatrix(QPainter& painter, const QRectF& rect, const QString& name, const Matrix6& matrix) const;
     void describe();

@@ -55,8 +55,10 @@ void ServoRuns::add(const ServoStep& step) {
     }
     Origin& origin = m_origins[m_current];
     ServoCurves& curves = m_curves[m_current];
-    if (origin.passed++ % origin.stride != 0)
+    if (origin.passed++ % origin.stride != 0) {
+        curves.note(step);
         return;
+    }
     if (step.task == TaskKind::explore)
         (step.moment ? origin.balanced : origin.unbalanced) = true;
     curves.name = ServoTexts::run(QString::fromStdString(origin.name), origin.number, origin.unbalanced,
@@ -102,9 +104,12 @@ QString ServoRuns::csv() const {
                                   &ServoCurves::copYDesired_m, &ServoCurves::cocX_m,
                                   &ServoCurves::dzmpY_m,       &ServoCurves::dzmpYTrue_m,
                                   &ServoCurves::alphaZ_rad,    &ServoCurves::alphaZDesired_rad,
-                                  &ServoCurves::way_m};
-    QString text = QStringLiteral("run,time_s,force_true_N,force_desired_N,cop_y_m,cop_y_desired_m,coc_x_m,"
-                                  "dzmp_y_m,dzmp_y_true_m,alpha_z_rad,alpha_z_desired_rad,way_m\n");
+                                  &ServoCurves::way_m,         &ServoCurves::cocXDesired_m,
+                                  &ServoCurves::dzmpYDesired_m};
+    QString text =
+        QStringLiteral("run,time_s,force_true_N,force_desired_N,cop_y_m,cop_y_desired_m,coc_x_m,"
+                       "dzmp_y_m,dzmp_y_true_m,alpha_z_rad,alpha_z_desired_rad,way_m,coc_x_desired_m,"
+                       "dzmp_y_desired_m\n");
     for (const ServoCurves& run : m_curves) {
         const QString name =
             QLatin1Char('"') +

@@ -369,6 +369,14 @@ void Scene3dView::setSensorPose(const Eigen::Isometry3d& X_World_Sensor) {
     sceneMoved(false);
 }
 
+const Eigen::Isometry3d& Scene3dView::sensorPose() const {
+    return m_parts->scene.X_World_Sensor();
+}
+
+const Eigen::AlignedBox3d& Scene3dView::armBox_m() const {
+    return m_parts->scene.armBox_m();
+}
+
 void Scene3dView::setContour(std::span<const Eigen::Vector3d> points_m,
                              std::span<const Eigen::Vector3d> curve_m,
                              std::span<const Eigen::Vector3d> vertices_m, const QString& label) {

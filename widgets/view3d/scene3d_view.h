@@ -60,12 +60,15 @@ public:
     void setCylinder(const CylinderSize& cylinder);
     /// Where the array's frame is in the world; identity at first. Not finite: ignored.
     void setSensorPose(const Eigen::Isometry3d& X_World_Sensor);
+    [[nodiscard]] const Eigen::Isometry3d& sensorPose() const;
     /// Explored contact points, the spline through them, vertices, and the name of the recognised shape;
     /// world frame, m. Points that are not finite are left out. All empty: nothing is shown.
     void setContour(std::span<const Eigen::Vector3d> points_m, std::span<const Eigen::Vector3d> curve_m,
                     std::span<const Eigen::Vector3d> vertices_m, const QString& label);
     /// The arm, from its base on; empty: none is shown.
     void setArmLinks(std::span<const ArmLink> links);
+    /// The box around the arm that is shown; empty: none. World frame, m.
+    [[nodiscard]] const Eigen::AlignedBox3d& armBox_m() const;
     /// The tube that a camera watches from inside, with what touches it; null: none.
     void setTube(const pipeline::CameraSnapshot* snapshot);
 

@@ -88,6 +88,7 @@ public:
     [[nodiscard]] double gridSpacing_m() const { return m_ground.spacing_m(); }
     [[nodiscard]] const Eigen::AlignedBox3d& contourBox_m() const { return m_contour.box_m(); }
     [[nodiscard]] const Eigen::AlignedBox3d& armBox_m() const { return m_arm.box_m(); }
+    [[nodiscard]] const Eigen::Isometry3d& X_World_Sensor() const { return m_X_World_Sensor; }
     [[nodiscard]] bool isEmpty() const {
         return !m_hasSensor && !m_tube.isShown() && contourBox_m().isEmpty() && armBox_m().isEmpty();
     }

@@ -124,13 +124,15 @@ void ServoViews::addToEdge(const Eigen::Vector3d& p_Base_Contact) {
     m_edge_m.resize(left);
 }
 
-void ServoViews::showArm(const servo::ServoReport& report) {
+std::array<view3d::ArmLink, 4> ServoViews::linksOf(const servo::ServoReport& report) {
     const auto& joint = report.p_Base_Joint;
     const Eigen::Vector3d sensor_m = report.X_Base_Sensor.translation();
-    const std::array<view3d::ArmLink, 4> links{
-        between(joint[0], joint[1], kLinkRadius_m), between(joint[1], joint[3], kLinkRadius_m),
-        between(joint[3], joint[5], kLinkRadius_m), between(joint[5], sensor_m, kWristRadius_m)};
-    m_scene.setArmLinks(links);
+    return {between(joint[0], joint[1], kLinkRadius_m), between(joint[1], joint[3], kLinkRadius_m),
+            between(joint[3], joint[5], kLinkRadius_m), between(joint[5], sensor_m, kWristRadius_m)};
+}
+
+void ServoViews::showArm(const servo::ServoReport& report) {
+    m_scene.setArmLinks(linksOf(report));
     m_scene.setSensorPose(report.X_Base_Sensor);
 }
 

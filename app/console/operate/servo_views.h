@@ -4,11 +4,13 @@
 #include "app/console/operate/operate_docks.h"
 #include "backend/servo/servo_link.h"
 #include "widgets/base/badge.h"
+#include "widgets/view3d/scene_types.h"
 
 #include <QObject>
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -47,6 +49,8 @@ public:
     [[nodiscard]] servo::ServoPanel& panel() { return *m_panel; }
     [[nodiscard]] servo::ServoRunsView& runs() { return *m_runs; }
     [[nodiscard]] const std::vector<Eigen::Vector3d>& edge_m() const { return m_edge_m; }
+    /// The arm as tubes: base to shoulder, to elbow, to wrist, to sensor.
+    [[nodiscard]] static std::array<view3d::ArmLink, 4> linksOf(const servo::ServoReport& report);
 
 signals:
     /// Something could not be saved or read.

@@ -5,7 +5,9 @@
 #include "backend/simulation/effects/dead_taxels.h"
 #include "backend/simulation/effects/drift.h"
 #include "backend/simulation/effects/hysteresis.h"
+#include "backend/simulation/effects/latency.h"
 #include "backend/simulation/effects/noise.h"
+#include "backend/simulation/effects/nonlinear_response.h"
 #include "backend/simulation/effects/quantization.h"
 #include "backend/simulation/effects/saturation.h"
 
@@ -36,6 +38,10 @@ std::vector<std::unique_ptr<Effect>> makeEffects(const scene::Scene& scene, doub
     addListed<scene::HysteresisSpec>(scene, effects, [&](Name name, const scene::HysteresisSpec& spec) {
         return std::make_unique<Hysteresis>(name, spec, layout);
     });
+    addListed<scene::NonlinearResponseSpec>(
+        scene, effects, [&](Name name, const scene::NonlinearResponseSpec& spec) {
+            return std::make_unique<NonlinearResponse>(name, spec, fullScale_N);
+        });
     addListed<scene::DriftSpec>(scene, effects, [&](Name name, const scene::DriftSpec& spec) {
         return std::make_unique<Drift>(name, spec, layout, 1.0 / frameRate_Hz, RandomStream(seed, name));
     });
@@ -50,6 +56,9 @@ std::vector<std::unique_ptr<Effect>> makeEffects(const scene::Scene& scene, doub
     });
     addListed<scene::DeadTaxelsSpec>(scene, effects, [&](Name name, const scene::DeadTaxelsSpec& spec) {
         return std::make_unique<DeadTaxels>(name, spec, layout, RandomStream(seed, name));
+    });
+    addListed<scene::LatencySpec>(scene, effects, [&](Name name, const scene::LatencySpec& spec) {
+        return std::make_unique<Latency>(name, spec, layout, 1.0 / frameRate_Hz);
     });
     return effects;
 }

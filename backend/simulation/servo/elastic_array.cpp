@@ -124,6 +124,19 @@ ArrayContact ElasticArray::press(const Eigen::Isometry3d& X_Sensor_Object, const
     return contact;
 }
 
+void ElasticArray::listPressed(const Eigen::Isometry3d& X_Sensor_Object, const TouchedShape& shape,
+                               std::vector<PressedPoint>& points) const {
+    points.clear();
+    std::visit(
+        [&](const auto& known) {
+            forEachPressed(X_Sensor_Object, known,
+                           [&](const Spring& spring, double depth_m, const Eigen::Vector3d& normal) {
+                               points.push_back({spring.p_Sensor, normal, spring.stiffness_NPerM * depth_m});
+                           });
+        },
+        shape);
+}
+
 ArrayLoads ElasticArray::readLoads(const Eigen::Isometry3d& X_Sensor_Object, const TouchedShape& shape,
                                    std::span<double> load_N) const {
     std::ranges::fill(load_N, 0.0);

@@ -23,6 +23,13 @@ struct ArrayContact {
     int springs = 0; ///< that are pressed
 };
 
+/// A spring that a body presses, as friction sees it.
+struct PressedPoint {
+    Eigen::Vector3d p_Sensor;
+    Eigen::Vector3d normal_Sensor; ///< of the body, unit vector
+    double force_N;                ///< along the normal
+};
+
 /// Sums of one frame over the array, before any effect of the sensor.
 struct ArrayLoads {
     double force_N = 0.0; ///< on the taxels, along -z
@@ -39,7 +46,7 @@ struct ArrayLoads {
 /// it where the housing is simulated. A spring at p is shortened by the depth d of p in the body:
 ///   energy = k d^2 / 2,  wrench = k d [n; p x n],  n the body's normal at p
 /// in series with the body's own stiffness: k = k_array k_body / (k_array + k_body), each of a patch as large
-/// as the spring's. Without friction. The wrench is the derivative of the energy. Which springs are near the
+/// as the spring's. The wrench, without friction, is the derivative of the energy. Which springs are near the
 /// body is remembered while the pose changes little. A shape must not change its form while it is used.
 /// Thread: one; press() and readLoads() allocate nothing.
 class ElasticArray {
@@ -51,6 +58,12 @@ public:
 
     [[nodiscard]] ArrayContact press(const Eigen::Isometry3d& X_Sensor_Object,
                                      const TouchedShape& shape) const;
+
+    /// The springs that are pressed, in place of what was in points; allocates nothing once it has held as
+    /// many.
+    void listPressed(const Eigen::Isometry3d& X_Sensor_Object, const TouchedShape& shape,
+                     std::vector<PressedPoint>& points) const;
+    [[nodiscard]] std::size_t springs() const { return m_springs.size(); }
 
     /// Loads of the taxels in N (layout.taxels() values, overwritten), along -z.
     ArrayLoads readLoads(const Eigen::Isometry3d& X_Sensor_Object, const TouchedShape& shape,

@@ -22,6 +22,8 @@ constexpr int kMostHalvings = 40;
 /// A step of Gauss-Newton that promises less is not taken.
 constexpr double kLeastGain_J = 1e-12;
 constexpr double kInertiaRenewal_rad = 0.005;
+/// Below it what sticks creeps.
+constexpr double kCreep_mPerS = 1e-4;
 
 } // namespace
 
@@ -33,6 +35,8 @@ ImpedanceArm::ImpedanceArm(const Isometry3d& X_Flange_Sensor, const Impedance& i
     , m_object(std::move(object)) {
     m_stiffness << Vector3d::Constant(impedance.stiffness_NPerM),
         Vector3d::Constant(impedance.rotationalStiffness_NmPerRad);
+    if (impedance.friction > 0.0)
+        m_rubbing.reserve(m_array.springs());
     setState({});
 }
 
@@ -97,6 +101,47 @@ void ImpedanceArm::evaluate(const Freedoms& at, Place& place, servo::CycleTimes*
     evaluateSprings(place);
 }
 
+ImpedanceArm::Relative ImpedanceArm::relativeTwist(const Place& place) const {
+    const servo::LwrJacobian& J = place.posture.jacobian;
+    const Eigen::Matrix3d R_Sensor_Base = place.posture.X_Base_Tool.linear().transpose();
+    Relative relative = Relative::Zero();
+    relative.topLeftCorner<3, kLwrJoints>().noalias() = R_Sensor_Base * J.topRows<3>();
+    relative.bottomLeftCorner<3, kLwrJoints>().noalias() = R_Sensor_Base * J.bottomRows<3>();
+    if (m_object.turns) {
+        const Vector3d arm = place.posture.X_Base_Tool.translation() - m_object.p_Base_Hinge;
+        relative.col(kLwrJoints).head<3>() = -(R_Sensor_Base * m_object.axis_Base.cross(arm));
+        relative.col(kLwrJoints).tail<3>() = -(R_Sensor_Base * m_object.axis_Base);
+    }
+    return relative;
+}
+
+double ImpedanceArm::friction_J(const servo::Twist& way_Sensor, double creep_m, servo::Vector6* gradient,
+                                servo::Matrix6* hessian) const {
+    double energy_J = 0.0;
+    for (const PressedPoint& point : m_rubbing) {
+        const Vector3d way_m = way_Sensor.head<3>() + Vector3d(way_Sensor.tail<3>()).cross(point.p_Sensor);
+        const Vector3d& n = point.normal_Sensor;
+        const Vector3d slip_m = way_m - n.dot(way_m) * n;
+        const double rounded_m = std::sqrt(slip_m.squaredNorm() + creep_m * creep_m);
+        const double force_N = m_impedance.friction * point.force_N;
+        energy_J += force_N * (rounded_m - creep_m);
+        if (gradient == nullptr)
+            continue;
+        const Vector3d drag_N = force_N / rounded_m * slip_m;
+        gradient->head<3>() += drag_N;
+        gradient->tail<3>() += point.p_Sensor.cross(drag_N);
+        const Eigen::Matrix3d stiffness = force_N / rounded_m *
+                                          (Eigen::Matrix3d::Identity() - n * n.transpose() -
+                                           slip_m * slip_m.transpose() / (rounded_m * rounded_m));
+        const Eigen::Matrix3d cross = servo::skew(point.p_Sensor);
+        hessian->topLeftCorner<3, 3>() += stiffness;
+        hessian->topRightCorner<3, 3>() -= stiffness * cross;
+        hessian->bottomLeftCorner<3, 3>() += cross * stiffness;
+        hessian->bottomRightCorner<3, 3>() -= cross * stiffness * cross;
+    }
+    return energy_J;
+}
+
 void ImpedanceArm::derivatives(const Place& place, Freedoms& gradient, FreedomsMatrix& hessian,
                                FreedomsMatrix* contactHessian) const {
     const servo::LwrJacobian& J = place.posture.jacobian;
@@ -106,16 +151,7 @@ void ImpedanceArm::derivatives(const Place& place, Freedoms& gradient, FreedomsM
     hessian.topLeftCorner<kLwrJoints, kLwrJoints>().noalias() = J.transpose() * m_stiffness.asDiagonal() * J;
     if (place.contact.springs == 0)
         return;
-    // Twist of the array relative to the object, in {s}.
-    const Eigen::Matrix3d R_Sensor_Base = place.posture.X_Base_Tool.linear().transpose();
-    Eigen::Matrix<double, 6, kFreedoms> relative = Eigen::Matrix<double, 6, kFreedoms>::Zero();
-    relative.topLeftCorner<3, kLwrJoints>().noalias() = R_Sensor_Base * J.topRows<3>();
-    relative.bottomLeftCorner<3, kLwrJoints>().noalias() = R_Sensor_Base * J.bottomRows<3>();
-    if (m_object.turns) {
-        const Vector3d arm = place.posture.X_Base_Tool.translation() - m_object.p_Base_Hinge;
-        relative.col(kLwrJoints).head<3>() = -(R_Sensor_Base * m_object.axis_Base.cross(arm));
-        relative.col(kLwrJoints).tail<3>() = -(R_Sensor_Base * m_object.axis_Base);
-    }
+    const Relative relative = relativeTwist(place);
     gradient.noalias() -= relative.transpose() * place.contact.wrench_Sensor;
     const Eigen::Matrix<double, 6, kFreedoms> pressed = place.contact.tangent_Sensor * relative;
     const FreedomsMatrix ofContact = relative.transpose() * pressed;
@@ -162,9 +198,18 @@ void ImpedanceArm::step(double step_s, servo::CycleTimes* times) {
     if (damped)
         quadratic += m_impedance.contactDampingTime_s / step_s * ofContact;
     const Freedoms push = inertia * (step_s * rate);
+    const double creep_m = kCreep_mPerS * step_s;
+    const bool rubs = m_impedance.friction > 0.0 && here->contact.springs > 0;
+    Relative relative;
+    if (rubs) {
+        relative = relativeTwist(*here);
+        m_array.listPressed(here->posture.X_Base_Tool.inverse(Eigen::Isometry) * objectAt(start[kLwrJoints]),
+                            m_object.shape, m_rubbing);
+    }
     // |x - h v|^2_M/2h^2 + |x|^2_D/2h without its constant, x the way from the start.
     const auto inertial_J = [&](const Freedoms& way) {
-        return 0.5 * way.dot(quadratic * way) - way.dot(push);
+        const double smooth_J = 0.5 * way.dot(quadratic * way) - way.dot(push);
+        return rubs ? smooth_J + friction_J(relative * way, creep_m, nullptr, nullptr) : smooth_J;
     };
 
     double merit_J = here->potential_J;
@@ -173,6 +218,13 @@ void ImpedanceArm::step(double step_s, servo::CycleTimes* times) {
             derivatives(*here, gradient, hessian, nullptr);
         gradient += quadratic * (here->at - start) - push;
         hessian += quadratic;
+        if (rubs) {
+            servo::Vector6 drag = servo::Vector6::Zero();
+            servo::Matrix6 stiffness = servo::Matrix6::Zero();
+            (void)friction_J(relative * (here->at - start), creep_m, &drag, &stiffness);
+            gradient.noalias() += relative.transpose() * drag;
+            hessian.noalias() += relative.transpose() * stiffness * relative;
+        }
         if (!m_object.turns) {
             gradient[kLwrJoints] = 0.0;
             hessian(kLwrJoints, kLwrJoints) = 1.0;

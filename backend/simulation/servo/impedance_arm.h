@@ -10,6 +10,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <vector>
+
 namespace teleta::simulation {
 
 /// Cartesian impedance of the controller (eq. 11); weight is compensated.
@@ -19,6 +21,7 @@ struct Impedance {
     double dampingRatio = 0.7;
     double jointDamping_NmsPerRad = 1.0; ///< of the joints themselves; keeps the elbow from swinging
     double contactDampingTime_s = 0.0;   ///< a damper k time beside each pressed spring k; 0: none
+    double friction = 0.0;               ///< coefficient between array and object; >= 0
 };
 
 /// The body that the array touches: rigid in shape, fixed or turning about an axis of the base.
@@ -45,12 +48,15 @@ struct ImpedanceState {
 /// taken as the minimum of
 ///   |q+ - q - h v|^2_M / 2h^2 + |q+ - q|^2_D / 2h (D with the dampers of the springs that are pressed at q)
 ///   + impedance, contact and hinge energy at q+
-/// by Gauss-Newton with a line search from q. The potential energy after the step is never above the energy
-/// before it, and what nonlinearity would add to the kinetic energy is taken off; a change of the inertia
-/// with the posture keeps the kinetic energy. Energy therefore never grows unless the reference, the torque
-/// on the hinge or its inertia is moved, for any step and any contact stiffness. Torques of Coriolis are left
-/// out: below 0.1 rad/s they are under a thousandth of a Nm. Inertia and damping follow the posture whenever
-/// a joint has turned by 5 mrad. Thread: one; step() allocates nothing. Source: as FlexibleArm.
+///   + mu sum over the springs pressed at q, of N (sqrt(s^2 + e^2) - e), s the way of the array on the object
+/// (dry friction: mu N against the way, and below the speed e/h of 0.1 mm/s in proportion to it, so that what
+/// sticks creeps) by Gauss-Newton with a line search from q. The potential energy after the step is never
+/// above the energy before it, and what nonlinearity would add to the kinetic energy is taken off; a change
+/// of the inertia with the posture keeps the kinetic energy. Energy therefore never grows unless the
+/// reference, the torque on the hinge or its inertia is moved, for any step and any contact stiffness.
+/// Torques of Coriolis are left out: below 0.1 rad/s they are under a thousandth of a Nm. Inertia and damping
+/// follow the posture whenever a joint has turned by 5 mrad. Thread: one; step() allocates nothing. Source:
+/// as FlexibleArm.
 class ImpedanceArm {
 public:
     ImpedanceArm(const Eigen::Isometry3d& X_Flange_Sensor, const Impedance& impedance, ElasticArray array,
@@ -82,6 +88,8 @@ private:
     using Freedoms = Eigen::Matrix<double, kFreedoms, 1>;
     using FreedomsMatrix = Eigen::Matrix<double, kFreedoms, kFreedoms>;
 
+    using Relative = Eigen::Matrix<double, 6, kFreedoms>;
+
     /// Posture, contact and potential energy at one set of coordinates.
     struct Place {
         Freedoms at;
@@ -98,6 +106,11 @@ private:
     void derivatives(const Place& place, Freedoms& gradient, FreedomsMatrix& hessian,
                      FreedomsMatrix* contactHessian) const;
     void followPosture();
+    /// Twist of the array relative to the object in {s}, for rates of the freedoms.
+    [[nodiscard]] Relative relativeTwist(const Place& place) const;
+    /// What friction dissipates on a way of the array on the object, with its derivatives over it.
+    [[nodiscard]] double friction_J(const servo::Twist& way_Sensor, double creep_m, servo::Vector6* gradient,
+                                    servo::Matrix6* hessian) const;
     [[nodiscard]] double kinetic_J(const Freedoms& rate) const;
 
     servo::LwrKinematics m_kinematics;
@@ -107,6 +120,8 @@ private:
     TouchedObject m_object;
     Eigen::Isometry3d m_X_Base_Reference = Eigen::Isometry3d::Identity();
     double m_hingeTorque_Nm = 0.0;
+
+    std::vector<PressedPoint> m_rubbing; ///< at the start of the step
 
     ImpedanceState m_state;
     servo::LwrPosture m_posture;

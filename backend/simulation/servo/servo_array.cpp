@@ -123,6 +123,10 @@ private:
         step.copY_m = features.copY_m.value_or(kNone);
         step.copYDesired_m = output.desired[servo::kY];
         step.cocX_m = features.cocX_m.value_or(kNone);
+        step.cocXDesired_m = output.desiredCocX_m().value_or(kNone);
+        step.dzmpYDesired_m = output.desiredDzmpY_m().value_or(kNone);
+        if (m_loop->world().arm().object().turns)
+            step.massX_m = m_loop->world().truth().massPlace_m;
         step.dzmpY_m = features.dzmpY_m.value_or(kNone);
         step.dzmpYTrue_m = loads.force_N > 0.0 ? loads.copX_m - loads.cocX_m : kNone;
         step.alphaZ_rad = features.alphaZ_rad.value_or(kNone);

@@ -47,6 +47,11 @@ double contactDamping_s(const scene::Scene& scene) {
     return damping == nullptr ? 0.0 : damping->time_s;
 }
 
+double frictionOf(const scene::Scene& scene) {
+    const auto* friction = scene.listed<scene::FrictionSpec>();
+    return friction == nullptr ? 0.0 : friction->coefficient;
+}
+
 TouchedObject objectOf(const scene::ServoWorld& world, std::uint64_t seed) {
     const scene::ServoObject& spec = world.object;
     RandomStream random(seed, "object_pose");
@@ -110,7 +115,8 @@ SimulatedServoWorld::SimulatedServoWorld(const scene::Scene& scene, std::uint64_
             {.stiffness_NPerM = m_world.arm.stiffness_NPerM,
              .rotationalStiffness_NmPerRad = m_world.arm.rotationalStiffness_NmPerRad,
              .dampingRatio = m_world.arm.dampingRatio,
-             .contactDampingTime_s = contactDamping_s(scene)},
+             .contactDampingTime_s = contactDamping_s(scene),
+             .friction = frictionOf(scene)},
             arrayOf(scene), objectOf(m_world, seed))
     , m_effects(makeEffects(scene, m_world.sensor.acquisition_Hz, seed))
     , m_load_N(m_world.sensor.array.layout.taxels()) {

@@ -127,7 +127,7 @@ why = "w"
     EXPECT_EQ(
         errorOf(kHead + array),
         "s.toml:18:8: unknown value \"torque_noise\" of \"name\" (expected one of: noise, quantization, "
-        "saturation, dead_taxels, crosstalk, hysteresis, drift)");
+        "saturation, dead_taxels, crosstalk, hysteresis, drift, latency, nonlinear_response)");
 }
 
 TEST(CheckScene, refusesAnArmThatNoFileCouldDescribe) {

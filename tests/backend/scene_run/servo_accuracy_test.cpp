@@ -23,15 +23,18 @@ constexpr std::uint64_t kSeeds = 20;
 /// The measures of a scene over all seeds.
 class Runs {
 public:
-    /// replacement: a line of the file, and what it is changed into.
-    explicit Runs(const std::string& name, const std::pair<std::string, std::string>& replacement = {})
-        : m_name(name + ' ' + replacement.second) {
+    /// replacements: lines of the file, and what they are changed into.
+    explicit Runs(const std::string& name,
+                  const std::vector<std::pair<std::string, std::string>>& replacements = {})
+        : m_name(name + (replacements.empty() ? "" : ' ' + replacements.front().second)) {
         const std::string path = TELETA_SOURCE_DIR "/resources/scenes/" + name + ".toml";
         std::string text = test::readAll(path);
-        const std::size_t at = text.find('\n' + replacement.first + '\n');
-        EXPECT_NE(at, std::string::npos);
-        if (at != std::string::npos && !replacement.first.empty())
-            text.replace(at + 1, replacement.first.size(), replacement.second);
+        for (const auto& [from, to] : replacements) {
+            const std::size_t at = text.find('\n' + from + '\n');
+            EXPECT_NE(at, std::string::npos) << from;
+            if (at != std::string::npos)
+                text.replace(at + 1, from.size(), to);
+        }
         const auto scene = scene::parseScene(text, path);
         EXPECT_TRUE(scene) << describe(scene.error());
         for (std::uint64_t seed = 1; scene && seed <= kSeeds; ++seed) {
@@ -110,7 +113,7 @@ TEST(ServoAccuracy, theStraightBarIsAlignedWithin10sInAllPhasesAndReconstructedW
 /// tilted: the DZMP keeps it level.
 TEST(ServoAccuracy, theBentBarIsFollowedAt5NWithoutLosingContact) {
     for (const Runs& runs :
-         {Runs("servo-bent-bar"), Runs("servo-bent-bar-baseline", {"dzmp = false", "dzmp = true"})}) {
+         {Runs("servo-bent-bar"), Runs("servo-bent-bar-baseline", {{"dzmp = false", "dzmp = true"}})}) {
         for (const ordered_json& run : runs.measures())
             EXPECT_EQ(phasesOf(run), kExploring);
         EXPECT_LT(runs.largest("force_rms_error_n"), 0.5);
@@ -119,6 +122,34 @@ TEST(ServoAccuracy, theBentBarIsFollowedAt5NWithoutLosingContact) {
         (void)runs.largest("force_max_error_n");
         EXPECT_LT(runs.largest("reconstruction_rms_m"), 1e-3);
     }
+}
+
+/// A sharp edge loads one row at a time, which tells no place within it: half a row is what can be asked.
+TEST(ServoAccuracy, aBoxEdgeIsFollowedThroughAllPhasesToWithinHalfARow) {
+    const Runs runs("servo-straight-bar", {{"shape = \"bar\"", "shape = \"box_edge\""},
+                                           {"radius_m = 0.003", ""},
+                                           {"behind_m = 0.15", ""},
+                                           {"ahead_m = 0.25", ""},
+                                           {"force_N = 10.0", "force_N = 10.0\ncop_y_m = 0.0017"}});
+    ASSERT_EQ(runs.measures().size(), kSeeds);
+    for (const ordered_json& run : runs.measures())
+        EXPECT_EQ(phasesOf(run), kExploring);
+    EXPECT_EQ(runs.largest("contact_lost_s"), 0.0);
+    EXPECT_GT(runs.smallest("path_length_m"), 0.12);
+    EXPECT_LT(runs.largest("reconstruction_rms_m"), 0.5 * 0.0034);
+    EXPECT_LT(runs.largest("force_max_error_n"), 0.5 * 10.0);
+}
+
+/// Objects of 1e7 N/m, the whole loop with arm and contact at 100 Hz as at 1 kHz.
+TEST(ServoAccuracy, atStepsOf10msTheLoopsStayStableOnStiffObjects) {
+    const std::pair<std::string, std::string> slow{"rate_Hz = 1000.0", "rate_Hz = 100.0"};
+    const Runs point("servo-point", {slow});
+    EXPECT_EQ(point.largest("contact_lost_s"), 0.0);
+    EXPECT_LT(point.largest("force_settled_max_error_n"), 0.05 * 4.0);
+    EXPECT_LT(point.largest("cop_max_error_m"), 0.5e-3);
+    const Runs bent("servo-bent-bar", {slow});
+    EXPECT_EQ(bent.largest("contact_lost_s"), 0.0);
+    EXPECT_LT(bent.largest("force_rms_error_n"), 0.5);
 }
 
 TEST(ServoAccuracy, withoutTheDzmpTheBentBarIsPressedEverHarder) {

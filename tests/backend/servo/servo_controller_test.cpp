@@ -67,6 +67,38 @@ TEST(ServoController, eachErrorMovesTheSensorTheRightWay) {
     EXPECT_LT(move(alignTask(5.0), feel(ContactType::point, 5.0, -0.02, 0.0, -0.02, 0.0))[kWy], 0.0);
 }
 
+TEST(ServoController, whatIsWantedOfContactAndMomentIsThatOfTheTask) {
+    const auto after = [](const ServoTask& task, ContactType type) {
+        return controllerOf(task).step(inputOf(feel(type, 5.0, 0.0, 0.0, 0.0, 0.0)));
+    };
+    const ServoOutput free = after(freeMotion(), ContactType::none);
+    EXPECT_FALSE(free.desiredCocX_m() || free.desiredDzmpY_m());
+    const ServoOutput align = after(alignTask(5.0), ContactType::point); // CoC_x to the middle, eq. (16)
+    EXPECT_EQ(align.desiredCocX_m(), std::optional<double>(0.0));
+    EXPECT_FALSE(align.desiredDzmpY_m());
+    const ServoOutput edge = after(edgeControlTask(5.0), ContactType::edge);
+    EXPECT_FALSE(edge.desiredCocX_m());
+    EXPECT_EQ(edge.desiredDzmpY_m(), std::optional<double>(0.0));
+    ServoTask slide = exploreTask(5.0, 0.005);
+    slide.desired.wy_m = 0.001; // row 5 is -DZMP_y
+    const ServoOutput explore = after(slide, ContactType::edge);
+    EXPECT_EQ(explore.desiredCocX_m(), std::optional<double>(-0.025));
+    EXPECT_EQ(explore.desiredDzmpY_m(), std::optional<double>(-0.001));
+    const ServoOutput tray = after(comanipulationTask(6.0), ContactType::edge);
+    EXPECT_FALSE(tray.desiredCocX_m());
+    EXPECT_EQ(tray.desiredDzmpY_m(), std::optional<double>(0.0));
+}
+
+TEST(ActiveLimits, areReadFromTheirNames) {
+    ActiveLimits limits;
+    EXPECT_EQ(ActiveLimits::fromNames(""), limits);
+    limits.set(Limit::gap);
+    limits.set(Limit::toolSpeed);
+    EXPECT_EQ(ActiveLimits::fromNames(limits.names()), limits);
+    for (const char* wrong : {"mood", "+gap", "gap,force", "Gap", "gap++force"})
+        EXPECT_FALSE(ActiveLimits::fromNames(wrong)) << wrong;
+}
+
 TEST(ServoController, aTurnLeavesTheContactWhereItIs) {
     ServoController controller = controllerOf(rollTask(5.0, 0.2, 10.0));
     const Vector3d p_Sensor_Contact(0.005, -0.002, 0.0);

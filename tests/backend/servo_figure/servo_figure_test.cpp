@@ -10,6 +10,7 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -117,6 +118,79 @@ TEST_F(ServoFigure, aRunAloneHasItsThreeCoordinatesAndTheTrueMoment) {
     EXPECT_EQ(count(svg, "class=\"hollow thin series2\""), 1) << "z";
     EXPECT_EQ(count(svg, "class=\"dotted\""), 1 + 1) << "the legend's and the moment";
     EXPECT_NE(svg.find(">edge control<"), std::string::npos);
+}
+
+TEST_F(ServoFigure, whatIsDesiredOfTheContactAndTheEventsAreRead) {
+    std::string header = kHeader;
+    header.insert(header.size() - 1, ",limits,coc_x_desired_m,dzmp_y_desired_m,mass_x_true_m");
+    const std::string rest = ",5,5,0,0,0,0,0,0,0,1,2,3,";
+    const auto run = readServoCurves(written(
+        header + "0.01,align,none" + rest + ",NA,NA,0\n" + "0.02,align,touching" + rest + "force,0,NA,0\n" +
+        "0.03,explore,touching" + rest + "force,-0.025,0,0.001\n" + "0.04,explore,searching" + rest +
+        "force+gap,-0.025,0,0.002\n" + "0.05,explore,touching" + rest + ",-0.025,0,0.002\n"));
+    ASSERT_TRUE(run) << describe(run.error());
+    EXPECT_TRUE(std::isnan(run->cocXDesired_m[0]));
+    EXPECT_EQ(run->cocXDesired_m[1], 0.0);
+    EXPECT_EQ(run->cocXDesired_m[2], -0.025);
+    EXPECT_TRUE(std::isnan(run->dzmpYDesired_m[1]));
+    EXPECT_EQ(run->dzmpYDesired_m[2], 0.0);
+    ASSERT_EQ(run->contacts.size(), 2U);
+    EXPECT_EQ(run->contacts[0].begin_s, 0.02);
+    EXPECT_EQ(run->contacts[0].end_s, 0.03);
+    EXPECT_EQ(run->contacts[1].begin_s, 0.05);
+    ASSERT_EQ(run->limits.size(), 2U);
+    EXPECT_EQ(run->limits[0].begin_s, 0.02);
+    EXPECT_EQ(run->limits[0].end_s, 0.03);
+    EXPECT_EQ(run->limits[0].limits.names(), "force");
+    EXPECT_EQ(run->limits[1].limits.names(), "force+gap");
+    EXPECT_EQ(run->massMoves_s, std::optional<double>(0.02)) << "the last time at which it was at rest";
+
+    const auto noLimit = readServoCurves(written(header + "0.01,align,none" + rest + "mood,NA,NA,0\n"));
+    ASSERT_FALSE(noLimit);
+    EXPECT_EQ(noLimit.error().where.line, 2);
+}
+
+TEST_F(ServoFigure, whatIsDesiredOfTheContactIsDashedAndEventsHaveTheirRow) {
+    std::array runs{nineSteps("events")};
+    const std::string before = servoFigure(runs).standalone();
+    EXPECT_EQ(count(before, ">in contact<"), 1);
+    EXPECT_EQ(count(before, "stroke-width:2\""), 1 + 1) << "the legend's and the contact from start to end";
+    EXPECT_EQ(count(before, "stroke-width:7\""), 0);
+    runs[0].cocXDesired_m.assign(9, 0.0);
+    runs[0].dzmpYDesired_m.assign(9, 0.0);
+    ActiveLimits acting;
+    acting.set(Limit::force);
+    acting.set(Limit::toolSpeed);
+    runs[0].limits = {{1.0, 2.0, acting}, {2.0, 3.0, acting}, {6.0, 6.0, acting}};
+    runs[0].massMoves_s = 2.0;
+    for (const std::size_t i : {2U, 3U, 4U, 5U})
+        runs[0].dzmpYTrue_m[i] = 1e-3;
+    for (const std::size_t i : {6U, 7U, 8U})
+        runs[0].dzmpYTrue_m[i] = 1e-4;
+    const std::string svg = servoFigure(runs).standalone();
+    EXPECT_EQ(count(svg, "class=\"dashed\""), count(before, "class=\"dashed\"") + 2);
+    EXPECT_EQ(count(svg, ">a limit acts (tool speed, force)<"), 1);
+    EXPECT_EQ(count(svg, "stroke-width:7\""), 1 + 2)
+        << "the legend's, one of two that touch, and a short one";
+    // Two lines a cross: of the legend, of the move, and of the step at 6 s, at which the moment is gone.
+    EXPECT_EQ(count(svg, "class=\"hollow series1\""), 2 * 3);
+    EXPECT_TRUE(hasOnlyNumbers(svg));
+    runs[0].dzmpYTrue_m.back() = 1e-3;
+    EXPECT_EQ(count(servoFigure(runs).standalone(), "class=\"hollow series1\""), 2 * 2) << "never settled";
+}
+
+TEST_F(ServoFigure, limitsThatFlickerForHoursAreBounded) {
+    ServoCurves run;
+    ServoStep step;
+    for (int i = 0; i < 3 * static_cast<int>(ServoCurves::kMostSpans); ++i) {
+        step.time_s = 0.01 * i;
+        step.limits = {};
+        if (i % 2 == 0)
+            step.limits.set(Limit::force);
+        run.note(step);
+    }
+    EXPECT_EQ(run.limits.size(), ServoCurves::kMostSpans);
+    EXPECT_NEAR(run.limits.back().end_s, step.time_s, 0.011);
 }
 
 TEST_F(ServoFigure, aCurveRunsThroughTheHighestPointOfItsAxis) {

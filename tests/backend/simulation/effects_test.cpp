@@ -3,7 +3,9 @@
 #include "backend/simulation/effects/dead_taxels.h"
 #include "backend/simulation/effects/drift.h"
 #include "backend/simulation/effects/hysteresis.h"
+#include "backend/simulation/effects/latency.h"
 #include "backend/simulation/effects/noise.h"
+#include "backend/simulation/effects/nonlinear_response.h"
 #include "backend/simulation/effects/quantization.h"
 #include "backend/simulation/effects/saturation.h"
 
@@ -248,4 +250,54 @@ TEST(Drift, staysFiniteForAnEndlessTimeConstant) {
     // sd sqrt(2 dt/tau), not 0 by cancellation
     EXPECT_GT(std::abs(load_N[0]), 1e-9);
     EXPECT_LT(std::abs(load_N[0]), 1e-6);
+}
+
+TEST(Latency, aRampReadsWhatItWasSoManyFramesAgo) {
+    // 37 ms are 7.4 frames of 5 ms: 7 of them.
+    Latency latency("latency", {.delay_s = 0.037}, kLayout, 0.005);
+    for (int run = 0; run < 2; ++run) {
+        for (int frame = 0; frame < 30; ++frame) {
+            std::vector<double> load_N(84);
+            for (std::size_t i = 0; i < load_N.size(); ++i)
+                load_N[i] = frame + 0.01 * static_cast<double>(i);
+            latency.apply(load_N);
+            for (std::size_t i = 0; i < load_N.size(); ++i)
+                ASSERT_EQ(load_N[i], frame < 7 ? 0.0 : frame - 7 + 0.01 * static_cast<double>(i));
+        }
+        latency.restart();
+    }
+}
+
+TEST(Latency, oneShorterThanHalfAFrameIsNone) {
+    Latency latency("latency", {.delay_s = 0.002}, kLayout, 0.005);
+    std::vector<double> load_N(84, 1.5);
+    latency.apply(load_N);
+    EXPECT_EQ(load_N, std::vector<double>(84, 1.5));
+}
+
+TEST(NonlinearResponse, isExactAtBothEndsAndWrongByTheBowHalfWay) {
+    for (const double bow : {-0.25, -0.1, 0.0, 0.1, 0.25}) {
+        NonlinearResponse response("nonlinear_response", {.bow = bow}, 2.0);
+        std::vector<double> load_N{0.0, 0.5, 1.0, 1.5, 2.0, -1.0, 3.0};
+        response.apply(load_N);
+        EXPECT_EQ(load_N[0], 0.0);
+        EXPECT_NEAR(load_N[1], 0.5 + 0.75 * bow * 2.0, 1e-15);
+        EXPECT_NEAR(load_N[2], 1.0 + bow * 2.0, 1e-15);
+        EXPECT_NEAR(load_N[3], 1.5 + 0.75 * bow * 2.0, 1e-15);
+        EXPECT_EQ(load_N[4], 2.0);
+        EXPECT_NEAR(load_N[5], -1.0 - 4.0 * bow, 1e-15);
+        EXPECT_NEAR(load_N[6], 2.0 + (1.0 - 4.0 * bow), 1e-15);
+    }
+}
+
+TEST(NonlinearResponse, risesWithTheLoadEverywhere) {
+    for (const double bow : {-0.25, 0.25}) {
+        NonlinearResponse response("nonlinear_response", {.bow = bow}, 2.89);
+        std::vector<double> load_N(600);
+        for (std::size_t i = 0; i < load_N.size(); ++i)
+            load_N[i] = -1.0 + 0.01 * static_cast<double>(i);
+        response.apply(load_N);
+        for (std::size_t i = 1; i < load_N.size(); ++i)
+            EXPECT_GE(load_N[i], load_N[i - 1]) << i;
+    }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/test_registry.h"
+#include "widgets/base/theme.h"
 #include "widgets/servo/force_strip.h"
 #include "widgets/servo/servo_panel.h"
 #include "widgets/servo/servo_picture.h"
@@ -8,10 +9,13 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QHelpEvent>
 #include <QImage>
 #include <QLabel>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolTip>
+#include <QTranslator>
 
 using namespace teleta::servo;
 
@@ -35,6 +39,25 @@ ServoReport exploring() {
         report.plan[i] = plan.tasks[i].kind;
     return report;
 }
+
+/// The table's titles in a language that needs more room.
+class LongTitles : public QTranslator {
+public:
+    LongTitles() { QCoreApplication::installTranslator(this); }
+    ~LongTitles() override { QCoreApplication::removeTranslator(this); }
+
+    [[nodiscard]] bool isEmpty() const override { return false; }
+    [[nodiscard]] QString translate(const char* context, const char* text, const char*, int) const override {
+        if (QLatin1String(context) != QLatin1String("teleta::servo::ServoPicture"))
+            return {};
+        const QLatin1String source(text);
+        return source == QLatin1String("Feature")   ? QStringLiteral("Caract\u00e9ristique")
+               : source == QLatin1String("Desired") ? QStringLiteral("Souhait\u00e9e")
+               : source == QLatin1String("Actual")  ? QStringLiteral("Mesur\u00e9e")
+               : source == QLatin1String("Error")   ? QStringLiteral("\u00c9cart")
+                                                    : QString();
+    }
+};
 
 QImage pictureOf(ServoPicture& picture) {
     picture.resize(picture.sizeHint());
@@ -269,6 +292,30 @@ private slots:
         QCOMPARE(
             ServoPicture::matrixTexts(projectionMatrix(exploreTask(5.0, 0.005).projection)),
             rows({"1 0 0 0 0 0", "0 1 0 0 0 0", "0 0 1 0 0 0", "0 0 0 0 0 0", "0 0 0 0 1 0", "0 0 0 0 0 1"}));
+    }
+
+    void everyTitleIsWholeWhereThereIsRoomAndCutWithItsWholeTextAtTheMouseWhereThereIsNot() {
+        LongTitles translator;
+        const QStringList whole{QStringLiteral("Caract\u00e9ristique"), QStringLiteral("Souhait\u00e9e"),
+                                QStringLiteral("Mesur\u00e9e"), QStringLiteral("\u00c9cart")};
+        ServoPicture picture;
+        picture.setReport(exploring());
+        picture.resize(picture.sizeHint());
+        for (const auto& title : picture.shownTitles())
+            QVERIFY(whole.contains(title));
+        QVERIFY(picture.sizeHint().width() >= picture.minimumSizeHint().width());
+
+        picture.resize(picture.minimumSizeHint().width() / 2, picture.height());
+        picture.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&picture));
+        const QString cut = picture.shownTitles()[0];
+        QVERIFY(cut != whole[0]);
+        QVERIFY(cut.endsWith(QChar(0x2026)));
+        const QPoint onTitle(teleta::base::em(&picture, 1), teleta::base::em(&picture, 0.6));
+        QHelpEvent help(QEvent::ToolTip, onTitle, picture.mapToGlobal(onTitle));
+        QCoreApplication::sendEvent(&picture, &help);
+        QCOMPARE(QToolTip::text(), whole[0]);
+        QToolTip::hideText();
     }
 
     void thePictureShowsOtherMatricesForAPointThanForAnEdge() {

@@ -7,6 +7,9 @@
 #include <QCheckBox>
 #include <QTest>
 
+#include <array>
+#include <cmath>
+
 using namespace teleta;
 using console::OperateDocks;
 using console::ServoViews;
@@ -64,6 +67,44 @@ private slots:
         QVERIFY(!views.panel().isEnabled());
         emit views.panel().taskRequested(1);
         QVERIFY(!link->task.take().has_value());
+    }
+
+    void theArmIsDrawnFromItsBaseToTheSensorAndTheArrayWhereTheSensorIs() {
+        QWidget parent;
+        view3d::Scene3dView scene(&parent);
+        ServoViews views(scene, &parent);
+        auto link = std::make_shared<servo::ServoLink>();
+        views.setServo(link, QStringLiteral("bar"), base::Provenance::simulated);
+        QVERIFY(scene.armBox_m().isEmpty());
+        Eigen::Isometry3d X_Flange_Sensor = Eigen::Isometry3d::Identity();
+        X_Flange_Sensor.translation().z() = 0.03;
+        servo::LwrVector q_rad;
+        q_rad << 0.2, 0.5, -0.1, -1.4, 0.3, 1.2, 0.4;
+        const servo::LwrPosture posture = servo::LwrKinematics(X_Flange_Sensor).forward(q_rad);
+        servo::ServoReport& report = link->reports.back();
+        report = {};
+        report.p_Base_Joint = posture.p_Base_Joint;
+        report.X_Base_Sensor = posture.X_Base_Tool;
+        const auto links = ServoViews::linksOf(report);
+        link->reports.publish();
+        views.tick();
+
+        // Lengths of the arm's data sheet, each link from the end of the one before.
+        const std::array length_m{0.310, 0.400, 0.390, 0.078 + 0.03};
+        Eigen::Vector3d end_m = Eigen::Vector3d::Zero();
+        for (std::size_t i = 0; i < links.size(); ++i) {
+            QVERIFY(std::abs(links[i].length_m - length_m[i]) < 1e-9);
+            QVERIFY((links[i].X_World_Link.translation() - end_m).norm() < 1e-9);
+            end_m = links[i].X_World_Link * Eigen::Vector3d(links[i].length_m, 0.0, 0.0);
+        }
+        QVERIFY((end_m - posture.X_Base_Tool.translation()).norm() < 1e-9);
+        QVERIFY(scene.sensorPose().matrix() == posture.X_Base_Tool.matrix());
+        QVERIFY(scene.armBox_m().contains(end_m));
+        QVERIFY(scene.armBox_m().contains(Eigen::Vector3d(0.0, 0.0, 0.31)));
+
+        views.setServo(nullptr, {}, base::Provenance::live);
+        QVERIFY(scene.armBox_m().isEmpty());
+        QVERIFY(scene.sensorPose().matrix() == Eigen::Matrix4d::Identity());
     }
 
     void theEdgeIsKeptInStepsOfAMillimetreAndForgottenWithItsRun() {

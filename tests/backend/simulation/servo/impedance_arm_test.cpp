@@ -104,4 +104,53 @@ TEST(ImpedanceArm, aTrayComesToRestWhereTheArrayHoldsItsMoment) {
     EXPECT_NEAR(arm.object().axis_Base.dot(moment_Base), 0.01, 5e-5);
 }
 
+TEST(ImpedanceArm, frictionDragsASlidingArrayByItsShareOfTheForceAgainstTheWay) {
+    // The reference goes along the wall at 5 mm/s, 5 mm behind its surface.
+    constexpr double kSpeed_mPerS = 0.005;
+    constexpr double kCreep_mPerS = 1e-4;
+    double lag_m[2] = {};
+    double force_N[2] = {};
+    for (const int rubs : {0, 1}) {
+        ImpedanceArm arm = test::armBefore(WallSurface{}, 0.0, 1200.0, 1e9, false, 0.4 * rubs);
+        Eigen::Isometry3d goal = arm.X_Base_Sensor();
+        const Eigen::Vector3d along = goal.linear().col(1);
+        goal.translation() += 0.005 * goal.linear().col(2);
+        arm.setReference(goal);
+        settle(arm, 3.0);
+        for (int i = 0; i < 4000; ++i) {
+            goal.translation() += 0.001 * kSpeed_mPerS * along;
+            arm.setReference(goal);
+            arm.step(0.001);
+        }
+        lag_m[rubs] = (goal.translation() - arm.X_Base_Sensor().translation()).dot(along);
+        force_N[rubs] = -arm.contact().wrench_Sensor.z();
+    }
+    EXPECT_NEAR(force_N[1], force_N[0], 0.05);
+    const double expected_N = 0.4 * force_N[1] * kSpeed_mPerS / std::hypot(kSpeed_mPerS, kCreep_mPerS);
+    EXPECT_NEAR((lag_m[1] - lag_m[0]) * 1000.0, expected_N, 0.03 * expected_N);
+}
+
+TEST(ImpedanceArm, whatFrictionCanHoldCreepsAndWhatItCannotSlidesUntilItCan) {
+    ImpedanceArm arm = test::armBefore(WallSurface{}, 0.0, 1200.0, 1e9, false, 0.4);
+    Eigen::Isometry3d goal = arm.X_Base_Sensor();
+    const Eigen::Vector3d along = goal.linear().col(1);
+    goal.translation() += 0.005 * goal.linear().col(2);
+    arm.setReference(goal);
+    settle(arm, 3.0);
+    const double held_m = 0.4 * -arm.contact().wrench_Sensor.z() / 1000.0;
+    const auto lag_m = [&] { return (goal.translation() - arm.X_Base_Sensor().translation()).dot(along); };
+    // Half of what friction holds: it creeps at the share h/sqrt(1 - h^2) of 0.1 mm/s, h = 1/2.
+    const double before_m = lag_m();
+    goal.translation() += (0.5 * held_m - before_m) * along;
+    arm.setReference(goal);
+    settle(arm, 0.2);
+    EXPECT_GT(lag_m(), 0.5 * held_m - 0.2 * 1e-4);
+    // Three times as much: it slides, and its mass carries it on until it sticks; the rest is held.
+    goal.translation() += (3.0 * held_m - lag_m()) * along;
+    arm.setReference(goal);
+    settle(arm, 1.5);
+    EXPECT_LT(lag_m(), held_m);
+    EXPECT_GT(lag_m(), 0.5 * held_m);
+}
+
 } // namespace teleta::simulation

@@ -51,7 +51,7 @@ inline scene::BarShape bentBar() {
 
 /// The arm at lookingDown() in front of an object, with the housing.
 inline ImpedanceArm armBefore(const TouchedShape& shape, double gap_m, double taxelStiffness_NPerM,
-                              double bodyStiffness_NPerM = 1e9, bool hinged = false) {
+                              double bodyStiffness_NPerM = 1e9, bool hinged = false, double friction = 0.0) {
     TouchedObject object;
     object.shape = shape;
     object.X_Base_Object = servo::LwrKinematics(mounted()).X_Base_Tool(lookingDown()) * inFront(gap_m);
@@ -61,7 +61,9 @@ inline ImpedanceArm armBefore(const TouchedShape& shape, double gap_m, double ta
         object.p_Base_Hinge = object.X_Base_Object * Eigen::Vector3d(0.0, 0.0, -0.01);
         object.damping_NmsPerRad = 0.001;
     }
-    ImpedanceArm arm(mounted(), {},
+    Impedance impedance;
+    impedance.friction = friction;
+    ImpedanceArm arm(mounted(), impedance,
                      ElasticArray(kLayout, taxelStiffness_NPerM, bodyStiffness_NPerM, {},
                                   housingRim({.stiffness_NPerM = 2e5}, kLayout)),
                      std::move(object));
