@@ -41,8 +41,7 @@ using Values = std::vector<double> ServoCurves::*;
 constexpr double kSettledDzmp_m = 0.0005;
 constexpr double kStripRow = 10.0; ///< of contacts and limits of a run
 constexpr double kStripGap = 6.0;
-constexpr double kContactWidth = 2.0;
-constexpr double kLimitWidth = 7.0;
+constexpr double kLimitHeight = 7.0;
 
 struct Line {
     Values values;
@@ -133,10 +132,13 @@ QString dots() {
     return QStringLiteral("class=\"dotted\"");
 }
 
-/// A word of the legend and the line before it.
+enum class Sample { line, contact, limit, cross };
+
+/// A word of the legend and what stands before it.
 struct Entry {
     QString name;
-    QString line; ///< empty: a cross
+    QString line;
+    Sample sample = Sample::line;
     double x = 0.0;
     double y = 0.0;
 };
@@ -193,17 +195,19 @@ private:
     [[nodiscard]] std::vector<Entry> legend() const {
         std::vector<Entry> entries;
         for (std::size_t i = 0; i < m_runs.size(); ++i)
-            entries.push_back({QString::fromStdString(m_runs[i].name), lineOf(i)});
-        entries.push_back({FigureText::tr("desired"), dashes()});
+            entries.push_back({.name = QString::fromStdString(m_runs[i].name), .line = lineOf(i)});
+        entries.push_back({.name = FigureText::tr("desired"), .line = dashes()});
         if (m_runs.size() == 1)
-            entries.push_back({FigureText::tr("true"), dots()});
+            entries.push_back({.name = FigureText::tr("true"), .line = dots()});
         const auto any = [this](const auto& has) { return std::ranges::any_of(m_runs, has); };
         if (any([](const ServoCurves& run) { return !run.contacts.empty(); }))
-            entries.push_back({FigureText::tr("in contact"), barOf(0, kContactWidth)});
+            entries.push_back({.name = FigureText::tr("in contact"), .line = {}, .sample = Sample::contact});
         if (any([](const ServoCurves& run) { return !run.limits.empty(); }))
-            entries.push_back({limitsName(), barOf(0, kLimitWidth)});
+            entries.push_back({.name = limitsName(), .line = {}, .sample = Sample::limit});
         if (any([](const ServoCurves& run) { return run.massMoves_s.has_value(); }))
-            entries.push_back({FigureText::tr("weight is moved; its moment is gone"), {}});
+            entries.push_back({.name = FigureText::tr("weight is moved; its moment is gone"),
+                               .line = {},
+                               .sample = Sample::cross});
         double at = kPlotLeft;
         double row = kLegendTop;
         for (Entry& entry : entries) {
@@ -226,10 +230,12 @@ private:
                                 : FigureText::tr("Tactile servoing"),
                       QStringLiteral("ink bold"));
         for (const Entry& entry : m_legend) {
-            if (entry.line.isEmpty())
+            if (entry.sample == Sample::cross)
                 cross(entry.x + 0.5 * kSwatch, entry.y);
-            else
+            else if (entry.sample == Sample::line)
                 m_canvas.path({{entry.x, entry.y}, {entry.x + kSwatch, entry.y}}, entry.line);
+            else
+                bar(entry.x, entry.x + kSwatch, entry.y, 0, entry.sample == Sample::limit);
             m_canvas.text(entry.x + kSwatch + 6.0, entry.y + 4.5, entry.name, QStringLiteral("ink small"));
         }
     }
@@ -270,26 +276,31 @@ private:
                      .replace(QLatin1Char('+'), QLatin1String(", ")));
     }
 
-    static QString barOf(std::size_t series, double width) {
-        return QStringLiteral("class=\"hollow series%1\" style=\"stroke-width:%2\"")
-            .arg(QString::number(series), figure::svgNumber(width));
+    /// A bar of a run: thin, or thick where a limit acts.
+    void bar(double from, double to, double y, std::size_t series, bool limit) {
+        const QString colour = QStringLiteral("series%1").arg(series);
+        if (limit)
+            m_canvas.rectangle(from, y - 0.5 * kLimitHeight, to - from, kLimitHeight,
+                               QStringLiteral("class=\"%1\"").arg(colour));
+        else
+            m_canvas.line(from, y, to, y, colour + QStringLiteral(" bar"));
     }
 
     /// A row for each run: thin where it is in contact, thick where a limit acts.
     void drawStrip() {
         for (std::size_t i = 0; i < m_runs.size(); ++i) {
             const double middle = m_stripTop + (static_cast<double>(i) + 0.5) * kStripRow;
-            spans(m_runs[i].contacts, middle, barOf(i, kContactWidth));
-            spans(m_runs[i].limits, middle, barOf(i, kLimitWidth));
+            spans(m_runs[i].contacts, middle, i, false);
+            spans(m_runs[i].limits, middle, i, true);
         }
     }
 
     /// Spans that follow each other within a px are one.
-    void spans(const std::vector<ServoCurves::Span>& spans, double y, const QString& attributes) {
+    void spans(const std::vector<ServoCurves::Span>& spans, double y, std::size_t series, bool limit) {
         std::optional<std::pair<double, double>> open;
         const auto close = [&] {
             if (open)
-                m_canvas.path({{open->first, y}, {std::max(open->second, open->first + 1.5), y}}, attributes);
+                bar(open->first, std::max(open->second, open->first + 1.5), y, series, limit);
         };
         for (const ServoCurves::Span& span : spans) {
             if (!isShown(span.begin_s) || !isShown(span.end_s))

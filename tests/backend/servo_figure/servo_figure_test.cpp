@@ -154,8 +154,9 @@ TEST_F(ServoFigure, whatIsDesiredOfTheContactIsDashedAndEventsHaveTheirRow) {
     std::array runs{nineSteps("events")};
     const std::string before = servoFigure(runs).standalone();
     EXPECT_EQ(count(before, ">in contact<"), 1);
-    EXPECT_EQ(count(before, "stroke-width:2\""), 1 + 1) << "the legend's and the contact from start to end";
-    EXPECT_EQ(count(before, "stroke-width:7\""), 0);
+    EXPECT_EQ(count(before, "class=\"series0 bar\""), 1 + 1)
+        << "the legend's and the contact from start to end";
+    EXPECT_EQ(count(before, "height=\"7\" class=\"series0\""), 0);
     runs[0].cocXDesired_m.assign(9, 0.0);
     runs[0].dzmpYDesired_m.assign(9, 0.0);
     ActiveLimits acting;
@@ -170,7 +171,7 @@ TEST_F(ServoFigure, whatIsDesiredOfTheContactIsDashedAndEventsHaveTheirRow) {
     const std::string svg = servoFigure(runs).standalone();
     EXPECT_EQ(count(svg, "class=\"dashed\""), count(before, "class=\"dashed\"") + 2);
     EXPECT_EQ(count(svg, ">a limit acts (tool speed, force)<"), 1);
-    EXPECT_EQ(count(svg, "stroke-width:7\""), 1 + 2)
+    EXPECT_EQ(count(svg, "height=\"7\" class=\"series0\""), 1 + 2)
         << "the legend's, one of two that touch, and a short one";
     // Two lines a cross: of the legend, of the move, and of the step at 6 s, at which the moment is gone.
     EXPECT_EQ(count(svg, "class=\"hollow series1\""), 2 * 3);
