@@ -471,6 +471,14 @@
         <source>Write each pair with what the camera makes of it as CSV</source>
         <translation>Écrire en CSV chaque paire avec ce que la caméra en fait</translation>
     </message>
+    <message>
+        <source>The points are holes of a shell: their x and y times this factor are on the elastomer (the paper&apos;s shell: 0.97)</source>
+        <translation>Les points sont les trous d’une coque&#xa0;: leurs x et y multipliés par ce facteur sont sur l’élastomère (coque de l’article&#xa0;: 0,97)</translation>
+    </message>
+    <message>
+        <source>The camera that was written has no lens: it is off by %1 mm on average over the pairs that it kept (%2 of %3).</source>
+        <translation>La caméra écrite n’a pas d’objectif&#xa0;: elle s’écarte de %1 mm en moyenne sur les paires qu’elle a gardées (%2 sur %3).</translation>
+    </message>
 </context>
 <context>
     <name>Camera</name>
@@ -501,6 +509,10 @@
     <message>
         <source>a video, a pattern like frame_%04d.png, or the number of a camera</source>
         <translation>une vidéo, un modèle comme frame_%04d.png, ou le numéro d’une caméra</translation>
+    </message>
+    <message>
+        <source>no frame comes</source>
+        <translation>aucune image n’arrive</translation>
     </message>
 </context>
 <context>
@@ -1473,10 +1485,6 @@ Exemples&#xa0;:
         <translation>«&#xa0;kind&#xa0;» manque</translation>
     </message>
     <message>
-        <source>kind = &quot;modbus&quot; or &quot;wts&quot;</source>
-        <translation>kind = &quot;modbus&quot; ou &quot;wts&quot;</translation>
-    </message>
-    <message>
         <source>Bracelet</source>
         <translation>Bracelet</translation>
     </message>
@@ -1531,6 +1539,14 @@ Exemples&#xa0;:
     <message>
         <source>Connect to the device of this description and read it; its motors are set to zero</source>
         <translation>Se connecter à l’appareil de cette description et le lire&#xa0;; ses moteurs sont mis à zéro</translation>
+    </message>
+    <message>
+        <source>kind = &quot;modbus&quot;, &quot;wts&quot; or &quot;camera&quot;</source>
+        <translation>kind = &quot;modbus&quot;, &quot;wts&quot; ou &quot;camera&quot;</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Caméra</translation>
     </message>
 </context>
 <context>
@@ -6840,6 +6856,18 @@ Aire %6</translation>
         <source>%1 x %2 pixels, as in the camera&apos;s calibration</source>
         <translation>%1 x %2 pixels, comme dans l’étalonnage de la caméra</translation>
     </message>
+    <message>
+        <source>The camera was closed before it was ready.</source>
+        <translation>La caméra a été fermée avant d’être prête.</translation>
+    </message>
+    <message>
+        <source>The image cannot be worked on: %1</source>
+        <translation>L’image ne peut pas être traitée&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>There is too little memory for images of this size.</source>
+        <translation>La mémoire ne suffit pas pour des images de cette taille.</translation>
+    </message>
 </context>
 <context>
     <name>WtsDevice</name>
@@ -8638,10 +8666,6 @@ Aire %6</translation>
         <translation>Le premier toucher est attendu.</translation>
     </message>
     <message>
-        <source>Load pairs of pixels and probed points, drop their file here, type them in below, or let a simulated tube be probed.</source>
-        <translation>Chargez des paires de pixels et de points palpés, déposez leur fichier ici, saisissez-les ci-dessous, ou faites palper un tube simulé.</translation>
-    </message>
-    <message>
         <source>Calibrating...</source>
         <translation>Étalonnage...</translation>
     </message>
@@ -8679,6 +8703,26 @@ Aire %6</translation>
     <message>
         <source>has a pattern</source>
         <translation>a une structure</translation>
+    </message>
+    <message>
+        <source>Probe with a &amp;camera...</source>
+        <translation>Palper avec une &amp;caméra...</translation>
+    </message>
+    <message>
+        <source>Collect pairs: press a stick through the holes of a shell while a camera, or a video of it, is watched</source>
+        <translation>Recueillir des paires&#xa0;: appuyer un bâton à travers les trous d’une coque pendant qu’une caméra, ou une vidéo, est observée</translation>
+    </message>
+    <message>
+        <source>Load pairs of pixels and probed points, drop their file here, type them in below, or probe a tube.</source>
+        <translation>Chargez des paires de pixels et de points palpés, déposez leur fichier ici, saisissez-les ci-dessous ou palpez un tube.</translation>
+    </message>
+    <message>
+        <source>It is valid within %1 of its axis. </source>
+        <translation>Elle est valable jusqu’à %1 de son axe. </translation>
+    </message>
+    <message>
+        <source>probed hole</source>
+        <translation>trou palpé</translation>
     </message>
 </context>
 <context>
@@ -9015,6 +9059,163 @@ Aire %6</translation>
     <message>
         <source>Touch %1: %2. Its pattern %3 is missing: nothing was played. Choose another one, or put it back among your patterns.</source>
         <translation>Toucher %1&#xa0;: %2. Son motif %3 manque&#xa0;: rien n’a été joué. Choisissez-en un autre, ou remettez-le parmi vos motifs.</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::LiveProbing</name>
+    <message>
+        <source>The camera is open, but no frame comes.</source>
+        <translation>La caméra est ouverte, mais aucune image n’arrive.</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s image has changed from %1 × %2 to %3 × %4 pixels.</source>
+        <translation>L’image de la caméra est passée de %1 × %2 à %3 × %4 pixels.</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::LiveProbingDialog</name>
+    <message>
+        <source>Probe with a camera</source>
+        <translation>Palper avec une caméra</translation>
+    </message>
+    <message>
+        <source>The number of a connected camera (0 is /dev/video0), or a video file</source>
+        <translation>Le numéro d’une caméra connectée (0 est /dev/video0), ou un fichier vidéo</translation>
+    </message>
+    <message>
+        <source>Of the first hole of each ring, from the x axis towards y</source>
+        <translation>Du premier trou de chaque anneau, de l’axe x vers y</translation>
+    </message>
+    <message>
+        <source>…</source>
+        <translation>…</translation>
+    </message>
+    <message>
+        <source>Choose a video</source>
+        <translation>Choisir une vidéo</translation>
+    </message>
+    <message>
+        <source>Video of a probing</source>
+        <translation>Vidéo d’un palpage</translation>
+    </message>
+    <message>
+        <source>Videos and pictures (*)</source>
+        <translation>Vidéos et images (*)</translation>
+    </message>
+    <message>
+        <source>&amp;Camera or video:</source>
+        <translation>&amp;Caméra ou vidéo&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Holes a &amp;ring:</source>
+        <translation>T&amp;rous par anneau&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Ri&amp;ngs:</source>
+        <translation>A&amp;nneaux&#xa0;:</translation>
+    </message>
+    <message>
+        <source>&amp;First ring at z =</source>
+        <translation>&amp;Premier anneau à z =</translation>
+    </message>
+    <message>
+        <source>&amp;Last ring at z =</source>
+        <translation>&amp;Dernier anneau à z =</translation>
+    </message>
+    <message>
+        <source>An&amp;gle of the first hole:</source>
+        <translation>An&amp;gle du premier trou&#xa0;:</translation>
+    </message>
+    <message>
+        <source>&amp;Probe</source>
+        <translation>Pa&amp;lper</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::LiveProbingPanel</name>
+    <message>
+        <source>The video is over.</source>
+        <translation>La vidéo est terminée.</translation>
+    </message>
+    <message>
+        <source>All holes are probed.</source>
+        <translation>Tous les trous sont palpés.</translation>
+    </message>
+    <message>
+        <source>All holes are probed</source>
+        <translation>Tous les trous sont palpés</translation>
+    </message>
+    <message>
+        <source>Hole %1 of %2: ring %3, %4&#xa0;mm, %5°</source>
+        <translation>Trou %1 sur %2&#xa0;: anneau %3, %4&#xa0;mm, %5°</translation>
+    </message>
+    <message>
+        <source>The camera is awaited: %1</source>
+        <translation>La caméra est attendue&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>The first frame is awaited. Nothing may touch the skin.</source>
+        <translation>La première image est attendue. Rien ne doit toucher la peau.</translation>
+    </message>
+    <message>
+        <source>A frame in which nothing touches the skin is awaited: %1</source>
+        <translation>Une image où rien ne touche la peau est attendue&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Press the stick into this hole.</source>
+        <translation>Appuyez le bâton dans ce trou.</translation>
+    </message>
+    <message>
+        <source>Hold still.</source>
+        <translation>Ne bougez plus.</translation>
+    </message>
+    <message>
+        <source>The skin is touched at several places. Lift all but the stick.</source>
+        <translation>La peau est touchée en plusieurs endroits. Ne laissez que le bâton.</translation>
+    </message>
+    <message>
+        <source>Taken. Lift the stick.</source>
+        <translation>Enregistré. Levez le bâton.</translation>
+    </message>
+    <message>
+        <source>How long the stick has been held still</source>
+        <translation>Depuis combien de temps le bâton est immobile</translation>
+    </message>
+    <message>
+        <source>What the camera sees</source>
+        <translation>Ce que voit la caméra</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Retour</translation>
+    </message>
+    <message>
+        <source>The hole before this one. A hole that is probed again gets a new pixel</source>
+        <translation>Le trou précédent. Un trou palpé de nouveau reçoit un nouveau pixel</translation>
+    </message>
+    <message>
+        <source>S&amp;kip</source>
+        <translation>&amp;Passer</translation>
+    </message>
+    <message>
+        <source>Leave this hole out for now</source>
+        <translation>Laisser ce trou de côté pour l’instant</translation>
+    </message>
+    <message>
+        <source>&amp;Untouched now</source>
+        <translation>Rien ne to&amp;uche</translation>
+    </message>
+    <message>
+        <source>The next frame shows the skin with nothing touching it</source>
+        <translation>L’image suivante montre la peau sans aucun contact</translation>
+    </message>
+    <message>
+        <source>Sto&amp;p probing</source>
+        <translation>Arrê&amp;ter le palpage</translation>
+    </message>
+    <message>
+        <source>Keep what was collected until now</source>
+        <translation>Garder ce qui a été recueilli jusqu’ici</translation>
     </message>
 </context>
 <context>

@@ -471,6 +471,14 @@
         <source>Write each pair with what the camera makes of it as CSV</source>
         <translation>各ペアとカメラによる計算結果をCSVに書き込む</translation>
     </message>
+    <message>
+        <source>The points are holes of a shell: their x and y times this factor are on the elastomer (the paper&apos;s shell: 0.97)</source>
+        <translation>点はシェルの穴です。x と y にこの係数を掛けるとエラストマー上の点になります (論文のシェル: 0.97)</translation>
+    </message>
+    <message>
+        <source>The camera that was written has no lens: it is off by %1 mm on average over the pairs that it kept (%2 of %3).</source>
+        <translation>書き込んだカメラにはレンズモデルがありません。残したペア (%3 個中 %2 個) で平均 %1 mm ずれています。</translation>
+    </message>
 </context>
 <context>
     <name>Camera</name>
@@ -501,6 +509,10 @@
     <message>
         <source>a video, a pattern like frame_%04d.png, or the number of a camera</source>
         <translation>動画、frame_%04d.png のような連番パターン、またはカメラの番号</translation>
+    </message>
+    <message>
+        <source>no frame comes</source>
+        <translation>フレームが届きません</translation>
     </message>
 </context>
 <context>
@@ -1472,10 +1484,6 @@ Examples:
         <translation>&quot;kind&quot;がありません</translation>
     </message>
     <message>
-        <source>kind = &quot;modbus&quot; or &quot;wts&quot;</source>
-        <translation>kind = &quot;modbus&quot; または &quot;wts&quot;</translation>
-    </message>
-    <message>
         <source>Bracelet</source>
         <translation>ブレスレット</translation>
     </message>
@@ -1530,6 +1538,14 @@ Examples:
     <message>
         <source>Connect to the device of this description and read it; its motors are set to zero</source>
         <translation>この記述のデバイスに接続して読み取ります。モーターはゼロに設定されます</translation>
+    </message>
+    <message>
+        <source>kind = &quot;modbus&quot;, &quot;wts&quot; or &quot;camera&quot;</source>
+        <translation>kind = &quot;modbus&quot;、&quot;wts&quot; または &quot;camera&quot;</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>カメラ</translation>
     </message>
 </context>
 <context>
@@ -6831,6 +6847,18 @@ x %4, y %5
         <source>%1 x %2 pixels, as in the camera&apos;s calibration</source>
         <translation>カメラのキャリブレーションと同じ%1 x %2画素</translation>
     </message>
+    <message>
+        <source>The camera was closed before it was ready.</source>
+        <translation>準備ができる前にカメラが閉じられました。</translation>
+    </message>
+    <message>
+        <source>The image cannot be worked on: %1</source>
+        <translation>画像を処理できません: %1</translation>
+    </message>
+    <message>
+        <source>There is too little memory for images of this size.</source>
+        <translation>この大きさの画像にはメモリが足りません。</translation>
+    </message>
 </context>
 <context>
     <name>WtsDevice</name>
@@ -8621,10 +8649,6 @@ x %4, y %5
         <translation>最初のタッチを待っています。</translation>
     </message>
     <message>
-        <source>Load pairs of pixels and probed points, drop their file here, type them in below, or let a simulated tube be probed.</source>
-        <translation>画素とプロービングした点のペアを読み込むか、そのファイルをここにドロップする、下に入力する、またはシミュレーションチューブをプロービングしてください。</translation>
-    </message>
-    <message>
         <source>Calibrating...</source>
         <translation>キャリブレーション中...</translation>
     </message>
@@ -8661,6 +8685,26 @@ x %4, y %5
     <message>
         <source>has a pattern</source>
         <translation>規則性あり</translation>
+    </message>
+    <message>
+        <source>Probe with a &amp;camera...</source>
+        <translation>カメラでプロービング(&amp;C)...</translation>
+    </message>
+    <message>
+        <source>Collect pairs: press a stick through the holes of a shell while a camera, or a video of it, is watched</source>
+        <translation>ペアを収集します。シェルの穴に棒を押し込む様子を、カメラまたはその動画で見ます</translation>
+    </message>
+    <message>
+        <source>Load pairs of pixels and probed points, drop their file here, type them in below, or probe a tube.</source>
+        <translation>画素とプロービングした点のペアを読み込むか、ファイルをここにドロップするか、下に入力するか、チューブをプロービングしてください。</translation>
+    </message>
+    <message>
+        <source>It is valid within %1 of its axis. </source>
+        <translation>軸から %1 以内で有効です。 </translation>
+    </message>
+    <message>
+        <source>probed hole</source>
+        <translation>穴のプロービング</translation>
     </message>
 </context>
 <context>
@@ -8997,6 +9041,163 @@ x %4, y %5
     <message>
         <source>Touch %1: %2. Its pattern %3 is missing: nothing was played. Choose another one, or put it back among your patterns.</source>
         <translation>タッチ%1: %2。パターン %3 が見つからないため、何も再生されませんでした。別のパターンを選ぶか、自作パターンに戻してください。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::LiveProbing</name>
+    <message>
+        <source>The camera is open, but no frame comes.</source>
+        <translation>カメラは開いていますが、フレームが届きません。</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s image has changed from %1 × %2 to %3 × %4 pixels.</source>
+        <translation>カメラの画像が %1 × %2 画素から %3 × %4 画素に変わりました。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::LiveProbingDialog</name>
+    <message>
+        <source>Probe with a camera</source>
+        <translation>カメラでプロービング</translation>
+    </message>
+    <message>
+        <source>The number of a connected camera (0 is /dev/video0), or a video file</source>
+        <translation>接続されたカメラの番号 (0は/dev/video0) または動画ファイル</translation>
+    </message>
+    <message>
+        <source>Of the first hole of each ring, from the x axis towards y</source>
+        <translation>各リングの最初の穴の角度。x 軸から y に向かって測ります</translation>
+    </message>
+    <message>
+        <source>…</source>
+        <translation>…</translation>
+    </message>
+    <message>
+        <source>Choose a video</source>
+        <translation>動画を選択</translation>
+    </message>
+    <message>
+        <source>Video of a probing</source>
+        <translation>プロービングの動画</translation>
+    </message>
+    <message>
+        <source>Videos and pictures (*)</source>
+        <translation>動画と画像 (*)</translation>
+    </message>
+    <message>
+        <source>&amp;Camera or video:</source>
+        <translation>カメラまたは動画(&amp;C):</translation>
+    </message>
+    <message>
+        <source>Holes a &amp;ring:</source>
+        <translation>リングあたりの穴数(&amp;R):</translation>
+    </message>
+    <message>
+        <source>Ri&amp;ngs:</source>
+        <translation>リング数(&amp;N):</translation>
+    </message>
+    <message>
+        <source>&amp;First ring at z =</source>
+        <translation>最初のリングの z(&amp;F) =</translation>
+    </message>
+    <message>
+        <source>&amp;Last ring at z =</source>
+        <translation>最後のリングの z(&amp;L) =</translation>
+    </message>
+    <message>
+        <source>An&amp;gle of the first hole:</source>
+        <translation>最初の穴の角度(&amp;G):</translation>
+    </message>
+    <message>
+        <source>&amp;Probe</source>
+        <translation>プロービング(&amp;P)</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::LiveProbingPanel</name>
+    <message>
+        <source>The video is over.</source>
+        <translation>動画が終わりました。</translation>
+    </message>
+    <message>
+        <source>All holes are probed.</source>
+        <translation>すべての穴をプロービングしました。</translation>
+    </message>
+    <message>
+        <source>All holes are probed</source>
+        <translation>すべての穴をプロービング済み</translation>
+    </message>
+    <message>
+        <source>Hole %1 of %2: ring %3, %4&#xa0;mm, %5°</source>
+        <translation>穴 %1 / %2: リング %3、%4&#xa0;mm、%5°</translation>
+    </message>
+    <message>
+        <source>The camera is awaited: %1</source>
+        <translation>カメラを待っています: %1</translation>
+    </message>
+    <message>
+        <source>The first frame is awaited. Nothing may touch the skin.</source>
+        <translation>最初のフレームを待っています。スキンには何も触れないでください。</translation>
+    </message>
+    <message>
+        <source>A frame in which nothing touches the skin is awaited: %1</source>
+        <translation>スキンに何も触れていないフレームを待っています: %1</translation>
+    </message>
+    <message>
+        <source>Press the stick into this hole.</source>
+        <translation>この穴に棒を押し込んでください。</translation>
+    </message>
+    <message>
+        <source>Hold still.</source>
+        <translation>そのまま動かさないでください。</translation>
+    </message>
+    <message>
+        <source>The skin is touched at several places. Lift all but the stick.</source>
+        <translation>スキンの複数の場所に触れています。棒以外を離してください。</translation>
+    </message>
+    <message>
+        <source>Taken. Lift the stick.</source>
+        <translation>取得しました。棒を離してください。</translation>
+    </message>
+    <message>
+        <source>How long the stick has been held still</source>
+        <translation>棒を静止させた時間</translation>
+    </message>
+    <message>
+        <source>What the camera sees</source>
+        <translation>カメラに見えているもの</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>戻る(&amp;B)</translation>
+    </message>
+    <message>
+        <source>The hole before this one. A hole that is probed again gets a new pixel</source>
+        <translation>1 つ前の穴。もう一度プロービングした穴の画素は置き換わります</translation>
+    </message>
+    <message>
+        <source>S&amp;kip</source>
+        <translation>スキップ(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Leave this hole out for now</source>
+        <translation>この穴を今は飛ばします</translation>
+    </message>
+    <message>
+        <source>&amp;Untouched now</source>
+        <translation>今は非接触(&amp;U)</translation>
+    </message>
+    <message>
+        <source>The next frame shows the skin with nothing touching it</source>
+        <translation>次のフレームには何も触れていないスキンが写ります</translation>
+    </message>
+    <message>
+        <source>Sto&amp;p probing</source>
+        <translation>プロービングを停止(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Keep what was collected until now</source>
+        <translation>これまでに収集した分を残します</translation>
     </message>
 </context>
 <context>

@@ -471,6 +471,14 @@
         <source>Write each pair with what the camera makes of it as CSV</source>
         <translation>将每个点对及相机对它的计算结果写为 CSV</translation>
     </message>
+    <message>
+        <source>The points are holes of a shell: their x and y times this factor are on the elastomer (the paper&apos;s shell: 0.97)</source>
+        <translation>各点是外壳上的孔：x 和 y 乘以此系数后位于弹性体上（论文的外壳：0.97）</translation>
+    </message>
+    <message>
+        <source>The camera that was written has no lens: it is off by %1 mm on average over the pairs that it kept (%2 of %3).</source>
+        <translation>写出的相机没有镜头模型：在其保留的点对（%3 个中的 %2 个）上平均偏差 %1 mm。</translation>
+    </message>
 </context>
 <context>
     <name>Camera</name>
@@ -501,6 +509,10 @@
     <message>
         <source>a video, a pattern like frame_%04d.png, or the number of a camera</source>
         <translation>视频、形如 frame_%04d.png 的编号格式，或相机编号</translation>
+    </message>
+    <message>
+        <source>no frame comes</source>
+        <translation>没有帧到来</translation>
     </message>
 </context>
 <context>
@@ -1472,10 +1484,6 @@ Examples:
         <translation>缺少“kind”</translation>
     </message>
     <message>
-        <source>kind = &quot;modbus&quot; or &quot;wts&quot;</source>
-        <translation>kind = &quot;modbus&quot; 或 &quot;wts&quot;</translation>
-    </message>
-    <message>
         <source>Bracelet</source>
         <translation>手环</translation>
     </message>
@@ -1530,6 +1538,14 @@ Examples:
     <message>
         <source>Connect to the device of this description and read it; its motors are set to zero</source>
         <translation>连接此描述文件所述的设备并读取；其电机置零</translation>
+    </message>
+    <message>
+        <source>kind = &quot;modbus&quot;, &quot;wts&quot; or &quot;camera&quot;</source>
+        <translation>kind = &quot;modbus&quot;、&quot;wts&quot; 或 &quot;camera&quot;</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>相机</translation>
     </message>
 </context>
 <context>
@@ -6831,6 +6847,18 @@ x %4，y %5
         <source>%1 x %2 pixels, as in the camera&apos;s calibration</source>
         <translation>%1 x %2 像素，与相机标定时相同</translation>
     </message>
+    <message>
+        <source>The camera was closed before it was ready.</source>
+        <translation>相机在就绪之前已被关闭。</translation>
+    </message>
+    <message>
+        <source>The image cannot be worked on: %1</source>
+        <translation>无法处理该图像：%1</translation>
+    </message>
+    <message>
+        <source>There is too little memory for images of this size.</source>
+        <translation>内存不足，无法处理此尺寸的图像。</translation>
+    </message>
 </context>
 <context>
     <name>WtsDevice</name>
@@ -8621,10 +8649,6 @@ x %4，y %5
         <translation>等待第一次触碰。</translation>
     </message>
     <message>
-        <source>Load pairs of pixels and probed points, drop their file here, type them in below, or let a simulated tube be probed.</source>
-        <translation>加载像素与探测点的点对，将文件拖放到此处，在下方键入，或对模拟软管进行探测。</translation>
-    </message>
-    <message>
         <source>Calibrating...</source>
         <translation>正在标定...</translation>
     </message>
@@ -8661,6 +8685,26 @@ x %4，y %5
     <message>
         <source>has a pattern</source>
         <translation>有规律</translation>
+    </message>
+    <message>
+        <source>Probe with a &amp;camera...</source>
+        <translation>用相机探测(&amp;C)...</translation>
+    </message>
+    <message>
+        <source>Collect pairs: press a stick through the holes of a shell while a camera, or a video of it, is watched</source>
+        <translation>采集点对：将探棒穿过外壳的孔按压，同时观察相机或其视频</translation>
+    </message>
+    <message>
+        <source>Load pairs of pixels and probed points, drop their file here, type them in below, or probe a tube.</source>
+        <translation>请加载像素与探测点的点对，将其文件拖放到此处，在下方输入，或探测一根软管。</translation>
+    </message>
+    <message>
+        <source>It is valid within %1 of its axis. </source>
+        <translation>在距光轴 %1 以内有效。 </translation>
+    </message>
+    <message>
+        <source>probed hole</source>
+        <translation>探测孔</translation>
     </message>
 </context>
 <context>
@@ -8997,6 +9041,163 @@ x %4，y %5
     <message>
         <source>Touch %1: %2. Its pattern %3 is missing: nothing was played. Choose another one, or put it back among your patterns.</source>
         <translation>触碰 %1：%2。其图案 %3 缺失：未播放任何内容。请另选一个，或将它放回您的图案中。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::LiveProbing</name>
+    <message>
+        <source>The camera is open, but no frame comes.</source>
+        <translation>相机已打开，但没有帧到来。</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s image has changed from %1 × %2 to %3 × %4 pixels.</source>
+        <translation>相机图像已从 %1 × %2 变为 %3 × %4 像素。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::LiveProbingDialog</name>
+    <message>
+        <source>Probe with a camera</source>
+        <translation>用相机探测</translation>
+    </message>
+    <message>
+        <source>The number of a connected camera (0 is /dev/video0), or a video file</source>
+        <translation>所连相机的编号（0 为 /dev/video0），或视频文件</translation>
+    </message>
+    <message>
+        <source>Of the first hole of each ring, from the x axis towards y</source>
+        <translation>每一圈第一个孔的角度，从 x 轴转向 y</translation>
+    </message>
+    <message>
+        <source>…</source>
+        <translation>…</translation>
+    </message>
+    <message>
+        <source>Choose a video</source>
+        <translation>选择视频</translation>
+    </message>
+    <message>
+        <source>Video of a probing</source>
+        <translation>探测过程的视频</translation>
+    </message>
+    <message>
+        <source>Videos and pictures (*)</source>
+        <translation>视频和图片 (*)</translation>
+    </message>
+    <message>
+        <source>&amp;Camera or video:</source>
+        <translation>相机或视频(&amp;C)：</translation>
+    </message>
+    <message>
+        <source>Holes a &amp;ring:</source>
+        <translation>每圈孔数(&amp;R)：</translation>
+    </message>
+    <message>
+        <source>Ri&amp;ngs:</source>
+        <translation>圈数(&amp;N)：</translation>
+    </message>
+    <message>
+        <source>&amp;First ring at z =</source>
+        <translation>第一圈位于 z(&amp;F) =</translation>
+    </message>
+    <message>
+        <source>&amp;Last ring at z =</source>
+        <translation>最后一圈位于 z(&amp;L) =</translation>
+    </message>
+    <message>
+        <source>An&amp;gle of the first hole:</source>
+        <translation>第一个孔的角度(&amp;G)：</translation>
+    </message>
+    <message>
+        <source>&amp;Probe</source>
+        <translation>探测(&amp;P)</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::LiveProbingPanel</name>
+    <message>
+        <source>The video is over.</source>
+        <translation>视频已结束。</translation>
+    </message>
+    <message>
+        <source>All holes are probed.</source>
+        <translation>所有孔均已探测。</translation>
+    </message>
+    <message>
+        <source>All holes are probed</source>
+        <translation>所有孔均已探测</translation>
+    </message>
+    <message>
+        <source>Hole %1 of %2: ring %3, %4&#xa0;mm, %5°</source>
+        <translation>第 %1 孔，共 %2 孔：第 %3 圈，%4&#xa0;mm，%5°</translation>
+    </message>
+    <message>
+        <source>The camera is awaited: %1</source>
+        <translation>正在等待相机：%1</translation>
+    </message>
+    <message>
+        <source>The first frame is awaited. Nothing may touch the skin.</source>
+        <translation>正在等待第一帧。请勿触碰皮肤。</translation>
+    </message>
+    <message>
+        <source>A frame in which nothing touches the skin is awaited: %1</source>
+        <translation>正在等待皮肤未被触碰的一帧：%1</translation>
+    </message>
+    <message>
+        <source>Press the stick into this hole.</source>
+        <translation>请将探棒压入此孔。</translation>
+    </message>
+    <message>
+        <source>Hold still.</source>
+        <translation>请保持不动。</translation>
+    </message>
+    <message>
+        <source>The skin is touched at several places. Lift all but the stick.</source>
+        <translation>皮肤有多处被触碰。请移开探棒以外的物体。</translation>
+    </message>
+    <message>
+        <source>Taken. Lift the stick.</source>
+        <translation>已采集。请抬起探棒。</translation>
+    </message>
+    <message>
+        <source>How long the stick has been held still</source>
+        <translation>探棒保持不动的时间</translation>
+    </message>
+    <message>
+        <source>What the camera sees</source>
+        <translation>相机所见</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>返回(&amp;B)</translation>
+    </message>
+    <message>
+        <source>The hole before this one. A hole that is probed again gets a new pixel</source>
+        <translation>上一个孔。重新探测的孔会得到新的像素</translation>
+    </message>
+    <message>
+        <source>S&amp;kip</source>
+        <translation>跳过(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Leave this hole out for now</source>
+        <translation>暂时略过此孔</translation>
+    </message>
+    <message>
+        <source>&amp;Untouched now</source>
+        <translation>现在未触碰(&amp;U)</translation>
+    </message>
+    <message>
+        <source>The next frame shows the skin with nothing touching it</source>
+        <translation>下一帧显示未被触碰的皮肤</translation>
+    </message>
+    <message>
+        <source>Sto&amp;p probing</source>
+        <translation>停止探测(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Keep what was collected until now</source>
+        <translation>保留目前采集的内容</translation>
     </message>
 </context>
 <context>

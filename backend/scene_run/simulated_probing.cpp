@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/scene_run/simulated_probing.h"
 
-#include "backend/vision/contacts/contact_ladder.h"
-#include "backend/vision/nominal_camera.h"
-
 #include <utility>
 
 namespace teleta::scene_run {
@@ -19,15 +16,12 @@ core::Expected<std::unique_ptr<SimulatedProbing>> SimulatedProbing::make(const s
     std::unique_ptr<SimulatedProbing> probing(new SimulatedProbing);
     probing->m_tube = std::move(*tube);
     probing->m_tube->untouched(probing->m_reference);
-    const vision::CalibrationSettings settings = probing->settings();
-    auto finder = vision::makeContactFinder(
-        vision::contactLadder().front(),
-        vision::nominalCamera(settings.width_px, settings.height_px, settings.surface));
-    if (!finder)
-        return core::Unexpected(finder.error());
-    if (auto taken = (*finder)->setReference(probing->m_reference); !taken)
+    auto watcher = vision::ProbeWatcher::make(probing->settings());
+    if (!watcher)
+        return core::Unexpected(watcher.error());
+    probing->m_watcher = std::move(*watcher);
+    if (auto taken = probing->m_watcher->setReference(probing->m_reference); !taken)
         return core::Unexpected(taken.error());
-    probing->m_finder = std::move(*finder);
     return probing;
 }
 
@@ -39,16 +33,7 @@ vision::CalibrationSettings SimulatedProbing::settings() const {
 
 std::optional<SimulatedProbing::Taken> SimulatedProbing::next() {
     m_tube->next({}, m_frame);
-    // Each frame by itself: with a camera that is only about right some dots at the far end are taken for
-    // others, and would wander off from frame to frame.
-    m_finder->forget();
-    const auto contacts = m_finder->find(m_frame);
-    if (!contacts) {
-        m_collector.skip();
-        ++m_unusable;
-        return std::nullopt;
-    }
-    const auto pixel = m_collector.next(*contacts, m_tube->time_s());
+    const auto pixel = m_watcher->next(m_frame, m_tube->time_s());
     if (!pixel)
         return std::nullopt;
     const std::size_t hole = plan().holeAt(m_tube->time_s());

@@ -5,8 +5,7 @@
 #include "backend/scene/scene.h"
 #include "backend/simulation/camera/simulated_tube.h"
 #include "backend/vision/camera_calibration.h"
-#include "backend/vision/contacts/contact_finder.h"
-#include "backend/vision/contacts/pair_collector.h"
+#include "backend/vision/contacts/probe_watcher.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -39,17 +38,15 @@ public:
     /// The tube with nothing touching it.
     [[nodiscard]] const cv::Mat1b& reference() const { return m_reference; }
     /// Frames in which nothing could be found.
-    [[nodiscard]] std::uint64_t unusable() const { return m_unusable; }
+    [[nodiscard]] std::uint64_t unusable() const { return m_watcher->unusable(); }
 
 private:
     SimulatedProbing() = default;
 
     std::unique_ptr<simulation::SimulatedTube> m_tube;
-    std::unique_ptr<vision::ContactFinder> m_finder;
-    vision::PairCollector m_collector;
+    std::unique_ptr<vision::ProbeWatcher> m_watcher;
     cv::Mat1b m_reference;
     cv::Mat1b m_frame;
-    std::uint64_t m_unusable = 0;
 };
 
 } // namespace teleta::scene_run

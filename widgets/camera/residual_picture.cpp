@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/camera/residual_picture.h"
 
+#include "backend/vision/nominal_camera.h"
 #include "widgets/base/colour_maps.h"
 #include "widgets/base/number_format.h"
 #include "widgets/base/theme.h"
@@ -114,6 +115,19 @@ std::optional<QPointF> ResidualPicture::shiftOf(std::size_t pair) const {
 
 QPointF ResidualPicture::position(std::size_t pair, const QSizeF& size) const {
     return toPlot(valueOf(pair), size);
+}
+
+std::optional<QPointF> ResidualPicture::nextPosition(const QSizeF& size) const {
+    if (!shown.next_m)
+        return std::nullopt;
+    const Eigen::Vector3d& next_m = *shown.next_m;
+    if (surface == Surface::cylinder)
+        return toPlot({kDegrees * std::atan2(next_m.y(), next_m.x()), 1e3 * next_m.z()}, size);
+    const auto pixel =
+        shown.camera
+            ? shown.camera->project(next_m)
+            : vision::nominalCamera(shown.width_px, shown.height_px, shown.surface).camera().project(next_m);
+    return pixel ? std::optional(toPlot({pixel->x(), pixel->y()}, size)) : std::nullopt;
 }
 
 std::optional<std::size_t> ResidualPicture::pairAt(const QPointF& point, const QSizeF& size) const {
@@ -264,8 +278,21 @@ void ResidualPicture::paintPairs(QPainter& painter, const QSizeF& size, const QP
             painter.drawEllipse(at, 0.6 * em, 0.6 * em);
         }
     }
+    paintNext(painter, size, palette);
     painter.restore();
     paintScale(painter, size, palette, limit_mm);
+}
+
+void ResidualPicture::paintNext(QPainter& painter, const QSizeF& size, const QPalette& palette) const {
+    const auto at = nextPosition(size);
+    if (!at)
+        return;
+    const double em = emOf(font);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(palette.color(QPalette::Highlight), 3.0));
+    painter.drawEllipse(*at, 0.7 * em, 0.7 * em);
+    painter.setBrush(palette.color(QPalette::Highlight));
+    painter.drawEllipse(*at, 0.15 * em, 0.15 * em);
 }
 
 void ResidualPicture::paintScale(QPainter& painter, const QSizeF& size, const QPalette& palette,

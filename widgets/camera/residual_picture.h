@@ -27,6 +27,7 @@ struct CalibratedPairs {
     vision::CylinderSurface surface;
     int width_px = 1640;
     int height_px = 1232;
+    std::optional<Eigen::Vector3d> next_m; ///< that is to be probed next
 
     enum class State { unknown, kept, outlier, excluded };
     [[nodiscard]] State state(std::size_t pair) const;
@@ -35,7 +36,8 @@ struct CalibratedPairs {
 /// Residuals of a calibration on the image or on the unrolled cylinder: what the view and its exported
 /// figures draw. A dot a pair and an arrow, enlarged, to where the camera projects (image) or locates
 /// (cylinder) it; wrong pairs are crosses, excluded ones rings. The image has the circle of the valid radius;
-/// the cylinder's dots are coloured by the error along the axis. Thread: GUI (fonts).
+/// the cylinder's dots are coloured by the error along the axis. A large ring shows what is to be probed
+/// next. Thread: GUI (fonts).
 class ResidualPicture {
     Q_DECLARE_TR_FUNCTIONS(ResidualPicture)
 
@@ -49,6 +51,8 @@ public:
     [[nodiscard]] QString headline() const;
     /// Where a pair is in a picture of this size.
     [[nodiscard]] QPointF position(std::size_t pair, const QSizeF& size) const;
+    /// Where the place to be probed next is; with the camera as it is designed while no other one is known.
+    [[nodiscard]] std::optional<QPointF> nextPosition(const QSizeF& size) const;
     /// The pair nearest to a point, within an em.
     [[nodiscard]] std::optional<std::size_t> pairAt(const QPointF& point, const QSizeF& size) const;
     void paint(QPainter& painter, const QSizeF& size, const QPalette& palette) const;
@@ -63,6 +67,7 @@ private:
     [[nodiscard]] std::optional<QPointF> shiftOf(std::size_t pair) const;
     void paintAxes(QPainter& painter, const QSizeF& size, const QPalette& palette) const;
     void paintPairs(QPainter& painter, const QSizeF& size, const QPalette& palette) const;
+    void paintNext(QPainter& painter, const QSizeF& size, const QPalette& palette) const;
     void paintScale(QPainter& painter, const QSizeF& size, const QPalette& palette, double limit_mm) const;
     [[nodiscard]] double axialLimit_mm() const;
 };

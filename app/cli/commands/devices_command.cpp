@@ -6,6 +6,7 @@
 #include "backend/core/stop_switch.h"
 #include "backend/scene/toml_table.h"
 #include "devices/bracelet/hid_bracelet.h"
+#include "devices/camera/camera_list.h"
 #include "devices/modbus/libmodbus_link.h"
 #include "devices/modbus/modbus_probe.h"
 #include "devices/mouse3d/hid_input.h"
@@ -55,6 +56,11 @@ std::vector<FoundDevice> listDevices() {
                            .name = info.product,
                            .where = info.path,
                            .error = errorOf(mouse3d::openMouse(info))});
+    for (const camera::CameraInfo& info : camera::listCameras())
+        devices.push_back({.kind = "camera",
+                           .name = info.name,
+                           .where = "/dev/video" + std::to_string(info.number),
+                           .error = info.error});
     return devices;
 }
 
@@ -100,23 +106,48 @@ core::Expected<FoundDevice> probeArray(const scene::TomlDocument& document, scen
     return found;
 }
 
+core::Expected<FoundDevice> probeCamera(const scene::TomlDocument& document, scene::TomlTable& root) {
+    constexpr long long kLargestSide_px = 16384;
+    FoundDevice found{.kind = "camera", .name = root.text("name"), .where = root.text("source")};
+    const auto width_px = static_cast<int>(root.integer("width_px", 0, kLargestSide_px, 0));
+    const auto height_px = static_cast<int>(root.integer("height_px", 0, kLargestSide_px, 0));
+    const double rate_Hz = root.number("rate_Hz", {.low = 0.0, .high = 10'000.0}, 0.0);
+    root.finish();
+    if (document.firstError())
+        return core::Unexpected(*document.firstError());
+    const auto probe = camera::probeCamera(found.where, width_px, height_px, rate_Hz);
+    found.error = errorOf(probe);
+    if (probe) {
+        if (probe->measuredRate_Hz)
+            found.frameRate_Hz = probe->measuredRate_Hz;
+        else if (probe->nominalRate_Hz > 0.0)
+            found.frameRate_Hz = probe->nominalRate_Hz;
+        found.values = {{"width", static_cast<double>(probe->width_px), "px"},
+                        {"height", static_cast<double>(probe->height_px), "px"}};
+    }
+    return found;
+}
+
 core::Expected<FoundDevice> probeFile(const std::string& path) {
     const auto document = scene::TomlDocument::open(path);
     if (!document)
         return core::Unexpected(document.error());
     scene::TomlTable root = document->root();
-    const std::size_t kind = root.choice("kind", {"modbus", "wts"});
+    const std::size_t kind = root.choice("kind", {"modbus", "wts", "camera"});
     if (document->firstError())
         return core::Unexpected(*document->firstError());
     // Without a kind the other keys say nothing either.
     if (!root.has("kind")) {
         root.finish();
-        return core::Unexpected(core::Error{core::ErrorKind::badInput,
-                                            DevicesText::tr("\"kind\" is missing").toStdString(),
-                                            DevicesText::tr("kind = \"modbus\" or \"wts\"").toStdString(),
-                                            {path, 1, 1}});
+        return core::Unexpected(
+            core::Error{core::ErrorKind::badInput,
+                        DevicesText::tr("\"kind\" is missing").toStdString(),
+                        DevicesText::tr("kind = \"modbus\", \"wts\" or \"camera\"").toStdString(),
+                        {path, 1, 1}});
     }
-    return kind == 0 ? probeRegisters(path) : probeArray(*document, root);
+    if (kind == 0)
+        return probeRegisters(path);
+    return kind == 1 ? probeArray(*document, root) : probeCamera(*document, root);
 }
 
 nlohmann::ordered_json toJson(const FoundDevice& device) {
@@ -144,6 +175,8 @@ QString kindName(const std::string& kind) {
         return DevicesText::tr("3D mouse");
     if (kind == "wts")
         return DevicesText::tr("Tactile array");
+    if (kind == "camera")
+        return DevicesText::tr("Camera");
     return DevicesText::tr("Modbus device");
 }
 

@@ -18,11 +18,11 @@ struct DeviceValue {
 
 /// A device that was found, or that was looked for in vain.
 struct FoundDevice {
-    std::string kind; ///< hid_bracelet, mouse3d, modbus, wts
+    std::string kind; ///< hid_bracelet, mouse3d, modbus, wts, camera
     std::string name;
     std::string where;                    ///< path or address
     std::optional<core::Error> error{};   ///< why it cannot be used; nothing: it is connected
-    std::optional<double> frameRate_Hz{}; ///< frames of the motors, or of the array, a second
+    std::optional<double> frameRate_Hz{}; ///< frames of the motors, the array or the camera a second
     std::optional<double> inputRate_Hz{}; ///< readings of all inputs a second
     std::vector<DeviceValue> values{};
 };

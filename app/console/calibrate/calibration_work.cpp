@@ -11,6 +11,14 @@ void CalibrationWork::add(const vision::CalibrationPair& pair) {
     used.push_back(true);
 }
 
+void CalibrationWork::put(const vision::CalibrationPair& pair) {
+    const auto same = std::ranges::find(pairs, pair.p_Sensor_m, &vision::CalibrationPair::p_Sensor_m);
+    if (same == pairs.end())
+        return add(pair);
+    same->pixel = pair.pixel;
+    used[static_cast<std::size_t>(same - pairs.begin())] = true;
+}
+
 int CalibrationWork::remove(const std::vector<std::size_t>& numbers) {
     CalibrationWork left{{}, {}, settings, simulated};
     for (std::size_t i = 0; i < pairs.size(); ++i) {

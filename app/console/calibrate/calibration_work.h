@@ -16,6 +16,8 @@ struct CalibrationWork {
     bool simulated = false; ///< pairs of a simulated tube
 
     void add(const vision::CalibrationPair& pair);
+    /// In place of the pair of the same point, or as a new one.
+    void put(const vision::CalibrationPair& pair);
     /// Returns how many there were; pairs that do not exist are ignored.
     int remove(const std::vector<std::size_t>& numbers);
     /// Returns how many it changed.

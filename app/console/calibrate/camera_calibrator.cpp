@@ -3,6 +3,7 @@
 
 #include "app/console/background.h"
 #include "app/console/calibrate/camera_probing.h"
+#include "app/console/calibrate/live_probing_panel.h"
 #include "app/console/calibrate/pair_entry.h"
 #include "app/console/calibrate/probing_strip.h"
 #include "app/console/calibrate/tube_fields.h"
@@ -97,6 +98,7 @@ void CameraCalibrator::buildTools() {
     m_save = m_tools->addAction(QString(), this, [this] { askForFile(File::camera, true); });
     m_save->setShortcut(QKeySequence::Save);
     m_probe = m_tools->addAction(QString(), this, [this] { probe(); });
+    m_probeWith = m_tools->addAction(QString(), this, &CameraCalibrator::askForCamera);
     m_tools->addSeparator();
     m_methodLabel = new QLabel;
     m_methods = new QComboBox;
@@ -185,6 +187,7 @@ void CameraCalibrator::build() {
     setAcceptDrops(true);
     buildTools();
     buildProbing();
+    buildLive();
     m_origin = new QLabel;
     m_verdict = new QLabel;
     m_verdict->setWordWrap(true);
@@ -216,6 +219,7 @@ void CameraCalibrator::build() {
     layout->addWidget(m_tools);
     layout->addLayout(head);
     layout->addWidget(m_strip);
+    layout->addWidget(m_live);
     layout->addWidget(halves, 1);
 }
 
@@ -231,6 +235,10 @@ void CameraCalibrator::retranslate() {
     m_probe->setToolTip(
         tr("Collect pairs: a simulated person presses a stick on the marked places of a simulated "
            "tube, and takes one in ten for its neighbour"));
+    m_probeWith->setText(tr("Probe with a &camera..."));
+    m_probeWith->setToolTip(
+        tr("Collect pairs: press a stick through the holes of a shell while a camera, or a "
+           "video of it, is watched"));
     m_strip->retranslate();
     m_methodLabel->setText(tr("&Method:"));
     m_methods->setAccessibleName(tr("Method of calibration"));
@@ -340,31 +348,12 @@ void CameraCalibrator::edit(Work after, const QString& text, int run) {
     m_undo->push(new Edit(*this, std::move(after), text, run));
 }
 
-void CameraCalibrator::buildProbing() {
-    m_probing = new CameraProbing(this);
-    m_strip = new ProbingStrip(*m_probing);
-    connect(m_probing, &CameraProbing::begun, this, [this](const vision::CalibrationSettings& settings) {
-        edit({{}, {}, settings, true}, tr("probing"), ++m_probingRun);
-    });
-    connect(m_probing, &CameraProbing::taken, this, [this](const CalibrationPair& pair) {
-        Work after = m_work;
-        after.add(pair);
-        edit(std::move(after), tr("probing"), m_probingRun);
-    });
-    connect(m_probing, &CameraProbing::failed, this,
-            [this](const QString& trouble) { emit message(trouble, true); });
-    connect(m_probing, &CameraProbing::runningChanged, this, &CameraCalibrator::refresh);
-}
-
-void CameraCalibrator::probe(std::uint64_t seed) {
-    m_probing->start(seed);
-}
-
 void CameraCalibrator::apply(const Work& work) {
     const Work before = std::exchange(m_work, work);
     if (m_answers)
         takeAnswers(std::move(*m_answers), before);
     m_tube->setSettings(m_work.settings);
+    m_live->setPairs(m_work.pairs);
     fit();
     refresh();
 }
@@ -383,6 +372,7 @@ void CameraCalibrator::takeAnswers(Answers answers, const Work& fitted) {
 
 void CameraCalibrator::setPairs(std::vector<CalibrationPair> pairs) {
     m_probing->cancel();
+    m_live->cancel();
     Work after{{}, std::vector<bool>(pairs.size(), true), m_work.settings, false};
     after.pairs = std::move(pairs);
     edit(std::move(after), tr("loading"));
@@ -488,10 +478,10 @@ const CameraCalibrator::Answer* CameraCalibrator::answer() const {
 
 QString CameraCalibrator::verdict() const {
     if (m_shown.pairs.empty())
-        return m_probing->isRunning()
+        return m_probing->isRunning() || m_live->isRunning()
                    ? tr("The first touch is awaited.")
                    : tr("Load pairs of pixels and probed points, drop their file here, type them in "
-                        "below, or let a simulated tube be probed.");
+                        "below, or probe a tube.");
     const Answer* chosen = answer();
     if (m_fitting || chosen == nullptr)
         return tr("Calibrating...");
@@ -502,6 +492,7 @@ QString CameraCalibrator::verdict() const {
     QString text = tr("%1 of %n pair(s) kept; ", nullptr, used).arg(found.kept);
     text += tr("their points are located to within %1 on average, and the camera is sure to within %2. ")
                 .arg(base::millimetres(found.mean_error_m), base::millimetres(found.uncertainty_m));
+    text += tr("It is valid within %1 of its axis. ").arg(pixels(found.camera.camera().validRadius_px()));
     if (m_method == CalibrationMethod::dlt || m_method == CalibrationMethod::paper)
         text += tr("This method knows no lens: use it to compare only.");
     else if (found.isStructured())
@@ -520,7 +511,8 @@ void CameraCalibrator::refresh() {
                {},
                m_work.settings.surface,
                m_work.settings.width_px,
-               m_work.settings.height_px};
+               m_work.settings.height_px,
+               m_live->nextPoint_m()};
     const Answer* chosen = answer();
     const bool found = chosen != nullptr && chosen->calibration;
     if (found) {
@@ -539,7 +531,8 @@ void CameraCalibrator::refresh() {
     const bool settled = found && !m_fitting;
     m_save->setEnabled(settled);
     m_savePairs->setEnabled(!m_work.pairs.empty());
-    m_probe->setEnabled(!m_probing->isRunning());
+    m_probe->setEnabled(!m_probing->isRunning() && !m_live->isRunning());
+    m_probeWith->setEnabled(m_probe->isEnabled());
     m_origin->setVisible(m_work.simulated);
     m_origin->setText(tr("SIMULATED"));
     QPalette colours = palette();

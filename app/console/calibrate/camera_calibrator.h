@@ -3,7 +3,9 @@
 
 #include "app/console/calibrate/calibration_work.h"
 #include "app/console/calibrate/camera_fits.h"
+#include "backend/core/camera_source.h"
 #include "backend/core/error.h"
+#include "backend/vision/hole_grid.h"
 #include "widgets/camera/residual_picture.h"
 
 #include <QString>
@@ -12,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -31,14 +34,15 @@ class ResidualView;
 namespace teleta::console {
 
 class CameraProbing;
+class LiveProbingPanel;
 class PairEntry;
 class ProbingStrip;
 class TubeFields;
 
-/// Calibration of the cylinder camera: pairs from a file, from a simulated tube or typed in, four methods
-/// side by side, their residuals on the image and on the unrolled cylinder, pairs excluded, removed and taken
-/// back with undo, pairs and camera saved. Files and fits run on pool threads; while one runs, later changes
-/// wait for the next. Thread: GUI.
+/// Calibration of the cylinder camera: pairs from a file, from probing with a camera or a simulated tube, or
+/// typed in, four methods side by side, their residuals on the image and on the unrolled cylinder, pairs
+/// excluded, removed and taken back with undo, pairs and camera saved. Files and fits run on pool threads;
+/// while one runs, later changes wait for the next. Thread: GUI.
 class CameraCalibrator : public QWidget {
     Q_OBJECT
 
@@ -67,6 +71,11 @@ public:
     /// Collects pairs from a simulated tube, in place of the present ones.
     void probe(std::uint64_t seed = 1);
     [[nodiscard]] CameraProbing& probing() { return *m_probing; }
+    /// Has a person lead a stick through the holes of a shell while a camera watches; pairs of the same tube
+    /// and image stay, and a hole that has one is passed over.
+    void probeWith(const std::function<core::Expected<std::unique_ptr<core::CameraSource>>()>& opener,
+                   const vision::HoleGrid& grid);
+    [[nodiscard]] LiveProbingPanel& live() { return *m_live; }
     void chooseMethod(vision::CalibrationMethod method);
 
     [[nodiscard]] QUndoStack& undoStack() { return *m_undo; }
@@ -95,6 +104,8 @@ private:
     /// run: edits of the same one are undone together; 0: by itself.
     void edit(Work after, const QString& text, int run = 0);
     void buildProbing();
+    void buildLive();
+    void askForCamera();
     void apply(const Work& work);
     void takeAnswers(Answers answers, const Work& fitted);
     void build();
@@ -143,6 +154,10 @@ private:
     int m_probingRun = 0; ///< number of the newest probing
     QAction* m_probe;
     ProbingStrip* m_strip;
+    LiveProbingPanel* m_live;
+    QAction* m_probeWith;
+    QString m_camera; ///< that was probed with the last time
+    vision::HoleGrid m_grid;
     QLabel* m_origin; ///< that the pairs are simulated
     TubeFields* m_tube;
     PairEntry* m_entry;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/cli/program_run.h"
+#include "tests/devices/camera/written_video.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -33,7 +34,8 @@ TEST_F(DevicesCommand, listsWhatIsPluggedIn) {
     const ordered_json document = ordered_json::parse(result.out, nullptr, false);
     ASSERT_TRUE(document["devices"].is_array()) << result.out;
     for (const ordered_json& device : document["devices"])
-        EXPECT_TRUE(device["kind"] == "hid_bracelet" || device["kind"] == "mouse3d");
+        EXPECT_TRUE(device["kind"] == "hid_bracelet" || device["kind"] == "mouse3d" ||
+                    device["kind"] == "camera");
     EXPECT_EQ(run({"devices"}).exitCode, 0);
 }
 
@@ -67,6 +69,27 @@ TEST_F(DevicesCommand, saysWhenAnArrayIsNotThere) {
     EXPECT_EQ(document["devices"][0]["connected"], false);
 }
 
+TEST_F(DevicesCommand, readsACameraAndAVideoOfOne) {
+    const std::string path = m_folder.path("tube.avi");
+    ASSERT_NO_FATAL_FAILURE(teleta::test::writeVideo(path, 5, 25.0));
+    const ProgramResult result =
+        probe("kind = 'camera'\nname = 'tube'\nsource = '" + path + "'\n", {"--json"});
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    const ordered_json document = ordered_json::parse(result.out, nullptr, false);
+    ASSERT_EQ(document["devices"].size(), 1U) << result.out;
+    const ordered_json& device = document["devices"][0];
+    EXPECT_EQ(device["kind"], "camera");
+    EXPECT_EQ(device["where"], path);
+    EXPECT_EQ(device["connected"], true);
+    EXPECT_EQ(device["frame_rate_hz"], 25.0);
+    EXPECT_EQ(device["values"][0]["value"], 160.0);
+    EXPECT_EQ(device["values"][1]["value"], 120.0);
+
+    const ProgramResult missing = probe("kind = 'camera'\nname = 'tube'\nsource = '9876'\n", {"--json"});
+    EXPECT_EQ(missing.exitCode, 1) << missing.err;
+    EXPECT_NE(missing.out.find("camera 9876 cannot be opened"), std::string::npos) << missing.out;
+}
+
 TEST_F(DevicesCommand, refusesABadDescriptionWithItsPlace) {
     struct Case {
         std::string text;
@@ -74,11 +97,14 @@ TEST_F(DevicesCommand, refusesABadDescriptionWithItsPlace) {
     };
     const std::vector<Case> cases = {
         {"kind = 'modem'\n", "d.toml:1:8: unknown value \"modem\" of \"kind\""},
-        {"name = 'n'\n", "d.toml:1:1: \"kind\" is missing (expected kind = \"modbus\" or \"wts\")"},
+        {"name = 'n'\n",
+         "d.toml:1:1: \"kind\" is missing (expected kind = \"modbus\", \"wts\" or \"camera\")"},
         {kNobody + "scale = 0\n", "d.toml:14:9: \"scale\" is 0"},
         {"kind = 'wts'\nname = 'a'\naddress = 'tcp://h'\n", "d.toml:3:11: "},
         {"kind = 'wts'\nname = 'a'\naddress = '/dev/ttyS0'\nspeed = 1\n",
          "d.toml:4:1: unknown key \"speed\""},
+        {"kind = 'camera'\nname = 'c'\n", "\"source\" is missing"},
+        {"kind = 'camera'\nname = 'c'\nsource = '0'\nwidth_px = -1\n", "d.toml:4:12: "},
         {"kind = \n", "d.toml:1:"},
     };
     for (const Case& c : cases) {

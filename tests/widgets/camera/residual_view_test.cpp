@@ -73,6 +73,33 @@ private slots:
         QVERIFY(cylinder.picture().position(2, size).x() < cylinder.picture().position(0, size).x());
     }
 
+    void thePlaceToBeProbedNextIsRingedWhereTheCameraWouldSeeIt() {
+        CalibratedPairs pairs = threePairs();
+        // Where the second pair's point is.
+        pairs.next_m = pairs.pairs[1].p_Sensor_m;
+        ResidualView cylinder(ResidualPicture::Surface::cylinder);
+        ResidualView image(ResidualPicture::Surface::image);
+        for (ResidualView* view : {&cylinder, &image}) {
+            view->resize(600, 500);
+            view->setPairs(pairs);
+        }
+        const QPointF onCylinder = *cylinder.picture().nextPosition(cylinder.size());
+        QVERIFY((onCylinder - cylinder.picture().position(1, cylinder.size())).manhattanLength() < 1e-9);
+        pairs.pairs[0].pixel = *pairs.camera->project(*pairs.next_m);
+        image.setPairs(pairs);
+        const QPointF inImage = *image.picture().nextPosition(image.size());
+        QVERIFY((inImage - image.picture().position(0, image.size())).manhattanLength() < 1e-9);
+        const double radius = 0.7 * QFontMetricsF(image.picture().font).height();
+        QCOMPARE(pixelOf(image, inImage - QPointF(radius, 0.0)), image.palette().color(QPalette::Highlight));
+        // Without a camera by that of the design.
+        pairs.camera.reset();
+        image.setPairs(pairs);
+        QVERIFY(image.picture().nextPosition(image.size()).has_value());
+        pairs.next_m.reset();
+        image.setPairs(pairs);
+        QVERIFY(!image.picture().nextPosition(image.size()).has_value());
+    }
+
     void keptPairsAreDrawnInTheirColourInBothThemes() {
         for (const bool dark : {false, true}) {
             base::applyTheme(dark ? base::ThemeChoice::dark : base::ThemeChoice::light);

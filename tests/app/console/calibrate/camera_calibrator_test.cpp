@@ -5,6 +5,7 @@
 #include "app/console/calibrate/tube_fields.h"
 #include "backend/vision/camera_file.h"
 #include "tests/backend/vision/simulated_pairs.h"
+#include "widgets/base/number_format.h"
 
 #include <QAction>
 #include <QCoreApplication>
@@ -65,6 +66,15 @@ private slots:
         QCOMPARE(answer->calibration->method, CalibrationMethod::robust);
         QCOMPARE(calibrator.shown().residuals.size(), calibrator.shown().pairs.size());
         QVERIFY2(calibrator.verdict().contains("no pattern"), qPrintable(calibrator.verdict()));
+        // The valid radius is told, and what was kept is within it.
+        const vision::CameraModel& found = answer->calibration->camera.camera();
+        const Eigen::Vector2d centre(found.parameters().cx_px, found.parameters().cy_px);
+        for (std::size_t i = 0; i < calibrator.shown().pairs.size(); ++i) {
+            if (answer->calibration->residuals[i].kept)
+                QVERIFY((calibrator.shown().pairs[i].pixel - centre).norm() < found.validRadius_px() + 5.0);
+        }
+        const QString number = base::threeDigits(found.validRadius_px()).trimmed();
+        QVERIFY2(calibrator.verdict().contains("valid within " + number), qPrintable(calibrator.verdict()));
         calibrator.chooseMethod(CalibrationMethod::dlt);
         QVERIFY2(calibrator.verdict().contains("no lens") || calibrator.verdict().contains("No calibration"),
                  qPrintable(calibrator.verdict()));

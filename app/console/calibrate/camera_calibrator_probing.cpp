@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/calibrate/camera_calibrator.h"
+#include "app/console/calibrate/camera_probing.h"
+#include "app/console/calibrate/live_probing_dialog.h"
+#include "app/console/calibrate/live_probing_panel.h"
+#include "app/console/calibrate/probing_strip.h"
+#include "app/console/operate/camera_dialog.h"
+
+#include <utility>
+#include <vector>
+
+namespace teleta::console {
+
+void CameraCalibrator::buildProbing() {
+    m_probing = new CameraProbing(this);
+    m_strip = new ProbingStrip(*m_probing);
+    connect(m_probing, &CameraProbing::begun, this, [this](const vision::CalibrationSettings& settings) {
+        edit({{}, {}, settings, true}, tr("probing"), ++m_probingRun);
+    });
+    connect(m_probing, &CameraProbing::taken, this, [this](const vision::CalibrationPair& pair) {
+        Work after = m_work;
+        after.add(pair);
+        edit(std::move(after), tr("probing"), m_probingRun);
+    });
+    connect(m_probing, &CameraProbing::failed, this,
+            [this](const QString& trouble) { emit message(trouble, true); });
+    connect(m_probing, &CameraProbing::runningChanged, this, &CameraCalibrator::refresh);
+}
+
+void CameraCalibrator::probe(std::uint64_t seed) {
+    m_live->cancel();
+    m_probing->start(seed);
+}
+
+void CameraCalibrator::buildLive() {
+    m_live = new LiveProbingPanel;
+    connect(m_live, &LiveProbingPanel::begun, this, [this](const vision::CalibrationSettings& settings) {
+        const vision::CalibrationSettings& known = m_work.settings;
+        const bool sameImage = known.width_px == settings.width_px && known.height_px == settings.height_px;
+        if (sameImage && !m_work.simulated)
+            return;
+        // Pairs of another image, or of a tube that does not exist, would spoil the new ones.
+        edit({{}, {}, {settings.width_px, settings.height_px, known.surface}, false}, tr("probing"));
+    });
+    connect(m_live, &LiveProbingPanel::taken, this, [this](const vision::CalibrationPair& pair) {
+        Work after = m_work;
+        after.put(pair);
+        edit(std::move(after), tr("probed hole"));
+    });
+    connect(m_live, &LiveProbingPanel::failed, this, [this](const QString& why) { emit message(why, true); });
+    connect(m_live, &LiveProbingPanel::ended, this,
+            [this](const QString& what) { emit message(what, false); });
+    connect(m_live, &LiveProbingPanel::holeChanged, this, &CameraCalibrator::refresh);
+    connect(m_live, &LiveProbingPanel::runningChanged, this, &CameraCalibrator::refresh);
+}
+
+void CameraCalibrator::probeWith(
+    const std::function<core::Expected<std::unique_ptr<core::CameraSource>>()>& opener,
+    const vision::HoleGrid& grid) {
+    m_probing->cancel();
+    m_grid = grid;
+    m_live->start(opener, m_work.settings.surface, grid);
+    m_live->setPairs(m_work.simulated ? std::vector<vision::CalibrationPair>() : m_work.pairs);
+}
+
+void CameraCalibrator::askForCamera() {
+    auto* dialog = new LiveProbingDialog(m_camera, m_grid, CameraDialog::connectedCameras(), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] {
+        m_camera = dialog->source();
+        probeWith(cameraOpener(m_camera), dialog->grid());
+    });
+    dialog->open();
+}
+
+} // namespace teleta::console
