@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/common/translation.h"
-#include "app/console/about.h"
 #include "app/console/console_options.h"
 #include "app/console/console_settings.h"
+#include "app/console/help/about.h"
 #include "app/console/main_window.h"
 #include "app/console/unattended.h"
 #include "backend/core/stop_switch.h"

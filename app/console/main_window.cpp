@@ -2,13 +2,14 @@
 #include "app/console/main_window.h"
 
 #include "app/common/scene_file.h"
-#include "app/console/about.h"
 #include "app/console/background.h"
 #include "app/console/bracelet/bracelet_menu.h"
 #include "app/console/bracelet/bracelet_station.h"
 #include "app/console/bracelet/hand_station.h"
 #include "app/console/calibrate/calibrate_page.h"
 #include "app/console/cost/cost_page.h"
+#include "app/console/help/about.h"
+#include "app/console/help/help_menu.h"
 #include "app/console/language_menu.h"
 #include "app/console/operate/arm_views.h"
 #include "app/console/operate/camera_dialog.h"
@@ -43,7 +44,6 @@
 #include <QMimeData>
 #include <QStackedWidget>
 #include <QVBoxLayout>
-#include <QWhatsThis>
 
 #include <array>
 #include <cstdio>
@@ -95,6 +95,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
                           {}, this))
     , m_braceletMenu(new BraceletMenu(m_operate->bracelet(), settings, this))
     , m_recording(new RecordingControls(m_sources, *m_operate, settings, stop, this))
+    , m_help(new HelpMenu(*this, [this] { return m_rail->currentPage(); }))
     , m_hand(std::make_unique<HandStation>())
     , m_devices(new chrome::DeviceStrip(this))
     , m_stopButton(new chrome::StopButton(this))
@@ -433,11 +434,7 @@ void MainWindow::buildMenus() {
     buildArmMenu();
     m_braceletMenu->fill(*menuBar()->addMenu(tr("&Bracelet")));
 
-    QMenu* help = menuBar()->addMenu(tr("&Help"));
-    QAction* what = QWhatsThis::createAction(help);
-    help->addAction(what);
-    help->addAction(tr("&Shortcuts"), this, &MainWindow::showShortcuts);
-    help->addAction(tr("&About TeleTA Console"), this, &MainWindow::showAbout);
+    m_help->fill(*menuBar()->addMenu(tr("&Help")));
 }
 
 void MainWindow::buildArmMenu() {
@@ -509,14 +506,6 @@ void MainWindow::showPage(const QString& name) {
 void MainWindow::setTheme(const QString& theme) {
     m_settings.setTheme(theme);
     base::applyTheme(themeFromName(theme));
-}
-
-void MainWindow::showAbout() {
-    openAbout(this);
-}
-
-void MainWindow::showShortcuts() {
-    openShortcuts(this);
 }
 
 void MainWindow::saveState() {

@@ -26,6 +26,7 @@ class BraceletMenu;
 class CalibratePage;
 class CostPage;
 class HandStation;
+class HelpMenu;
 class OperatePage;
 class PatternCollection;
 class PatternsPage;
@@ -85,8 +86,6 @@ private:
     void openCamera();
     void saveState();
     void showPage(const QString& name);
-    void showAbout();
-    void showShortcuts();
 
     ConsoleSettings& m_settings;
     core::StopSwitch& m_stop;
@@ -103,6 +102,7 @@ private:
     CostPage* m_cost;
     BraceletMenu* m_braceletMenu;
     RecordingControls* m_recording;
+    HelpMenu* m_help;
     std::unique_ptr<HandStation> m_hand;
     chrome::DeviceStrip* m_devices;
     chrome::StopButton* m_stopButton;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/help/handbook_window.h"
 #include "app/console/main_window.h"
 #include "app/console/operate/operate_page.h"
 #include "widgets/base/theme.h"
 #include "widgets/chrome/device_strip.h"
+#include "widgets/chrome/page_rail.h"
 #include "widgets/chrome/playback_bar.h"
 #include "widgets/chrome/stop_button.h"
 #include "widgets/tactile/heatmap_view.h"
@@ -96,6 +98,25 @@ private slots:
             QCOMPARE(action->isChecked(), action->text() == QStringLiteral("Fran\u00e7ais"));
         choose(QStringLiteral("English"));
         QTRY_COMPARE(firstMenu(), QStringLiteral("&File"));
+    }
+
+    void theHandbookOpensAtThePageThatIsShown() {
+        openWindow();
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        auto* rail = child<chrome::PageRail>();
+        for (const auto& [key, page] :
+             {std::pair(Qt::Key_3, "study"), std::pair(Qt::Key_5, "cost"), std::pair(Qt::Key_1, "operate"),
+              std::pair(Qt::Key_2, "patterns"), std::pair(Qt::Key_4, "calibrate")}) {
+            m_window->activateWindow();
+            QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+            QTest::keyClick(m_window.get(), key, Qt::ControlModifier);
+            QCOMPARE(rail->currentPage(), QString(page));
+            QTest::keyClick(m_window.get(), Qt::Key_F1);
+            auto* handbook = child<console::HandbookWindow>();
+            QVERIFY(handbook != nullptr && handbook->isVisible());
+            QCOMPARE(handbook->page(), QString(page));
+        }
     }
 
     void initTestCase() { base::applyTheme(base::ThemeChoice::light); }

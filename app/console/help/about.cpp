@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/console/about.h"
+#include "app/console/help/about.h"
 
 #include "widgets/charts/plot_version.h"
 #include "widgets/view3d/vtk_version.h"

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+#include <optional>
+
+namespace teleta::console {
+
+/// A page of the handbook, Markdown as QTextDocument reads it. Links lead to NAME.md.
+struct HandbookPage {
+    QString name;
+    QString title; ///< its first heading
+    QString text;
+};
+
+/// Names of the pages, in the order of reading.
+[[nodiscard]] QStringList handbookPages();
+
+/// The page in that language ("fr", "zh_CN", "ja_JP"; otherwise English). Empty: there is none of that name.
+[[nodiscard]] std::optional<HandbookPage> handbookPage(const QString& name, const QString& language);
+
+} // namespace teleta::console

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/help/handbook_window.h"
+
+#include "app/common/translation.h"
+#include "app/console/help/handbook.h"
+#include "widgets/base/theme.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QDesktopServices>
+#include <QEvent>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QSignalBlocker>
+#include <QTextBrowser>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace teleta::console {
+
+namespace {
+
+/// Shows a page of the handbook by its name; QTextBrowser keeps where the reader was.
+class HandbookText : public QTextBrowser {
+public:
+    using QTextBrowser::QTextBrowser;
+
+protected:
+    void doSetSource(const QUrl& url, QTextDocument::ResourceType) override {
+        QTextBrowser::doSetSource(url, QTextDocument::MarkdownResource);
+    }
+    QVariant loadResource(int type, const QUrl& url) override {
+        const auto page = handbookPage(QFileInfo(url.path()).completeBaseName(),
+                                       app::installedLocale(*QCoreApplication::instance()).name());
+        return page ? QVariant(page->text) : QTextBrowser::loadResource(type, url);
+    }
+};
+
+QUrl urlOf(const QString& page) {
+    return QUrl(page + QStringLiteral(".md"));
+}
+
+} // namespace
+
+HandbookWindow::HandbookWindow(QWidget* parent)
+    : QWidget(parent, Qt::Window)
+    , m_list(new QListWidget(this))
+    , m_text(new HandbookText(this))
+    , m_search(new QLineEdit(this))
+    , m_back(new QAction(this))
+    , m_forward(new QAction(this))
+    , m_find(new QAction(this))
+    , m_close(new QAction(this)) {
+    auto* bar = new QToolBar(this);
+    m_back->setShortcuts(QKeySequence::Back);
+    m_forward->setShortcuts(QKeySequence::Forward);
+    m_find->setShortcuts(QKeySequence::Find);
+    m_close->setShortcuts({QKeySequence(QKeySequence::Close), QKeySequence(Qt::Key_Escape)});
+    bar->addAction(m_back);
+    bar->addAction(m_forward);
+    auto* space = new QWidget(bar);
+    space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    bar->addWidget(space);
+    m_search->setClearButtonEnabled(true);
+    m_search->setMaximumWidth(base::em(this, 16));
+    bar->addWidget(m_search);
+    addActions({m_find, m_close});
+
+    m_list->setMaximumWidth(base::em(this, 14));
+    m_list->setFrameShape(QFrame::NoFrame);
+    m_text->setFrameShape(QFrame::NoFrame);
+    m_text->setOpenExternalLinks(true);
+    m_text->document()->setDocumentMargin(base::grid(this, 2));
+    auto* row = new QHBoxLayout;
+    row->setSpacing(0);
+    row->addWidget(m_list);
+    row->addWidget(m_text, 1);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(bar);
+    layout->addLayout(row, 1);
+    resize(base::em(this, 58), base::em(this, 44));
+
+    connect(m_back, &QAction::triggered, m_text, &QTextBrowser::backward);
+    connect(m_forward, &QAction::triggered, m_text, &QTextBrowser::forward);
+    connect(m_text, &QTextBrowser::backwardAvailable, m_back, &QAction::setEnabled);
+    connect(m_text, &QTextBrowser::forwardAvailable, m_forward, &QAction::setEnabled);
+    m_back->setEnabled(false);
+    m_forward->setEnabled(false);
+    connect(m_close, &QAction::triggered, this, &QWidget::close);
+    connect(m_find, &QAction::triggered, this, [this] {
+        m_search->setFocus(Qt::ShortcutFocusReason);
+        m_search->selectAll();
+    });
+    connect(m_search, &QLineEdit::returnPressed, this, &HandbookWindow::search);
+    connect(m_list, &QListWidget::currentRowChanged, this, [this](int index) {
+        if (index >= 0 && index < handbookPages().size())
+            showPage(handbookPages().at(index));
+    });
+    // A link, back and forward change the page too.
+    connect(m_text, &QTextBrowser::sourceChanged, this, [this](const QUrl& url) {
+        m_page = QFileInfo(url.path()).completeBaseName();
+        const QSignalBlocker quiet(m_list);
+        m_list->setCurrentRow(static_cast<int>(handbookPages().indexOf(m_page)));
+    });
+    load();
+    retranslate();
+}
+
+void HandbookWindow::showPage(const QString& name) {
+    const QString known = handbookPages().contains(name) ? name : handbookPages().front();
+    if (known != m_page)
+        m_text->setSource(urlOf(known));
+}
+
+void HandbookWindow::load() {
+    const QSignalBlocker quiet(m_list);
+    m_list->clear();
+    const QString language = app::installedLocale(*QCoreApplication::instance()).name();
+    for (const QString& name : handbookPages())
+        if (const auto page = handbookPage(name, language))
+            m_list->addItem(page->title);
+    m_list->setCurrentRow(static_cast<int>(handbookPages().indexOf(m_page)));
+    if (!m_page.isEmpty())
+        m_text->reload();
+}
+
+void HandbookWindow::search() {
+    const QString wanted = m_search->text();
+    const QStringList pages = handbookPages();
+    if (wanted.isEmpty() || m_text->find(wanted))
+        return;
+    // The next page that has it, from its top; the same one too.
+    const QString language = app::installedLocale(*QCoreApplication::instance()).name();
+    const auto here = std::max<qsizetype>(pages.indexOf(m_page), 0);
+    for (qsizetype step = 1; step <= pages.size(); ++step) {
+        const QString& name = pages.at((here + step) % pages.size());
+        const auto page = handbookPage(name, language);
+        if (!page || !page->text.contains(wanted, Qt::CaseInsensitive))
+            continue;
+        showPage(name);
+        m_text->moveCursor(QTextCursor::Start);
+        if (m_text->find(wanted))
+            return;
+    }
+}
+
+void HandbookWindow::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        load();
+        retranslate();
+    }
+}
+
+void HandbookWindow::retranslate() {
+    setWindowTitle(tr("Handbook of the TeleTA Console"));
+    m_back->setText(tr("\u2190 Back"));
+    m_forward->setText(tr("Forward \u2192"));
+    m_find->setText(tr("Find"));
+    m_close->setText(tr("Close"));
+    m_search->setPlaceholderText(tr("Find in the handbook (Ctrl+F)"));
+    m_search->setAccessibleName(tr("Find in the handbook"));
+    m_list->setAccessibleName(tr("Pages of the handbook"));
+    m_text->setAccessibleName(tr("Page of the handbook"));
+}
+
+} // namespace teleta::console

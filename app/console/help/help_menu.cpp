@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/help/help_menu.h"
+
+#include "app/console/help/about.h"
+#include "app/console/help/handbook_window.h"
+
+#include <QMenu>
+#include <QWhatsThis>
+
+#include <utility>
+
+namespace teleta::console {
+
+HelpMenu::HelpMenu(QWidget& window, std::function<QString()> page)
+    : QObject(&window)
+    , m_window(window)
+    , m_page(std::move(page)) {
+}
+
+void HelpMenu::fill(QMenu& menu) {
+    menu.addAction(tr("&Handbook"), QKeySequence::HelpContents, this, [this] { openHandbook(m_page()); });
+    menu.addAction(tr("&First steps"), this, [this] { openHandbook(QStringLiteral("first-steps")); });
+    menu.addSeparator();
+    menu.addAction(QWhatsThis::createAction(&menu));
+    menu.addAction(tr("&Shortcuts"), this, [this] { openShortcuts(&m_window); });
+    menu.addSeparator();
+    menu.addAction(tr("&About TeleTA Console"), this, [this] { openAbout(&m_window); });
+}
+
+void HelpMenu::openHandbook(const QString& page) {
+    if (m_handbook == nullptr)
+        m_handbook = new HandbookWindow(&m_window);
+    m_handbook->showPage(page);
+    m_handbook->show();
+    m_handbook->raise();
+    m_handbook->activateWindow();
+}
+
+} // namespace teleta::console

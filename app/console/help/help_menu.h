@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+#include <functional>
+
+class QMenu;
+class QWidget;
+
+namespace teleta::console {
+
+class HandbookWindow;
+
+/// The menu Help: handbook (F1, at the page that is open), What's This, shortcuts, about. Thread: GUI.
+class HelpMenu : public QObject {
+    Q_OBJECT
+
+public:
+    /// page: which page of the handbook belongs to what the window shows now.
+    HelpMenu(QWidget& window, std::function<QString()> page);
+
+    void fill(QMenu& menu);
+    void openHandbook(const QString& page);
+
+private:
+    QWidget& m_window;
+    std::function<QString()> m_page;
+    HandbookWindow* m_handbook = nullptr; ///< made when it is opened first; the window's
+};
+
+} // namespace teleta::console
