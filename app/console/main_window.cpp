@@ -155,6 +155,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     connect(m_recordings, &RecordingFiles::failed, this, &MainWindow::onFailed);
     connect(m_recordings, &RecordingFiles::opened, this, &MainWindow::addRecent);
     connect(m_operate, &OperatePage::demoRequested, this, &MainWindow::openDemo);
+    connect(m_operate, &OperatePage::firstStepsRequested, m_help, &HelpMenu::openFirstSteps);
     connect(m_operate, &OperatePage::openRecordingRequested, this, [this] {
         askForFile(tr("Open recording"), tr("Recordings (*.teleta *.csv)"), &MainWindow::openRecording);
     });
@@ -188,7 +189,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     connect(m_study, &StudyPage::openFailed, this, [this] { m_anyFailure = true; });
     restoreFeedback();
     m_braceletMenu->restore(options.bracelet);
-    chooser.setDemos(demoScenes());
+    m_operate->setDemos(demoScenes());
     chooser.setRecent(m_settings.recentFiles());
     buildMenus();
     qApp->installEventFilter(this);
@@ -551,7 +552,7 @@ void MainWindow::changeEvent(QEvent* event) {
         m_rail->setTitle(
             QLatin1String(kCost), tr("Cost"),
             tr("What accuracy costs in time on this machine, and the rung that the camera uses"));
-        m_operate->chooser().setDemos(demoScenes());
+        m_operate->setDemos(demoScenes());
         buildMenus();
     }
 }

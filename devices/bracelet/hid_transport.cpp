@@ -2,6 +2,7 @@
 #include "devices/bracelet/hid_transport.h"
 
 #include "backend/core/hidapi_mutex.h"
+#include "backend/core/node_claim.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -10,6 +11,7 @@
 #include <hidapi/hidapi.h>
 #include <mutex>
 #include <unistd.h>
+#include <utility>
 
 namespace teleta::bracelet {
 
@@ -26,8 +28,9 @@ hid_device* openPath(const std::string& path) {
 
 class HidapiTransport : public HidTransport {
 public:
-    explicit HidapiTransport(hid_device* device)
-        : m_device(device) {}
+    HidapiTransport(hid_device* device, core::NodeClaim claim)
+        : m_claim(std::move(claim))
+        , m_device(device) {}
     ~HidapiTransport() override { hid_close(m_device); }
 
     [[nodiscard]] bool write(std::span<const std::uint8_t> report) override {
@@ -41,8 +44,16 @@ public:
     }
 
 private:
+    core::NodeClaim m_claim;
     hid_device* m_device;
 };
+
+core::Error refusal(const QString& text, const std::string& path, const QString& wanted = {}) {
+    return {core::ErrorKind::unavailable,
+            text.arg(QString::fromStdString(path)).toStdString(),
+            wanted.toStdString(),
+            {}};
+}
 
 } // namespace
 
@@ -60,25 +71,25 @@ std::vector<HidDeviceInfo> listHidDevices(std::uint16_t vendorId, std::uint16_t 
 }
 
 core::Expected<std::unique_ptr<HidTransport>> openHidTransport(const std::string& path) {
-    if (hid_device* device = openPath(path))
-        return std::make_unique<HidapiTransport>(device);
-    const QString name = QString::fromStdString(path);
-    if (access(path.c_str(), F_OK) == 0 && access(path.c_str(), R_OK | W_OK) != 0)
-        return core::Unexpected(core::Error{
-            core::ErrorKind::ioFailed,
-            QCoreApplication::translate("Bracelet", "The bracelet at %1 may not be opened.")
-                .arg(name)
-                .toStdString(),
-            QCoreApplication::translate("Bracelet", "read and write access to it, which the udev rule gives")
-                .toStdString(),
-            {}});
-    return core::Unexpected(
-        core::Error{core::ErrorKind::unavailable,
-                    QCoreApplication::translate("Bracelet", "The bracelet at %1 cannot be opened.")
-                        .arg(name)
-                        .toStdString(),
-                    {},
-                    {}});
+    if (access(path.c_str(), F_OK) == 0 && access(path.c_str(), R_OK | W_OK) != 0) {
+        core::Error error =
+            refusal(QCoreApplication::translate("Bracelet", "The bracelet at %1 may not be opened."), path,
+                    QCoreApplication::translate("Bracelet",
+                                                "read and write access to it, which the udev rule gives"));
+        error.kind = core::ErrorKind::ioFailed;
+        return core::Unexpected(error);
+    }
+    // Before the device: two programs must not both set its motors, not for one frame.
+    auto claim = core::NodeClaim::take(path);
+    if (claim && !*claim)
+        return core::Unexpected(
+            refusal(QCoreApplication::translate("Bracelet", "Another program uses the bracelet at %1."), path,
+                    QCoreApplication::translate("Bracelet", "that it is closed there first")));
+    hid_device* device = claim ? openPath(path) : nullptr;
+    if (device == nullptr)
+        return core::Unexpected(
+            refusal(QCoreApplication::translate("Bracelet", "The bracelet at %1 cannot be opened."), path));
+    return std::make_unique<HidapiTransport>(device, std::move(**claim));
 }
 
 } // namespace teleta::bracelet

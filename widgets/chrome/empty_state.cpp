@@ -19,21 +19,21 @@ EmptyState::EmptyState(base::Icon icon, QWidget* parent)
     , m_picture(new QLabel(this))
     , m_headline(new QLabel(this))
     , m_sentence(new QLabel(this))
-    , m_buttons(new QHBoxLayout) {
+    , m_buttons(new QHBoxLayout)
+    , m_layout(new QVBoxLayout(this)) {
     for (QLabel* label : {m_picture, m_headline, m_sentence})
         label->setAlignment(Qt::AlignCenter);
     m_sentence->setWordWrap(true);
     m_buttons->addStretch(1);
     m_buttons->addStretch(1);
 
-    auto* layout = new QVBoxLayout(this);
-    layout->addStretch(2);
-    layout->addWidget(m_picture);
-    layout->addWidget(m_headline);
-    layout->addWidget(m_sentence);
-    layout->addSpacing(base::grid(this, 2));
-    layout->addLayout(m_buttons);
-    layout->addStretch(3);
+    m_layout->addStretch(2);
+    m_layout->addWidget(m_picture);
+    m_layout->addWidget(m_headline);
+    m_layout->addWidget(m_sentence);
+    m_layout->addSpacing(base::grid(this, 2));
+    m_layout->addLayout(m_buttons);
+    m_layout->addStretch(3);
     restyle();
 }
 
@@ -53,6 +53,11 @@ QPushButton* EmptyState::addAction(const QString& text, const QString& toolTip) 
     m_hasDefault = true;
     m_buttons->insertWidget(m_buttons->count() - 1, button);
     return button;
+}
+
+void EmptyState::setMore(QWidget* more) {
+    m_layout->insertSpacing(m_layout->count() - 1, base::grid(this, 3));
+    m_layout->insertWidget(m_layout->count() - 1, more, 12);
 }
 
 void EmptyState::changeEvent(QEvent* event) {

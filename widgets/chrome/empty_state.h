@@ -9,6 +9,7 @@
 class QLabel;
 class QHBoxLayout;
 class QPushButton;
+class QVBoxLayout;
 
 namespace teleta::chrome {
 
@@ -23,6 +24,8 @@ public:
     void setTexts(const QString& headline, const QString& sentence);
     /// The first action is the default one.
     QPushButton* addAction(const QString& text, const QString& toolTip);
+    /// More to choose from, below the actions; it takes what room is left.
+    void setMore(QWidget* more);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -35,6 +38,7 @@ private:
     QLabel* m_headline;
     QLabel* m_sentence;
     QHBoxLayout* m_buttons;
+    QVBoxLayout* m_layout;
     bool m_hasDefault = false;
 };
 

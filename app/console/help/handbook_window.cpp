@@ -15,6 +15,7 @@
 #include <QListWidget>
 #include <QSignalBlocker>
 #include <QTextBrowser>
+#include <QTextTable>
 #include <QToolBar>
 #include <QVBoxLayout>
 
@@ -24,14 +25,54 @@ namespace teleta::console {
 
 namespace {
 
+constexpr int kLineHeight_percent = 125;
+constexpr double kFirstColumn_percent = 24.0;
+
 /// Shows a page of the handbook by its name; QTextBrowser keeps where the reader was.
 class HandbookText : public QTextBrowser {
 public:
     using QTextBrowser::QTextBrowser;
 
+    /// Air between the lines and around what stands in tables, which Markdown cannot ask for.
+    void dress() {
+        QTextCursor cursor(document());
+        cursor.select(QTextCursor::Document);
+        QTextBlockFormat lines;
+        lines.setLineHeight(kLineHeight_percent, QTextBlockFormat::ProportionalHeight);
+        cursor.mergeBlockFormat(lines);
+        for (QTextFrame* frame : document()->rootFrame()->childFrames()) {
+            auto* table = qobject_cast<QTextTable*>(frame);
+            if (table == nullptr)
+                continue;
+            QTextTableFormat format = table->format();
+            format.setBorder(0);
+            format.setCellSpacing(0);
+            format.setCellPadding(base::grid(this, 0.75));
+            format.setMargin(base::grid(this));
+            format.setColumnWidthConstraints(
+                {QTextLength(QTextLength::PercentageLength, kFirstColumn_percent),
+                 QTextLength(QTextLength::VariableLength, 0)});
+            table->setFormat(format);
+            for (int row = 0; row < table->rows(); row += 2) {
+                for (int column = 0; column < table->columns(); ++column) {
+                    QTextTableCell cell = table->cellAt(row, column);
+                    QTextCharFormat ground = cell.format();
+                    ground.setBackground(palette().alternateBase());
+                    cell.setFormat(ground);
+                }
+            }
+        }
+    }
+
 protected:
     void doSetSource(const QUrl& url, QTextDocument::ResourceType) override {
         QTextBrowser::doSetSource(url, QTextDocument::MarkdownResource);
+        dress();
+    }
+    void changeEvent(QEvent* event) override {
+        QTextBrowser::changeEvent(event);
+        if (event->type() == QEvent::PaletteChange)
+            dress();
     }
     QVariant loadResource(int type, const QUrl& url) override {
         const auto page = handbookPage(QFileInfo(url.path()).completeBaseName(),
@@ -72,6 +113,7 @@ HandbookWindow::HandbookWindow(QWidget* parent)
 
     m_list->setMaximumWidth(base::em(this, 14));
     m_list->setFrameShape(QFrame::NoFrame);
+    m_list->setSpacing(base::grid(this, 0.25));
     m_text->setFrameShape(QFrame::NoFrame);
     m_text->setOpenExternalLinks(true);
     m_text->document()->setDocumentMargin(base::grid(this, 2));

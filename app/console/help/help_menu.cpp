@@ -19,7 +19,7 @@ HelpMenu::HelpMenu(QWidget& window, std::function<QString()> page)
 
 void HelpMenu::fill(QMenu& menu) {
     menu.addAction(tr("&Handbook"), QKeySequence::HelpContents, this, [this] { openHandbook(m_page()); });
-    menu.addAction(tr("&First steps"), this, [this] { openHandbook(QStringLiteral("first-steps")); });
+    menu.addAction(tr("&First steps"), this, &HelpMenu::openFirstSteps);
     menu.addSeparator();
     menu.addAction(QWhatsThis::createAction(&menu));
     menu.addAction(tr("&Shortcuts"), this, [this] { openShortcuts(&m_window); });
@@ -34,6 +34,10 @@ void HelpMenu::openHandbook(const QString& page) {
     m_handbook->show();
     m_handbook->raise();
     m_handbook->activateWindow();
+}
+
+void HelpMenu::openFirstSteps() {
+    openHandbook(QStringLiteral("first-steps"));
 }
 
 } // namespace teleta::console

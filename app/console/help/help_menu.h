@@ -22,6 +22,7 @@ public:
 
     void fill(QMenu& menu);
     void openHandbook(const QString& page);
+    void openFirstSteps();
 
 private:
     QWidget& m_window;

@@ -5,6 +5,7 @@
 #include "backend/core/steady_time.h"
 #include "widgets/base/theme.h"
 #include "widgets/charts/strip_chart_view.h"
+#include "widgets/chrome/demo_list.h"
 #include "widgets/chrome/empty_state.h"
 #include "widgets/chrome/playback_bar.h"
 #include "widgets/tactile/channel_settings_panel.h"
@@ -79,6 +80,7 @@ OperatePage::OperatePage(SourceManager& sources, core::StopSwitch& stop, QWidget
     , m_playback(new chrome::PlaybackBar(this))
     , m_stack(new QStackedWidget(this))
     , m_empty(new chrome::EmptyState(base::Icon::sensor, this))
+    , m_demos(new chrome::DemoList(this))
     , m_docks(new OperateDocks(this))
     , m_bracelet(new BraceletStation(stop, this))
     , m_heatmap(new tactile::HeatmapView(this))
@@ -125,6 +127,11 @@ OperatePage::OperatePage(SourceManager& sources, core::StopSwitch& stop, QWidget
     demo->setObjectName(QStringLiteral("openDemo"));
     recording->setObjectName(QStringLiteral("openRecording"));
     list->setObjectName(QStringLiteral("openList"));
+    auto* firstSteps = m_empty->addAction(QString(), QString());
+    firstSteps->setObjectName(QStringLiteral("firstSteps"));
+    connect(firstSteps, &QPushButton::clicked, this, &OperatePage::firstStepsRequested);
+    m_empty->setMore(m_demos);
+    connect(m_demos, &chrome::DemoList::demoRequested, m_chooser, &chrome::SourceChooser::demoRequested);
     connect(demo, &QPushButton::clicked, this, &OperatePage::demoRequested);
     connect(recording, &QPushButton::clicked, this, &OperatePage::openRecordingRequested);
     connect(list, &QPushButton::clicked, this, &OperatePage::openListRequested);
@@ -416,6 +423,11 @@ void OperatePage::changeEvent(QEvent* event) {
         retranslate();
 }
 
+void OperatePage::setDemos(const std::vector<chrome::SourceChooser::Demo>& demos) {
+    m_chooser->setDemos(demos);
+    m_demos->setDemos(demos);
+}
+
 void OperatePage::retranslate() {
     m_docks->retranslate();
     m_empty->setTexts(tr("No source"),
@@ -425,6 +437,7 @@ void OperatePage::retranslate() {
         button->setText(text);
         button->setToolTip(toolTip);
     };
+    set("firstSteps", tr("&First steps"), tr("The page of the handbook to begin with (F1)"));
     set("openDemo", tr("Open &demo scene"), tr("A simulated arm that touches five materials"));
     set("openRecording", tr("Open &recording\u2026"),
         tr("A recording of this program, or recorded frames as CSV: time_s,t0,t1,\u2026"));

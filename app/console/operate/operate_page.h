@@ -27,6 +27,7 @@ namespace teleta::charts {
 class StripChartView;
 }
 namespace teleta::chrome {
+class DemoList;
 class EmptyState;
 class PlaybackBar;
 } // namespace teleta::chrome
@@ -51,6 +52,8 @@ public:
     [[nodiscard]] std::vector<chrome::DeviceReading> readings() const;
 
     [[nodiscard]] chrome::SourceChooser& chooser() { return *m_chooser; }
+    /// Scenes to try the program with: in the menu, and on the page while nothing is open.
+    void setDemos(const std::vector<chrome::SourceChooser::Demo>& demos);
     [[nodiscard]] chrome::MessageBar& messages() { return *m_messages; }
 
     [[nodiscard]] OperateDocks& docks() { return *m_docks; }
@@ -62,6 +65,7 @@ public:
 
 signals:
     void demoRequested();
+    void firstStepsRequested();
     void openRecordingRequested();
     void openListRequested();
 
@@ -90,6 +94,7 @@ private:
     chrome::PlaybackBar* m_playback;
     QStackedWidget* m_stack;
     chrome::EmptyState* m_empty;
+    chrome::DemoList* m_demos;
     OperateDocks* m_docks;
     BraceletStation* m_bracelet;
     tactile::HeatmapView* m_heatmap;

@@ -95,6 +95,16 @@ TEST_F(HidBraceletPeer, takesOnlyTheBoardWithTheSerialNumberThatWasAsked) {
     EXPECT_FALSE(bracelet::openHidBracelet(other, m_stop));
 }
 
+TEST_F(HidBraceletPeer, isOneProgramsAtATime) {
+    open();
+    const auto second = bracelet::openHidBracelet({}, m_stop);
+    ASSERT_FALSE(second);
+    EXPECT_NE(second.error().message.find("Another program uses the bracelet"), std::string::npos)
+        << second.error().message;
+    m_bracelet.reset();
+    EXPECT_TRUE(eventually([&] { return bracelet::openHidBracelet({}, m_stop).has_value(); }));
+}
+
 TEST_F(HidBraceletPeer, bringsEveryByteOfAFrameToTheBoardAndItsAnswerBack) {
     open();
     m_board.forgetFrames();

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/error.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace teleta::core {
+
+/// The right to use the node of a device ("/dev/hidraw3"), which the kernel lets any number of programs open:
+/// one holder at a time, by an advisory lock (flock) that ends with the program, however it ends. It keeps
+/// programs out that ask for the same lock, this one's other instances above all. Thread: any.
+class NodeClaim {
+public:
+    /// Empty when another program, or another part of this one, has it. Error: ioFailed, there is no such
+    /// node or it may not be read.
+    [[nodiscard]] static Expected<std::optional<NodeClaim>> take(const std::string& path);
+
+    NodeClaim(NodeClaim&& other) noexcept
+        : m_descriptor(std::exchange(other.m_descriptor, -1)) {}
+    NodeClaim& operator=(NodeClaim&& other) noexcept {
+        std::swap(m_descriptor, other.m_descriptor);
+        return *this;
+    }
+    ~NodeClaim();
+
+private:
+    explicit NodeClaim(int descriptor)
+        : m_descriptor(descriptor) {}
+    int m_descriptor;
+};
+
+} // namespace teleta::core
