@@ -437,7 +437,7 @@ void OperatePage::retranslate() {
         button->setText(text);
         button->setToolTip(toolTip);
     };
-    set("firstSteps", tr("&First steps"), tr("The page of the handbook to begin with (F1)"));
+    set("firstSteps", tr("First &steps"), tr("The page of the handbook to begin with (F1)"));
     set("openDemo", tr("Open &demo scene"), tr("A simulated arm that touches five materials"));
     set("openRecording", tr("Open &recording\u2026"),
         tr("A recording of this program, or recorded frames as CSV: time_s,t0,t1,\u2026"));

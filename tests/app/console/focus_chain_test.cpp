@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/main_window.h"
+#include "widgets/base/theme.h"
+#include "widgets/chrome/page_rail.h"
+
+#include <QAbstractButton>
+#include <QAccessible>
+#include <QApplication>
+#include <QMenuBar>
+#include <QSet>
+#include <QStackedWidget>
+#include <QTest>
+
+#include <memory>
+#include <set>
+
+using namespace teleta;
+using console::ConsoleOptions;
+using console::ConsoleSettings;
+using console::MainWindow;
+
+namespace {
+
+QString describe(const QWidget* widget) {
+    QStringList path;
+    for (const QWidget* each = widget; each != nullptr && path.size() < 5; each = each->parentWidget())
+        path.prepend(QString::fromLatin1(each->metaObject()->className()) +
+                     (each->objectName().isEmpty() ? QString() : QLatin1Char(' ') + each->objectName()));
+    return path.join(QLatin1String(" > "));
+}
+
+QString nameOf(QWidget* widget) {
+    QAccessibleInterface* accessible = QAccessible::queryAccessibleInterface(widget);
+    return accessible == nullptr ? QString() : accessible->text(QAccessible::Name);
+}
+
+/// Of an exclusive group only one button is a stop of Tab; the arrows go to the others.
+bool isReachedByArrows(const QWidget* widget) {
+    const auto* button = qobject_cast<const QAbstractButton*>(widget);
+    return button != nullptr && button->autoExclusive() && !button->isChecked();
+}
+
+} // namespace
+
+/// Everything can be reached and is named without a mouse.
+class FocusChainTest : public QObject {
+    Q_OBJECT
+
+    core::StopSwitch m_stop;
+    std::unique_ptr<ConsoleSettings> m_settings;
+    std::unique_ptr<MainWindow> m_window;
+
+    /// The widgets of the page that is shown to which Tab is said to go.
+    std::set<QWidget*> stops(QWidget* page) const {
+        std::set<QWidget*> found;
+        for (QWidget* widget : page->findChildren<QWidget*>())
+            if (widget->isVisible() && widget->isEnabled() && (widget->focusPolicy() & Qt::TabFocus) != 0 &&
+                widget->focusProxy() == nullptr && widget->window() == m_window.get() &&
+                !isReachedByArrows(widget))
+                found.insert(widget);
+        return found;
+    }
+
+private slots:
+    void initTestCase() {
+        base::applyTheme(base::ThemeChoice::light);
+        m_settings = std::make_unique<ConsoleSettings>(true);
+        ConsoleOptions options;
+        options.scenes << "teleta-touch";
+        m_window = std::make_unique<MainWindow>(options, *m_settings, m_stop);
+        m_window->resize(1500, 950);
+        m_window->show();
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        m_window->openRequested(options);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            m_window->sources().active() != nullptr && m_window->sources().active()->displayed > 0, 60'000);
+    }
+    void cleanupTestCase() { m_window.reset(); }
+
+    void tabGoesToEverythingOfAPage_data() {
+        QTest::addColumn<int>("key");
+        QTest::newRow("operate") << int(Qt::Key_1);
+        QTest::newRow("patterns") << int(Qt::Key_2);
+        QTest::newRow("study") << int(Qt::Key_3);
+        QTest::newRow("calibrate") << int(Qt::Key_4);
+        QTest::newRow("cost") << int(Qt::Key_5);
+    }
+    void tabGoesToEverythingOfAPage() {
+        QFETCH(int, key);
+        QTest::keyClick(m_window.get(), static_cast<Qt::Key>(key), Qt::ControlModifier);
+        auto* rail = m_window->findChild<chrome::PageRail*>();
+        QCOMPARE(rail->currentPage(), QString::fromLatin1(QTest::currentDataTag()));
+        QWidget* page = m_window->findChild<QStackedWidget*>()->currentWidget();
+        const std::set<QWidget*> wanted = stops(page);
+        QVERIFY(wanted.size() > 3);
+        for (QWidget* widget : wanted)
+            QVERIFY2(!nameOf(widget).isEmpty(), qPrintable("no accessible name: " + describe(widget)));
+
+        (*wanted.begin())->setFocus(Qt::TabFocusReason);
+        std::set<QWidget*> reached;
+        QWidget* last = nullptr;
+        constexpr int kMostStops = 400;
+        for (int i = 0; i < kMostStops; ++i) {
+            QWidget* focus = QApplication::focusWidget();
+            QVERIFY(focus != nullptr);
+            if (focus == last) {
+                // An editor or table may keep Tab for itself: Ctrl+Tab leaves it.
+                QTest::keyClick(focus, Qt::Key_Tab, Qt::ControlModifier);
+                QVERIFY2(QApplication::focusWidget() != focus, qPrintable("a trap: " + describe(focus)));
+                focus = QApplication::focusWidget();
+            }
+            if (reached.contains(focus) && focus == *wanted.begin())
+                break;
+            reached.insert(focus);
+            last = focus;
+            QTest::keyClick(focus, Qt::Key_Tab);
+        }
+        for (QWidget* widget : wanted)
+            QVERIFY2(reached.contains(widget) || !widget->isVisible() || !widget->isEnabled(),
+                     qPrintable("not reached by Tab: " + describe(widget)));
+    }
+
+    void everyMenuOpensByItsLetter() {
+        QSet<QString> letters;
+        for (const QAction* action : m_window->menuBar()->actions()) {
+            const QString letter = QKeySequence::mnemonic(action->text()).toString();
+            QVERIFY2(!letter.isEmpty() && !letters.contains(letter), qPrintable(action->text()));
+            letters.insert(letter);
+        }
+    }
+};
+
+QTEST_MAIN(FocusChainTest)
+#include "focus_chain_test.moc"
