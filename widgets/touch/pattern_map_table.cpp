@@ -72,6 +72,7 @@ PatternMapTable::PatternMapTable(QWidget* parent)
     , m_import(new QPushButton(this))
     , m_export(new QPushButton(this)) {
     m_now->setWordWrap(true);
+    m_table->setTabKeyNavigation(false);
     m_table->setSelectionMode(QAbstractItemView::NoSelection);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setShowGrid(false);

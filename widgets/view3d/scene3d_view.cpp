@@ -250,6 +250,8 @@ void Scene3dView::retranslate() {
     name(parts.saveGeometry, tr("Export geometry…"), tr("Save the scene for other programs: VTP, PLY, STL"));
     parts.toolBar->setAccessibleName(tr("3-D view"));
     parts.vtk->setAccessibleName(tr("Touch in 3-D"));
+    if (QWidget* canvas = parts.vtk->focusProxy())
+        canvas->setAccessibleName(parts.vtk->accessibleName());
     parts.vtk->setWhatsThis(
         tr("The tactile array with its loads as heights and colours, contacts with force "
            "arrows, the arm and the explored contour. Drag with the left button to turn, with "

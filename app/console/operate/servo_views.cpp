@@ -52,6 +52,7 @@ ServoViews::ServoViews(view3d::Scene3dView& scene, QWidget* parent)
 
 void ServoViews::addTo(OperateDocks& docks) {
     auto* scroll = new QScrollArea(&docks);
+    scroll->setFocusPolicy(Qt::NoFocus); // its fields are what Tab goes to
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
