@@ -307,6 +307,14 @@
         <source>The bracelet at %1 cannot be opened.</source>
         <translation>Le bracelet sur %1 ne peut pas être ouvert.</translation>
     </message>
+    <message>
+        <source>Another program uses the bracelet at %1.</source>
+        <translation>Un autre programme utilise le bracelet sur %1.</translation>
+    </message>
+    <message>
+        <source>that it is closed there first</source>
+        <translation>qu’il y soit d’abord fermé</translation>
+    </message>
 </context>
 <context>
     <name>BraceletStimulus</name>
@@ -1441,6 +1449,30 @@ Exemples&#xa0;:
     <message>
         <source>Contacts near the lens, in the middle and at the far end of the tube</source>
         <translation>Contacts près de l’objectif, au milieu et à l’extrémité du tube</translation>
+    </message>
+    <message>
+        <source>Demo: an array follows a bent bar</source>
+        <translation>Démo&#xa0;: une matrice suit une barre courbe</translation>
+    </message>
+    <message>
+        <source>It closes in, aligns with the bar, and slides along its bend at 5 N</source>
+        <translation>Elle s’approche, s’aligne sur la barre et glisse le long de sa courbure à 5 N</translation>
+    </message>
+    <message>
+        <source>Demo: a tray is kept level</source>
+        <translation>Démo&#xa0;: un plateau est tenu horizontal</translation>
+    </message>
+    <message>
+        <source>A weight moves on the tray; the hand feels its moment and tilts against it</source>
+        <translation>Un poids se déplace sur le plateau&#xa0;; la main en ressent le moment et s’incline en sens contraire</translation>
+    </message>
+    <message>
+        <source>Demo: an array rolls on a ball</source>
+        <translation>Démo&#xa0;: une matrice roule sur une bille</translation>
+    </message>
+    <message>
+        <source>The contact wanders over the array while the force stays at 4 N</source>
+        <translation>Le contact se promène sur la matrice tandis que la force reste à 4 N</translation>
     </message>
 </context>
 <context>
@@ -9062,6 +9094,64 @@ Aire %6</translation>
     </message>
 </context>
 <context>
+    <name>teleta::console::HandbookWindow</name>
+    <message>
+        <source>Handbook of the TeleTA Console</source>
+        <translation>Manuel de TeleTA Console</translation>
+    </message>
+    <message>
+        <source>← Back</source>
+        <translation>← Précédent</translation>
+    </message>
+    <message>
+        <source>Forward →</source>
+        <translation>Suivant →</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Rechercher</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Find in the handbook (Ctrl+F)</source>
+        <translation>Rechercher dans le manuel (Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>Find in the handbook</source>
+        <translation>Rechercher dans le manuel</translation>
+    </message>
+    <message>
+        <source>Pages of the handbook</source>
+        <translation>Pages du manuel</translation>
+    </message>
+    <message>
+        <source>Page of the handbook</source>
+        <translation>Page du manuel</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::HelpMenu</name>
+    <message>
+        <source>&amp;Handbook</source>
+        <translation>&amp;Manuel</translation>
+    </message>
+    <message>
+        <source>&amp;First steps</source>
+        <translation>Pr&amp;emiers pas</translation>
+    </message>
+    <message>
+        <source>&amp;Shortcuts</source>
+        <translation>&amp;Raccourcis clavier</translation>
+    </message>
+    <message>
+        <source>&amp;About TeleTA Console</source>
+        <translation>À &amp;propos de TeleTA Console</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::LiveProbing</name>
     <message>
         <source>The camera is open, but no frame comes.</source>
@@ -9300,14 +9390,6 @@ Aire %6</translation>
     <message>
         <source>&amp;Help</source>
         <translation>A&amp;ide</translation>
-    </message>
-    <message>
-        <source>&amp;Shortcuts</source>
-        <translation>&amp;Raccourcis clavier</translation>
-    </message>
-    <message>
-        <source>&amp;About TeleTA Console</source>
-        <translation>À &amp;propos de TeleTA Console</translation>
     </message>
     <message>
         <source>&amp;Arm</source>
@@ -9703,6 +9785,14 @@ Aire %6</translation>
     <message>
         <source>A recording of this program, or recorded frames as CSV: time_s,t0,t1,…</source>
         <translation>Un enregistrement de ce programme, ou des trames enregistrées en CSV&#xa0;: time_s,t0,t1,…</translation>
+    </message>
+    <message>
+        <source>First &amp;steps</source>
+        <translation>&amp;Premiers pas</translation>
+    </message>
+    <message>
+        <source>The page of the handbook to begin with (F1)</source>
+        <translation>La page du manuel par laquelle commencer (F1)</translation>
     </message>
 </context>
 <context>

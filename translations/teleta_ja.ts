@@ -307,6 +307,14 @@
         <source>The bracelet at %1 cannot be opened.</source>
         <translation>%1 のブレスレットを開けません。</translation>
     </message>
+    <message>
+        <source>Another program uses the bracelet at %1.</source>
+        <translation>%1 のブレスレットは別のプログラムが使用中です。</translation>
+    </message>
+    <message>
+        <source>that it is closed there first</source>
+        <translation>先にそのプログラムで閉じること</translation>
+    </message>
 </context>
 <context>
     <name>BraceletStimulus</name>
@@ -1440,6 +1448,30 @@ Examples:
     <message>
         <source>Contacts near the lens, in the middle and at the far end of the tube</source>
         <translation>レンズの近く、中央、チューブの奥端での接触</translation>
+    </message>
+    <message>
+        <source>Demo: an array follows a bent bar</source>
+        <translation>デモ: アレイが曲がった棒をたどる</translation>
+    </message>
+    <message>
+        <source>It closes in, aligns with the bar, and slides along its bend at 5 N</source>
+        <translation>アレイが近づき、棒に向きを合わせ、曲がりに沿って5 Nで滑る</translation>
+    </message>
+    <message>
+        <source>Demo: a tray is kept level</source>
+        <translation>デモ: トレイを水平に保つ</translation>
+    </message>
+    <message>
+        <source>A weight moves on the tray; the hand feels its moment and tilts against it</source>
+        <translation>トレイの上でおもりが動き、手がそのモーメントを感じて逆向きに傾く</translation>
+    </message>
+    <message>
+        <source>Demo: an array rolls on a ball</source>
+        <translation>デモ: アレイが球の上を転がる</translation>
+    </message>
+    <message>
+        <source>The contact wanders over the array while the force stays at 4 N</source>
+        <translation>力を4 Nに保ったまま、接触がアレイ上を動き回る</translation>
     </message>
 </context>
 <context>
@@ -9044,6 +9076,64 @@ x %4, y %5
     </message>
 </context>
 <context>
+    <name>teleta::console::HandbookWindow</name>
+    <message>
+        <source>Handbook of the TeleTA Console</source>
+        <translation>TeleTA Console ハンドブック</translation>
+    </message>
+    <message>
+        <source>← Back</source>
+        <translation>← 戻る</translation>
+    </message>
+    <message>
+        <source>Forward →</source>
+        <translation>進む →</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>検索</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Find in the handbook (Ctrl+F)</source>
+        <translation>ハンドブック内を検索 (Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>Find in the handbook</source>
+        <translation>ハンドブック内を検索</translation>
+    </message>
+    <message>
+        <source>Pages of the handbook</source>
+        <translation>ハンドブックのページ一覧</translation>
+    </message>
+    <message>
+        <source>Page of the handbook</source>
+        <translation>ハンドブックのページ</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::HelpMenu</name>
+    <message>
+        <source>&amp;Handbook</source>
+        <translation>ハンドブック(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;First steps</source>
+        <translation>はじめに(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Shortcuts</source>
+        <translation>ショートカット(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;About TeleTA Console</source>
+        <translation>TeleTA Consoleについて(&amp;A)</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::LiveProbing</name>
     <message>
         <source>The camera is open, but no frame comes.</source>
@@ -9282,14 +9372,6 @@ x %4, y %5
     <message>
         <source>&amp;Help</source>
         <translation>ヘルプ(&amp;H)</translation>
-    </message>
-    <message>
-        <source>&amp;Shortcuts</source>
-        <translation>ショートカット(&amp;S)</translation>
-    </message>
-    <message>
-        <source>&amp;About TeleTA Console</source>
-        <translation>TeleTA Consoleについて(&amp;A)</translation>
     </message>
     <message>
         <source>&amp;Arm</source>
@@ -9685,6 +9767,14 @@ x %4, y %5
     <message>
         <source>A recording of this program, or recorded frames as CSV: time_s,t0,t1,…</source>
         <translation>このプログラムの記録、または記録したフレームのCSV: time_s,t0,t1,…</translation>
+    </message>
+    <message>
+        <source>First &amp;steps</source>
+        <translation>はじめに(&amp;S)</translation>
+    </message>
+    <message>
+        <source>The page of the handbook to begin with (F1)</source>
+        <translation>最初に読むハンドブックのページ (F1)</translation>
     </message>
 </context>
 <context>

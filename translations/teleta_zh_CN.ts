@@ -307,6 +307,14 @@
         <source>The bracelet at %1 cannot be opened.</source>
         <translation>无法打开位于 %1 的手环。</translation>
     </message>
+    <message>
+        <source>Another program uses the bracelet at %1.</source>
+        <translation>另一个程序正在使用位于 %1 的手环。</translation>
+    </message>
+    <message>
+        <source>that it is closed there first</source>
+        <translation>先在该程序中将其关闭</translation>
+    </message>
 </context>
 <context>
     <name>BraceletStimulus</name>
@@ -1440,6 +1448,30 @@ Examples:
     <message>
         <source>Contacts near the lens, in the middle and at the far end of the tube</source>
         <translation>接触位于镜头附近、管的中部和远端</translation>
+    </message>
+    <message>
+        <source>Demo: an array follows a bent bar</source>
+        <translation>演示：阵列跟随弯曲的杆</translation>
+    </message>
+    <message>
+        <source>It closes in, aligns with the bar, and slides along its bend at 5 N</source>
+        <translation>阵列靠近并与杆对齐，以 5 N 的力沿其弯曲处滑动</translation>
+    </message>
+    <message>
+        <source>Demo: a tray is kept level</source>
+        <translation>演示：保持托盘水平</translation>
+    </message>
+    <message>
+        <source>A weight moves on the tray; the hand feels its moment and tilts against it</source>
+        <translation>重物在托盘上移动；手感受到其力矩并反向倾斜</translation>
+    </message>
+    <message>
+        <source>Demo: an array rolls on a ball</source>
+        <translation>演示：阵列在小球上滚动</translation>
+    </message>
+    <message>
+        <source>The contact wanders over the array while the force stays at 4 N</source>
+        <translation>接触在阵列上移动，而力保持为 4 N</translation>
     </message>
 </context>
 <context>
@@ -9044,6 +9076,64 @@ x %4，y %5
     </message>
 </context>
 <context>
+    <name>teleta::console::HandbookWindow</name>
+    <message>
+        <source>Handbook of the TeleTA Console</source>
+        <translation>TeleTA Console 手册</translation>
+    </message>
+    <message>
+        <source>← Back</source>
+        <translation>← 后退</translation>
+    </message>
+    <message>
+        <source>Forward →</source>
+        <translation>前进 →</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>查找</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Find in the handbook (Ctrl+F)</source>
+        <translation>在手册中查找（Ctrl+F）</translation>
+    </message>
+    <message>
+        <source>Find in the handbook</source>
+        <translation>在手册中查找</translation>
+    </message>
+    <message>
+        <source>Pages of the handbook</source>
+        <translation>手册页面列表</translation>
+    </message>
+    <message>
+        <source>Page of the handbook</source>
+        <translation>手册页面</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::HelpMenu</name>
+    <message>
+        <source>&amp;Handbook</source>
+        <translation>手册(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;First steps</source>
+        <translation>入门(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Shortcuts</source>
+        <translation>快捷键(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;About TeleTA Console</source>
+        <translation>关于 TeleTA Console(&amp;A)</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::LiveProbing</name>
     <message>
         <source>The camera is open, but no frame comes.</source>
@@ -9282,14 +9372,6 @@ x %4，y %5
     <message>
         <source>&amp;Help</source>
         <translation>帮助(&amp;H)</translation>
-    </message>
-    <message>
-        <source>&amp;Shortcuts</source>
-        <translation>快捷键(&amp;S)</translation>
-    </message>
-    <message>
-        <source>&amp;About TeleTA Console</source>
-        <translation>关于 TeleTA Console(&amp;A)</translation>
     </message>
     <message>
         <source>&amp;Arm</source>
@@ -9685,6 +9767,14 @@ x %4，y %5
     <message>
         <source>A recording of this program, or recorded frames as CSV: time_s,t0,t1,…</source>
         <translation>本程序的记录，或 CSV 格式的记录帧：time_s,t0,t1,…</translation>
+    </message>
+    <message>
+        <source>First &amp;steps</source>
+        <translation>入门(&amp;S)</translation>
+    </message>
+    <message>
+        <source>The page of the handbook to begin with (F1)</source>
+        <translation>手册中首先阅读的页面（F1）</translation>
     </message>
 </context>
 <context>
