@@ -2,7 +2,6 @@
 #include "backend/scene_run/study_run.h"
 
 #include "backend/core/steady_time.h"
-#include "backend/pattern/built_in_patterns.h"
 #include "backend/scene_run/stimulus_bracelet.h"
 #include "backend/study/rehearsal.h"
 
@@ -142,7 +141,7 @@ core::Expected<SceneSummary> runStudyScene(const study::StudyScene& scene, const
                       std::uint64_t seed) { return minds.answer(task, condition, stimulus, seed); };
     cast.show = [&](const std::string& id, std::uint64_t seed) {
         study::RehearsalCast::Shown shown;
-        const pattern::Pattern* pattern = pattern::findBuiltIn(id);
+        const pattern::Pattern* pattern = store->head().stimuli.find(id);
         unknown = unknown || pattern == nullptr;
         if (pattern == nullptr)
             return shown;

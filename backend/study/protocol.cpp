@@ -5,7 +5,9 @@
 #include "backend/study/identifier.h"
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QString>
 
 #include <set>
@@ -46,6 +48,11 @@ StudyTask readTask(TomlTable& table, std::set<std::string>& usedIds) {
     StudyTask task;
     task.id = readIdentifier(table, "id", usedIds);
     task.name = table.text("name", task.id);
+    std::set<std::string> conditions;
+    for (TomlTable& entry : table.tables("condition", 1)) {
+        task.conditions.push_back(readIdentifier(entry, "id", conditions));
+        entry.finish();
+    }
     std::set<std::string> letters;
     for (TomlTable& entry : table.tables("pattern", 2)) {
         StudyPattern pattern;
@@ -56,13 +63,16 @@ StudyTask readTask(TomlTable& table, std::set<std::string>& usedIds) {
                        ProtocolText::tr("\"%1\" means no answer").arg(pattern.letter.c_str()).toStdString(),
                        ProtocolText::tr("another letter").toStdString());
         pattern.name = entry.text("name", pattern.letter);
+        if (entry.has("stimulus")) {
+            TomlTable files = entry.table("stimulus");
+            for (const std::string& condition : task.conditions) {
+                if (files.has(condition))
+                    pattern.files[condition] = files.text(condition);
+            }
+            files.finish();
+        }
         entry.finish();
         task.patterns.push_back(std::move(pattern));
-    }
-    std::set<std::string> conditions;
-    for (TomlTable& entry : table.tables("condition", 1)) {
-        task.conditions.push_back(readIdentifier(entry, "id", conditions));
-        entry.finish();
     }
     table.finish();
     return task;
@@ -127,7 +137,17 @@ core::Expected<Protocol> readProtocol(const std::string& path) {
             ProtocolText::tr("cannot open the protocol: %1").arg(file.errorString()).toStdString(),
             {},
             {path}});
-    return parseProtocol(file.readAll().toStdString(), path);
+    core::Expected<Protocol> protocol = parseProtocol(file.readAll().toStdString(), path);
+    if (!protocol)
+        return protocol;
+    const QDir folder = QFileInfo(file.fileName()).absoluteDir();
+    for (StudyTask& task : protocol->tasks) {
+        for (StudyPattern& pattern : task.patterns) {
+            for (auto& [condition, name] : pattern.files)
+                name = QDir::cleanPath(folder.absoluteFilePath(QString::fromStdString(name))).toStdString();
+        }
+    }
+    return protocol;
 }
 
 core::Expected<Protocol> paperProtocol() {

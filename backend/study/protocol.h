@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,6 +34,8 @@ struct RestSettings {
 struct StudyPattern {
     std::string letter; ///< what rows have: A, B, ..
     std::string name;
+    /// Files of one's own tactile patterns, by condition; a condition without one has the built-in pattern.
+    std::map<std::string, std::string> files = {};
 };
 
 /// What the participants discriminate, under some conditions. The stimulus of a pattern under a condition is
@@ -70,11 +73,12 @@ struct Protocol {
 };
 
 /// Reads a protocol (TOML). Unknown keys, keys without their unit, wrong types, values out of range, and
-/// letters or conditions that occur twice are errors with file, line, column and what was expected.
-/// Error: notFound, ioFailed, badInput. Thread: any.
+/// letters or conditions that occur twice are errors with file, line, column and what was expected. Pattern
+/// files that it names are looked for beside it; they are not read. Error: notFound, ioFailed, badInput.
+/// Thread: any.
 [[nodiscard]] core::Expected<Protocol> readProtocol(const std::string& path);
 
-/// The same from text; file is the name that errors show.
+/// The same from text; file is the name that errors show. Paths of pattern files stay as they are.
 [[nodiscard]] core::Expected<Protocol> parseProtocol(std::string_view text, const std::string& file);
 
 /// The protocol of the paper: shape (6 patterns) and stiffness (5), each static and dynamic; 18 and 15

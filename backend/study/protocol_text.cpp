@@ -61,6 +61,20 @@ public:
         m_text.append(otherKey).append(" = ").append(quoted(otherValue)).append(" },\n");
         return *this;
     }
+    /// An inline table, a line of an array.
+    Lines& pattern(const StudyPattern& pattern) {
+        if (pattern.files.empty())
+            return pair("letter", pattern.letter, "name", pattern.name);
+        m_text.append("    { letter = ").append(quoted(pattern.letter));
+        m_text.append(", name = ").append(quoted(pattern.name)).append(", stimulus = {");
+        const char* separator = " ";
+        for (const auto& [condition, file] : pattern.files) {
+            m_text.append(separator).append(condition).append(" = ").append(quoted(file));
+            separator = ", ";
+        }
+        m_text.append(" } },\n");
+        return *this;
+    }
     Lines& raw(const char* text) {
         m_text.append(text);
         return *this;
@@ -88,7 +102,7 @@ void addTask(Lines& lines, const StudyTask& task) {
     conditions.append(conditions.empty() ? "[]" : "]");
     lines.value("condition", conditions).raw("pattern = [\n");
     for (const StudyPattern& pattern : task.patterns)
-        lines.pair("letter", pattern.letter, "name", pattern.name);
+        lines.pattern(pattern);
     lines.raw("]\n");
 }
 

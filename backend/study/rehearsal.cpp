@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/rehearsal.h"
 
-#include "backend/pattern/built_in_patterns.h"
 #include "backend/study/due_questionnaires.h"
 #include "backend/study/session.h"
 #include "backend/study/simulated_participant.h"
@@ -29,9 +28,10 @@ constexpr qint64 kBetweenSessions_s = 3600;
 constexpr std::uint64_t kAnswersOfSession = 2; // parts 0 and 1 of the session's seed are its orders
 
 /// A pattern ends by itself, and is cut off where the protocol says so.
-double lengthOf_s(const std::string& id, const Protocol& protocol) {
-    const pattern::Pattern* stimulus = pattern::findBuiltIn(id);
-    return stimulus == nullptr ? protocol.stimulus_s : std::min(stimulus->duration_s, protocol.stimulus_s);
+double lengthOf_s(const std::string& id, const StudyHead& head) {
+    const pattern::Pattern* stimulus = head.stimuli.find(id);
+    return stimulus == nullptr ? head.protocol.stimulus_s
+                               : std::min(stimulus->duration_s, head.protocol.stimulus_s);
 }
 
 /// Shows one trial to the participant and passes on what it does.
@@ -203,7 +203,7 @@ core::Expected<void> Rehearsal::runSession(const Participant& participant, std::
         const RehearsalCast::Shown shown = m_cast.show ? m_cast.show(stimulus, seed) : RehearsalCast::Shown{};
         if (head.protocol.rest.isDueAfter(completed[trial.phase == Phase::test ? 1 : 0]))
             now_ns += std::llround(head.protocol.rest.atLeast_s * 1e9);
-        showTrial(*session, answer, shown, lengthOf_s(stimulus, head.protocol), now_ns);
+        showTrial(*session, answer, shown, lengthOf_s(stimulus, head), now_ns);
         // The store keeps milliseconds, and the next trial begins at what it keeps, resumed or not.
         now_ns = (now_ns + 999'999) / 1'000'000 * 1'000'000;
         m_progress.simulated_s = before_s + static_cast<double>(now_ns - start_ns) * 1e-9;

@@ -60,8 +60,8 @@ RunCheck checkStimuli(const RunConditions& now) {
             some << QStringLiteral("\u2026");
         return failed(
             kKind, name, CheckText::tr("there are no patterns %1").arg(some.join(QStringLiteral(", "))),
-            CheckText::tr("Make a study whose tasks, letters and conditions have patterns that come "
-                          "with the program."));
+            CheckText::tr("Make a study whose protocol names a file for each pattern that does not come with "
+                          "the program."));
     }
     if (now.stimuliChanged)
         return failed(

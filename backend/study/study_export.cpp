@@ -121,8 +121,16 @@ ordered_json sessionSidecar(const StudyHead& head, const PlannedSession& plan) {
     const StudyTask& task = head.protocol.tasks[plan.task];
     const std::string& condition = task.conditions[plan.condition];
     ordered_json stimuli = ordered_json::object();
-    for (const StudyPattern& pattern : task.patterns)
-        stimuli[pattern.letter] = {{"name", pattern.name}, {"pattern", stimulusId(task, pattern, condition)}};
+    for (const StudyPattern& pattern : task.patterns) {
+        const std::string id = stimulusId(task, pattern, condition);
+        ordered_json& stimulus = stimuli[pattern.letter];
+        stimulus = {{"name", pattern.name}, {"pattern", id}};
+        if (const OwnStimulus* own = head.stimuli.findOwn(id)) {
+            stimulus["file"] = own->file;
+            // It was read as a pattern when the study was opened.
+            stimulus["definition"] = ordered_json::parse(own->json, nullptr, false);
+        }
+    }
     return {
         {"task", task.name},
         {"condition", condition},

@@ -57,7 +57,9 @@ const std::vector<QStringList>& steps() {
         {QStringLiteral("ALTER TABLE trial ADD COLUMN frame_write_ms FLOAT"),
          QStringLiteral("ALTER TABLE trial ADD COLUMN frames_missed INTEGER"),
          QStringLiteral("CREATE TABLE note (key AUTOKEY, session INTEGER NOT NULL REFERENCES session (key), "
-                        "text TEXT NOT NULL, time_utc TEXT NOT NULL)")}};
+                        "text TEXT NOT NULL, time_utc TEXT NOT NULL)")},
+        {QStringLiteral("CREATE TABLE stimulus (id TEXT PRIMARY KEY, file TEXT NOT NULL, "
+                        "pattern TEXT NOT NULL)")}};
     return kSteps;
 }
 

@@ -3,7 +3,6 @@
 
 #include "backend/study/file_claim.h"
 #include "backend/study/folder_owner.h"
-#include "backend/study/stimulus_set.h"
 #include "backend/study/store_values.h"
 #include "backend/study/trial_journal.h"
 
@@ -80,6 +79,10 @@ const std::string& StudyStore::shownName() const {
 }
 
 core::Expected<StudyStore> StudyStore::create(const StoreLocation& location, const StudyHead& head) {
+    // What cannot be felt makes no study.
+    const core::Expected<std::vector<OwnStimulus>> own = readOwnStimuli(head.protocol);
+    if (!own)
+        return core::Unexpected(own.error());
     // A server refuses a bad address before anything is made here.
     const bool isOnServer = !location.server.empty();
     if (const core::Expected<void> free =
@@ -97,12 +100,25 @@ core::Expected<StudyStore> StudyStore::create(const StoreLocation& location, con
     if (const core::Expected<void> opened = connection.open(StudyConnection::Purpose::create); !opened)
         return core::Unexpected(opened.error());
     // The row is unique, so that of two programs that make the same study only one does.
-    const auto made =
-        connection.run(QStringLiteral("INSERT INTO study VALUES (1, ?, ?, ?, ?, ?, ?, ?, ?)"),
-                       {QString::fromStdString(head.protocol.source), QString::number(head.seed),
-                        QString::fromLatin1(toString(head.mode)), number(head.plannedParticipants),
-                        head.lapses, timeText(head.created), QString::fromStdString(head.appVersion),
-                        QString::fromStdString(stimulusSetSha256(head.protocol))});
+    const core::Expected<void> made = connection.inTransaction([&]() -> core::Expected<void> {
+        const auto row =
+            connection.run(QStringLiteral("INSERT INTO study VALUES (1, ?, ?, ?, ?, ?, ?, ?, ?)"),
+                           {QString::fromStdString(head.protocol.source), QString::number(head.seed),
+                            QString::fromLatin1(toString(head.mode)), number(head.plannedParticipants),
+                            head.lapses, timeText(head.created), QString::fromStdString(head.appVersion),
+                            QString::fromStdString(stimulusSetSha256(head.protocol, *own))});
+        if (!row)
+            return core::Unexpected(row.error());
+        for (const OwnStimulus& one : *own) {
+            const auto copied =
+                connection.run(QStringLiteral("INSERT INTO stimulus (id, file, pattern) VALUES (?, ?, ?)"),
+                               {QString::fromStdString(one.id), QString::fromStdString(one.file),
+                                QString::fromStdString(one.json)});
+            if (!copied)
+                return core::Unexpected(copied.error());
+        }
+        return {};
+    });
     if (!made && made.error().kind == core::ErrorKind::refused)
         return connection.isServer()
                    ? connection.refused(StoreText::tr("there is a study of this name already"),
@@ -141,6 +157,8 @@ core::Expected<StudyStore> StudyStore::opened(const StoreLocation& location,
 
 core::Expected<StudyStore> StudyStore::open(const StoreLocation& location) {
     core::Expected<StudyStore> store = opened(location, StudyConnection::Purpose::open);
+    if (store && !store->m_connection->isServer())
+        FileClaim::removeUnheld(location.folder, "running-*.lock");
     if (store && store->m_connection->isServer()) {
         if (const core::Expected<void> owned = store->ownFolder(); !owned)
             return core::Unexpected(owned.error());
@@ -176,6 +194,18 @@ core::Expected<void> StudyStore::readHead() {
     m_head.created = timeOf(query->value(5).toString());
     m_head.appVersion = query->value(6).toString().toStdString();
     m_head.stimulusSetSha256 = query->value(7).toString().toStdString();
+    auto copies = m_connection->run(QStringLiteral("SELECT id, file, pattern FROM stimulus ORDER BY id"));
+    if (!copies)
+        return core::Unexpected(copies.error());
+    std::vector<OwnStimulus> own;
+    while (copies->next())
+        own.push_back({copies->value(0).toString().toStdString(), copies->value(1).toString().toStdString(),
+                       copies->value(2).toString().toStdString()});
+    core::Expected<StimulusSet> stimuli =
+        StimulusSet::of(m_head.protocol, std::move(own), m_connection->shownName());
+    if (!stimuli)
+        return core::Unexpected(stimuli.error());
+    m_head.stimuli = std::move(*stimuli);
     return {};
 }
 

@@ -3,6 +3,7 @@
 
 #include "backend/core/error.h"
 #include "backend/study/protocol.h"
+#include "backend/study/stimulus_set.h"
 #include "backend/study/study_connection.h"
 #include "backend/study/trial.h"
 
@@ -27,6 +28,7 @@ struct StudyHead {
     QDateTime created;                   ///< UTC
     std::string appVersion;
     std::string stimulusSetSha256; ///< stimulusSetSha256() of the protocol when the study was made
+    StimulusSet stimuli;           ///< as the store has them; create() reads those that the protocol names
 };
 
 struct Participant {
@@ -85,7 +87,8 @@ private:
 /// ErrorKind::unavailable. Thread: the one that made it; several processes may have the same study open.
 class StudyStore {
 public:
-    /// Makes the folder and the store. Error: refused when there is a study already, ioFailed, unavailable.
+    /// Makes the folder and the store, with copies of the pattern files that the protocol names. Error:
+    /// refused when there is a study already, what readOwnStimuli() reports, ioFailed, unavailable.
     [[nodiscard]] static core::Expected<StudyStore> create(const StoreLocation& location,
                                                            const StudyHead& head);
 

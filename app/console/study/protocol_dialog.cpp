@@ -2,6 +2,8 @@
 #include "app/console/study/protocol_dialog.h"
 
 #include "app/console/background.h"
+#include "app/console/study/form_text.h"
+#include "app/console/study/questionnaire_editor.h"
 #include "backend/core/output_file.h"
 #include "backend/study/protocol_text.h"
 #include "backend/study/stimulus_set.h"
@@ -11,8 +13,10 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QDir>
 #include <QDoubleSpinBox>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QHBoxLayout>
@@ -38,21 +42,31 @@ constexpr double kLoudest_dBA = 85.0;
 constexpr int kMostRepetitions = 1000;
 constexpr int kMostTrials = 100'000;
 constexpr double kPatternLines_em = 10.0;
+constexpr double kFileLines_em = 5.0;
 
-QStringList parts(const QString& text, QChar separator) {
-    QStringList list;
-    for (const QString& part : text.split(separator)) {
-        if (!part.trimmed().isEmpty())
-            list << part.trimmed();
+core::Unexpected refusedEntry(const QString& message, const QString& expected) {
+    return core::Unexpected(
+        core::Error{core::ErrorKind::refused, message.toStdString(), expected.toStdString(), {}});
+}
+
+/// Pattern files below the folder of a protocol are named from there, so that the folder can be moved.
+study::Protocol asSavedIn(const QDir& folder, study::Protocol protocol) {
+    for (study::StudyTask& task : protocol.tasks) {
+        for (study::StudyPattern& pattern : task.patterns) {
+            for (auto& [condition, file] : pattern.files) {
+                const QString name = folder.relativeFilePath(QString::fromStdString(file));
+                if (!name.startsWith(QLatin1String("..")))
+                    file = name.toStdString();
+            }
+        }
     }
-    return list;
+    return protocol;
 }
 
 } // namespace
 
 ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     : QDialog(parent)
-    , m_questionnaires(protocol.questionnaires)
     , m_name(new QLineEdit(QString::fromStdString(protocol.name), this))
     , m_description(new QLineEdit(QString::fromStdString(protocol.description), this))
     , m_stimulus_s(makeNumber(protocol.stimulus_s, kShortest_s, kLongest_s, 3, QStringLiteral(" s")))
@@ -67,6 +81,7 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     , m_noise(new QComboBox(this))
     , m_level_dBA(makeNumber(protocol.noise_dBA, 0.0, kLoudest_dBA, 1, QStringLiteral(" dBA")))
     , m_taskRows(new QVBoxLayout)
+    , m_questionnaireRows(new QVBoxLayout)
     , m_verdict(new QLabel(this)) {
     setWindowTitle(tr("Protocol"));
     setObjectName(QStringLiteral("protocolDialog"));
@@ -111,10 +126,6 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     addRow(tr("&Test"), {m_test.repetitions, m_test.feedback, m_test.diagram});
     addRow(tr("Rests"), {m_restEvery, m_rest_s.box});
     addRow(tr("&Masking noise"), {m_noise, m_level_dBA.box});
-    if (!m_questionnaires.empty())
-        form->addRow(tr("Questionnaires"), new QLabel(tr("%n questionnaire(s), kept as they are", nullptr,
-                                                         static_cast<int>(m_questionnaires.size())),
-                                                      this));
 
     auto* content = new QWidget(this);
     auto* column = new QVBoxLayout(content);
@@ -126,6 +137,14 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
         check();
     });
     column->addWidget(addButton, 0, Qt::AlignLeft);
+    column->addLayout(m_questionnaireRows);
+    auto* askButton = new QPushButton(tr("Add a &questionnaire"), content);
+    askButton->setObjectName(QStringLiteral("addQuestionnaire"));
+    connect(askButton, &QPushButton::clicked, this, [this] {
+        addQuestionnaire({{}, {}, study::QuestionnaireTime::afterStudy, {study::QuestionnaireItem{}}});
+        check();
+    });
+    column->addWidget(askButton, 0, Qt::AlignLeft);
     column->addStretch(1);
     auto* area = new QScrollArea(this);
     area->setWidgetResizable(true);
@@ -162,6 +181,8 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     connect(m_noise, &QComboBox::currentIndexChanged, this, &ProtocolDialog::check);
     for (const study::StudyTask& task : protocol.tasks)
         addTask(task);
+    for (const study::Questionnaire& questionnaire : protocol.questionnaires)
+        addQuestionnaire(questionnaire);
     check();
 }
 
@@ -196,16 +217,28 @@ void ProtocolDialog::addTask(const study::StudyTask& task) {
     for (const std::string& condition : task.conditions)
         conditions << QString::fromStdString(condition);
     QStringList patterns;
-    for (const study::StudyPattern& pattern : task.patterns)
+    QStringList files;
+    for (const study::StudyPattern& pattern : task.patterns) {
         patterns << QString::fromStdString(pattern.letter + ' ' + pattern.name);
-    const TaskRow row{box, new QLineEdit(QString::fromStdString(task.id), box),
+        for (const auto& [condition, file] : pattern.files)
+            files << QString::fromStdString(pattern.letter + ' ' + condition + ' ' + file);
+    }
+    const TaskRow row{box,
+                      new QLineEdit(QString::fromStdString(task.id), box),
                       new QLineEdit(QString::fromStdString(task.name), box),
                       new QLineEdit(conditions.join(QStringLiteral(", ")), box),
-                      new QPlainTextEdit(patterns.join(QLatin1Char('\n')), box)};
+                      new QPlainTextEdit(patterns.join(QLatin1Char('\n')), box),
+                      new QPlainTextEdit(files.join(QLatin1Char('\n')), box)};
     row.id->setObjectName(QStringLiteral("taskId"));
     row.patterns->setObjectName(QStringLiteral("taskPatterns"));
     row.patterns->setTabChangesFocus(true);
     row.patterns->setFixedHeight(base::em(this, kPatternLines_em));
+    row.files->setObjectName(QStringLiteral("taskFiles"));
+    row.files->setTabChangesFocus(true);
+    row.files->setFixedHeight(base::em(this, kFileLines_em));
+    row.files->setPlaceholderText(
+        tr("letter, condition and file, one a line, for patterns of your own; all others "
+           "come with the program"));
     row.id->setPlaceholderText(tr("for example shape"));
     row.conditions->setPlaceholderText(tr("for example static, dynamic"));
     row.patterns->setPlaceholderText(tr("letter and name, one a line, for example A circle"));
@@ -214,12 +247,20 @@ void ProtocolDialog::addTask(const study::StudyTask& task) {
     form->addRow(tr("Name"), row.name);
     form->addRow(tr("Conditions"), row.conditions);
     form->addRow(tr("Patterns"), row.patterns);
+    form->addRow(tr("Of your own"), row.files);
+    auto* choose = new QPushButton(tr("Choose a pattern file\u2026"), box);
+    connect(choose, &QPushButton::clicked, this, [this, row] { askForPattern(row); });
     auto* remove = new QPushButton(tr("Remove this task"), box);
-    form->addRow(remove);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(choose);
+    buttons->addWidget(remove);
+    buttons->addStretch(1);
+    form->addRow(buttons);
     connect(remove, &QPushButton::clicked, this, [this, box] { removeTask(box); });
     for (QLineEdit* edit : {row.id, row.name, row.conditions})
         connect(edit, &QLineEdit::textChanged, this, &ProtocolDialog::check);
-    connect(row.patterns, &QPlainTextEdit::textChanged, this, &ProtocolDialog::check);
+    for (QPlainTextEdit* edit : {row.patterns, row.files})
+        connect(edit, &QPlainTextEdit::textChanged, this, &ProtocolDialog::check);
     m_tasks.push_back(row);
     m_taskRows->addWidget(box);
 }
@@ -229,6 +270,76 @@ void ProtocolDialog::removeTask(QWidget* box) {
     box->hide();
     box->deleteLater();
     check();
+}
+
+void ProtocolDialog::addQuestionnaire(const study::Questionnaire& questionnaire) {
+    auto* editor = new QuestionnaireEditor(questionnaire, this);
+    connect(editor, &QuestionnaireEditor::changed, this, &ProtocolDialog::check);
+    connect(editor, &QuestionnaireEditor::removeRequested, this, [this, editor] {
+        std::erase(m_questionnaires, editor);
+        editor->hide();
+        editor->deleteLater();
+        check();
+    });
+    m_questionnaires.push_back(editor);
+    m_questionnaireRows->addWidget(editor);
+}
+
+core::Expected<study::StudyTask> ProtocolDialog::taskOf(const TaskRow& row) {
+    study::StudyTask task;
+    task.id = row.id->text().trimmed().toStdString();
+    task.name = row.name->text().trimmed().toStdString();
+    for (const QString& condition : parts(row.conditions->text(), QLatin1Char(',')))
+        task.conditions.push_back(condition.toStdString());
+    for (const auto& [letter, name] : firstWords(row.patterns->toPlainText()))
+        task.patterns.push_back({letter.toStdString(), name.toStdString()});
+    for (const auto& [letter, rest] : firstWords(row.files->toPlainText())) {
+        const QString condition = rest.section(QLatin1Char(' '), 0, 0);
+        const QString file = rest.section(QLatin1Char(' '), 1).trimmed();
+        const auto pattern =
+            std::find_if(task.patterns.begin(), task.patterns.end(),
+                         [&](const study::StudyPattern& one) { return one.letter == letter.toStdString(); });
+        const bool isCondition = std::find(task.conditions.begin(), task.conditions.end(),
+                                           condition.toStdString()) != task.conditions.end();
+        if (pattern == task.patterns.end() || !isCondition)
+            return refusedEntry(tr("no pattern of the task is felt as \"%1 %2\"").arg(letter, condition),
+                                tr("a letter and a condition of the task, then the file"));
+        if (!QDir::isAbsolutePath(file))
+            return refusedEntry(tr("the file of \"%1 %2\" cannot be found").arg(letter, condition),
+                                tr("its whole path"));
+        if (!pattern->files.emplace(condition.toStdString(), file.toStdString()).second)
+            return refusedEntry(tr("\"%1 %2\" has two files").arg(letter, condition), tr("one file"));
+    }
+    return task;
+}
+
+/// The first stimulus without a pattern gets it; when there is none, the first one that has no file.
+void ProtocolDialog::askForPattern(const TaskRow& row) {
+    const core::Expected<study::StudyTask> task = taskOf(row);
+    if (!task)
+        return;
+    study::Protocol alone;
+    alone.tasks = {*task};
+    const std::vector<std::string> missing = study::missingStimuli(alone);
+    QString place;
+    for (const std::string& condition : task->conditions) {
+        for (const study::StudyPattern& pattern : task->patterns) {
+            const bool isNext = missing.empty()
+                                    ? !pattern.files.contains(condition)
+                                    : study::stimulusId(*task, pattern, condition) == missing.front();
+            if (place.isEmpty() && isNext)
+                place = QString::fromStdString(pattern.letter + ' ' + condition);
+        }
+    }
+    if (place.isEmpty())
+        return;
+    auto* dialog = new QFileDialog(this, tr("Pattern file for %1", "a letter and a condition").arg(place));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, row.files, [files = row.files, place](const QString& path) {
+        files->appendPlainText(place + QLatin1Char(' ') + path);
+    });
+    dialog->open();
 }
 
 core::Expected<study::Protocol> ProtocolDialog::protocol() const {
@@ -251,19 +362,13 @@ core::Expected<study::Protocol> ProtocolDialog::protocol() const {
     protocol.rest = {static_cast<std::size_t>(m_restEvery->value()), m_rest_s.value()};
     protocol.noiseColour = m_noise->currentIndex() == 0 ? "pink" : "none";
     protocol.noise_dBA = m_level_dBA.value();
-    protocol.questionnaires = m_questionnaires;
+    for (const QuestionnaireEditor* editor : m_questionnaires)
+        protocol.questionnaires.push_back(editor->questionnaire());
     for (const TaskRow& row : m_tasks) {
-        study::StudyTask task;
-        task.id = row.id->text().trimmed().toStdString();
-        task.name = row.name->text().trimmed().toStdString();
-        for (const QString& condition : parts(row.conditions->text(), QLatin1Char(',')))
-            task.conditions.push_back(condition.toStdString());
-        for (const QString& pattern : parts(row.patterns->toPlainText(), QLatin1Char('\n'))) {
-            const QString letter = pattern.section(QLatin1Char(' '), 0, 0);
-            const QString name = pattern.section(QLatin1Char(' '), 1).trimmed();
-            task.patterns.push_back({letter.toStdString(), (name.isEmpty() ? letter : name).toStdString()});
-        }
-        protocol.tasks.push_back(std::move(task));
+        core::Expected<study::StudyTask> task = taskOf(row);
+        if (!task)
+            return core::Unexpected(task.error());
+        protocol.tasks.push_back(std::move(*task));
     }
     return study::parseProtocol(study::protocolText(protocol), tr("this form").toStdString());
 }
@@ -278,10 +383,11 @@ void ProtocolDialog::check() {
     m_make->setEnabled(valid.has_value() && missing.empty());
     QPalette colours = palette();
     if (!missing.empty()) {
-        m_verdict->setText(QStringLiteral("\u2717 ") +
-                           tr("There is no pattern %1 to be felt. A study can be made of tasks, letters and "
-                              "conditions whose patterns come with the program; the file can be saved.")
-                               .arg(QString::fromStdString(missing.front())));
+        m_verdict->setText(
+            QStringLiteral("\u2717 ") +
+            tr("There is no pattern %1 to be felt. Name a file for it, or take a task, letter and "
+               "condition whose pattern comes with the program; the protocol can be saved.")
+                .arg(QString::fromStdString(missing.front())));
         colours.setColor(QPalette::WindowText, base::statusColours(palette()).lost);
     } else if (valid) {
         m_verdict->setText(QStringLiteral("\u2713 ") + tr("%n test trial(s) a participant", nullptr,
@@ -306,23 +412,21 @@ void ProtocolDialog::save() {
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setNameFilter(tr("Protocols (*.toml)"));
     dialog->setDefaultSuffix(QStringLiteral("toml"));
-    connect(
-        dialog, &QFileDialog::fileSelected, this,
-        [this, text = study::protocolText(*valid)](const QString& path) {
-            runInBackground(
-                this,
-                [path, text] {
-                    return core::OutputFile::create(path.toStdString()).and_then([&](core::OutputFile file) {
-                        file.write(text);
-                        return file.finish();
-                    });
-                },
-                [this, path](const core::Expected<void>& saved) {
-                    m_verdict->setText(saved ? tr("\u2713 Saved: %1").arg(path)
-                                             : QStringLiteral("\u2717 ") +
-                                                   QString::fromStdString(core::describe(saved.error())));
+    connect(dialog, &QFileDialog::fileSelected, this, [this, protocol = *valid](const QString& path) {
+        runInBackground(
+            this,
+            [path, text = study::protocolText(asSavedIn(QFileInfo(path).absoluteDir(), protocol))] {
+                return core::OutputFile::create(path.toStdString()).and_then([&](core::OutputFile file) {
+                    file.write(text);
+                    return file.finish();
                 });
-        });
+            },
+            [this, path](const core::Expected<void>& saved) {
+                m_verdict->setText(saved ? tr("\u2713 Saved: %1").arg(path)
+                                         : QStringLiteral("\u2717 ") +
+                                               QString::fromStdString(core::describe(saved.error())));
+            });
+    });
     dialog->open();
 }
 

@@ -19,6 +19,8 @@ class QVBoxLayout;
 
 namespace teleta::console {
 
+class QuestionnaireEditor;
+
 /// A protocol as a form. What is entered is checked by the reader of protocol files as it is typed. It can be
 /// saved as a file, and a study made of it; a study that was made keeps the protocol that it has. Thread:
 /// GUI; it does not block.
@@ -49,6 +51,7 @@ private:
         QLineEdit* name;
         QLineEdit* conditions;    ///< with commas between them
         QPlainTextEdit* patterns; ///< one a line: "A circle"
+        QPlainTextEdit* files;    ///< one a line: "A static /home/me/mine.json"
     };
     /// A number that stays as it was read, with all its digits, until somebody changes it.
     struct NumberField {
@@ -63,10 +66,12 @@ private:
     [[nodiscard]] PhaseRow makePhase(const study::PhaseSettings& phase);
     void addTask(const study::StudyTask& task);
     void removeTask(QWidget* box);
+    void addQuestionnaire(const study::Questionnaire& questionnaire);
+    [[nodiscard]] static core::Expected<study::StudyTask> taskOf(const TaskRow& row);
+    void askForPattern(const TaskRow& row);
     void check();
     void save();
 
-    std::vector<study::Questionnaire> m_questionnaires; ///< kept as they are
     QLineEdit* m_name;
     QLineEdit* m_description;
     NumberField m_stimulus_s;
@@ -82,6 +87,8 @@ private:
     NumberField m_level_dBA;
     QVBoxLayout* m_taskRows;
     std::vector<TaskRow> m_tasks;
+    QVBoxLayout* m_questionnaireRows;
+    std::vector<QuestionnaireEditor*> m_questionnaires;
     QLabel* m_verdict;
     QPushButton* m_save;
     QPushButton* m_make;

@@ -342,7 +342,7 @@ std::vector<study::RunCheck> StudyController::checks() const {
     if (m_overview) {
         now.mode = m_overview->head.mode;
         now.protocol = &m_overview->head.protocol;
-        now.missingStimuli = m_overview->missingStimuli;
+        now.missingStimuli = m_overview->head.stimuli.missing();
         now.stimuliChanged = m_overview->stimuliChanged;
         now.madeBy = m_overview->head.appVersion;
     }
@@ -408,8 +408,9 @@ void StudyController::begin() {
 }
 
 void StudyController::beginTrials(const OpenedSession& opened, const study::PlannedSession& plan) {
-    const core::Expected<void> begun = m_runner.begin(output(), m_overview->head.protocol, plan, opened.kept,
-                                                      beganAt_ns(opened, now_ns(), m_utcNow()));
+    const core::Expected<void> begun =
+        m_runner.begin(output(), m_overview->head.protocol, m_overview->head.stimuli, plan, opened.kept,
+                       beganAt_ns(opened, now_ns(), m_utcNow()));
     if (!begun) {
         forgetSession();
         stopRehearsal();

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/study/study_overview.h"
 
-#include "backend/study/stimulus_set.h"
-
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -43,8 +41,7 @@ core::Expected<void> findDue(const study::StudyStore& store, const study::Partic
 
 /// Studies of the first programs do not say with which stimuli they were made.
 bool stimuliChanged(const study::StudyHead& head) {
-    return !head.stimulusSetSha256.empty() &&
-           head.stimulusSetSha256 != study::stimulusSetSha256(head.protocol);
+    return !head.stimulusSetSha256.empty() && head.stimulusSetSha256 != head.stimuli.sha256();
 }
 
 } // namespace
@@ -57,13 +54,8 @@ std::optional<std::size_t> ParticipantOverview::nextSession() const {
 }
 
 core::Expected<StudyOverview> overviewOf(const study::StudyStore& store) {
-    StudyOverview overview{store.location(),
-                           store.shownName(),
-                           store.head(),
-                           {},
-                           store.isReadOnly(),
-                           study::missingStimuli(store.head().protocol),
-                           stimuliChanged(store.head())};
+    StudyOverview overview{store.location(),   store.shownName(),           store.head(), {},
+                           store.isReadOnly(), stimuliChanged(store.head())};
     const auto participants = store.participants();
     if (!participants)
         return core::Unexpected(participants.error());

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/study/study_runner.h"
 
-#include "backend/pattern/built_in_patterns.h"
-#include "backend/study/stimulus_set.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -40,18 +37,19 @@ StudyRunner::StudyRunner(const core::StopSwitch& stop, Clock clock, Keep keep, Q
 }
 
 core::Expected<void> StudyRunner::begin(StimulusOutput& output, const study::Protocol& protocol,
-                                        const study::PlannedSession& plan,
+                                        const study::StimulusSet& set, const study::PlannedSession& plan,
                                         std::span<const study::TrialResult> kept, std::int64_t began_ns) {
     const study::StudyTask& task = protocol.tasks[plan.task];
     std::vector<const pattern::Pattern*> stimuli;
     for (const study::StudyPattern& pattern : task.patterns) {
         const std::string id = study::stimulusId(task, pattern, task.conditions[plan.condition]);
-        stimuli.push_back(pattern::findBuiltIn(id));
+        stimuli.push_back(set.find(id));
         if (stimuli.back() == nullptr)
             return core::Unexpected(core::Error{
                 core::ErrorKind::notFound,
                 tr("there is no pattern \"%1\" to be felt").arg(QString::fromStdString(id)).toStdString(),
-                tr("tasks, letters and conditions whose patterns come with the program").toStdString(),
+                tr("a protocol that names a file for each pattern that does not come with the program")
+                    .toStdString(),
                 {}});
     }
     core::Expected<study::Session> session = study::Session::create(protocol, plan, kept, began_ns);
@@ -60,6 +58,7 @@ core::Expected<void> StudyRunner::begin(StimulusOutput& output, const study::Pro
     clear();
     m_output = &output;
     m_session = std::move(*session);
+    m_set = set;
     m_stimuli = std::move(stimuli);
     m_stimulus_s = protocol.stimulus_s;
     m_rest = protocol.rest;

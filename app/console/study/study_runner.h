@@ -4,6 +4,7 @@
 #include "app/console/study/stimulus_output.h"
 #include "backend/core/stop_switch.h"
 #include "backend/study/session.h"
+#include "backend/study/stimulus_set.h"
 
 #include <QObject>
 #include <QTimer>
@@ -43,9 +44,10 @@ public:
     StudyRunner(const core::StopSwitch& stop, Clock clock, Keep keep, QObject* parent = nullptr);
 
     /// Begins or, with what was kept, goes on. began_ns: when the session began, at most now. Error: refused
-    /// when what was kept does not fit, notFound when a stimulus is no built-in pattern. output: must outlive
-    /// the session.
+    /// when what was kept does not fit, notFound when a stimulus has no pattern. output: must outlive the
+    /// session.
     [[nodiscard]] core::Expected<void> begin(StimulusOutput& output, const study::Protocol& protocol,
+                                             const study::StimulusSet& stimuli,
                                              const study::PlannedSession& plan,
                                              std::span<const study::TrialResult> kept, std::int64_t began_ns);
     /// Forgets the session; a trial that runs is not kept and will be shown again.
@@ -112,7 +114,8 @@ private:
     QTimer m_timer; ///< runs while a trial does
 
     std::optional<study::Session> m_session;
-    std::vector<const pattern::Pattern*> m_stimuli;
+    study::StimulusSet m_set;
+    std::vector<const pattern::Pattern*> m_stimuli; ///< of the set, those of the session
     double m_stimulus_s = 0.0;
     study::RestSettings m_rest;
     std::pair<study::Phase, std::size_t> m_rested; ///< progress() at the last rest

@@ -2,7 +2,6 @@
 #include "app/console/study/study_scenes.h"
 
 #include "app/console/study/trial_lines.h"
-#include "backend/pattern/built_in_patterns.h"
 #include "backend/study/stimulus_set.h"
 
 #include <QLocale>
@@ -523,8 +522,8 @@ std::vector<studyview::AnswerChoice> StudyScenes::choices(const StudyController&
     for (const study::StudyPattern& pattern : task->patterns) {
         studyview::AnswerChoice choice{text(pattern.letter), text(pattern.name), {}};
         const std::string id = study::stimulusId(*task, pattern, condition);
-        if (const pattern::Pattern* builtIn = pattern::findBuiltIn(id))
-            choice.diagram = studyview::diagramOf(*builtIn, controller.overview()->head.protocol.stimulus_s);
+        if (const pattern::Pattern* stimulus = controller.overview()->head.stimuli.find(id))
+            choice.diagram = studyview::diagramOf(*stimulus, controller.overview()->head.protocol.stimulus_s);
         choices.push_back(std::move(choice));
     }
     return choices;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/cli/program_run.h"
 #include "tests/support/generated_locale.h"
+#include "tests/support/small_disk.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -126,6 +127,28 @@ TEST_F(StudyFaults, aFolderThatCannotBeWrittenIsAnErrorAndChangesNothing) {
         "participant_id,task,condition,phase,stimulus,response\nP,t,c,test,A,A\nP,t,c,test,B,A\n");
     EXPECT_EQ(run({"study", "analyze", csv, "--out", blocked + "/out"}).exitCode, 1);
     EXPECT_EQ(readAll(blocked), "a file stands in the way");
+}
+
+TEST_F(StudyFaults, aFullDiskIsToldWithItsPlaceAndLosesNothing) {
+    const teleta::test::SmallDisk disk(m_folder.path("disk"), 4);
+    if (!disk.exists())
+        GTEST_SKIP() << "no disk can be mounted here";
+    const std::string study = disk.path("study");
+    ASSERT_EQ(run({"study", "rehearse", "--participants", "1", "--out", study}).exitCode, 0);
+    const std::string before = contentOf(study + "/data");
+    ASSERT_TRUE(disk.fill());
+    const ProgramResult full = run({"study", "export", study, "--format", "bids"});
+    EXPECT_EQ(full.exitCode, 1);
+    EXPECT_NE(full.err.find(study + "/bids"), std::string::npos) << full.err;
+    const ProgramResult resumed =
+        run({"study", "rehearse", "--participants", "1", "--out", disk.path("other")});
+    EXPECT_EQ(resumed.exitCode, 1);
+    EXPECT_NE(resumed.err.find(disk.path("other")), std::string::npos) << resumed.err;
+    EXPECT_EQ(contentOf(study + "/data"), before);
+    disk.empty();
+    const ProgramResult room = run({"study", "export", study, "--format", "bids"});
+    EXPECT_EQ(room.exitCode, 0) << room.err;
+    EXPECT_EQ(run({"study", "analyze", study, "--out", m_folder.path("results")}).exitCode, 0);
 }
 
 TEST_F(StudyFaults, figuresComeInTheFormatsThatWereAskedFor) {

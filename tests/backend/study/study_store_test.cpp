@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/study/file_claim.h"
 #include "backend/study/study_export.h"
 #include "backend/study/study_store.h"
 #include "backend/study/trial_source.h"
@@ -13,12 +14,15 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <atomic>
 #include <clocale>
 #include <csignal>
 #include <filesystem>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
+#include <vector>
 
 namespace teleta::study {
 
@@ -277,6 +281,7 @@ TEST_F(StudyStoreTest, bringsAnOlderStudyUpToDateAndKeepsItsTrials) {
         ASSERT_TRUE(store.keepTrial(session, answered(), kNow));
         EXPECT_EQ(store.head().stimulusSetSha256.size(), 64U);
     }
+    runSql(QStringLiteral("DROP TABLE stimulus"));
     runSql(QStringLiteral("DROP TABLE note"));
     runSql(QStringLiteral("ALTER TABLE trial DROP COLUMN frame_write_ms"));
     runSql(QStringLiteral("ALTER TABLE trial DROP COLUMN frames_missed"));
@@ -286,6 +291,8 @@ TEST_F(StudyStoreTest, bringsAnOlderStudyUpToDateAndKeepsItsTrials) {
     const auto store = StudyStore::open(folder());
     ASSERT_TRUE(store) << core::describe(store.error());
     EXPECT_EQ(store->head().stimulusSetSha256, "");
+    EXPECT_TRUE(store->head().stimuli.missing().empty());
+    EXPECT_NE(store->head().stimuli.find("shape.A.static"), nullptr);
     const Participant participant = store->participants()->front();
     const SessionRecord session = store->sessions(participant)->front();
     EXPECT_EQ(store->trials(session)->size(), 1U);
@@ -363,6 +370,46 @@ TEST_F(StudyStoreTest, aParticipantIsInOneSessionAtATime) {
     }
     EXPECT_FALSE(two.runner(participant).value());
     EXPECT_TRUE(two.claim(participant));
+    EXPECT_FALSE(std::filesystem::exists(folder() + "/running-0.lock")) << "nobody holds it";
+}
+
+// Whoever waits for a lock that its holder gives up must not hold a file that others cannot find.
+TEST_F(StudyStoreTest, ofManyWhoTakeAParticipantInTurnNoTwoHaveHimAtOnce) {
+    StudyStore store = create();
+    const Participant participant = store.enrol("P07").value();
+    std::atomic<int> holders = 0;
+    std::atomic<int> taken = 0;
+    std::atomic<bool> overlap = false;
+    std::vector<std::thread> stations;
+    for (int station = 0; station < 4; ++station) {
+        stations.emplace_back([&, path = folder() + "/running-0.lock"] {
+            for (int turn = 0; turn < 2000; ++turn) {
+                const auto claim = FileClaim::take(path, "station");
+                if (!claim || *claim == nullptr)
+                    continue;
+                overlap = overlap || ++holders != 1;
+                ++taken;
+                --holders;
+            }
+        });
+    }
+    for (std::thread& station : stations)
+        station.join();
+    EXPECT_FALSE(overlap);
+    EXPECT_GT(taken, 0);
+    EXPECT_TRUE(store.claim(participant));
+}
+
+TEST_F(StudyStoreTest, whatKilledProgramsLeftBehindIsGoneWhenTheStudyIsOpened) {
+    StudyStore store = create();
+    const Participant held = store.enrol("P07").value();
+    m_folder.write("study/running-7.lock", "station, process 1");
+    const auto claim = store.claim(held);
+    ASSERT_TRUE(claim);
+    ASSERT_TRUE(StudyStore::open(folder()));
+    EXPECT_FALSE(std::filesystem::exists(folder() + "/running-7.lock"));
+    EXPECT_TRUE(std::filesystem::exists(folder() + "/running-0.lock"));
+    EXPECT_TRUE(store.runner(held).value()) << "who runs a participant goes on";
 }
 
 TEST_F(StudyStoreTest, aProgramThatWasKilledDoesNotKeepItsParticipant) {
@@ -465,7 +512,5 @@ TEST_F(StudyStoreTest, numbersDoNotDependOnTheLocale) {
     std::setlocale(LC_ALL, before.c_str());
     unsetenv("LOCPATH");
 }
-
-// Root may write anywhere, so that another user has to try.
 
 } // namespace teleta::study

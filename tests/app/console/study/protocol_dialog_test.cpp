@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/study/new_study_dialog.h"
 #include "app/console/study/protocol_dialog.h"
+#include "app/console/study/questionnaire_editor.h"
 #include "tests/support/form_labels.h"
 
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -60,6 +62,93 @@ private slots:
         QVERIFY2(verdict->text().contains("taste.A.static"), qPrintable(verdict->text()));
         id->setText("shape");
         QVERIFY(make->isEnabled());
+    }
+
+    void patternsOfOnesOwnAreReadAndCanBeNamed() {
+        study::Protocol protocol = paper();
+        protocol.tasks[0].patterns[1].files = {{"static", "/home/a b/my  own.json"}, {"dynamic", "/b.tact"}};
+        ProtocolDialog dialog(protocol);
+        QCOMPARE(dialog.protocol()->tasks[0].patterns[1].files, protocol.tasks[0].patterns[1].files);
+        auto* make = dialog.findChild<QPushButton*>("makeStudy");
+        auto* verdict = dialog.findChild<QLabel*>("verdict");
+        auto* patterns = dialog.findChild<QPlainTextEdit*>("taskPatterns");
+        auto* files = dialog.findChild<QPlainTextEdit*>("taskFiles");
+        files->clear();
+        patterns->setPlainText("A circle\nZ zigzag");
+        QVERIFY2(!make->isEnabled() && verdict->text().contains("shape.Z.static"),
+                 qPrintable(verdict->text()));
+        QTest::keyClicks(files, "Z static /patterns/zigzag.json");
+        QVERIFY2(!make->isEnabled() && verdict->text().contains("shape.Z.dynamic"),
+                 qPrintable(verdict->text()));
+        QTest::keyClick(files, Qt::Key_Return);
+        QTest::keyClicks(files, "Z dynamic zigzag.json");
+        QVERIFY2(verdict->text().contains("whole path"), qPrintable(verdict->text()));
+        files->setPlainText("Z static /z.json\nZ dynamic /patterns/z.json");
+        QVERIFY(make->isEnabled());
+        QCOMPARE(dialog.protocol()->tasks[0].patterns[1].files.at("dynamic"),
+                 std::string("/patterns/z.json"));
+        files->setPlainText("Z static /z.json\nZ fast /patterns/z.json");
+        QVERIFY2(verdict->text().contains("Z fast"), qPrintable(verdict->text()));
+        files->setPlainText("Z static /z.json\nZ static /patterns/z.json");
+        QVERIFY2(verdict->text().contains("two files"), qPrintable(verdict->text()));
+        QVERIFY(!make->isEnabled());
+    }
+
+    void questionnairesAreMadeChangedAndRemoved() {
+        study::Protocol protocol = paper();
+        study::QuestionnaireItem hard;
+        hard.id = "hard";
+        hard.kind = study::ItemKind::likert;
+        hard.question = "How hard was it?";
+        hard.required = false;
+        hard.points = 9;
+        hard.low = "easy";
+        hard.high = "hard";
+        study::QuestionnaireItem hand;
+        hand.id = "hand";
+        hand.kind = study::ItemKind::choice;
+        hand.question = "Which hand?";
+        hand.choices = {{"l", "the left one"}, {"r", "the right one"}};
+        protocol.questionnaires = {
+            {"effort", "Effort", study::QuestionnaireTime::afterSession, {hard, hand}}};
+        ProtocolDialog dialog(protocol);
+        const auto entered = [&] {
+            const auto valid = dialog.protocol();
+            return valid ? valid->questionnaires : std::vector<study::Questionnaire>();
+        };
+        const study::Questionnaire read = entered().front();
+        QCOMPARE(read.id, std::string("effort"));
+        QCOMPARE(read.title, std::string("Effort"));
+        QCOMPARE(read.when, study::QuestionnaireTime::afterSession);
+        QCOMPARE(read.items.size(), std::size_t(2));
+        QCOMPARE(read.items[0].points, std::size_t(9));
+        QCOMPARE(read.items[0].high, std::string("hard"));
+        QVERIFY(!read.items[0].required);
+        QVERIFY(read.items[1].required);
+        QCOMPARE(read.items[1].choices[1].id, std::string("r"));
+        QCOMPARE(read.items[1].choices[1].text, std::string("the right one"));
+
+        QTest::mouseClick(dialog.findChild<QPushButton*>("addQuestionnaire"), Qt::LeftButton);
+        QVERIFY2(!dialog.protocol(), "it has neither a name nor a question yet");
+        auto* made = dialog.findChildren<console::QuestionnaireEditor*>().at(1);
+        QTest::keyClicks(made->findChild<QLineEdit*>("questionnaireId"), "person");
+        QTest::keyClicks(made->findChild<QLineEdit*>("questionId"), "age");
+        QTest::keyClicks(made->findChild<QLineEdit*>("questionText"), "How old are you?");
+        made->findChild<QComboBox*>("questionnaireWhen")->setCurrentIndex(0);
+        QCOMPARE(entered().size(), std::size_t(2));
+        QCOMPARE(entered()[1].when, study::QuestionnaireTime::beforeStudy);
+        QCOMPARE(entered()[1].items[0].question, std::string("How old are you?"));
+        made->findChild<QComboBox*>("questionKind")->setCurrentIndex(2);
+        QVERIFY2(entered().empty(), "a question of two answers at least");
+        made->findChild<QPlainTextEdit*>("questionChoices")->setPlainText("young up to 40\nold");
+        QCOMPARE(entered()[1].items[0].choices[0].text, std::string("up to 40"));
+        QCOMPARE(entered()[1].items[0].choices[1].text, std::string("old"));
+        QTest::mouseClick(made->findChild<QPushButton*>("addQuestion"), Qt::LeftButton);
+        QVERIFY(entered().empty());
+
+        QTest::mouseClick(made->findChild<QPushButton*>("removeQuestionnaire"), Qt::LeftButton);
+        QCOMPARE(entered().size(), std::size_t(1));
+        QCOMPARE(entered().front().id, std::string("effort"));
     }
 
     void restsAreReadAndCanBeChanged() {

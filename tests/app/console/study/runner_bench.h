@@ -80,6 +80,7 @@ protected:
     std::unique_ptr<StudyRunner> m_runner;
     std::unique_ptr<ParticipantWindow> m_window;
     study::Protocol m_protocol;
+    study::StimulusSet m_stimuli;
     study::PlannedSession m_plan;
     std::vector<study::TrialResult> m_kept;
     std::deque<StudyRunner::Kept> m_waiting; ///< results that are being kept, when m_slowDisk
@@ -93,6 +94,7 @@ protected:
         m_waiting.clear();
         m_device = std::make_unique<ScriptedStimulus>();
         m_protocol = protocol(extra);
+        m_stimuli = study::StimulusSet::of(m_protocol, {}, "test").value();
         m_plan = study::planSessions(m_protocol, 1, 0).front();
         m_runner = std::make_unique<StudyRunner>(
             m_stop, [this] { return m_now; },
@@ -122,7 +124,7 @@ protected:
         begin();
     }
     void begin(const std::vector<study::TrialResult>& kept = {}) {
-        const auto begun = m_runner->begin(*m_device, m_protocol, m_plan, kept, m_now);
+        const auto begun = m_runner->begin(*m_device, m_protocol, m_stimuli, m_plan, kept, m_now);
         QVERIFY2(begun.has_value(), begun ? "" : core::describe(begun.error()).c_str());
     }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/study/study_scenes.h"
 #include "backend/pattern/built_in_patterns.h"
+#include "backend/pattern/pattern_file.h"
 #include "tests/app/console/study/study_bench.h"
 #include "widgets/study/confusion_view.h"
 #include "widgets/study/result_table.h"
@@ -281,6 +283,41 @@ private slots:
         for (std::size_t i = 0; i < before.size(); ++i)
             QCOMPARE(after[i].time, before[i].time);
         QVERIFY2(after[3].result.onset_s > after[2].result.onset_s, "the times of a session go on");
+    }
+
+    void aStudyOfPatternsOfOnesOwnPlaysAndShowsThem() {
+        pattern::Pattern own;
+        own.id = "mine";
+        own.duration_s = 5.0;
+        own.tracks[4] = {{0.0, 0.5, pattern::Easing::linear}, {5.0, 0.5, pattern::Easing::linear}};
+        const QString file = m_folder->filePath(QStringLiteral("mine.json"));
+        QVERIFY(pattern::savePattern(own, file.toStdString()));
+        openPage();
+        study::StudyHead made = head(Mode::pilot, 2.0);
+        for (study::StudyPattern& pattern : made.protocol.tasks[0].patterns)
+            pattern.files = {{"static", file.toStdString()}, {"dynamic", file.toStdString()}};
+        made.protocol.source = study::protocolText(made.protocol);
+        controller().create(studyFolder().toStdString(), made);
+        QTRY_VERIFY_WITH_TIMEOUT(controller().overview().has_value(), kPatience_ms);
+        QVERIFY(QFile::remove(file));
+        enrol("P01");
+        beginSession();
+        startTrial();
+        // Only the fifth motor runs, which no circle and no rectangle does.
+        const auto onlyFifth = [this] {
+            const auto drive = bracelet().drive();
+            for (std::size_t tactor = 0; tactor < drive.size(); ++tactor) {
+                if ((drive[tactor] > 0) != (tactor == 4))
+                    return false;
+            }
+            return true;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(onlyFifth(), kPatience_ms);
+        QCOMPARE(console::StudyScenes::choices(controller()).front().diagram.strongest,
+                 studyview::diagramOf(own, 2.0).strongest);
+        answer(current().stimulus);
+        QTRY_COMPARE_WITH_TIMEOUT(kept().size(), std::size_t(1), kPatience_ms);
+        QCOMPARE(kept().front().result.outcome, Outcome::correct);
     }
 
     void aClockThatIsSetBackADayBetweenAnAbortAndTheRestLosesAndOverwritesNothing() {

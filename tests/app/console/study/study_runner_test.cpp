@@ -296,7 +296,7 @@ private slots:
     void refusesAStimulusThatIsNotThere() {
         make();
         m_protocol.tasks[0].id = "taste";
-        const auto begun = m_runner->begin(*m_device, m_protocol, m_plan, {}, m_now);
+        const auto begun = m_runner->begin(*m_device, m_protocol, m_stimuli, m_plan, {}, m_now);
         QVERIFY(!begun);
         QVERIFY(QString::fromStdString(begun.error().message).contains("taste.A.static"));
     }

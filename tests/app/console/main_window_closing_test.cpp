@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/main_window.h"
+#include "app/console/study/study_page.h"
+#include "backend/study/study_store.h"
+#include "tests/app/console/study/study_bench.h"
+#include "widgets/base/theme.h"
+#include "widgets/view3d/gl_setup.h"
+
+#include <QApplication>
+#include <QMessageBox>
+#include <QTest>
+
+#include <memory>
+
+using namespace teleta;
+using console::ConsoleOptions;
+using console::ConsoleSettings;
+using console::MainWindow;
+using test::kPatience_ms;
+
+/// The program is left while a session runs.
+class MainWindowClosingTest : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<core::StopSwitch> m_stop;
+    std::unique_ptr<ConsoleSettings> m_settings;
+    std::unique_ptr<MainWindow> m_window;
+
+    [[nodiscard]] QString studyFolder() const { return m_folder->filePath(QStringLiteral("study")); }
+    [[nodiscard]] console::StudyPage& page() const { return *m_window->findChild<console::StudyPage*>(); }
+    [[nodiscard]] const console::StudyRunner& runner() const { return page().controller().runner(); }
+    [[nodiscard]] QMessageBox* question(const char* name) const {
+        return m_window->findChild<QMessageBox*>(QString::fromLatin1(name));
+    }
+    void choose(const char* name, QMessageBox::ButtonRole role) const {
+        for (QAbstractButton* button : question(name)->buttons())
+            if (question(name)->buttonRole(button) == role) {
+                QTest::mouseClick(button, Qt::LeftButton);
+                return;
+            }
+        QFAIL("there is no such button");
+    }
+    [[nodiscard]] std::size_t kept() const {
+        const auto store = study::StudyStore::open(studyFolder().toStdString());
+        return store->trials(store->sessions(store->participants()->front())->front())->size();
+    }
+    void execute(const QString& sql) const {
+        {
+            QSqlDatabase database = QSqlDatabase::addDatabase("QSQLITE", "beside");
+            database.setDatabaseName(studyFolder() + "/study.sqlite");
+            QVERIFY(database.open());
+            QVERIFY(QSqlQuery(database).exec(sql));
+        }
+        QSqlDatabase::removeDatabase("beside");
+    }
+    void press(Qt::Key key) const { QTest::keyClick(&page().participantWindow(), key); }
+
+    /// The window with a session whose first trial is felt.
+    void beginTrial() {
+        {
+            study::StudyHead head;
+            head.protocol = study::parseProtocol(test::kShort, "short.toml").value();
+            head.mode = study::Mode::pilot;
+            head.created = QDateTime::currentDateTimeUtc();
+            QVERIFY(study::StudyStore::create(studyFolder().toStdString(), head)->enrol("P01"));
+        }
+        ConsoleOptions options;
+        options.study = studyFolder();
+        options.bracelet = QStringLiteral("simulated");
+        m_window = std::make_unique<MainWindow>(options, *m_settings, *m_stop);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        m_window->openRequested(options);
+        QTRY_VERIFY_WITH_TIMEOUT(page().controller().overview().has_value(), kPatience_ms);
+        page().controller().setNoiseConfirmed(true);
+        QTRY_VERIFY_WITH_TIMEOUT(study::allPassed(page().controller().checks()), kPatience_ms);
+        page().controller().begin();
+        QTRY_VERIFY_WITH_TIMEOUT(runner().isActive(), kPatience_ms);
+        press(Qt::Key_Space);
+        QTRY_VERIFY_WITH_TIMEOUT(runner().session()->stage() == study::Stage::stimulus ||
+                                     runner().session()->stage() == study::Stage::answering,
+                                 kPatience_ms);
+    }
+
+private slots:
+    void initTestCase() { base::applyTheme(base::ThemeChoice::light); }
+    void init() {
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_stop = std::make_unique<core::StopSwitch>();
+        m_settings = std::make_unique<ConsoleSettings>(true);
+    }
+    void cleanup() { m_window.reset(); }
+
+    void aSessionThatRunsIsEndedOnlyWhenThatIsConfirmed() {
+        beginTrial();
+        QVERIFY(!m_window->close());
+        QVERIFY(m_window->isVisible() && question("endSession") != nullptr);
+        QVERIFY2(!m_stop->engaged(), "the participant still feels the stimulus");
+        // It is decided later; meanwhile the participant answers.
+        press(Qt::Key_1);
+        QTRY_VERIFY_WITH_TIMEOUT(!runner().isKeeping(), kPatience_ms);
+        choose("endSession", QMessageBox::RejectRole);
+        QTRY_VERIFY_WITH_TIMEOUT(question("endSession") == nullptr, kPatience_ms);
+        QVERIFY(m_window->isVisible());
+        QVERIFY(runner().isActive());
+        QVERIFY(!m_window->close());
+        choose("endSession", QMessageBox::AcceptRole);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->isVisible(), kPatience_ms);
+        QVERIFY(m_stop->engaged());
+        m_window.reset();
+        QCOMPARE(kept(), std::size_t(1));
+    }
+
+    void anAnswerThatIsNotKeptHoldsTheWindowUntilItIsOrIsGivenUp() {
+        beginTrial();
+        execute("ALTER TABLE trial RENAME TO hidden");
+        press(Qt::Key_1);
+        QTRY_COMPARE_WITH_TIMEOUT(runner().hold(), console::StudyRunner::Hold::notKept, kPatience_ms);
+        QVERIFY(!m_window->close());
+        QVERIFY(question("notKept") != nullptr);
+        choose("notKept", QMessageBox::RejectRole);
+        QTRY_VERIFY_WITH_TIMEOUT(question("notKept") == nullptr, kPatience_ms);
+        QVERIFY(m_window->isVisible());
+        execute("ALTER TABLE hidden RENAME TO trial");
+        QVERIFY(!m_window->close());
+        choose("notKept", QMessageBox::AcceptRole);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->isVisible(), kPatience_ms);
+        m_window.reset();
+        QCOMPARE(kept(), std::size_t(1));
+    }
+
+    void whatIsGivenUpIsGone() {
+        beginTrial();
+        execute("ALTER TABLE trial RENAME TO hidden");
+        press(Qt::Key_1);
+        QTRY_COMPARE_WITH_TIMEOUT(runner().hold(), console::StudyRunner::Hold::notKept, kPatience_ms);
+        QVERIFY(!m_window->close());
+        choose("notKept", QMessageBox::DestructiveRole);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->isVisible(), kPatience_ms);
+        m_window.reset();
+        execute("ALTER TABLE hidden RENAME TO trial");
+        QCOMPARE(kept(), std::size_t(0));
+    }
+};
+
+int main(int argc, char* argv[]) {
+    view3d::configureOpenGlBeforeApplication();
+    QApplication application(argc, argv);
+    MainWindowClosingTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "main_window_closing_test.moc"
