@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the controller does with simulated participants.
+#include "app/console/study/study_controller.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace teleta::console {
+
+void StudyController::setSpeed(double speed) {
+    if (speed == m_speed || isActive())
+        return;
+    m_anchor_ns = m_clock();
+    m_speed = speed;
+    m_round.setSpeed(speed);
+    m_person.setSpeed(speed);
+    emit changed();
+}
+
+void StudyController::rehearse(const QString& folder, const study::StudyScene& scene, std::uint64_t seed) {
+    if (!isActive() && !isBusy()) {
+        m_scene = scene;
+        m_sceneFolder = folder.toStdString();
+    }
+    study::StudyHead head;
+    head.protocol = scene.protocol;
+    head.seed = seed;
+    head.mode = study::Mode::simulated;
+    head.plannedParticipants = scene.participants;
+    head.lapses = scene.lapses.value_or(0.0);
+    head.created = m_utcNow();
+    head.appVersion = QCoreApplication::applicationVersion().toStdString();
+    openOrCreate(folder.toStdString(), head);
+}
+
+void StudyController::rehearse() {
+    if (!isSimulated() || m_rehearsing)
+        return;
+    m_rehearsing = true;
+    if (m_runner.isActive())
+        m_runner.goOn();
+    else if (!isActive())
+        refresh();
+    emit changed();
+}
+
+void StudyController::stopRehearsal() {
+    m_rehearsing = false;
+}
+
+/// The next open session of anybody; when there is none, the next participant.
+void StudyController::goOnRehearsing() {
+    if (!m_rehearsing || isBusy() || m_round.current() != nullptr)
+        return;
+    forgetSession();
+    const std::vector<ParticipantOverview>& people = m_overview->participants;
+    for (std::size_t p = 0; p < people.size(); ++p) {
+        if (const std::optional<std::size_t> session = people[p].nextSession()) {
+            m_chosen = {static_cast<int>(p), static_cast<int>(*session)};
+            lookAround(true);
+            return;
+        }
+    }
+    if (people.size() < std::max<std::size_t>(m_overview->head.plannedParticipants, 1)) {
+        enrol(QStringLiteral("P%1").arg(people.size() + 1, 2, 10, QLatin1Char('0')));
+        return;
+    }
+    m_rehearsing = false;
+    emit rehearsed();
+}
+
+void StudyController::followSimulated() {
+    // Nobody has to be asked whether the test may begin.
+    if (isSimulated() && m_runner.hold() == StudyRunner::Hold::blockEnd && !m_runner.isKeeping())
+        QMetaObject::invokeMethod(&m_runner, &StudyRunner::goOn, Qt::QueuedConnection);
+}
+
+} // namespace teleta::console
