@@ -172,13 +172,6 @@
 <context>
     <name>teleta::console::ProtocolDialog</name>
     <message numerus="yes">
-        <source>%n questionnaire(s), kept as they are</source>
-        <translation>
-            <numerusform>%n questionnaire, kept as it is</numerusform>
-            <numerusform>%n questionnaires, kept as they are</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n test trial(s) a participant</source>
         <translation>
             <numerusform>%n test trial a participant</numerusform>

@@ -5034,10 +5034,6 @@ Aire %6</translation>
         <translation>il n’y a pas de motifs %1</translation>
     </message>
     <message>
-        <source>Make a study whose tasks, letters and conditions have patterns that come with the program.</source>
-        <translation>Créez une étude dont les tâches, lettres et conditions ont des motifs fournis avec le programme.</translation>
-    </message>
-    <message>
         <source>the patterns are not those with which this study was begun</source>
         <translation>les motifs ne sont pas ceux avec lesquels cette étude a été commencée</translation>
     </message>
@@ -5048,6 +5044,10 @@ Aire %6</translation>
     <message>
         <source>those with which the study was begun</source>
         <translation>ceux avec lesquels l’étude a été commencée</translation>
+    </message>
+    <message>
+        <source>Make a study whose protocol names a file for each pattern that does not come with the program.</source>
+        <translation>Créez une étude dont le protocole nomme un fichier pour chaque motif qui n’est pas fourni avec le programme.</translation>
     </message>
 </context>
 <context>
@@ -5978,6 +5978,17 @@ Aire %6</translation>
     <message>
         <source>the order that the seed of the session gives</source>
         <translation>l’ordre que donne la graine de la session</translation>
+    </message>
+</context>
+<context>
+    <name>StudyStimuli</name>
+    <message>
+        <source>nobody can tell in which folder this pattern is</source>
+        <translation>on ne peut pas savoir dans quel dossier est ce motif</translation>
+    </message>
+    <message>
+        <source>the whole path of the file</source>
+        <translation>le chemin complet du fichier</translation>
     </message>
 </context>
 <context>
@@ -10069,17 +10080,6 @@ Aire %6</translation>
         <translation>&amp;Bruit de masquage</translation>
     </message>
     <message>
-        <source>Questionnaires</source>
-        <translation>Questionnaires</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n questionnaire(s), kept as they are</source>
-        <translation>
-            <numerusform>%n questionnaire, gardé tel quel</numerusform>
-            <numerusform>%n questionnaires, gardés tels quels</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>&amp;Add a task</source>
         <translation>&amp;Ajouter une tâche</translation>
     </message>
@@ -10199,8 +10199,157 @@ Aire %6</translation>
         <translation>Repos</translation>
     </message>
     <message>
-        <source>There is no pattern %1 to be felt. A study can be made of tasks, letters and conditions whose patterns come with the program; the file can be saved.</source>
-        <translation>Il n’y a pas de motif %1 à ressentir. Une étude peut être faite de tâches, lettres et conditions dont les motifs sont fournis avec le programme&#xa0;; le fichier peut être enregistré.</translation>
+        <source>Add a &amp;questionnaire</source>
+        <translation>Ajouter un &amp;questionnaire</translation>
+    </message>
+    <message>
+        <source>letter, condition and file, one a line, for patterns of your own; all others come with the program</source>
+        <translation>lettre, condition et fichier, un par ligne, pour vos propres motifs&#xa0;; tous les autres sont fournis avec le programme</translation>
+    </message>
+    <message>
+        <source>Of your own</source>
+        <translation>Vos propres motifs</translation>
+    </message>
+    <message>
+        <source>Choose a pattern file…</source>
+        <translation>Choisir un fichier de motif…</translation>
+    </message>
+    <message>
+        <source>no pattern of the task is felt as &quot;%1 %2&quot;</source>
+        <translation>aucun motif de la tâche n’est ressenti comme «&#xa0;%1 %2&#xa0;»</translation>
+    </message>
+    <message>
+        <source>a letter and a condition of the task, then the file</source>
+        <translation>une lettre et une condition de la tâche, puis le fichier</translation>
+    </message>
+    <message>
+        <source>the file of &quot;%1 %2&quot; cannot be found</source>
+        <translation>le fichier de «&#xa0;%1 %2&#xa0;» est introuvable</translation>
+    </message>
+    <message>
+        <source>its whole path</source>
+        <translation>son chemin complet</translation>
+    </message>
+    <message>
+        <source>&quot;%1 %2&quot; has two files</source>
+        <translation>«&#xa0;%1 %2&#xa0;» a deux fichiers</translation>
+    </message>
+    <message>
+        <source>one file</source>
+        <translation>un seul fichier</translation>
+    </message>
+    <message>
+        <source>Pattern file for %1</source>
+        <comment>a letter and a condition</comment>
+        <translation>Fichier de motif pour %1</translation>
+    </message>
+    <message>
+        <source>There is no pattern %1 to be felt. Name a file for it, or take a task, letter and condition whose pattern comes with the program; the protocol can be saved.</source>
+        <translation>Il n’y a pas de motif %1 à ressentir. Nommez un fichier pour lui, ou prenez une tâche, une lettre et une condition dont le motif est fourni avec le programme&#xa0;; le protocole peut être enregistré.</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::QuestionnaireEditor</name>
+    <message>
+        <source>Questionnaire</source>
+        <translation>Questionnaire</translation>
+    </message>
+    <message>
+        <source>for example effort</source>
+        <translation>par exemple effort</translation>
+    </message>
+    <message>
+        <source>before the first session</source>
+        <translation>avant la première session</translation>
+    </message>
+    <message>
+        <source>before each session</source>
+        <translation>avant chaque session</translation>
+    </message>
+    <message>
+        <source>after each session</source>
+        <translation>après chaque session</translation>
+    </message>
+    <message>
+        <source>after the last session</source>
+        <translation>après la dernière session</translation>
+    </message>
+    <message>
+        <source>Identifier</source>
+        <translation type="unfinished">Identifiant</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titre</translation>
+    </message>
+    <message>
+        <source>Filled in</source>
+        <translation>Rempli</translation>
+    </message>
+    <message>
+        <source>Add a question</source>
+        <translation>Ajouter une question</translation>
+    </message>
+    <message>
+        <source>Remove this questionnaire</source>
+        <translation>Retirer ce questionnaire</translation>
+    </message>
+    <message>
+        <source>has to be answered</source>
+        <translation>réponse obligatoire</translation>
+    </message>
+    <message>
+        <source>for example hard</source>
+        <translation>par exemple hard</translation>
+    </message>
+    <message>
+        <source>free text</source>
+        <translation>texte libre</translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation>échelle</translation>
+    </message>
+    <message>
+        <source>one of several answers</source>
+        <translation>une réponse parmi plusieurs</translation>
+    </message>
+    <message>
+        <source> points</source>
+        <comment>after a number</comment>
+        <translation> points</translation>
+    </message>
+    <message>
+        <source>what 1 means</source>
+        <translation>ce que signifie 1</translation>
+    </message>
+    <message>
+        <source>what the last point means</source>
+        <translation>ce que signifie le dernier point</translation>
+    </message>
+    <message>
+        <source>identifier and text, one a line, for example yes I felt it</source>
+        <translation>identifiant et texte, un par ligne, par exemple yes I felt it</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Remove this question</source>
+        <translation>Retirer cette question</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>Question</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Échelle</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>Réponses</translation>
     </message>
 </context>
 <context>
@@ -10766,12 +10915,12 @@ Aire %6</translation>
         <translation>il n’y a pas de motif «&#xa0;%1&#xa0;» à sentir</translation>
     </message>
     <message>
-        <source>tasks, letters and conditions whose patterns come with the program</source>
-        <translation>des tâches, lettres et conditions dont les motifs sont fournis avec le programme</translation>
-    </message>
-    <message>
         <source>STOP was pressed</source>
         <translation>STOP a été enclenché</translation>
+    </message>
+    <message>
+        <source>a protocol that names a file for each pattern that does not come with the program</source>
+        <translation>un protocole qui nomme un fichier pour chaque motif qui n’est pas fourni avec le programme</translation>
     </message>
 </context>
 <context>

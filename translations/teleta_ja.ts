@@ -5027,10 +5027,6 @@ x %4, y %5
         <translation>パターン %1 がありません</translation>
     </message>
     <message>
-        <source>Make a study whose tasks, letters and conditions have patterns that come with the program.</source>
-        <translation>パターンがプログラムに付属している課題、文字、条件でスタディを作成してください。</translation>
-    </message>
-    <message>
         <source>the patterns are not those with which this study was begun</source>
         <translation>パターンが、このスタディを始めたときのものと異なります</translation>
     </message>
@@ -5041,6 +5037,10 @@ x %4, y %5
     <message>
         <source>those with which the study was begun</source>
         <translation>スタディを始めたときのもの</translation>
+    </message>
+    <message>
+        <source>Make a study whose protocol names a file for each pattern that does not come with the program.</source>
+        <translation>プログラムに付属していない各パターンのファイルを指定したプロトコルで、スタディを作成してください。</translation>
     </message>
 </context>
 <context>
@@ -5970,6 +5970,17 @@ x %4, y %5
     <message>
         <source>the order that the seed of the session gives</source>
         <translation>セッションのシードから決まる順序</translation>
+    </message>
+</context>
+<context>
+    <name>StudyStimuli</name>
+    <message>
+        <source>nobody can tell in which folder this pattern is</source>
+        <translation>このパターンがどのフォルダーにあるのかわかりません</translation>
+    </message>
+    <message>
+        <source>the whole path of the file</source>
+        <translation>ファイルの絶対パス</translation>
     </message>
 </context>
 <context>
@@ -10050,16 +10061,6 @@ x %4, y %5
         <translation>マスキングノイズ(&amp;M)</translation>
     </message>
     <message>
-        <source>Questionnaires</source>
-        <translation>質問票</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n questionnaire(s), kept as they are</source>
-        <translation>
-            <numerusform>質問票%n件、そのまま保持</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>&amp;Add a task</source>
         <translation>課題を追加(&amp;A)</translation>
     </message>
@@ -10178,8 +10179,157 @@ x %4, y %5
         <translation>休憩</translation>
     </message>
     <message>
-        <source>There is no pattern %1 to be felt. A study can be made of tasks, letters and conditions whose patterns come with the program; the file can be saved.</source>
-        <translation>感じるべきパターン %1 がありません。スタディは、パターンがプログラムに付属している課題、文字、条件で作成できます。ファイルは保存できます。</translation>
+        <source>Add a &amp;questionnaire</source>
+        <translation>質問票を追加(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>letter, condition and file, one a line, for patterns of your own; all others come with the program</source>
+        <translation>自作のパターンの文字、条件、ファイルを1行に1つ。ほかはすべてプログラムに付属しています</translation>
+    </message>
+    <message>
+        <source>Of your own</source>
+        <translation>自作のもの</translation>
+    </message>
+    <message>
+        <source>Choose a pattern file…</source>
+        <translation>パターンファイルを選択…</translation>
+    </message>
+    <message>
+        <source>no pattern of the task is felt as &quot;%1 %2&quot;</source>
+        <translation>この課題に「%1 %2」にあたるパターンはありません</translation>
+    </message>
+    <message>
+        <source>a letter and a condition of the task, then the file</source>
+        <translation>課題の文字と条件、続けてファイル</translation>
+    </message>
+    <message>
+        <source>the file of &quot;%1 %2&quot; cannot be found</source>
+        <translation>「%1 %2」のファイルが見つかりません</translation>
+    </message>
+    <message>
+        <source>its whole path</source>
+        <translation>その絶対パス</translation>
+    </message>
+    <message>
+        <source>&quot;%1 %2&quot; has two files</source>
+        <translation>「%1 %2」にファイルが2つあります</translation>
+    </message>
+    <message>
+        <source>one file</source>
+        <translation>1つのファイル</translation>
+    </message>
+    <message>
+        <source>Pattern file for %1</source>
+        <comment>a letter and a condition</comment>
+        <translation>%1 のパターンファイル</translation>
+    </message>
+    <message>
+        <source>There is no pattern %1 to be felt. Name a file for it, or take a task, letter and condition whose pattern comes with the program; the protocol can be saved.</source>
+        <translation>感じるべきパターン %1 がありません。ファイルを指定するか、パターンがプログラムに付属している課題、文字、条件にしてください。プロトコルは保存できます。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::QuestionnaireEditor</name>
+    <message>
+        <source>Questionnaire</source>
+        <translation>質問票</translation>
+    </message>
+    <message>
+        <source>for example effort</source>
+        <translation>例: effort</translation>
+    </message>
+    <message>
+        <source>before the first session</source>
+        <translation>最初のセッションの前</translation>
+    </message>
+    <message>
+        <source>before each session</source>
+        <translation>各セッションの前</translation>
+    </message>
+    <message>
+        <source>after each session</source>
+        <translation>各セッションの後</translation>
+    </message>
+    <message>
+        <source>after the last session</source>
+        <translation>最後のセッションの後</translation>
+    </message>
+    <message>
+        <source>Identifier</source>
+        <translation type="unfinished">識別子</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>タイトル</translation>
+    </message>
+    <message>
+        <source>Filled in</source>
+        <translation>記入の時期</translation>
+    </message>
+    <message>
+        <source>Add a question</source>
+        <translation>質問を追加</translation>
+    </message>
+    <message>
+        <source>Remove this questionnaire</source>
+        <translation>この質問票を削除</translation>
+    </message>
+    <message>
+        <source>has to be answered</source>
+        <translation>回答必須</translation>
+    </message>
+    <message>
+        <source>for example hard</source>
+        <translation>例: hard</translation>
+    </message>
+    <message>
+        <source>free text</source>
+        <translation>自由記述</translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation>尺度</translation>
+    </message>
+    <message>
+        <source>one of several answers</source>
+        <translation>選択肢から1つ</translation>
+    </message>
+    <message>
+        <source> points</source>
+        <comment>after a number</comment>
+        <translation> 段階</translation>
+    </message>
+    <message>
+        <source>what 1 means</source>
+        <translation>1の意味</translation>
+    </message>
+    <message>
+        <source>what the last point means</source>
+        <translation>最後の段階の意味</translation>
+    </message>
+    <message>
+        <source>identifier and text, one a line, for example yes I felt it</source>
+        <translation>識別子と文を1行に1つ、例: yes I felt it</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>削除</translation>
+    </message>
+    <message>
+        <source>Remove this question</source>
+        <translation>この質問を削除</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>質問</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>尺度</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>答え</translation>
     </message>
 </context>
 <context>
@@ -10742,12 +10892,12 @@ x %4, y %5
         <translation>提示するパターン「%1」がありません</translation>
     </message>
     <message>
-        <source>tasks, letters and conditions whose patterns come with the program</source>
-        <translation>パターンがプログラムに付属している課題、文字、条件</translation>
-    </message>
-    <message>
         <source>STOP was pressed</source>
         <translation>STOPが押されました</translation>
+    </message>
+    <message>
+        <source>a protocol that names a file for each pattern that does not come with the program</source>
+        <translation>プログラムに付属していない各パターンのファイルを指定したプロトコル</translation>
     </message>
 </context>
 <context>

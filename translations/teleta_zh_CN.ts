@@ -5027,10 +5027,6 @@ x %4，y %5
         <translation>没有图案 %1</translation>
     </message>
     <message>
-        <source>Make a study whose tasks, letters and conditions have patterns that come with the program.</source>
-        <translation>请用图案随程序提供的任务、字母和条件建立研究。</translation>
-    </message>
-    <message>
         <source>the patterns are not those with which this study was begun</source>
         <translation>图案不是本研究开始时所用的图案</translation>
     </message>
@@ -5041,6 +5037,10 @@ x %4，y %5
     <message>
         <source>those with which the study was begun</source>
         <translation>研究开始时所用的图案</translation>
+    </message>
+    <message>
+        <source>Make a study whose protocol names a file for each pattern that does not come with the program.</source>
+        <translation>请用为每个未随程序提供的图案指定了文件的方案建立研究。</translation>
     </message>
 </context>
 <context>
@@ -5970,6 +5970,17 @@ x %4，y %5
     <message>
         <source>the order that the seed of the session gives</source>
         <translation>由场次种子给出的顺序</translation>
+    </message>
+</context>
+<context>
+    <name>StudyStimuli</name>
+    <message>
+        <source>nobody can tell in which folder this pattern is</source>
+        <translation>无法得知该图案在哪个文件夹中</translation>
+    </message>
+    <message>
+        <source>the whole path of the file</source>
+        <translation>文件的完整路径</translation>
     </message>
 </context>
 <context>
@@ -10050,16 +10061,6 @@ x %4，y %5
         <translation>掩蔽噪声(&amp;M)</translation>
     </message>
     <message>
-        <source>Questionnaires</source>
-        <translation>问卷</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n questionnaire(s), kept as they are</source>
-        <translation>
-            <numerusform>%n 份问卷，原样保留</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>&amp;Add a task</source>
         <translation>添加任务(&amp;A)</translation>
     </message>
@@ -10178,8 +10179,157 @@ x %4，y %5
         <translation>休息</translation>
     </message>
     <message>
-        <source>There is no pattern %1 to be felt. A study can be made of tasks, letters and conditions whose patterns come with the program; the file can be saved.</source>
-        <translation>没有可供感受的图案 %1。研究可用图案随程序提供的任务、字母和条件建立；文件可以保存。</translation>
+        <source>Add a &amp;questionnaire</source>
+        <translation>添加问卷(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>letter, condition and file, one a line, for patterns of your own; all others come with the program</source>
+        <translation>自有图案的字母、条件和文件，每行一个；其余图案均随程序提供</translation>
+    </message>
+    <message>
+        <source>Of your own</source>
+        <translation>自有图案</translation>
+    </message>
+    <message>
+        <source>Choose a pattern file…</source>
+        <translation>选择图案文件…</translation>
+    </message>
+    <message>
+        <source>no pattern of the task is felt as &quot;%1 %2&quot;</source>
+        <translation>该任务中没有“%1 %2”对应的图案</translation>
+    </message>
+    <message>
+        <source>a letter and a condition of the task, then the file</source>
+        <translation>该任务的字母和条件，然后是文件</translation>
+    </message>
+    <message>
+        <source>the file of &quot;%1 %2&quot; cannot be found</source>
+        <translation>找不到“%1 %2”的文件</translation>
+    </message>
+    <message>
+        <source>its whole path</source>
+        <translation>其完整路径</translation>
+    </message>
+    <message>
+        <source>&quot;%1 %2&quot; has two files</source>
+        <translation>“%1 %2”有两个文件</translation>
+    </message>
+    <message>
+        <source>one file</source>
+        <translation>一个文件</translation>
+    </message>
+    <message>
+        <source>Pattern file for %1</source>
+        <comment>a letter and a condition</comment>
+        <translation>%1 的图案文件</translation>
+    </message>
+    <message>
+        <source>There is no pattern %1 to be felt. Name a file for it, or take a task, letter and condition whose pattern comes with the program; the protocol can be saved.</source>
+        <translation>没有可供感受的图案 %1。请为它指定文件，或改用图案随程序提供的任务、字母和条件；方案可以保存。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::QuestionnaireEditor</name>
+    <message>
+        <source>Questionnaire</source>
+        <translation>问卷</translation>
+    </message>
+    <message>
+        <source>for example effort</source>
+        <translation>例如 effort</translation>
+    </message>
+    <message>
+        <source>before the first session</source>
+        <translation>第一个场次之前</translation>
+    </message>
+    <message>
+        <source>before each session</source>
+        <translation>每个场次之前</translation>
+    </message>
+    <message>
+        <source>after each session</source>
+        <translation>每个场次之后</translation>
+    </message>
+    <message>
+        <source>after the last session</source>
+        <translation>最后一个场次之后</translation>
+    </message>
+    <message>
+        <source>Identifier</source>
+        <translation type="unfinished">标识符</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>标题</translation>
+    </message>
+    <message>
+        <source>Filled in</source>
+        <translation>填写时间</translation>
+    </message>
+    <message>
+        <source>Add a question</source>
+        <translation>添加问题</translation>
+    </message>
+    <message>
+        <source>Remove this questionnaire</source>
+        <translation>删除此问卷</translation>
+    </message>
+    <message>
+        <source>has to be answered</source>
+        <translation>必须回答</translation>
+    </message>
+    <message>
+        <source>for example hard</source>
+        <translation>例如 hard</translation>
+    </message>
+    <message>
+        <source>free text</source>
+        <translation>自由文本</translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation>量表</translation>
+    </message>
+    <message>
+        <source>one of several answers</source>
+        <translation>多个答案中选一个</translation>
+    </message>
+    <message>
+        <source> points</source>
+        <comment>after a number</comment>
+        <translation> 级</translation>
+    </message>
+    <message>
+        <source>what 1 means</source>
+        <translation>1 的含义</translation>
+    </message>
+    <message>
+        <source>what the last point means</source>
+        <translation>最后一级的含义</translation>
+    </message>
+    <message>
+        <source>identifier and text, one a line, for example yes I felt it</source>
+        <translation>标识符和文本，每行一个，例如 yes I felt it</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Remove this question</source>
+        <translation>删除此问题</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>问题</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>量表</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>答案</translation>
     </message>
 </context>
 <context>
@@ -10742,12 +10892,12 @@ x %4，y %5
         <translation>没有可供感觉的图案“%1”</translation>
     </message>
     <message>
-        <source>tasks, letters and conditions whose patterns come with the program</source>
-        <translation>图案随程序提供的任务、字母和条件</translation>
-    </message>
-    <message>
         <source>STOP was pressed</source>
         <translation>按下了 STOP</translation>
+    </message>
+    <message>
+        <source>a protocol that names a file for each pattern that does not come with the program</source>
+        <translation>为每个未随程序提供的图案指定了文件的方案</translation>
     </message>
 </context>
 <context>
