@@ -10256,7 +10256,7 @@ x %4, y %5
     </message>
     <message>
         <source>Identifier</source>
-        <translation type="unfinished">識別子</translation>
+        <translation>識別子</translation>
     </message>
     <message>
         <source>Title</source>

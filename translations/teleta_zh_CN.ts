@@ -10256,7 +10256,7 @@ x %4，y %5
     </message>
     <message>
         <source>Identifier</source>
-        <translation type="unfinished">标识符</translation>
+        <translation>标识符</translation>
     </message>
     <message>
         <source>Title</source>

@@ -64,13 +64,13 @@ public:
         controller().create(studyFolder().toStdString(), head);
         until([this] { return controller().overview().has_value() && !controller().isBusy(); });
         controller().enrol(QStringLiteral("P01"));
+        until([this] { return controller().chosenSession() != nullptr && !controller().isBusy(); });
         controller().setNoiseConfirmed(true);
-        until([this] {
-            return controller().chosenSession() != nullptr && study::allPassed(controller().checks());
-        });
+        until([this] { return study::allPassed(controller().checks()); });
         controller().begin();
         until([this] { return runner().isActive(); });
         window()->resize(kScreen);
+        window()->show();
     }
     ~Session() { tearDown(); }
 
@@ -100,6 +100,7 @@ private:
     }
     void key(QEvent::Type type, Qt::Key code) {
         QKeyEvent event(type, code, Qt::NoModifier, QString(QChar(static_cast<char16_t>(code))));
+        event.setTimestamp(static_cast<quint64>(core::steadyNow_ns() / 1'000'000));
         QApplication::sendEvent(window(), &event);
     }
 };

@@ -54,6 +54,11 @@ class MainWindowClosingTest : public QObject {
         }
         QSqlDatabase::removeDatabase("beside");
     }
+    [[nodiscard]] bool isFelt() const {
+        const study::Session* session = runner().session();
+        return session != nullptr &&
+               (session->stage() == study::Stage::stimulus || session->stage() == study::Stage::answering);
+    }
     void press(Qt::Key key) const { QTest::keyClick(&page().participantWindow(), key); }
 
     /// The window with a session whose first trial is felt.
@@ -78,9 +83,7 @@ class MainWindowClosingTest : public QObject {
         page().controller().begin();
         QTRY_VERIFY_WITH_TIMEOUT(runner().isActive(), kPatience_ms);
         press(Qt::Key_Space);
-        QTRY_VERIFY_WITH_TIMEOUT(runner().session()->stage() == study::Stage::stimulus ||
-                                     runner().session()->stage() == study::Stage::answering,
-                                 kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(isFelt(), kPatience_ms);
     }
 
 private slots:

@@ -112,7 +112,7 @@ TEST_F(OwnStimuliTest, aFileForAConditionThatTheTaskDoesNotHaveIsAnErrorWithItsP
     text.replace(text.find("{ sweet = \"patterns/buzz1"), 7, "{ sour");
     const auto protocol = parseProtocol(text, "own.toml");
     ASSERT_FALSE(protocol);
-    EXPECT_EQ(protocol.error().where.line, 15) << core::describe(protocol.error());
+    EXPECT_EQ(protocol.error().where.line, 16) << core::describe(protocol.error());
     EXPECT_NE(core::describe(protocol.error()).find("sour"), std::string::npos);
 }
 

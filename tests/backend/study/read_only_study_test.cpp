@@ -223,10 +223,10 @@ TEST_F(ReadOnlyStudyTest, ofAnOlderProgramIsRefusedThereAndBroughtUpToDateElsewh
             QSqlDatabase database = QSqlDatabase::addDatabase("QSQLITE", "older");
             database.setDatabaseName(QString::fromStdString(folder() + "/study.sqlite"));
             ASSERT_TRUE(database.open());
-            // Schema 3 knew no notes, and no frames of a trial.
+            // Schema 3 knew no notes, no frames of a trial, and no patterns of one's own.
             QSqlQuery query(database);
             for (const char* step :
-                 {"DROP TABLE note", "ALTER TABLE trial DROP COLUMN frame_write_ms",
+                 {"DROP TABLE stimulus", "DROP TABLE note", "ALTER TABLE trial DROP COLUMN frame_write_ms",
                   "ALTER TABLE trial DROP COLUMN frames_missed", "PRAGMA user_version = 3"})
                 ASSERT_TRUE(query.exec(step)) << step;
         }

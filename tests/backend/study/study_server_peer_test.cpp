@@ -175,7 +175,8 @@ TEST_F(StudyServerTest, bringsAnOlderStudyUpToDateAndKeepsItsTrials) {
         ASSERT_TRUE(store.keepTrial(session, trialNumber(1), kNow));
     }
     // As schema 2 left it.
-    s_server->sql("DROP TABLE " + m_study + ".answer, " + m_study + ".note; ALTER TABLE " + m_study +
+    s_server->sql("DROP TABLE " + m_study + ".answer, " + m_study + ".note, " + m_study +
+                  ".stimulus; ALTER TABLE " + m_study +
                   ".trial DROP COLUMN frame_write_ms, DROP COLUMN frames_missed; DELETE FROM " + m_study +
                   ".schema_version WHERE version > 2");
     const auto store = StudyStore::open(at());
