@@ -21,6 +21,8 @@ public:
     explicit TappedBracelet(std::unique_ptr<core::BraceletSource> bracelet)
         : m_bracelet(std::move(bracelet)) {}
 
+    [[nodiscard]] core::BraceletSource& bracelet() { return *m_bracelet; }
+
     /// From the next frame on; null: none.
     void setTap(std::shared_ptr<core::StreamTap> tap) { m_tap.set(std::move(tap)); }
 

@@ -137,8 +137,9 @@ protected:
     [[nodiscard]] QPushButton* nextButton() { return m_page->sessionPanel().nextButton(); }
     [[nodiscard]] studyview::ParticipantWindow* window() { return &m_page->participantWindow(); }
     [[nodiscard]] simulated::SimulatedBracelet& bracelet() {
-        return dynamic_cast<simulated::SimulatedBracelet&>(
+        auto& tapped = dynamic_cast<console::TappedBracelet&>(
             const_cast<core::BraceletSource&>(m_station->session()->source()));
+        return dynamic_cast<simulated::SimulatedBracelet&>(tapped.bracelet());
     }
     [[nodiscard]] std::vector<study::StoredTrial> kept(std::size_t participant = 0, std::size_t session = 0) {
         const auto store = study::StudyStore::open(studyFolder().toStdString());
