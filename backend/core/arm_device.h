@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace teleta::core {
 
@@ -116,6 +117,23 @@ struct ArmDemand {
     JointArray rate_radPerS{}; ///< with jog
 };
 
+/// What a simulated arm at another place has told, and has come over the link between the two.
+struct ArmArrival {
+    JointSample sample;
+    bool hasFrame = false;
+    std::vector<float> frame; ///< of the skin, read with the sample
+};
+
+/// How messages fared on that link since the start.
+struct ArmLinkCounters {
+    std::uint64_t commandsSent = 0;
+    std::uint64_t commandsLost = 0;
+    std::uint64_t commandsOvertaken = 0; ///< given up for a newer one
+    std::uint64_t samplesSent = 0;
+    std::uint64_t samplesLost = 0;
+    std::uint64_t framesLost = 0; ///< of the skin
+};
+
 /// Makes the joint samples and skin frames of a simulated arm, one call a joint period. The device paces the
 /// calls, stamps the samples and keeps the limits; the generator knows only simulated time. Deterministic:
 /// same seed, same demands, same samples. Thread: one.
@@ -133,6 +151,13 @@ public:
     /// The program has come to its end; a further program step holds the arm.
     [[nodiscard]] virtual bool programDone() const = 0;
     virtual void restart() = 0;
+
+    /// The arm is at another place: what reaches the operator is handed out by takeArrival(), what next() and
+    /// skinFrame() say does not count.
+    [[nodiscard]] virtual bool isRemote() const { return false; }
+    /// Takes the next that has arrived by now: older by time_s() - sample.sourceTime_s. False: nothing.
+    virtual bool takeArrival(ArmArrival&) { return false; }
+    [[nodiscard]] virtual ArmLinkCounters linkCounters() const { return {}; }
 };
 
 } // namespace teleta::core

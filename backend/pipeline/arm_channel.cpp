@@ -18,7 +18,7 @@ ArmChannel::ArmChannel(std::unique_ptr<core::ArmSource> arm, std::shared_ptr<Tou
     : m_arm(std::move(arm))
     , m_skin(std::move(skin))
     , m_estimator(m_arm->description(), settings.touch)
-    , m_explorer(settings.contour)
+    , m_found(settings.contour)
     , m_samples(kHistorySamples)
     , m_touches(kHistoryTouches) {
     m_settingsInUse.set(settings);
@@ -82,12 +82,13 @@ bool ArmChannel::takeCommands() {
     bool changed = false;
     if (const auto settings = m_changes.take()) {
         m_estimator.setSettings(settings->touch);
-        m_explorer.setSettings(settings->contour);
+        m_found.setSettings(settings->contour);
+        ++m_objectsRevision;
         m_settingsInUse.set(*settings);
         changed = true;
     }
     if (m_contourReset.exchange(false, std::memory_order_acq_rel)) {
-        m_explorer.reset();
+        m_found.closeAll();
         changed = true;
     }
     return changed;
@@ -103,10 +104,11 @@ void ArmChannel::take(TouchRecord&& touch) {
         feedback->onTouch(touch);
     if (touch.located) {
         const std::int64_t start_ns = core::steadyNow_ns();
-        m_explorer.add(touch.p_Base_Contact_m);
+        if (m_found.add(touch) != nullptr)
+            ++m_objectsRevision;
         m_stages.contour_s += core::elapsed_s(start_ns, core::steadyNow_ns());
         if (feedback)
-            feedback->onContour(touch, m_explorer.contour());
+            feedback->onContour(touch, m_found.contour());
     }
     m_lastTouch = touch;
     m_touches.push(std::move(touch));
@@ -121,8 +123,12 @@ void ArmChannel::publish() {
     snapshot.contact = m_estimator.liveContact();
     snapshot.lastTouch = m_lastTouch;
     // The slot may hold this contour already: it is large and seldom new.
-    if (snapshot.contour.revision != m_explorer.contour().revision)
-        snapshot.contour = m_explorer.contour();
+    if (snapshot.contour.revision != m_found.contour().revision)
+        snapshot.contour = m_found.contour();
+    if (snapshot.objectsRevision != m_objectsRevision) {
+        snapshot.objects = m_found.objects();
+        snapshot.objectsRevision = m_objectsRevision;
+    }
     snapshot.stages = m_stages;
     snapshot.samplesProcessed = samplesProcessed();
     snapshot.samplesLeftOut = m_estimator.samplesLeftOut();

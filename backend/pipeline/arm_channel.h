@@ -8,7 +8,7 @@
 #include "backend/core/mailbox.h"
 #include "backend/pipeline/arm_snapshot.h"
 #include "backend/pipeline/channel_taps.h"
-#include "backend/pipeline/contour_explorer.h"
+#include "backend/pipeline/found_objects.h"
 #include "backend/pipeline/tactile_feedback.h"
 #include "backend/pipeline/touch_channel.h"
 #include "backend/pipeline/touch_estimator.h"
@@ -67,7 +67,7 @@ public:
     void post(const ArmSettings& settings) { m_changes.post(settings); }
     /// Who is told of every touch on the pipeline thread, from the next touch on; null for nobody.
     void setFeedback(std::shared_ptr<TactileFeedback> feedback) { m_feedback.set(std::move(feedback)); }
-    /// Forgets the explored points before the next samples are processed.
+    /// What is touched next is another object: begins a new contour before the next samples are processed.
     void resetContour() { m_contourReset.store(true, std::memory_order_release); }
     /// The settings in use.
     [[nodiscard]] ArmSettings settings() const { return m_settingsInUse.get(); }
@@ -91,7 +91,8 @@ private:
     std::unique_ptr<core::ArmSource> m_arm;
     std::shared_ptr<TouchChannel> m_skin;
     TouchEstimator m_estimator;
-    ContourExplorer m_explorer;
+    FoundObjects m_found;
+    std::uint64_t m_objectsRevision = 0;
 
     core::Mailbox<ArmSettings> m_changes;
     core::LatestCopy<ArmSettings> m_settingsInUse;

@@ -2,13 +2,14 @@
 #pragma once
 
 #include "backend/core/arm_device.h"
-#include "backend/pipeline/contour_explorer.h"
+#include "backend/pipeline/found_objects.h"
 #include "backend/pipeline/touch_estimator.h"
 #include "backend/pipeline/touch_record.h"
 
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace teleta::pipeline {
 
@@ -33,7 +34,9 @@ struct ArmSnapshot {
     core::JointArray reference_Nm{}; ///< torque of each joint without contact
     std::optional<LiveContact> contact;
     std::optional<TouchRecord> lastTouch;
-    ExploredContour contour;
+    ExploredContour contour; ///< of the object that was touched last
+    std::vector<FoundObject> objects;
+    std::uint64_t objectsRevision = 0; ///< grows with each change of the objects
     ArmStageTimes stages;
     std::uint64_t samplesProcessed = 0;
     std::uint64_t samplesLeftOut = 0; ///< not finite

@@ -154,6 +154,7 @@ SkinContact TouchChannel::strongestContact(double circumference_m) const {
         strongest.x_m = first.x_m;
         strongest.y_m = first.y_m;
         strongest.force_N = first.force_N;
+        strongest.type = m_current.features.type;
     }
     if (!(circumference_m > 0.0))
         return strongest;

@@ -305,8 +305,9 @@ void TouchEstimator::addToPlace(const SkinContact& contact) {
     const double weight_N = std::max(contact.force_N, kLeastWeight_N);
     if (!m_touch.place ||
         std::hypot(contact.x_m - m_touch.place->x_m, contact.y_m - m_touch.place->y_m) > kSamePlace_m)
-        m_touch.place = Place{contact.x_m, contact.y_m, 0.0};
+        m_touch.place = Place{contact.x_m, contact.y_m, 0.0, contact.type};
     Place& place = *m_touch.place;
+    place.type = contact.type;
     place.weight_N += weight_N;
     place.x_m += weight_N / place.weight_N * (contact.x_m - place.x_m);
     place.y_m += weight_N / place.weight_N * (contact.y_m - place.y_m);
@@ -341,6 +342,7 @@ TouchRecord TouchEstimator::makeRecord() {
     record.located = true;
     record.contactDistance_m = located.contactDistance_m;
     record.side_rad = located.side_rad;
+    record.contactType = m_touch.place->type;
     record.p_Base_Contact_m = p_Base(angle_rad, located);
     record.force = forceAt(angle_rad, m_touch.torque_Nm, located);
     estimate(located, record);

@@ -119,6 +119,7 @@ private:
         double x_m = 0.0;
         double y_m = 0.0;
         double weight_N = 0.0;
+        contact::ContactType type = contact::ContactType::none;
     };
     struct Touch {
         Stage stage = Stage::none;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/arm/contact_force.h"
+#include "backend/contact/tactile_features.h"
 #include "backend/contour/point.h"
 #include "backend/contour/shape_recogniser.h"
 #include "backend/stiffness/refusal.h"
@@ -24,6 +25,7 @@ struct SkinContact {
     double x_m = 0.0;      ///< frame {s} of the skin's sheet
     double y_m = 0.0;
     double force_N = 0.0;
+    contact::ContactType type = contact::ContactType::none; ///< of the whole frame
 };
 
 /// One touch of the remote arm, from the first torque above the noise to the estimate.
@@ -40,6 +42,7 @@ struct TouchRecord {
     double contactDistance_m = 0.0; ///< P_C, from the elbow along the forearm
     double side_rad = 0.0;
     Eigen::Vector3d p_Base_Contact_m = Eigen::Vector3d::Zero();
+    contact::ContactType contactType = contact::ContactType::none; ///< as the skin felt it last
 
     std::optional<arm::ContactForce> force;
     std::optional<stiffness::TouchStiffness> stiffness;

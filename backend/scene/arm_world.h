@@ -132,7 +132,36 @@ struct YieldProgram {
     std::vector<Push> pushes{};
 };
 
-using ArmProgram = std::variant<TouchProgram, ContourProgram, YieldProgram>;
+/// Somebody feels his way around something that he sees roughly: touches towards a place, evenly spaced
+/// around it.
+struct Exploration {
+    double x_m = 0.0; ///< the place, in the base
+    double y_m = 0.0;
+    double radius_m = 0.0;       ///< distance of the elbow from the place before and after each touch; > 0
+    int touches = 0;             ///< 1 .. 360
+    double startAngle_rad = 0.0; ///< of the first touch, about z
+};
+
+/// An operator at another place drives the arm by velocity, his forearm hanging down, from what comes back to
+/// him: he goes to each place, feels his way around it and turns back when he has felt enough.
+struct OperatorProgram {
+    double travel_mPerS = 0.05; ///< of the elbow, between touches
+    double approach_mPerS = 0.0035;
+    double clearance_m = 0.015;  ///< before where he met the object last, from which he goes slowly; > 0
+    double feltTorque_Nm = 0.15; ///< of any joint, above which he feels that he touches
+    double reaction_s = 0.15;    ///< from feeling it until he stops
+    double hold_s = 0.1;
+    std::vector<Exploration> explorations; ///< at least one
+};
+
+using ArmProgram = std::variant<TouchProgram, ContourProgram, YieldProgram, OperatorProgram>;
+
+/// How little is known of where the objects are: each seed has its own places.
+struct UnknownPlaces {
+    bool swap = false;     ///< any object may stand at any of their places
+    double spread_m = 0.0; ///< each object is displaced by up to so much in x and in y, evenly; >= 0
+    double turn_rad = 0.0; ///< and turned by up to so much; >= 0
+};
 
 /// A remote arm among objects.
 struct ArmWorld {
@@ -140,6 +169,7 @@ struct ArmWorld {
     JointControl control;
     ArmSkin skin;
     std::vector<ArmObject> objects;
+    UnknownPlaces unknown;
     ArmProgram program;
 };
 

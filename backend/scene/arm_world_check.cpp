@@ -75,6 +75,18 @@ struct ProgramIsValid {
                             program.retract_m, program.torqueLimit_Nm}) &&
                areNotNegative({program.hold_s});
     }
+    bool operator()(const OperatorProgram& program) const {
+        const auto isValidExploration = [](const Exploration& exploration) {
+            return areFinite({exploration.x_m, exploration.y_m, exploration.startAngle_rad}) &&
+                   arePositive({exploration.radius_m}) && exploration.touches >= 1 &&
+                   exploration.touches <= 360;
+        };
+        return !program.explorations.empty() &&
+               arePositive({program.travel_mPerS, program.approach_mPerS, program.clearance_m,
+                            program.feltTorque_Nm}) &&
+               areNotNegative({program.reaction_s, program.hold_s}) &&
+               std::ranges::all_of(program.explorations, isValidExploration);
+    }
     bool operator()(const YieldProgram& program) const {
         const bool waypoints =
             std::ranges::all_of(program.waypoints,
@@ -103,6 +115,8 @@ ArmWorldCheck checkArmWorld(const ArmWorld& world) {
         if (!isValid(world.objects[i]))
             return {ArmWorldFault::object, i};
     }
+    if (!areNotNegative({world.unknown.spread_m, world.unknown.turn_rad}))
+        return {ArmWorldFault::unknown};
     if (!std::visit(ProgramIsValid{world.objects.size()}, world.program))
         return {ArmWorldFault::program};
     return {};

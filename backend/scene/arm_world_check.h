@@ -6,7 +6,7 @@
 namespace teleta::scene {
 
 /// What is out of range in a world that a program made.
-enum class ArmWorldFault { none, body, control, skin, object, program };
+enum class ArmWorldFault { none, body, control, skin, object, unknown, program };
 
 /// The first fault, in the order of the enumeration; with object: which one. Thread: any (pure).
 struct ArmWorldCheck {

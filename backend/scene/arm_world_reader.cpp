@@ -173,29 +173,64 @@ YieldProgram readYield(TomlTable& table) {
     return program;
 }
 
+OperatorProgram readOperator(TomlTable& table) {
+    OperatorProgram program;
+    program.travel_mPerS = table.number("travel_m_per_s", NumberRange::positive());
+    program.approach_mPerS = table.number("approach_m_per_s", NumberRange::positive());
+    program.clearance_m = table.number("clearance_m", NumberRange::positive());
+    program.feltTorque_Nm = table.number("felt_torque_Nm", NumberRange::positive());
+    program.reaction_s = table.number("reaction_s", NumberRange::notNegative());
+    program.hold_s = table.number("hold_s", NumberRange::notNegative());
+    for (TomlTable& entry : table.tables("explore", 1)) {
+        Exploration exploration;
+        exploration.x_m = entry.number("x_m", NumberRange::any());
+        exploration.y_m = entry.number("y_m", NumberRange::any());
+        exploration.radius_m = entry.number("radius_m", NumberRange::positive());
+        exploration.touches = static_cast<int>(entry.integer("touches", 1, 360));
+        exploration.startAngle_rad = entry.number("start_angle_rad", NumberRange::any(), 0.0);
+        entry.finish();
+        program.explorations.push_back(exploration);
+    }
+    return program;
+}
+
 ArmProgram readProgram(TomlTable table, std::size_t objects) {
     ArmProgram program;
-    switch (table.choice("kind", {"touch", "contour", "yield"})) {
+    switch (table.choice("kind", {"touch", "contour", "yield", "operator"})) {
     case 1:
         program = readContour(table);
         break;
     case 2:
         program = readYield(table);
         break;
+    case 3:
+        program = readOperator(table);
+        break;
     default:
         program = readTouch(table);
     }
-    if (!std::holds_alternative<YieldProgram>(program) && objects == 0)
+    const bool needsObject =
+        std::holds_alternative<TouchProgram>(program) || std::holds_alternative<ContourProgram>(program);
+    if (needsObject && objects == 0)
         table.fail("kind", ArmWorldReader::tr("the program has no object to touch").toStdString(),
                    ArmWorldReader::tr("at least one [[object]]").toStdString());
     table.finish();
     return program;
 }
 
+UnknownPlaces readUnknown(TomlTable table) {
+    UnknownPlaces unknown;
+    unknown.swap = table.boolean("swap", unknown.swap);
+    unknown.spread_m = table.number("spread_m", NumberRange::notNegative(), unknown.spread_m);
+    unknown.turn_rad = table.number("turn_rad", NumberRange::notNegative(), unknown.turn_rad);
+    table.finish();
+    return unknown;
+}
+
 } // namespace
 
-ArmWorld readArmWorld(TomlTable arm, TomlTable skin, TomlTable program,
-                      const std::vector<TomlTable>& objects) {
+ArmWorld readArmWorld(TomlTable arm, TomlTable skin, TomlTable program, const std::vector<TomlTable>& objects,
+                      const std::optional<TomlTable>& unknown) {
     ArmWorld world;
     TomlTable control = arm.table("control");
     world.body = readBody(arm);
@@ -204,6 +239,8 @@ ArmWorld readArmWorld(TomlTable arm, TomlTable skin, TomlTable program,
     world.skin = readSkin(skin);
     for (const TomlTable& object : objects)
         world.objects.push_back(readObject(object));
+    if (unknown)
+        world.unknown = readUnknown(*unknown);
     world.program = readProgram(program, objects.size());
     return world;
 }

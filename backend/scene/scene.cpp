@@ -77,6 +77,10 @@ struct EffectIsValid {
         return isNotNegative(spec.amplitude_Nm) && isPositive(spec.wavesPerTurn);
     }
     bool operator()(const NonlinearObjectSpec& spec) const { return isPositive(spec.doublingDepth_m); }
+    bool operator()(const LinkDelaySpec& spec) const {
+        return isNotNegative(spec.delay_s) && isNotNegative(spec.jitter_s) && isNotNegative(spec.lossShare) &&
+               spec.lossShare <= 1.0 && isNotNegative(spec.outageAt_s) && isNotNegative(spec.outage_s);
+    }
     bool operator()(const BorderStiffeningSpec& spec) const { return isNotNegative(spec.share); }
     bool operator()(const HousingRimSpec& spec) const {
         return isPositive(spec.stiffness_NPerM) && isNotNegative(spec.recess_m) &&
@@ -107,6 +111,7 @@ struct EffectName {
     std::string_view operator()(const GravityErrorSpec&) const { return "gravity_error"; }
     std::string_view operator()(const GearRippleSpec&) const { return "gear_ripple"; }
     std::string_view operator()(const NonlinearObjectSpec&) const { return "nonlinear_object"; }
+    std::string_view operator()(const LinkDelaySpec&) const { return "link_delay"; }
     std::string_view operator()(const BorderStiffeningSpec&) const { return "border_stiffening"; }
     std::string_view operator()(const HousingRimSpec&) const { return "housing_rim"; }
     std::string_view operator()(const ContactDampingSpec&) const { return "damping"; }
@@ -155,6 +160,8 @@ core::Expected<void> checkWorld(const ArmWorld& world) {
     case ArmWorldFault::object:
         return refused(SceneCheck::tr("a property of object \"%1\" is out of range")
                            .arg(QString::fromStdString(world.objects[check.object].name)));
+    case ArmWorldFault::unknown:
+        return refused(SceneCheck::tr("how far the objects may be displaced is out of range"));
     case ArmWorldFault::program:
         break;
     }
@@ -214,6 +221,8 @@ core::Expected<void> checkScene(const Scene& scene) {
             if (!ofArm && !scene.isServo())
                 return refused(SceneCheck::tr("effect \"%1\" needs a servoing arm").arg(name));
         }
+        if (std::holds_alternative<LinkDelaySpec>(effect->parameters) && !scene.isTeleoperated())
+            return refused(SceneCheck::tr("effect \"%1\" needs the program of an operator").arg(name));
         const bool again = std::any_of(scene.effects.begin(), effect, [&](const Effect& earlier) {
             return earlier.parameters.index() == effect->parameters.index();
         });
@@ -232,6 +241,12 @@ core::Expected<void> checkArrayScene(const Scene& scene) {
 core::Expected<void> checkArmScene(const Scene& scene) {
     if (!scene.isArm())
         return refused(SceneCheck::tr("the scene is not that of an arm"));
+    return checkScene(scene);
+}
+
+core::Expected<void> checkTeleoperatedScene(const Scene& scene) {
+    if (!scene.isTeleoperated())
+        return refused(SceneCheck::tr("the scene is not that of an arm with an operator"));
     return checkScene(scene);
 }
 

@@ -95,6 +95,18 @@ struct NonlinearObjectSpec {
     double doublingDepth_m = 0.0; ///< depth at which the secant stiffness is twice k; > 0
 };
 
+/// The link between the operator and the arm. A message takes
+///   delay_s + E,  E exponential with mean jitter_s
+/// or is lost. Commands: the newest that has arrived counts. What the arm tells comes in order: a message
+/// that was overtaken holds up those behind it.
+struct LinkDelaySpec {
+    double delay_s = 0.0;   ///< shortest time on the way, each way; 0 .. 10
+    double jitter_s = 0.0;  ///< 0 .. 10
+    double lossShare = 0.0; ///< of the messages, independent of each other; 0 .. 1
+    double outageAt_s = 0.0;
+    double outage_s = 0.0; ///< everything sent from outageAt_s on is lost for so long; 0: never
+};
+
 /// The cover is held from the sides: taxels along the border are stiffer by this share, corners by twice
 /// that.
 struct BorderStiffeningSpec {
@@ -120,12 +132,12 @@ struct FrictionSpec {
 };
 
 /// One imperfection that the scene calls for. What is not listed is not simulated. The first nine are of
-/// taxels, the next five of an arm, the next four of an array that an arm carries, the last six of a camera.
+/// taxels, the next six of an arm, the next four of an array that an arm carries, the last six of a camera.
 struct Effect {
     std::string why; ///< what the scene would lose without it
     std::variant<NoiseSpec, QuantizationSpec, SaturationSpec, DeadTaxelsSpec, CrosstalkSpec, HysteresisSpec,
                  DriftSpec, LatencySpec, NonlinearResponseSpec, TorqueNoiseSpec, EncoderQuantizationSpec,
-                 GravityErrorSpec, GearRippleSpec, NonlinearObjectSpec, BorderStiffeningSpec, HousingRimSpec,
+                 GravityErrorSpec, GearRippleSpec, NonlinearObjectSpec, LinkDelaySpec, BorderStiffeningSpec, HousingRimSpec,
                  ContactDampingSpec, FrictionSpec, LensDistortionSpec, UnevenLightSpec, SensorNoiseSpec,
                  MotionBlurSpec, MarkerPrintErrorSpec, VignettingSpec>
         parameters;
@@ -133,7 +145,7 @@ struct Effect {
 
 /// Kinds of effects that every tactile array can have; those after them need the world that they are of.
 inline constexpr std::size_t kTaxelEffectKinds = 9;
-inline constexpr std::size_t kArmEffectKinds = 5;
+inline constexpr std::size_t kArmEffectKinds = 6;
 /// Kinds that a camera can have, the last ones.
 inline constexpr std::size_t kCameraEffectKinds = 6;
 inline constexpr std::size_t kFirstCameraEffect =
@@ -153,6 +165,10 @@ struct Scene {
     std::vector<Effect> effects; ///< each kind at most once
 
     [[nodiscard]] bool isArm() const { return std::holds_alternative<ArmWorld>(world); }
+    /// An operator at another place drives the arm.
+    [[nodiscard]] bool isTeleoperated() const {
+        return isArm() && std::holds_alternative<OperatorProgram>(arm().program);
+    }
     [[nodiscard]] bool isServo() const { return std::holds_alternative<ServoWorld>(world); }
     [[nodiscard]] bool isCamera() const { return std::holds_alternative<CameraWorld>(world); }
     /// The world of a scene of that kind; throws std::bad_variant_access with the other.
@@ -198,6 +214,8 @@ private:
 /// The same, and that the scene is of this kind.
 [[nodiscard]] core::Expected<void> checkArrayScene(const Scene& scene);
 [[nodiscard]] core::Expected<void> checkArmScene(const Scene& scene);
+/// An arm with an operator.
+[[nodiscard]] core::Expected<void> checkTeleoperatedScene(const Scene& scene);
 [[nodiscard]] core::Expected<void> checkCameraScene(const Scene& scene);
 [[nodiscard]] core::Expected<void> checkServoScene(const Scene& scene);
 

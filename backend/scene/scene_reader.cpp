@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <set>
 
 namespace teleta::scene {
@@ -119,6 +120,17 @@ HousingRimSpec readHousingRim(TomlTable& table, const core::ArrayLayout& layout)
     return spec;
 }
 
+LinkDelaySpec readLinkDelay(TomlTable& table) {
+    const NumberRange time{.low = 0.0, .high = 10.0};
+    LinkDelaySpec spec;
+    spec.delay_s = table.number("delay_s", time);
+    spec.jitter_s = table.number("jitter_s", time, spec.jitter_s);
+    spec.lossShare = table.number("loss_share", NumberRange::between(0.0, 1.0), spec.lossShare);
+    spec.outageAt_s = table.number("outage_at_s", NumberRange::notNegative(), spec.outageAt_s);
+    spec.outage_s = table.number("outage_s", NumberRange::notNegative(), spec.outage_s);
+    return spec;
+}
+
 using EffectParameters = decltype(Effect::parameters);
 
 struct EffectReader {
@@ -193,6 +205,10 @@ constexpr std::array kArmEffects{
                  }},
 };
 
+constexpr EffectReader kLinkDelay{
+    "link_delay",
+    [](TomlTable& table, const core::ArrayLayout&) -> EffectParameters { return readLinkDelay(table); }};
+
 constexpr std::array kServoEffects{
     EffectReader{"border_stiffening",
                  [](TomlTable& table, const core::ArrayLayout&) -> EffectParameters {
@@ -221,6 +237,8 @@ Effect readEffect(TomlTable table, const Scene& scene, std::set<std::size_t>& li
     std::vector<EffectReader> readers(kTaxelEffects.begin(), kTaxelEffects.end());
     if (scene.isArm())
         readers.insert(readers.end(), kArmEffects.begin(), kArmEffects.end());
+    if (scene.isTeleoperated())
+        readers.push_back(kLinkDelay);
     if (scene.isServo())
         readers.insert(readers.end(), kServoEffects.begin(), kServoEffects.end());
     std::vector<std::string_view> names;
@@ -251,9 +269,11 @@ core::Expected<Scene> readDocument(const TomlDocument& document) {
         const TomlTable skin = root.table("skin");
         const TomlTable program = root.table("program");
         const std::vector<TomlTable> objects = root.tables("object", 0);
+        const std::optional<TomlTable> unknown =
+            root.has("unknown") ? std::optional(root.table("unknown")) : std::nullopt;
         effects = root.tables("effects", 0);
         root.finish();
-        scene.world = readArmWorld(arm, skin, program, objects);
+        scene.world = readArmWorld(arm, skin, program, objects, unknown);
     } else if (root.has("robot")) {
         const TomlTable robot = root.table("robot");
         const TomlTable sensor = root.table("sensor");

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/scene_run/arm_run.h"
 
-#include "backend/contact/contact_segmenter.h"
-#include "backend/contact/frame_conditioner.h"
 #include "backend/pipeline/contour_explorer.h"
 #include "backend/pipeline/touch_estimator.h"
+#include "backend/scene_run/arm_evaluation.h"
 #include "backend/scene_run/frame_log.h"
 #include "backend/scene_run/scene_recording.h"
 #include "backend/scene_run/scene_settings.h"
@@ -28,102 +27,6 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr std::uint64_t kSamplesBetweenReports = 1024;
-
-/// The joint samples as CSV; without a folder nothing is written.
-class JointLog {
-public:
-    static core::Expected<JointLog> open(const std::string& outFolder) {
-        constexpr std::array<std::string_view, 13> kColumns{
-            "time_s", "q1", "q2", "q3", "q4", "tau1", "tau2", "tau3", "tau4", "ref1", "ref2", "ref3", "ref4"};
-        JointLog log;
-        if (outFolder.empty())
-            return log;
-        core::Expected<core::CsvWriter> csv = core::CsvWriter::create(outFolder + "/joints.csv", kColumns);
-        if (!csv)
-            return core::Unexpected(csv.error());
-        log.m_csv = std::move(*csv);
-        return log;
-    }
-
-    void add(const core::JointSample& sample) {
-        if (!m_csv)
-            return;
-        m_csv->number(sample.sourceTime_s);
-        for (const core::JointArray* values : {&sample.angle_rad, &sample.torque_Nm, &sample.reference_rad})
-            for (const double value : *values)
-                m_csv->number(value);
-        m_csv->endRow();
-    }
-
-    [[nodiscard]] bool failed() const { return m_csv && m_csv->failed(); }
-    [[nodiscard]] core::Expected<void> finish() { return m_csv ? m_csv->finish() : core::Expected<void>(); }
-
-private:
-    std::optional<core::CsvWriter> m_csv;
-};
-
-/// The strongest contact of a skin frame.
-class SkinReader {
-public:
-    SkinReader(const core::ArrayLayout& layout, const contact::SegmentationSettings& settings)
-        : m_conditioner(layout.taxels(), {})
-        , m_segmenter(layout, settings)
-        , m_load_N(layout.taxels())
-        , m_dead(layout.taxels()) {}
-
-    pipeline::SkinContact read(std::span<const float> values, const core::JointSample& sample) {
-        m_conditioner.apply(values, m_load_N, m_dead);
-        const auto found = m_segmenter.segment(m_load_N, m_dead);
-        pipeline::SkinContact contact;
-        contact.time_ns = sample.time_ns;
-        contact.sourceTime_s = sample.sourceTime_s;
-        if (found.empty())
-            return contact;
-        contact.touching = true;
-        contact.x_m = found.front().x_m;
-        contact.y_m = found.front().y_m;
-        contact.force_N = found.front().force_N;
-        return contact;
-    }
-
-private:
-    contact::FrameConditioner m_conditioner;
-    contact::ContactSegmenter m_segmenter;
-    std::vector<float> m_load_N;
-    std::vector<std::uint8_t> m_dead;
-};
-
-ComparedTouch compared(const pipeline::TouchRecord& record, const simulation::SimulatedArm& arm) {
-    ComparedTouch touch;
-    touch.record = record;
-    const auto& truths = arm.truth().touches;
-    // The newest touch that had begun when this one was evaluated.
-    for (auto truth = truths.rbegin(); truth != truths.rend(); ++truth) {
-        if (truth->begin_s > record.ready_s)
-            continue;
-        const simulation::ArmObjectTruth& object = arm.objects()[truth->object];
-        touch.object = object.name;
-        touch.trueStiffness_NPerM = object.stiffness_NPerM;
-        touch.p_Base_Truth_m = truth->strongest.p_Base_Contact_m;
-        break;
-    }
-    return touch;
-}
-
-const char* trueShape(const scene::Outline& outline) {
-    struct Name {
-        const char* operator()(const scene::RoundOutline&) const { return "circle"; }
-        const char* operator()(const scene::RectangleOutline&) const { return "rectangle"; }
-        const char* operator()(const scene::TriangleOutline&) const { return "triangle"; }
-        const char* operator()(const scene::WallOutline&) const { return "line"; }
-    };
-    return std::visit(Name(), outline);
-}
-
-/// One value as such, several as a list.
-ordered_json oneOrList(const std::vector<ordered_json>& values) {
-    return values.size() == 1 ? values.front() : ordered_json(values);
-}
 
 void reportStiffness(const std::vector<ComparedTouch>& touches, ordered_json& measures) {
     std::vector<ordered_json> estimated;
@@ -176,7 +79,7 @@ core::Expected<void> writePoints(const std::string& path, const std::vector<cont
 } // namespace
 
 core::Expected<SceneSummary> runArmScene(const scene::Scene& scene, const RunOptions& options) {
-    auto made = simulation::makeArm(scene, options.seed);
+    auto made = simulation::SimulatedArm::make(scene, options.seed);
     if (!made)
         return core::Unexpected(made.error());
     simulation::SimulatedArm& arm = **made;
@@ -198,7 +101,7 @@ core::Expected<SceneSummary> runArmScene(const scene::Scene& scene, const RunOpt
     const auto samples = static_cast<std::uint64_t>(std::llround(duration_s * description.nominalRate_Hz));
     pipeline::TouchEstimator estimator(description);
     pipeline::ContourExplorer explorer;
-    SkinReader reader(layout, channelSettings(scene).segmentation);
+    SkinReader reader(scene);
     SceneSummary summary;
     std::vector<ComparedTouch> touches;
     std::vector<double> errors_m;

@@ -6,6 +6,7 @@
 #include "backend/scene_run/array_run.h"
 #include "backend/scene_run/camera_run.h"
 #include "backend/scene_run/servo_run.h"
+#include "backend/scene_run/teleoperation_run.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -40,10 +41,11 @@ core::Expected<SceneSummary> runScene(const scene::Scene& scene, const RunOption
             return core::Unexpected(made.error());
     }
     const std::int64_t start_ns = core::steadyNow_ns();
-    core::Expected<SceneSummary> summary = scene.isCamera()  ? runCameraScene(scene, options)
-                                           : scene.isServo() ? runServoScene(scene, options)
-                                           : scene.isArm()   ? runArmScene(scene, options)
-                                                             : runArrayScene(scene, options);
+    core::Expected<SceneSummary> summary = scene.isCamera()         ? runCameraScene(scene, options)
+                                           : scene.isServo()        ? runServoScene(scene, options)
+                                           : scene.isTeleoperated() ? runTeleoperation(scene, options)
+                                           : scene.isArm()          ? runArmScene(scene, options)
+                                                                    : runArrayScene(scene, options);
     if (!summary)
         return summary;
     summary->wall_s = static_cast<double>(core::steadyNow_ns() - start_ns) * 1e-9;

@@ -2,9 +2,11 @@
 #include "backend/scene_run/scene_summary.h"
 
 #include "backend/core/output_file.h"
+#include "backend/core/quantile.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace teleta::scene_run {
@@ -34,20 +36,19 @@ ordered_json jsonNumber(double value) {
     return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
 }
 
-ErrorStatistics errorStatistics(std::vector<double>& errors) {
+ErrorStatistics errorStatistics(const std::vector<double>& errors) {
     if (errors.empty())
         return {nullptr, nullptr};
     const double mean =
         std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size());
-    const double position = 0.95 * static_cast<double>(errors.size() - 1);
-    const auto below = errors.begin() + static_cast<std::ptrdiff_t>(position);
-    std::nth_element(errors.begin(), below, errors.end());
-    double p95 = *below;
-    if (std::next(below) != errors.end()) {
-        const double next = *std::min_element(std::next(below), errors.end());
-        p95 += (position - std::floor(position)) * (next - p95);
-    }
-    return {jsonNumber(mean), jsonNumber(p95)};
+    return {jsonNumber(mean), jsonNumber(quantile(errors, 0.95))};
+}
+
+double quantile(std::vector<double> values, double probability) {
+    if (values.empty())
+        return std::numeric_limits<double>::quiet_NaN();
+    std::ranges::sort(values);
+    return core::quantileOf(values, probability);
 }
 
 core::Expected<void> writeJson(const std::string& path, const ordered_json& document) {

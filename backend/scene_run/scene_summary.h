@@ -42,12 +42,15 @@ struct SceneSummary {
 [[nodiscard]] nlohmann::ordered_json jsonNumber(double value);
 
 /// Mean and 95 % quantile (linear between order statistics, type 7 of Hyndman and Fan) of errors; both null
-/// without any. errors is reordered.
+/// without any.
 struct ErrorStatistics {
     nlohmann::ordered_json mean;
     nlohmann::ordered_json p95;
 };
-[[nodiscard]] ErrorStatistics errorStatistics(std::vector<double>& errors);
+[[nodiscard]] ErrorStatistics errorStatistics(const std::vector<double>& errors);
+
+/// The quantile of that probability, 0 .. 1, of the same kind; NaN without values.
+[[nodiscard]] double quantile(std::vector<double> values, double probability);
 
 /// Writes a JSON document as a file that appears when it is complete.
 [[nodiscard]] core::Expected<void> writeJson(const std::string& path, const nlohmann::ordered_json& document);

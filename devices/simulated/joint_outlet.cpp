@@ -20,8 +20,8 @@ void JointOutlet::open(core::Wakeup& consumer, std::int64_t now_ns) {
     setState(core::DeviceState::connecting, now_ns);
 }
 
-void JointOutlet::deliver(core::JointSample&& sample) {
-    const std::int64_t time_ns = sample.time_ns;
+void JointOutlet::deliver(core::JointSample&& sample, std::optional<std::int64_t> arrived_ns) {
+    const std::int64_t time_ns = arrived_ns.value_or(sample.time_ns);
     m_samples.push(std::move(sample));
     m_status.lastData_ns = time_ns;
     ++m_status.framesRead;

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace teleta::simulated {
@@ -23,8 +24,9 @@ public:
 
     /// Begins a stream: counters start at 0, the state is connecting. Before the worker runs.
     void open(core::Wakeup& consumer, std::int64_t now_ns);
-    /// Queues a sample; a full queue loses it, which is counted. The state becomes live.
-    void deliver(core::JointSample&& sample);
+    /// Queues a sample; a full queue loses it, which is counted. The state becomes live. arrived_ns: when it
+    /// came here; by default when it was read.
+    void deliver(core::JointSample&& sample, std::optional<std::int64_t> arrived_ns = {});
     /// Counts samples that the device or its link lost.
     void lose(std::uint64_t samples);
     /// Ends a batch that is not full.

@@ -139,6 +139,7 @@ void SimulatedArmWorker::step(const SimulatedFaults& faults) {
     if (m_drive.takeRestart(stopped)) {
         m_generator->restart();
         m_reference_rad.reset();
+        m_linkCounted = {};
         m_jointDiscontinuity = m_skinDiscontinuity = true;
     }
     const core::ArmDemand demand =
@@ -146,6 +147,11 @@ void SimulatedArmWorker::step(const SimulatedFaults& faults) {
 
     core::JointSample sample;
     m_generator->next(demand, sample);
+    if (m_generator->isRemote()) {
+        m_link.count();
+        deliverArrivals(faults);
+        return;
+    }
     const bool hasFrame = m_generator->skinFrame(m_values);
     m_link.count();
     m_reference_rad = sample.reference_rad;
@@ -155,7 +161,7 @@ void SimulatedArmWorker::step(const SimulatedFaults& faults) {
     if (hasFrame && m_link.happens(faults.dropShare))
         m_skin.lose(1);
     else if (hasFrame)
-        deliverFrame(sample.time_ns);
+        deliverFrame(sample.time_ns, m_generator->time_s());
     if (m_link.happens(faults.dropShare)) {
         m_joints.lose(1);
         return;
@@ -164,11 +170,41 @@ void SimulatedArmWorker::step(const SimulatedFaults& faults) {
     m_joints.deliver(std::move(sample));
 }
 
-void SimulatedArmWorker::deliverFrame(std::int64_t now_ns) {
+void SimulatedArmWorker::deliverArrivals(const SimulatedFaults& faults) {
+    const std::int64_t now_ns = m_link.now_ns();
+    while (m_generator->takeArrival(m_arrival)) {
+        core::JointSample& sample = m_arrival.sample;
+        // Steps that catch up share a time: stamps must not run back.
+        m_newestRead_ns =
+            std::max(m_newestRead_ns, now_ns - toNs(m_generator->time_s() - sample.sourceTime_s));
+        sample.time_ns = m_newestRead_ns;
+        m_reference_rad = sample.reference_rad;
+        if (m_arrival.hasFrame && m_link.happens(faults.dropShare)) {
+            m_skin.lose(1);
+        } else if (m_arrival.hasFrame) {
+            m_values = m_arrival.frame;
+            deliverFrame(sample.time_ns, sample.sourceTime_s);
+        }
+        if (m_link.happens(faults.dropShare)) {
+            m_joints.lose(1);
+            continue;
+        }
+        sample.discontinuity = std::exchange(m_jointDiscontinuity, false);
+        m_joints.deliver(std::move(sample), now_ns);
+    }
+    const core::ArmLinkCounters counters = m_generator->linkCounters();
+    if (counters.samplesLost != m_linkCounted.samplesLost)
+        m_joints.lose(counters.samplesLost - m_linkCounted.samplesLost);
+    if (counters.framesLost != m_linkCounted.framesLost)
+        m_skin.lose(counters.framesLost - m_linkCounted.framesLost);
+    m_linkCounted = counters;
+}
+
+void SimulatedArmWorker::deliverFrame(std::int64_t time_ns, double sourceTime_s) {
     core::SampleBlock block;
     block.channels = m_values.size();
-    block.time_ns = {now_ns};
-    block.sourceTime_s = {m_generator->time_s()};
+    block.time_ns = {time_ns};
+    block.sourceTime_s = {sourceTime_s};
     block.values = m_values;
     block.discontinuity = std::exchange(m_skinDiscontinuity, false);
     m_skin.deliver(std::move(block), core::DeviceState::live);

@@ -19,7 +19,8 @@ namespace teleta::simulated {
 
 /// Moves a simulated arm in real time: one step a joint period, when it is due,
 ///   due_k = epoch + (k + 1) / rate + lag
-/// so that a late step does not delay the next ones. Each step looks at STOP first.
+/// so that a late step does not delay the next ones. Each step looks at STOP first. What comes from an arm at
+/// another place is stamped with the time at which it was read there.
 /// Thread: run() is the worker's; open() before it; the others from any.
 class SimulatedArmWorker {
 public:
@@ -51,7 +52,8 @@ private:
     void setState(core::DeviceState state, const std::string& message = {});
     void stepDue(const SimulatedFaults& faults, std::int64_t now_ns);
     void step(const SimulatedFaults& faults);
-    void deliverFrame(std::int64_t now_ns);
+    void deliverArrivals(const SimulatedFaults& faults);
+    void deliverFrame(std::int64_t time_ns, double sourceTime_s);
 
     std::unique_ptr<core::ArmGenerator> m_generator;
     const core::StopSwitch& m_stopSwitch;
@@ -64,6 +66,9 @@ private:
     SimulatedLink m_link;
 
     std::vector<float> m_values;
+    core::ArmArrival m_arrival;       ///< of an arm at another place
+    std::int64_t m_newestRead_ns = 0; ///< when the newest of its samples was read there
+    core::ArmLinkCounters m_linkCounted;
     std::optional<core::JointArray> m_reference_rad; ///< of the newest step
     bool m_jointDiscontinuity = false;               ///< of the next sample
     bool m_skinDiscontinuity = false;                ///< of the next frame

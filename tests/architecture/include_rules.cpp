@@ -61,7 +61,7 @@ const std::vector<Rule> kRules = {
     {"backend/scene_run",
      {"backend/core", "backend/contact", "backend/stiffness", "backend/contour", "backend/arm",
       "backend/scene", "backend/servo", "backend/simulation", "backend/pipeline", "backend/vision",
-      "backend/pattern", "backend/study", "backend/recording"},
+      "backend/pattern", "backend/playback", "backend/study", "backend/recording"},
      {"QtCore", "expected", "Eigen", "nlohmann_json", "OpenCV"}},
     {"backend/cost",
      {"backend/core", "backend/contact", "backend/stiffness", "backend/contour", "backend/scene",

@@ -6,7 +6,7 @@
 #include "backend/pipeline/camera_channel.h"
 #include "backend/scene_run/scene_reaction.h"
 #include "backend/scene_run/scene_settings.h"
-#include "backend/simulation/arm/simulated_arm.h"
+#include "backend/simulation/arm/teleoperated_arm.h"
 #include "backend/simulation/camera/tube_camera.h"
 #include "backend/simulation/servo/servo_array.h"
 #include "backend/simulation/simulated_array.h"

@@ -224,7 +224,10 @@ std::unique_ptr<ArmProgram> makeProgram(const scene::ArmWorld& world, const Flex
         return std::make_unique<ElbowTouches>(*touch, world.body, arm);
     if (const auto* contour = std::get_if<scene::ContourProgram>(&world.program))
         return std::make_unique<ContourTouches>(*contour, world.body, arm);
-    return std::make_unique<Yielding>(std::get<scene::YieldProgram>(world.program));
+    if (const auto* yields = std::get_if<scene::YieldProgram>(&world.program))
+        return std::make_unique<Yielding>(*yields);
+    // An operator leads the arm from elsewhere (TeleoperatedArm): it does nothing by itself.
+    return std::make_unique<Yielding>(scene::YieldProgram{});
 }
 
 } // namespace teleta::simulation

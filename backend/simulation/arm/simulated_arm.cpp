@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/simulation/arm/simulated_arm.h"
 
+#include "backend/simulation/arm/unknown_places.h"
 #include "backend/simulation/effects/effect_factory.h"
 #include "backend/simulation/effects/joint_effect_factory.h"
 
@@ -75,7 +76,9 @@ core::Expected<std::unique_ptr<SimulatedArm>> SimulatedArm::make(const scene::Sc
                                                                  std::uint64_t seed) {
     if (const auto valid = checkArmScene(scene); !valid)
         return core::Unexpected(valid.error());
-    return std::unique_ptr<SimulatedArm>(new SimulatedArm(scene, seed));
+    scene::Scene drawn = scene;
+    drawn.arm().objects = drawPlaces(scene.arm(), seed);
+    return std::unique_ptr<SimulatedArm>(new SimulatedArm(drawn, seed));
 }
 
 SimulatedArm::SimulatedArm(const scene::Scene& scene, std::uint64_t seed)
@@ -256,10 +259,6 @@ std::vector<EffectTime> SimulatedArm::effectTimes() const {
         times.push_back({.name = timed.effect->name(), .time_s = timed.time_s});
     m_skinEffects.appendTimes(times);
     return times;
-}
-
-core::Expected<std::unique_ptr<SimulatedArm>> makeArm(const scene::Scene& scene, std::uint64_t seed) {
-    return SimulatedArm::make(scene, seed);
 }
 
 } // namespace teleta::simulation

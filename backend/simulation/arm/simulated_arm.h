@@ -120,9 +120,4 @@ private:
     ArmTruth m_truth;
 };
 
-/// The arm of a scene for a simulated device and for measuring.
-/// Error: as SimulatedArm::make.
-[[nodiscard]] core::Expected<std::unique_ptr<SimulatedArm>> makeArm(const scene::Scene& scene,
-                                                                    std::uint64_t seed);
-
 } // namespace teleta::simulation

@@ -107,6 +107,48 @@ TEST(ArmScene, placesWhatIsWrong) {
     EXPECT_EQ(errorOf(kHead + kArm + kProgram + kObject), "s.toml: \"skin\" is missing");
 }
 
+TEST(ArmScene, readsAnOperatorHisLinkAndWhatHeDoesNotKnow) {
+    const std::string program =
+        "[program]\nkind = \"operator\"\ntravel_m_per_s = 0.06\napproach_m_per_s = 0.004\n"
+        "clearance_m = 0.015\nfelt_torque_Nm = 0.15\nreaction_s = 0.2\nhold_s = 0.1\n"
+        "explore = [{ x_m = 0.1, y_m = 0.2, radius_m = 0.08, touches = 10 }]\n";
+    const std::string unknown = "[unknown]\nswap = true\nspread_m = 0.006\nturn_rad = 1.5\n";
+    const std::string link =
+        "[[effects]]\nname = \"link_delay\"\nwhy = \"w\"\ndelay_s = 0.02\njitter_s = 0.01\n"
+        "loss_share = 0.1\noutage_at_s = 2\noutage_s = 0.5\n";
+    const auto scene = parseScene(kHead + kArm + kSkin + program + unknown + kObject + link, "s.toml");
+    ASSERT_TRUE(scene) << describe(scene.error());
+    EXPECT_TRUE(scene->isTeleoperated());
+    const auto& operates = std::get<OperatorProgram>(scene->arm().program);
+    EXPECT_EQ(operates.reaction_s, 0.2);
+    ASSERT_EQ(operates.explorations.size(), 1U);
+    EXPECT_EQ(operates.explorations[0].touches, 10);
+    EXPECT_TRUE(scene->arm().unknown.swap);
+    EXPECT_EQ(scene->arm().unknown.turn_rad, 1.5);
+    const auto* spec = scene->listed<LinkDelaySpec>();
+    ASSERT_NE(spec, nullptr);
+    EXPECT_EQ(spec->delay_s, 0.02);
+    EXPECT_EQ(spec->jitter_s, 0.01);
+    EXPECT_EQ(spec->lossShare, 0.1);
+    EXPECT_EQ(spec->outageAt_s, 2.0);
+    EXPECT_EQ(spec->outage_s, 0.5);
+    EXPECT_EQ(nameOf(scene->effects[0]), "link_delay");
+
+    EXPECT_EQ(errorOf(kHead + kArm + kSkin + kProgram + kObject + link),
+              "s.toml:35:8: unknown value \"link_delay\" of \"name\" (expected one of: noise, quantization, "
+              "saturation, dead_taxels, crosstalk, hysteresis, drift, torque_noise, encoder_quantization, "
+              "gravity_error, gear_ripple, nonlinear_object)");
+    Scene copy = *scene;
+    copy.arm().program = YieldProgram{};
+    EXPECT_FALSE(checkScene(copy)); // nobody is at the other end of the link
+    copy = *scene;
+    copy.arm().unknown.spread_m = -0.1;
+    EXPECT_FALSE(checkScene(copy));
+    copy = *scene;
+    std::get<OperatorProgram>(copy.arm().program).explorations.clear();
+    EXPECT_FALSE(checkScene(copy));
+}
+
 TEST(ArmScene, aloneHasTheEffectsOfAnArm) {
     const std::string array = R"([sensor]
 kind = "array"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/scene/scene_reader.h"
-#include "backend/simulation/arm/simulated_arm.h"
+#include "backend/simulation/arm/teleoperated_arm.h"
 #include "devices/simulated/simulated_arm_device.h"
 #include "tests/devices/manual_clock.h"
 
@@ -76,6 +76,32 @@ private:
     int m_steps = 0;
     int m_programDone = 0;
     JointArray m_reference_rad{};
+};
+
+/// The same arm at another place: what it tells takes twenty steps, and every tenth message is lost.
+class DistantArm : public CountingArm {
+public:
+    void next(const core::ArmDemand& demand, core::JointSample& sample) override {
+        CountingArm::next(demand, sample);
+        m_told.push_back(sample);
+    }
+    bool skinFrame(std::span<float>) override { return false; }
+    [[nodiscard]] bool isRemote() const override { return true; }
+    bool takeArrival(core::ArmArrival& arrival) override {
+        while (m_taken < m_told.size() && m_told[m_taken].sourceTime_s < time_s() - 0.0195) {
+            arrival.sample = m_told[m_taken++];
+            if (m_taken % 10 != 0)
+                return true;
+            ++m_lost;
+        }
+        return false;
+    }
+    [[nodiscard]] core::ArmLinkCounters linkCounters() const override { return {.samplesLost = m_lost}; }
+
+private:
+    std::vector<core::JointSample> m_told;
+    std::size_t m_taken = 0;
+    std::uint64_t m_lost = 0;
 };
 
 class SimulatedArmDeviceTest : public testing::Test {
@@ -501,6 +527,22 @@ TEST(SimulatedArmDevice, losesNoSampleInRealTime) {
     // Never early: sample k is due k periods after the start.
     EXPECT_GE(last_ns - begin_ns, static_cast<std::int64_t>(samples.size()) * kMs_ns);
     EXPECT_EQ(device.status().framesLost, 0U);
+}
+
+TEST_F(SimulatedArmDeviceTest, stampsWhatComesFromAnotherPlaceWithTheTimeAtWhichItWasReadThere) {
+    m_device = std::make_unique<SimulatedArmDevice>(std::make_unique<DistantArm>(), m_stop,
+                                                    SimulatedArmConfig{.clock = m_clock});
+    m_skin = m_device->makeSkin();
+    start();
+    const std::int64_t begin_ns = m_clock->now_ns();
+    advance_ms(120);
+    const auto samples = drain();
+    ASSERT_EQ(samples.size(), 90U); // of a hundred that were sent long enough ago
+    for (const core::JointSample& sample : samples)
+        EXPECT_EQ(sample.time_ns - begin_ns, std::llround(1e9 * sample.sourceTime_s));
+    const core::DeviceStatus status = m_device->status();
+    EXPECT_EQ(status.framesLost, 10U);
+    EXPECT_EQ(status.lastData_ns, m_clock->now_ns()) << "late is not stale";
 }
 
 // A real scene: what the console runs.

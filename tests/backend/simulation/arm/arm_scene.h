@@ -48,7 +48,7 @@ inline scene::Scene postScene(double stiffness_NPerM) {
 }
 
 inline std::unique_ptr<SimulatedArm> made(const scene::Scene& scene, std::uint64_t seed = 1) {
-    auto arm = makeArm(scene, seed);
+    auto arm = SimulatedArm::make(scene, seed);
     EXPECT_TRUE(arm) << describe(arm.error());
     return arm ? std::move(*arm) : nullptr;
 }

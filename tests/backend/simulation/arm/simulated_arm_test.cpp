@@ -281,7 +281,7 @@ TEST(SimulatedArm, pressesObjectsThatHarden) {
 
 TEST(SimulatedArm, refusesTheSceneOfAnArray) {
     const scene::Scene scene = shippedArm("tactile-indenter.toml");
-    const auto arm = makeArm(scene, 1);
+    const auto arm = SimulatedArm::make(scene, 1);
     ASSERT_FALSE(arm);
     EXPECT_EQ(arm.error().kind, core::ErrorKind::badInput);
 }

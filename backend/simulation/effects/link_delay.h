@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/scene/scene.h"
+#include "backend/simulation/random_stream.h"
+
+#include <optional>
+
+namespace teleta::simulation {
+
+/// How long each message of one direction is on its way.
+///   P(delay <= t) = 1 - exp(-(t - delay_s) / jitter_s),  t >= delay_s
+/// so that the median is delay_s + jitter_s ln 2, and the mean delay_s + jitter_s. Each message draws two
+/// numbers, whatever becomes of it: what is lost does not change the delays of the others. Thread: one.
+class LinkDelay {
+public:
+    LinkDelay(const scene::LinkDelaySpec& spec, RandomStream random)
+        : m_spec(spec)
+        , m_random(random) {}
+
+    /// Of a message that is sent at that time; empty: it is lost.
+    [[nodiscard]] std::optional<double> next_s(double sentAt_s);
+    void restart() { m_random.restart(); }
+
+private:
+    scene::LinkDelaySpec m_spec;
+    RandomStream m_random;
+};
+
+} // namespace teleta::simulation
