@@ -227,6 +227,16 @@
     </message>
 </context>
 <context>
+    <name>teleta::touch::RunSheet</name>
+    <message numerus="yes">
+        <source>%n object(s) found</source>
+        <translation>
+            <numerusform>%n object found</numerusform>
+            <numerusform>%n objects found</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>teleta::touch::TouchModel</name>
     <message numerus="yes">
         <source>95 % interval in brackets; %1, %n sample(s)</source>

@@ -56,20 +56,24 @@ JogPanel::JogPanel(QWidget* parent)
     , m_hold(new QPushButton(base::themeIcon(base::Icon::pause), {}, this))
     , m_restart(new QPushButton(base::themeIcon(base::Icon::toStart), {}, this))
     , m_modeBox(new QComboBox(this))
+    , m_wayBox(new QComboBox(this))
     , m_speed(new QSlider(Qt::Horizontal, this))
     , m_speedLabel(new QLabel(this))
     , m_speedText(new QLabel(this))
-    , m_deadMan(new HoldButton(this)) {
+    , m_deadMan(new HoldButton(this))
+    , m_clutch(new HoldButton(this)) {
     setFocusPolicy(Qt::StrongFocus);
     m_message->setWordWrap(true);
     m_handText->setWordWrap(true);
     m_handText->hide();
     m_modeBox->addItems({QString(), QString()});
+    m_wayBox->addItems({QString(), QString()});
     m_speed->setRange(1, 100);
     m_speed->setValue(kFirstSpeed_percent);
     m_speedLabel->setBuddy(m_speed);
     m_speedText->setMinimumWidth(base::em(this, 3.2));
     m_deadMan->setMinimumHeight(base::em(this, kTouchTarget_em));
+    m_clutch->setMinimumHeight(base::em(this, kTouchTarget_em));
 
     auto* program = new QHBoxLayout;
     program->addWidget(m_driveSign, 1);
@@ -95,8 +99,13 @@ JogPanel::JogPanel(QWidget* parent)
             grid->addWidget(button, row, 2 + side);
         }
     }
+    auto* kind = new QHBoxLayout;
+    kind->addWidget(m_modeBox, 1);
+    kind->addWidget(m_wayBox, 1);
+    auto* hold = new QHBoxLayout;
+    hold->addWidget(m_deadMan, 2);
+    hold->addWidget(m_clutch, 1);
     auto* speed = new QHBoxLayout;
-    speed->addWidget(m_modeBox);
     speed->addSpacing(base::grid(this));
     speed->addWidget(m_speedLabel);
     speed->addWidget(m_speed, 1);
@@ -105,8 +114,9 @@ JogPanel::JogPanel(QWidget* parent)
     layout->addLayout(program);
     layout->addWidget(m_message);
     layout->addLayout(grid);
+    layout->addLayout(kind);
     layout->addLayout(speed);
-    layout->addWidget(m_deadMan);
+    layout->addLayout(hold);
     layout->addWidget(m_handText);
     layout->addStretch(1);
 
@@ -129,6 +139,12 @@ JogPanel::JogPanel(QWidget* parent)
     });
     connect(m_modeBox, &QComboBox::currentIndexChanged, this,
             [this](int index) { setMode(index == 1 ? Mode::tip : Mode::joints); });
+    connect(m_wayBox, &QComboBox::currentIndexChanged, this,
+            [this](int index) { setWay(index == 1 ? Way::position : Way::velocity); });
+    connect(m_clutch, &HoldButton::heldChanged, this, [this] {
+        setFocus(Qt::MouseFocusReason);
+        take();
+    });
     connect(m_run, &QPushButton::clicked, this, [this] { emit programRunRequested(true); });
     connect(m_hold, &QPushButton::clicked, this, [this] { emit programRunRequested(false); });
     connect(m_restart, &QPushButton::clicked, this, &JogPanel::programRestartRequested);
@@ -160,6 +176,17 @@ void JogPanel::retranslate() {
     m_modeBox->setItemText(1, tr("Tip, x y z"));
     m_modeBox->setAccessibleName(tr("What is moved"));
     m_modeBox->setToolTip(tr("Turn single joints, or move the tip of the forearm along the base's axes"));
+    m_wayBox->setItemText(0, tr("By velocity"));
+    m_wayBox->setItemText(1, tr("By position"));
+    m_wayBox->setAccessibleName(tr("How it is moved"));
+    m_wayBox->setToolTip(
+        tr("By velocity the arm moves while a direction is held. By position each press is a "
+           "step of the tip, and a 3D mouse leads the tip as far as it is deflected."));
+    m_clutch->setText(tr("Clutch (C)"));
+    m_clutch->setToolTip(
+        tr("While it is held the arm stands still and the hand goes back freely; then it takes hold anew. "
+           "Also the second button of a 3D mouse."));
+    m_clutch->setAccessibleName(tr("Clutch"));
     m_speedLabel->setText(tr("&Speed"));
     m_speed->setToolTip(tr("Share of the fastest speed"));
     m_speed->setAccessibleName(tr("Jog speed"));
@@ -224,6 +251,7 @@ void JogPanel::enableParts() {
                      able ? palette().color(QPalette::PlaceholderText) : base::statusColours(palette()).lost);
     m_message->setPalette(colours);
     m_deadMan->setEnabled(able);
+    m_clutch->setEnabled(able && m_way == Way::position);
     for (std::size_t axis = 0; axis < core::kArmJoints; ++axis) {
         m_ranges[axis]->setEnabled(m_arm.has_value());
         for (HoldButton* button : m_buttons[axis]) {
@@ -300,6 +328,16 @@ void JogPanel::setMode(Mode mode) {
     retranslate();
 }
 
+void JogPanel::setWay(Way way) {
+    if (way == m_way)
+        return;
+    m_handReady = false;
+    releaseAll();
+    m_way = way;
+    m_wayBox->setCurrentIndex(way == Way::position ? 1 : 0);
+    enableParts();
+}
+
 void JogPanel::setSpeed(int percent) {
     m_speed->setValue(percent);
 }
@@ -322,10 +360,41 @@ JointArray JogPanel::tipRate(const std::array<double, 3>& share) const {
     return m_hasSample && !velocity.isZero() ? tipRates(*m_arm, m_sample.angle_rad, velocity) : JointArray{};
 }
 
-JointArray JogPanel::wanted() const {
-    if (!m_arm || m_stopEngaged || m_readingsOld)
+JointArray JogPanel::guidedRate() {
+    const bool byKeys = m_mode == Mode::tip && (m_shift || m_deadMan->isHeld());
+    const bool byHand = !byKeys && m_handReady && m_hand.deadManHeld;
+    const bool clutch = m_clutchKey || m_clutch->isHeld() || (byHand && m_hand.clutchHeld);
+    if (!m_hasSample || !(byKeys || byHand)) {
+        m_guide.letGo();
         return {};
-    if (!(m_shift || m_deadMan->isHeld()))
+    }
+    const double scale_m = byHand ? 0.01 * m_speed->value() * kFullStep_m : 0.0;
+    const Eigen::Vector3d hand_m =
+        scale_m * Eigen::Vector3d(m_hand.velocity[0], m_hand.velocity[1], m_hand.velocity[2]);
+    const Eigen::Vector3d velocity = m_guide.velocity_mPerS(
+        true, clutch, hand_m, tipPosition(*m_arm, m_sample.reference_rad), kFullTipSpeed_mPerS);
+    return velocity.isZero() ? JointArray{} : tipRates(*m_arm, m_sample.reference_rad, velocity);
+}
+
+void JogPanel::stepBy(std::size_t axis, bool up) {
+    if (!isGuided() || !refusal().isEmpty())
+        return;
+    // The dead man may have come with this press: the tip is taken hold of where it is.
+    take();
+    Eigen::Vector3d by_m = Eigen::Vector3d::Zero();
+    by_m[static_cast<Eigen::Index>(axis)] = (up ? 0.01 : -0.01) * m_speed->value() * kFullStep_m;
+    m_guide.step(by_m);
+}
+
+JointArray JogPanel::wanted() {
+    if (!m_arm || m_stopEngaged || m_readingsOld) {
+        m_guide.letGo();
+        return {};
+    }
+    const bool byKeys = m_shift || m_deadMan->isHeld();
+    if (m_way == Way::position && (isGuided() || !byKeys))
+        return guidedRate();
+    if (!byKeys)
         return tipRate(handVelocity());
     std::array<double, core::kArmJoints> direction{};
     for (std::size_t axis = 0; axis < axes(); ++axis)
@@ -355,7 +424,10 @@ void JogPanel::take() {
 void JogPanel::releaseAll() {
     m_shift = false;
     m_keys = {};
+    m_clutchKey = false;
+    m_guide.letGo();
     m_deadMan->letGo();
+    m_clutch->letGo();
     for (const auto& pair : m_buttons)
         for (HoldButton* button : pair)
             button->letGo();
@@ -367,6 +439,10 @@ void JogPanel::onDirectionHeld(bool held, Qt::KeyboardModifiers modifiers) {
         // The keyboard comes here, so that letting go of Shift is seen.
         setFocus(Qt::MouseFocusReason);
         m_shift = modifiers.testFlag(Qt::ShiftModifier);
+        for (std::size_t axis = 0; axis < axes(); ++axis)
+            for (const bool up : {false, true})
+                if (sender() == directionButton(axis, up))
+                    stepBy(axis, up);
     }
     take();
 }
@@ -375,7 +451,7 @@ bool JogPanel::isOwnKey(int key) const {
     for (std::size_t axis = 0; axis < axes(); ++axis)
         if (const KeyPair keys = keysOf(m_mode, axis); key == keys.down || key == keys.up)
             return true;
-    return key == Qt::Key_Shift;
+    return key == Qt::Key_Shift || (key == Qt::Key_C && m_way == Way::position);
 }
 
 void JogPanel::onKey(const QKeyEvent& event, bool pressed) {
@@ -384,8 +460,12 @@ void JogPanel::onKey(const QKeyEvent& event, bool pressed) {
     } else {
         // Shift may have been pressed or let go while the keyboard was elsewhere.
         m_shift = event.modifiers().testFlag(Qt::ShiftModifier);
+        if (event.key() == Qt::Key_C)
+            m_clutchKey = pressed;
         for (std::size_t axis = 0; axis < axes(); ++axis) {
             const KeyPair keys = keysOf(m_mode, axis);
+            if (pressed && (event.key() == keys.down || event.key() == keys.up))
+                stepBy(axis, event.key() == keys.up);
             if (event.key() == keys.down || event.key() == keys.up)
                 m_keys[axis][event.key() == keys.up ? 1 : 0] = pressed && refusal().isEmpty();
         }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/core/arm_device.h"
+#include "widgets/touch/position_guide.h"
 
 #include <QTimer>
 #include <QWidget>
@@ -19,8 +20,10 @@ namespace teleta::touch {
 
 /// What a hand on a 3D mouse wants.
 struct HandMotion {
-    std::array<double, 3> velocity{}; ///< -1 .. 1 of the full speed, right, away, up: x, y, z of the base
+    std::array<double, 3>
+        velocity{}; ///< -1 .. 1 of the full deflection, right, away, up: x, y, z of the base
     bool deadManHeld = false;
+    bool clutchHeld = false;
 };
 
 class DriveSign;
@@ -32,6 +35,11 @@ class JointRange;
 /// Letting go of either, losing the keyboard focus or the window, hiding, STOP, or losing the arm sends zero
 /// at once and takes all holds back, so that nothing goes on by itself.
 ///
+/// By velocity, the arm moves as long as the direction is held. By position, the tip goes where it is led:
+/// each press of a direction is a step of the scale, and the deflection of a 3D mouse is a displacement, of
+/// kFullStep_m at most and 100 %. While the clutch (C, its button, or the second one of a 3D mouse) is held,
+/// the arm stands still; then the hand takes hold anew. Joints are always moved by velocity.
+///
 /// A 3D mouse moves the tip, whatever the mode, while its own dead-man button is held; it needs no focus.
 /// STOP, another arm and old joint readings take it out of effect until its button was let go.
 ///
@@ -41,6 +49,8 @@ class JogPanel : public QWidget {
     Q_OBJECT
 public:
     enum class Mode { joints, tip };
+    enum class Way { velocity, position };
+    static constexpr double kFullStep_m = 0.05;
     static constexpr int kPeriod_ms = 33; ///< of jogRequested() while it moves
 
     explicit JogPanel(QWidget* parent = nullptr);
@@ -61,6 +71,8 @@ public:
 
     void setMode(Mode mode);
     [[nodiscard]] Mode mode() const { return m_mode; }
+    void setWay(Way way);
+    [[nodiscard]] Way way() const { return m_way; }
     /// Share of the full speed, in percent 1..100.
     void setSpeed(int percent);
     [[nodiscard]] int speed() const;
@@ -74,6 +86,7 @@ public:
     /// Buttons of an axis (a joint, or x, y, z); up: towards larger values.
     [[nodiscard]] HoldButton* directionButton(std::size_t axis, bool up) const;
     [[nodiscard]] HoldButton* deadManButton() const { return m_deadMan; }
+    [[nodiscard]] HoldButton* clutchButton() const { return m_clutch; }
     [[nodiscard]] JointRange* range(std::size_t joint) const { return m_ranges[joint]; }
     [[nodiscard]] QPushButton* runButton() const { return m_run; }
     [[nodiscard]] QPushButton* holdButton() const { return m_hold; }
@@ -100,9 +113,12 @@ private:
     void onKey(const QKeyEvent& event, bool pressed);
     [[nodiscard]] std::array<double, 3> handVelocity() const;
     [[nodiscard]] core::JointArray tipRate(const std::array<double, 3>& share) const;
+    [[nodiscard]] core::JointArray guidedRate();
+    void stepBy(std::size_t axis, bool up);
+    [[nodiscard]] bool isGuided() const { return m_way == Way::position && m_mode == Mode::tip; }
     void onDirectionHeld(bool held, Qt::KeyboardModifiers modifiers);
     void take();
-    [[nodiscard]] core::JointArray wanted() const;
+    [[nodiscard]] core::JointArray wanted();
     [[nodiscard]] std::size_t axes() const;
     void enableParts();
     void retranslate();
@@ -115,6 +131,9 @@ private:
     HandMotion m_hand;
     bool m_handReady = false; ///< its button was let go since it was taken out of effect
     Mode m_mode = Mode::joints;
+    Way m_way = Way::velocity;
+    PositionGuide m_guide;
+    bool m_clutchKey = false;
     core::JointArray m_rate{};
     bool m_shift = false;
     std::array<std::array<bool, 2>, core::kArmJoints> m_keys{}; ///< held: [axis][0 down, 1 up]
@@ -127,10 +146,12 @@ private:
     QPushButton* m_hold;
     QPushButton* m_restart;
     QComboBox* m_modeBox;
+    QComboBox* m_wayBox;
     QSlider* m_speed;
     QLabel* m_speedLabel;
     QLabel* m_speedText;
     HoldButton* m_deadMan;
+    HoldButton* m_clutch;
     std::array<std::array<HoldButton*, 2>, core::kArmJoints> m_buttons{};
     std::array<QLabel*, core::kArmJoints> m_names{};
     std::array<JointRange*, core::kArmJoints> m_ranges{};

@@ -36,4 +36,11 @@ core::JointArray tipRates(const core::ArmDescription& arm, const core::JointArra
     return limited;
 }
 
+Eigen::Vector3d tipPosition(const core::ArmDescription& arm, const core::JointArray& angle_rad) {
+    const arm::Arm4Kinematics kinematics(
+        {arm.upperArmLength_m, arm.forearmLength_m, std::max(1e-3, arm.halfThickness_m)});
+    return kinematics.p_Base_Point(arm::Link::forearm, Eigen::Map<const arm::JointVector>(angle_rad.data()),
+                                   {arm.forearmLength_m, 0.0, 0.0});
+}
+
 } // namespace teleta::touch

@@ -18,4 +18,7 @@ inline constexpr double kFullTipSpeed_mPerS = 0.25;
 [[nodiscard]] core::JointArray tipRates(const core::ArmDescription& arm, const core::JointArray& angle_rad,
                                         const Eigen::Vector3d& velocity_mPerS);
 
+/// The tip of the forearm, in the base; not finite where an angle is not. Thread: any (pure).
+[[nodiscard]] Eigen::Vector3d tipPosition(const core::ArmDescription& arm, const core::JointArray& angle_rad);
+
 } // namespace teleta::touch

@@ -3,6 +3,7 @@
 
 #include "app/console/background.h"
 #include "backend/core/device_state.h"
+#include "backend/core/quantile.h"
 #include "backend/core/steady_time.h"
 #include "backend/pattern/built_in_patterns.h"
 #include "backend/playback/pattern_program.h"
@@ -257,7 +258,25 @@ void BraceletStation::tick() {
         return;
     m_last->onset_s = static_cast<double>(counters.onset_ns - m_last->sent.felt_ns) * 1e-9;
     m_touchToSkin_s = m_last->onset_s;
+    m_feedbackBegun_ns = counters.begun_ns;
+    m_latencies_s.push_back(*m_last->onset_s);
+    if (m_latencies_s.size() > kLatencies)
+        m_latencies_s.erase(m_latencies_s.begin());
     emit felt(*m_last);
+}
+
+void BraceletStation::endFeedback() {
+    if (m_session && !m_reserved && m_feedbackBegun_ns != 0 &&
+        m_session->player().counters().begun_ns == m_feedbackBegun_ns)
+        m_session->player().stop();
+}
+
+std::optional<BraceletStation::Latency> BraceletStation::touchToSkin() const {
+    if (m_latencies_s.empty())
+        return std::nullopt;
+    std::vector<double> sorted = m_latencies_s;
+    std::ranges::sort(sorted);
+    return Latency{core::quantileOf(sorted, 0.5), core::quantileOf(sorted, 0.99)};
 }
 
 core::Intensities BraceletStation::given() const {

@@ -70,6 +70,8 @@ public:
     /// Goes on with another program in place of the one with that number, see Player::change.
     void change(std::uint64_t number, playback::Program program, double shift_s);
     void setLoop(bool loop);
+    /// Ends what is played for a touch, as when the arm tells nothing any more; nothing else.
+    void endFeedback();
     /// Goes on somewhere else in what is played.
     void seek(double time_s);
     void stopPlaying();
@@ -101,6 +103,14 @@ public:
     [[nodiscard]] bool isSimulated() const;
     /// For the status bar; empty without a bracelet.
     [[nodiscard]] std::optional<chrome::DeviceReading> reading() const;
+    /// Median and 99 % quantile of the newest kLatencies times from a completed touch to the first frame;
+    /// empty before the first.
+    struct Latency {
+        double median_s = 0.0;
+        double p99_s = 0.0;
+    };
+    static constexpr std::size_t kLatencies = 200;
+    [[nodiscard]] std::optional<Latency> touchToSkin() const;
     /// The newest thing that was recognised while a map was set.
     [[nodiscard]] const std::optional<FeedbackEvent>& lastEvent() const { return m_last; }
 
@@ -153,6 +163,8 @@ private:
     pattern::PatternMap m_map;
     std::optional<FeedbackEvent> m_last;
     std::optional<double> m_touchToSkin_s;
+    std::vector<double> m_latencies_s;   ///< of the newest touches
+    std::int64_t m_feedbackBegun_ns = 0; ///< playing that was for the newest touch; 0: none
     std::optional<std::size_t> m_held;
     bool m_reserved = false;
 };

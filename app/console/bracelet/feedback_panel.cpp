@@ -26,9 +26,12 @@ FeedbackPanel::FeedbackPanel(BraceletStation& station, QWidget* parent)
     , m_modeLabel(new QLabel(this))
     , m_mode(new QComboBox(this))
     , m_last(new QLabel(this))
+    , m_latency(new QLabel(this))
     , m_table(new touch::PatternMapTable(this)) {
     m_modeLabel->setBuddy(m_mode);
     m_last->setWordWrap(true);
+    m_latency->setWordWrap(true);
+    m_latency->hide();
     m_last->setTextInteractionFlags(Qt::TextSelectableByMouse);
     for (const FeedbackMode mode :
          {FeedbackMode::both, FeedbackMode::stiffness, FeedbackMode::shape, FeedbackMode::off})
@@ -41,6 +44,7 @@ FeedbackPanel::FeedbackPanel(BraceletStation& station, QWidget* parent)
     layout->setContentsMargins(margin, margin, margin, margin);
     layout->addLayout(top);
     layout->addWidget(m_last);
+    layout->addWidget(m_latency);
     layout->addWidget(m_table, 1);
     connect(m_mode, &QComboBox::currentIndexChanged, this, [this] {
         m_station.setMode(mode());
@@ -103,6 +107,7 @@ void FeedbackPanel::showLast(const FeedbackEvent& event) {
                  : pattern.isEmpty()
                      ? tr("%1: no pattern", "what was recognised").arg(what)
                      : tr("%1: %2", "what was recognised: id of a pattern").arg(what, pattern);
+    showLatency();
     if (pattern.isEmpty())
         m_last->setText(tr("Touch %1: %2. There is no pattern for it in the table.").arg(touch, what));
     else if (event.sent.missing)
@@ -118,7 +123,19 @@ void FeedbackPanel::showLast(const FeedbackEvent& event) {
         m_last->setText(tr("Touch %1: %2. %3 was sent.").arg(touch, what, pattern));
 }
 
+void FeedbackPanel::showLatency() {
+    const std::optional<BraceletStation::Latency> latency = m_station.touchToSkin();
+    m_latency->setVisible(latency.has_value());
+    if (!latency)
+        return;
+    const auto text = [](double time_s) { return base::siQuantity(time_s, QStringLiteral("s")).trimmed(); };
+    m_latency->setText(tr("From touch to skin: %1 half of the time, %2 at 99 %.")
+                           .arg(text(latency->median_s), text(latency->p99_s)));
+    m_latency->setToolTip(tr("Of the newest touches, with the link between the two sites on the way"));
+}
+
 void FeedbackPanel::retranslate() {
+    showLatency();
     m_modeLabel->setText(tr("&Felt"));
     const QSignalBlocker quiet(m_mode);
     m_mode->setItemText(0, tr("Stiffness and shape"));

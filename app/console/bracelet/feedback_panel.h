@@ -41,6 +41,7 @@ protected:
 
 private:
     void showLast(const FeedbackEvent& event);
+    void showLatency();
     void offerPatterns();
     void retranslate();
 
@@ -48,6 +49,7 @@ private:
     QLabel* m_modeLabel;
     QComboBox* m_mode;
     QLabel* m_last;
+    QLabel* m_latency;
     touch::PatternMapTable* m_table;
     std::vector<touch::PatternChoice> m_own;
     QString m_lastText;

@@ -5,6 +5,13 @@
 
 namespace teleta::console {
 
+namespace {
+
+/// Of the mouse; the first one is its dead man.
+constexpr unsigned kClutchButton = 1;
+
+} // namespace
+
 HandStation::HandStation(mouse3d::Mouse3dConfig config, mouse3d::HidInputOpener opener)
     : m_mouse(std::move(config), std::move(opener)) {
     m_mouse.start(m_wakeup);
@@ -14,7 +21,9 @@ std::optional<touch::HandMotion> HandStation::motion() const {
     if (m_mouse.status().state != core::DeviceState::live)
         return std::nullopt;
     // The mouse's own motion is zero without its button, and when a deflected cap falls silent.
-    return touch::HandMotion{m_mouse.motion().translation, m_mouse.reading().deadManHeld};
+    const mouse3d::Mouse3dReading reading = m_mouse.reading();
+    return touch::HandMotion{m_mouse.motion().translation, reading.deadManHeld,
+                             ((reading.buttons >> kClutchButton) & 1U) != 0};
 }
 
 QString HandStation::text() const {

@@ -7,6 +7,7 @@
 #include "widgets/charts/joint_chart_view.h"
 #include "widgets/touch/contour_view.h"
 #include "widgets/touch/jog_panel.h"
+#include "widgets/touch/run_sheet.h"
 #include "widgets/touch/stiffness_gauge.h"
 #include "widgets/touch/touch_table.h"
 #include "widgets/touch/touch_texts.h"
@@ -49,6 +50,7 @@ ArmViews::ArmViews(core::StopSwitch& stop, BraceletStation& bracelet, view3d::Sc
     , m_scene(scene)
     , m_gauge(new touch::StiffnessGauge(parent))
     , m_touches(new touch::TouchTable(parent))
+    , m_sheet(new touch::RunSheet(parent))
     , m_joints(new charts::JointChartView(parent))
     , m_contour(new touch::ContourView(parent))
     , m_jog(new touch::JogPanel(parent))
@@ -65,6 +67,7 @@ ArmViews::ArmViews(core::StopSwitch& stop, BraceletStation& bracelet, view3d::Sc
             [this](std::uint64_t touch) { m_joints->showTouch(touch); });
     connect(m_gauge, &touch::StiffnessGauge::exportFailed, this, &ArmViews::exportFailed);
     connect(m_touches, &touch::TouchTable::exportFailed, this, &ArmViews::exportFailed);
+    connect(m_sheet, &touch::RunSheet::exportFailed, this, &ArmViews::exportFailed);
     connect(m_contour, &touch::ContourView::exportFailed, this, &ArmViews::exportFailed);
     connect(m_contour, &touch::ContourView::forgetRequested, this, &ArmViews::forgetContour);
     connect(m_joints, &charts::JointChartView::exportFailed, this, &ArmViews::exportFailed);
@@ -75,6 +78,7 @@ void ArmViews::addTo(OperateDocks& docks) {
     docks.add(OperateDocks::bracelet, m_picture);
     docks.add(OperateDocks::joints, m_joints);
     docks.add(OperateDocks::touches, m_touches);
+    docks.add(OperateDocks::objects, m_sheet);
     docks.add(OperateDocks::jog, m_jog);
     docks.add(OperateDocks::contour, m_contour);
     docks.add(OperateDocks::feedback, m_feedback);
@@ -95,6 +99,7 @@ void ArmViews::setArm(std::shared_ptr<pipeline::ArmChannel> arm, base::Provenanc
                                         .halfThickness_m = description.halfThickness_m});
     m_gauge->setProvenance(provenance);
     m_touches->setProvenance(provenance);
+    m_sheet->setProvenance(provenance);
     m_joints->setProvenance(provenance);
     m_contour->setProvenance(provenance);
     m_jog->setArm(description);
@@ -107,6 +112,7 @@ void ArmViews::setArm(std::shared_ptr<pipeline::ArmChannel> arm, base::Provenanc
 void ArmViews::clear() {
     m_gauge->setTouch(std::nullopt);
     m_touches->clear();
+    m_sheet->clear();
     m_joints->clear();
     m_contour->clear();
     m_scene.setArmLinks({});
@@ -115,6 +121,8 @@ void ArmViews::clear() {
     if (m_arm)
         m_scene.setSurface(view3d::Surface::plate);
     m_contourRevision = 0;
+    m_objectsRevision = 0;
+    m_silent = false;
     m_latency_s.reset();
 }
 
@@ -125,7 +133,12 @@ void ArmViews::setHand(const std::optional<touch::HandMotion>& hand, const QStri
 
 void ArmViews::tick() {
     m_jog->setStopEngaged(m_stop.engaged());
-    m_jog->setReadingsOld(m_arm && readingsAreOld(*m_arm));
+    const bool silent = m_arm && readingsAreOld(*m_arm);
+    // What is felt of an arm that tells nothing any more is no news of it.
+    if (silent && !m_silent)
+        m_bracelet.endFeedback();
+    m_silent = silent;
+    m_jog->setReadingsOld(silent);
     m_picture->setIntensities(m_bracelet.given());
     m_picture->setNote(m_bracelet.note());
     m_picture->setHoldable(m_bracelet.isFree());
@@ -147,6 +160,10 @@ void ArmViews::tick() {
         showArm(snapshot);
         if (snapshot.contour.revision != m_contourRevision)
             showContour(snapshot.contour);
+        if (snapshot.objectsRevision != m_objectsRevision) {
+            m_objectsRevision = snapshot.objectsRevision;
+            m_sheet->setObjects(snapshot.objects);
+        }
     }
     m_joints->refresh();
 }

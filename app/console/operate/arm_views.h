@@ -25,6 +25,7 @@ class ContourView;
 class JogPanel;
 struct HandMotion;
 class StiffnessGauge;
+class RunSheet;
 class TouchTable;
 } // namespace teleta::touch
 namespace teleta::bracelet {
@@ -76,6 +77,7 @@ private:
     view3d::Scene3dView& m_scene;
     touch::StiffnessGauge* m_gauge;
     touch::TouchTable* m_touches;
+    touch::RunSheet* m_sheet;
     charts::JointChartView* m_joints;
     touch::ContourView* m_contour;
     touch::JogPanel* m_jog;
@@ -86,6 +88,8 @@ private:
     arm::Arm4Kinematics m_kinematics;
     std::vector<core::JointSample> m_samples; ///< of a tick
     std::uint64_t m_contourRevision = 0;
+    std::uint64_t m_objectsRevision = 0;
+    bool m_silent = false; ///< the arm tells nothing any more
     std::optional<double> m_latency_s;
 };
 

@@ -28,6 +28,10 @@ std::vector<chrome::SourceChooser::Demo> demoScenes() {
          DemoText::tr("The same with a triangular prism")},
         {QStringLiteral(":/scenes/teleta-admittance.toml"), DemoText::tr("Demo: an arm yields"),
          DemoText::tr("Somebody pushes the arm, then it meets an object, under joint admittance control")},
+        {QStringLiteral(":/scenes/teleoperation.toml"), DemoText::tr("Demo: an arm among unknown objects"),
+         DemoText::tr(
+             "Drive it yourself over a slow link, or watch the scripted operator: each object that is "
+             "found goes on the run sheet")},
         {QStringLiteral(":/scenes/tactile-indenter.toml"), DemoText::tr("Demo: a ball and a bar"),
          DemoText::tr("A 6 x 14 array pressed by a ball that wanders, then by a bar that turns")},
         {QStringLiteral(":/scenes/tactile-two-contacts.toml"), DemoText::tr("Demo: two contacts that meet"),

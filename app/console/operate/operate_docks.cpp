@@ -16,11 +16,12 @@ namespace teleta::console {
 namespace {
 
 /// Version of the layouts: stored ones of another version are not restored.
-constexpr qint32 kLayoutVersion = 5;
+constexpr qint32 kLayoutVersion = 7;
 
 constexpr std::array<const char*, OperateDocks::kDocks> kNames{
     "heatmap", "reconstruction", "charts",  "processing", "stiffness", "bracelet", "joints", "touches",
-    "jog",     "feedback",       "contour", "servo",      "runs",      "camera",   "events", "marks"};
+    "jog",     "feedback",       "contour", "servo",      "runs",      "objects",  "camera", "events",
+    "marks"};
 
 } // namespace
 
@@ -192,13 +193,14 @@ void OperateDocks::arrange() {
     tabifyDockWidget(m_docks[joints], m_docks[contour]);
     tabifyDockWidget(m_docks[joints], m_docks[charts]);
     tabifyDockWidget(m_docks[joints], m_docks[touches]);
+    tabifyDockWidget(m_docks[joints], m_docks[objects]);
     tabifyDockWidget(m_docks[joints], m_docks[marks]);
     addDockWidget(Qt::RightDockWidgetArea, m_docks[stiffness]);
     splitDockWidget(m_docks[stiffness], m_docks[bracelet], Qt::Vertical);
     splitDockWidget(m_docks[bracelet], m_docks[jog], Qt::Vertical);
     tabifyDockWidget(m_docks[jog], m_docks[feedback]);
     tabifyDockWidget(m_docks[jog], m_docks[processing]);
-    show({heatmap, reconstruction, joints, contour, charts, touches, marks, stiffness, bracelet, jog,
+    show({heatmap, reconstruction, joints, contour, charts, touches, objects, marks, stiffness, bracelet, jog,
           feedback, processing});
     m_docks[joints]->raise();
     m_docks[jog]->raise();
@@ -245,8 +247,8 @@ void OperateDocks::retranslate() {
                                              tr("Processing"), tr("Stiffness"),      tr("Bracelet"),
                                              tr("Joints"),     tr("Touches"),        tr("Jog"),
                                              tr("Feedback"),   tr("Contour"),        tr("Servo"),
-                                             tr("Servo runs"), tr("Camera"),         tr("Events"),
-                                             tr("Marks")};
+                                             tr("Servo runs"), tr("Run sheet"),      tr("Camera"),
+                                             tr("Events"),     tr("Marks")};
     for (std::size_t i = 0; i < kDocks; ++i)
         m_docks[i]->setWindowTitle(titles[i]);
 }

@@ -38,11 +38,12 @@ public:
         contour,
         servo,
         runs,
+        objects,
         camera,
         events,
         marks
     };
-    static constexpr std::size_t kDocks = 16;
+    static constexpr std::size_t kDocks = 17;
     /// Whether a kind of source shows a dock.
     [[nodiscard]] static bool belongs(Kind kind, std::size_t dock);
 

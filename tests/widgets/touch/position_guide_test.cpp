@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/widgets/test_registry.h"
+#include "tests/widgets/touch/sample_arm.h"
+#include "widgets/touch/jog_panel.h"
+#include "widgets/touch/jog_rates.h"
+#include "widgets/touch/position_guide.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include <cmath>
+#include <limits>
+
+using namespace teleta;
+using namespace teleta::touch;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr double kFast_mPerS = 0.25;
+constexpr double kPeriod_s = 0.001;
+
+/// A tip that does what it is told.
+struct Tip {
+    Vector3d at_m{0.3, 0.1, -0.2};
+
+    void follow(PositionGuide& guide, double duration_s, bool held, bool clutch, const Vector3d& hand_m) {
+        for (int i = 0; i < std::lround(duration_s / kPeriod_s); ++i)
+            at_m += kPeriod_s * guide.velocity_mPerS(held, clutch, hand_m, at_m, kFast_mPerS);
+    }
+};
+
+/// A panel whose arm goes where it is told at once, in steps of the panel's period.
+struct Follower {
+    Follower() {
+        panel.setArm(test::sampleArm());
+        sample.angle_rad = sample.reference_rad = {0.1, -0.2, 0.3, 1.5};
+        panel.setSample(sample);
+        panel.setDrive(core::ArmDrive::held);
+        panel.setMode(JogPanel::Mode::tip);
+        panel.setWay(JogPanel::Way::position);
+        panel.setSpeed(100);
+        panel.show();
+        active = QTest::qWaitForWindowActive(&panel);
+        panel.setFocus();
+    }
+    [[nodiscard]] Vector3d tip() const { return tipPosition(test::sampleArm(), sample.reference_rad); }
+    /// Looks at the hand as the console does, and moves.
+    void look(const HandMotion& hand, int looks) {
+        for (int i = 0; i < looks; ++i) {
+            panel.setHand(hand);
+            for (std::size_t joint = 0; joint < core::kArmJoints; ++joint)
+                sample.reference_rad[joint] += 0.033 * panel.rate_radPerS()[joint];
+            panel.setSample(sample);
+        }
+    }
+
+    JogPanel panel;
+    core::JointSample sample;
+    bool active = false;
+};
+
+} // namespace
+
+/// Leading the tip by position, with a clutch.
+class PositionGuideTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theTipGoesAsFarAsTheHandFromWhereItWasTakenHoldOf() {
+        PositionGuide guide;
+        Tip tip;
+        const Vector3d start_m = tip.at_m;
+        const Vector3d hand_m(0.5, 0.5, 0.5); // where a hand takes hold does not matter
+        tip.follow(guide, 0.1, true, false, hand_m);
+        QVERIFY(tip.at_m == start_m);
+        tip.follow(guide, 4.0, true, false, hand_m + Vector3d(0.02, 0.0, -0.01));
+        QVERIFY((tip.at_m - start_m - Vector3d(0.02, 0.0, -0.01)).norm() < 2 * PositionGuide::kArrived_m);
+    }
+
+    void theSpeedIsLimitedAndFallsOffNearTheAim() {
+        PositionGuide guide;
+        const Vector3d tip_m(0.3, 0.0, 0.0);
+        (void)guide.velocity_mPerS(true, false, Vector3d::Zero(), tip_m, kFast_mPerS);
+        const auto speedFor = [&](double hand_m) {
+            return guide.velocity_mPerS(true, false, Vector3d(hand_m, 0, 0), tip_m, kFast_mPerS).x();
+        };
+        QCOMPARE(speedFor(1.0), kFast_mPerS);
+        QCOMPARE(speedFor(0.01), 0.01 * PositionGuide::kGain_perS);
+        QCOMPARE(speedFor(-0.01), -0.01 * PositionGuide::kGain_perS);
+        QCOMPARE(speedFor(0.5 * PositionGuide::kArrived_m), 0.0);
+    }
+
+    void theClutchLetsTheHandGoBackWithoutTheTip() {
+        PositionGuide guide;
+        Tip tip;
+        const Vector3d start_m = tip.at_m;
+        for (int stroke = 0; stroke < 3; ++stroke) {
+            tip.follow(guide, 0.01, true, false, Vector3d::Zero());
+            tip.follow(guide, 4.0, true, false, Vector3d(0.03, 0.0, 0.0));
+            const Vector3d there_m = tip.at_m;
+            tip.follow(guide, 1.0, true, true, Vector3d(0.01, 0.0, 0.0));
+            QVERIFY(tip.at_m == there_m);
+        }
+        QVERIFY(std::abs(tip.at_m.x() - start_m.x() - 0.09) < 1e-3);
+    }
+
+    void lettingGoAndNumbersThatAreNoneStandStill() {
+        PositionGuide guide;
+        const Vector3d tip_m = Vector3d::Zero();
+        const Vector3d far_m(0.1, 0.0, 0.0);
+        (void)guide.velocity_mPerS(true, false, Vector3d::Zero(), tip_m, kFast_mPerS);
+        QVERIFY(guide.isHeld());
+        QVERIFY(guide.velocity_mPerS(false, false, far_m, tip_m, kFast_mPerS).isZero());
+        QVERIFY(!guide.isHeld());
+        const double nan = std::numeric_limits<double>::quiet_NaN();
+        (void)guide.velocity_mPerS(true, false, Vector3d::Zero(), tip_m, kFast_mPerS);
+        QVERIFY(guide.velocity_mPerS(true, false, Vector3d(nan, 0, 0), tip_m, kFast_mPerS).isZero());
+        QVERIFY(guide.velocity_mPerS(true, false, far_m, Vector3d(nan, 0, 0), kFast_mPerS).isZero());
+        guide.step(far_m); // of nobody's hold
+        QVERIFY(guide.velocity_mPerS(true, false, far_m, tip_m, kFast_mPerS).isZero());
+    }
+
+    void aKeyIsAStepOfTheTipWhileTheDeadManIsHeld() {
+        Follower arm;
+        QVERIFY(arm.active);
+        QTest::keyClick(&arm.panel, Qt::Key_D);
+        QVERIFY2(!arm.panel.isMoving(), "without the dead man");
+        const Vector3d start_m = arm.tip();
+        QTest::keyPress(&arm.panel, Qt::Key_Shift);
+        QTest::keyClick(&arm.panel, Qt::Key_D, Qt::ShiftModifier);
+        QVERIFY2(arm.panel.isMoving(), "also after the key was let go: it is a step");
+        arm.look({}, 200);
+        const Vector3d moved_m = arm.tip() - start_m;
+        QVERIFY2(std::abs(moved_m.x() - JogPanel::kFullStep_m) < 1e-3,
+                 qPrintable(QString::number(moved_m.x())));
+        QVERIFY(!arm.panel.isMoving());
+        QTest::keyClick(&arm.panel, Qt::Key_W, Qt::ShiftModifier);
+        QVERIFY(arm.panel.isMoving());
+        QTest::keyRelease(&arm.panel, Qt::Key_Shift);
+        QVERIFY2(!arm.panel.isMoving(), "the dead man ends the step");
+        QTest::keyPress(&arm.panel, Qt::Key_Shift);
+        QVERIFY2(!arm.panel.isMoving(), "and it does not go on by itself");
+    }
+
+    void theClutchKeyAndStopStandStillAndGiveUpTheRest() {
+        Follower arm;
+        QVERIFY(arm.active);
+        QTest::keyPress(&arm.panel, Qt::Key_Shift);
+        QTest::keyClick(&arm.panel, Qt::Key_D, Qt::ShiftModifier);
+        QVERIFY(arm.panel.isMoving());
+        QTest::keyPress(&arm.panel, Qt::Key_C, Qt::ShiftModifier);
+        QVERIFY2(!arm.panel.isMoving(), "clutch");
+        QTest::keyRelease(&arm.panel, Qt::Key_C, Qt::ShiftModifier);
+        QVERIFY(!arm.panel.isMoving());
+        QTest::keyClick(&arm.panel, Qt::Key_D, Qt::ShiftModifier);
+        QVERIFY(arm.panel.isMoving());
+        arm.panel.setStopEngaged(true);
+        QVERIFY2(!arm.panel.isMoving(), "STOP wins");
+        QTest::keyClick(&arm.panel, Qt::Key_D, Qt::ShiftModifier);
+        QVERIFY(!arm.panel.isMoving());
+        arm.panel.setStopEngaged(false);
+        QVERIFY(!arm.panel.isMoving());
+    }
+
+    void aMouseLeadsTheTipAndItsSecondButtonIsTheClutch() {
+        Follower arm;
+        const Vector3d start_m = arm.tip();
+        arm.look({{0, 0, 0}, false, false}, 1);
+        arm.look({{0, 0, 0}, true, false}, 1);
+        arm.look({{0, 0, 1.0}, true, false}, 200);
+        QVERIFY(std::abs((arm.tip() - start_m).z() - JogPanel::kFullStep_m) < 1e-3);
+        QVERIFY(!arm.panel.isMoving());
+        arm.look({{0, 0, 0}, true, true}, 20);
+        QVERIFY(std::abs((arm.tip() - start_m).z() - JogPanel::kFullStep_m) < 1e-3);
+        arm.look({{0, 0, 0}, true, false}, 1);
+        arm.look({{0, 0, 1.0}, true, false}, 200);
+        QVERIFY(std::abs((arm.tip() - start_m).z() - 2.0 * JogPanel::kFullStep_m) < 2e-3);
+        arm.look({{1.0, 0, 0}, false, false}, 5);
+        QVERIFY2(!arm.panel.isMoving(), "the dead man");
+    }
+};
+
+namespace {
+const test::Registration<PositionGuideTest> registration;
+}
+#include "position_guide_test.moc"

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/touch/position_guide.h"
+
+#include <algorithm>
+
+namespace teleta::touch {
+
+using Eigen::Vector3d;
+
+Vector3d PositionGuide::velocity_mPerS(bool held, bool clutch, const Vector3d& hand_m, const Vector3d& tip_m,
+                                       double fastest_mPerS) {
+    if (!held || clutch || !hand_m.allFinite() || !tip_m.allFinite() || !(fastest_mPerS > 0.0)) {
+        letGo();
+        return Vector3d::Zero();
+    }
+    if (!m_anchor_m)
+        m_anchor_m = tip_m - hand_m;
+    const Vector3d way_m = *m_anchor_m + hand_m - tip_m;
+    const double distance_m = way_m.norm();
+    if (distance_m < kArrived_m)
+        return Vector3d::Zero();
+    return way_m / distance_m * std::min(kGain_perS * distance_m, fastest_mPerS);
+}
+
+void PositionGuide::step(const Vector3d& by_m) {
+    if (m_anchor_m && by_m.allFinite())
+        *m_anchor_m += by_m;
+}
+
+} // namespace teleta::touch

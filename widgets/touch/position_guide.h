@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include <optional>
+
+namespace teleta::touch {
+
+/// Leads the tip of an arm by position: the tip goes where the hand goes, from where both were when the hand
+/// took hold.
+///   velocity = kGain (anchor + hand - tip), at most the fastest speed; anchor = tip - hand at the hold
+/// While the clutch is held the tip stands still and the hand goes back freely; then it takes hold anew.
+/// Thread: one.
+class PositionGuide {
+public:
+    static constexpr double kGain_perS = 4.0;
+    /// Nearer than this the tip has arrived.
+    static constexpr double kArrived_m = 2e-4;
+
+    /// One look at the hand. hand_m: its displacement, scaled. tip_m: where the arm was told to go, so that
+    /// an arm that leans on something is not pressed on and on. Not held, or anything not finite: lets go.
+    [[nodiscard]] Eigen::Vector3d velocity_mPerS(bool held, bool clutch, const Eigen::Vector3d& hand_m,
+                                                 const Eigen::Vector3d& tip_m, double fastest_mPerS);
+    /// Leads it on by a step, while it is held.
+    void step(const Eigen::Vector3d& by_m);
+    void letGo() { m_anchor_m.reset(); }
+    [[nodiscard]] bool isHeld() const { return m_anchor_m.has_value(); }
+
+private:
+    std::optional<Eigen::Vector3d> m_anchor_m;
+};
+
+} // namespace teleta::touch

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/touch/run_sheet_model.h"
+
+#include "widgets/base/number_format.h"
+#include "widgets/touch/touch_texts.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+#include <QUndoStack>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace teleta::touch {
+
+using pipeline::FoundObject;
+
+namespace {
+
+constexpr int kPlainDigits = 9;
+constexpr int kLongestName = 200;
+
+QString plain(std::optional<double> value) {
+    return value && std::isfinite(*value) ? QString::number(*value, 'g', kPlainDigits) : QStringLiteral("NA");
+}
+
+/// One field of a CSV file (RFC 4180).
+QString quoted(const QString& text) {
+    if (!text.contains(u',') && !text.contains(u'"') && !text.contains(u'\n') && !text.contains(u'\r'))
+        return text;
+    return u'"' + QString(text).replace(u'"', QStringLiteral("\"\"")) + u'"';
+}
+
+struct ContactText {
+    Q_DECLARE_TR_FUNCTIONS(RunSheet)
+
+public:
+    static QString of(contact::ContactType type) {
+        switch (type) {
+        case contact::ContactType::point:
+            return tr("point");
+        case contact::ContactType::edge:
+            return tr("edge");
+        case contact::ContactType::none:
+            break;
+        }
+        return QString(QChar(0x2014));
+    }
+};
+
+} // namespace
+
+/// The operator's name of an object.
+class RenameObject : public QUndoCommand {
+public:
+    RenameObject(RunSheetModel& model, std::uint64_t object, QString name)
+        : QUndoCommand(RunSheetModel::tr("Rename object %1").arg(object))
+        , m_model(model)
+        , m_object(object)
+        , m_name(std::move(name))
+        , m_before(model.nameOf(object)) {}
+    void redo() override { m_model.applyName(m_object, m_name); }
+    void undo() override { m_model.applyName(m_object, m_before); }
+
+private:
+    RunSheetModel& m_model;
+    std::uint64_t m_object;
+    QString m_name;
+    QString m_before;
+};
+
+class RemoveObjects : public QUndoCommand {
+public:
+    RemoveObjects(RunSheetModel& model, std::vector<std::uint64_t> objects)
+        : QUndoCommand(RunSheetModel::tr("Delete from the run sheet"))
+        , m_model(model)
+        , m_objects(std::move(objects)) {}
+    void redo() override { m_model.applyRemoved(m_objects, true); }
+    void undo() override { m_model.applyRemoved(m_objects, false); }
+
+private:
+    RunSheetModel& m_model;
+    std::vector<std::uint64_t> m_objects;
+};
+
+RunSheetModel::RunSheetModel(QUndoStack* undo, QObject* parent)
+    : QAbstractTableModel(parent)
+    , m_undo(undo) {
+}
+
+void RunSheetModel::setObjects(const std::vector<FoundObject>& objects) {
+    const bool isSameRun = objects.size() >= m_objects.size();
+    if (!isSameRun)
+        clear();
+    const bool grows = objects.size() > m_objects.size();
+    m_objects = objects;
+    if (grows)
+        showKept();
+    else if (!m_kept.empty())
+        emit dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
+}
+
+void RunSheetModel::clear() {
+    m_undo->clear();
+    m_objects.clear();
+    m_names.clear();
+    m_removed.clear();
+    showKept();
+}
+
+void RunSheetModel::retranslate() {
+    emit headerDataChanged(Qt::Horizontal, 0, kColumns - 1);
+    if (!m_kept.empty())
+        emit dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
+}
+
+void RunSheetModel::showKept() {
+    std::vector<std::size_t> kept;
+    for (std::size_t i = 0; i < m_objects.size(); ++i)
+        if (!m_removed.contains(m_objects[i].number))
+            kept.push_back(i);
+    // New ones come at the end: selection and an open editor stay.
+    const bool appends =
+        kept.size() > m_kept.size() && std::equal(m_kept.begin(), m_kept.end(), kept.begin());
+    if (kept == m_kept)
+        return;
+    if (appends) {
+        beginInsertRows({}, static_cast<int>(m_kept.size()), static_cast<int>(kept.size()) - 1);
+        m_kept = std::move(kept);
+        endInsertRows();
+        return;
+    }
+    beginResetModel();
+    m_kept = std::move(kept);
+    endResetModel();
+}
+
+void RunSheetModel::rename(std::uint64_t object, const QString& text) {
+    const QString taken = text.simplified().left(kLongestName);
+    if (taken != nameOf(object))
+        m_undo->push(new RenameObject(*this, object, taken));
+}
+
+void RunSheetModel::remove(const std::vector<std::uint64_t>& objects) {
+    if (!objects.empty())
+        m_undo->push(new RemoveObjects(*this, objects));
+}
+
+void RunSheetModel::applyName(std::uint64_t object, const QString& text) {
+    m_names[object] = text;
+    for (int row = 0; row < rowCount(); ++row)
+        if (this->object(row).number == object)
+            emit dataChanged(index(row, Column::name), index(row, Column::name));
+}
+
+void RunSheetModel::applyRemoved(const std::vector<std::uint64_t>& objects, bool removed) {
+    for (const std::uint64_t object : objects) {
+        if (removed)
+            m_removed.insert(object);
+        else
+            m_removed.erase(object);
+    }
+    showKept();
+}
+
+const FoundObject& RunSheetModel::object(int row) const {
+    return m_objects[m_kept[static_cast<std::size_t>(row)]];
+}
+
+QString RunSheetModel::nameOf(std::uint64_t object) const {
+    const auto found = m_names.find(object);
+    return found == m_names.end() ? QString() : found->second;
+}
+
+int RunSheetModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(m_kept.size());
+}
+
+int RunSheetModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : kColumns;
+}
+
+QVariant RunSheetModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid() || (role != Qt::DisplayRole && role != Qt::EditRole))
+        return {};
+    const FoundObject& object = this->object(index.row());
+    const QLocale locale;
+    switch (index.column()) {
+    case number:
+        return QString::number(object.number);
+    case name:
+        return nameOf(object.number);
+    case time:
+        return base::withUnit(locale.toString(object.first_s, 'f', 1), QStringLiteral("s"));
+    case place:
+        return base::withUnit(
+            QStringLiteral("%1, %2").arg(
+                locale.toString(static_cast<int>(std::lround(1e3 * object.p_Base_Centre_m.x()))),
+                locale.toString(static_cast<int>(std::lround(1e3 * object.p_Base_Centre_m.y())))),
+            QStringLiteral("mm"));
+    case touches:
+        return locale.toString(static_cast<qulonglong>(object.touches));
+    case contact:
+        return ContactText::of(object.contact);
+    case force:
+        return base::siQuantity(object.highestForce_N, QStringLiteral("N")).trimmed();
+    case stiffness: {
+        if (!object.stiffness)
+            return QString(QChar(0x2014));
+        const QString interval = TouchTexts::interval(*object.stiffness);
+        return interval.isEmpty()
+                   ? TouchTexts::estimate(*object.stiffness)
+                   : QStringLiteral("%1 (%2)").arg(TouchTexts::estimate(*object.stiffness), interval);
+    }
+    case material:
+        return object.material ? QStringLiteral("%1, %2").arg(
+                                     TouchTexts::material(*object.material),
+                                     TouchTexts::safety(teleta::stiffness::isSafe(*object.material)))
+                               : QString(QChar(0x2014));
+    case shape:
+        return object.recognition ? tr("%1 (%2 %)", "a recognised shape and its confidence")
+                                        .arg(TouchTexts::shape(object.recognition->shape))
+                                        .arg(std::lround(100.0 * object.recognition->confidence))
+                                  : QString(QChar(0x2014));
+    default:
+        return {};
+    }
+}
+
+QVariant RunSheetModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
+        return {};
+    const std::array<QString, kColumns> titles{
+        tr("No."),     tr("Name"),  tr("Found at"),  tr("Place x, y"), tr("Touches"),
+        tr("Contact"), tr("Force"), tr("Stiffness"), tr("Material"),   tr("Shape")};
+    return titles[static_cast<std::size_t>(section)];
+}
+
+Qt::ItemFlags RunSheetModel::flags(const QModelIndex& index) const {
+    const Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+    return index.column() == name ? flags | Qt::ItemIsEditable : flags;
+}
+
+bool RunSheetModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    if (role != Qt::EditRole || index.column() != name)
+        return false;
+    rename(object(index.row()).number, value.toString());
+    return true;
+}
+
+QString runSheetText(const RunSheetModel& model, base::Provenance provenance) {
+    const QString source = provenance == base::Provenance::simulated  ? QStringLiteral("simulated")
+                           : provenance == base::Provenance::recorded ? QStringLiteral("recorded")
+                                                                      : QStringLiteral("live");
+    QString text = QStringLiteral("object,name,time_s,x_m,y_m,touches,contact_type,force_n,stiffness_n_per_m,"
+                                  "stiffness_lower_95,stiffness_upper_95,material,shape,confidence,source\n");
+    for (int row = 0; row < model.rowCount(); ++row) {
+        const FoundObject& object = model.object(row);
+        const stiffness::Stiffness known = object.stiffness.value_or(stiffness::Stiffness{});
+        const auto& recognition = object.recognition;
+        const QStringList fields{
+            QString::number(object.number),
+            quoted(model.nameOf(object.number)),
+            plain(object.first_s),
+            plain(object.p_Base_Centre_m.x()),
+            plain(object.p_Base_Centre_m.y()),
+            QString::number(object.touches),
+            QLatin1String(contact::toString(object.contact)),
+            plain(object.highestForce_N),
+            plain(known.value_NPerM),
+            plain(known.lower95_NPerM),
+            plain(known.upper95_NPerM),
+            QLatin1String(object.material ? stiffness::toString(*object.material) : "NA"),
+            QLatin1String(recognition ? contour::toString(recognition->shape) : "NA"),
+            plain(recognition ? std::optional(recognition->confidence) : std::nullopt),
+            source};
+        text += fields.join(u',') + u'\n';
+    }
+    return text;
+}
+
+} // namespace teleta::touch

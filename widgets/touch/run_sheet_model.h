@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/pipeline/found_objects.h"
+#include "widgets/base/badge.h"
+
+#include <QAbstractTableModel>
+#include <QString>
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <vector>
+
+class QUndoStack;
+
+namespace teleta::touch {
+
+/// The objects that were found, in the order in which they were found, with the names that the operator gives
+/// them. Names and deletions can be undone. Thread: GUI.
+class RunSheetModel : public QAbstractTableModel {
+    Q_OBJECT
+public:
+    enum Column { number, name, time, place, touches, contact, force, stiffness, material, shape };
+    static constexpr int kColumns = 10;
+
+    explicit RunSheetModel(QUndoStack* undo, QObject* parent = nullptr);
+
+    /// All objects of the run as they are known now. Names and deletions stay with their number.
+    void setObjects(const std::vector<pipeline::FoundObject>& objects);
+    /// Another run: forgets everything.
+    void clear();
+    void retranslate();
+
+    /// As one step that can be undone.
+    void rename(std::uint64_t object, const QString& text);
+    void remove(const std::vector<std::uint64_t>& objects);
+
+    [[nodiscard]] const pipeline::FoundObject& object(int row) const;
+    [[nodiscard]] QString nameOf(std::uint64_t object) const;
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+
+private:
+    friend class RenameObject;
+    friend class RemoveObjects;
+    void applyName(std::uint64_t object, const QString& text);
+    void applyRemoved(const std::vector<std::uint64_t>& objects, bool removed);
+    void showKept();
+
+    QUndoStack* m_undo;
+    std::vector<pipeline::FoundObject> m_objects;
+    std::vector<std::size_t> m_kept; ///< rows: indices of the objects that are not deleted
+    std::map<std::uint64_t, QString> m_names;
+    std::set<std::uint64_t> m_removed;
+};
+
+/// The rows as CSV: object,name,time_s,x_m,y_m,touches,contact_type,force_n,stiffness_n_per_m,
+/// stiffness_lower_95,stiffness_upper_95,material,shape,confidence,source; NA where nothing is known; source:
+/// live, recorded or simulated; C locale.
+[[nodiscard]] QString runSheetText(const RunSheetModel& model, base::Provenance provenance);
+
+} // namespace teleta::touch
