@@ -39,7 +39,7 @@ std::pair<double, double> endsOf(const Stiffness& stiffness) {
 bool areApart(const Stiffness& a, const Stiffness& b) {
     const auto [lowA, highA] = endsOf(a);
     const auto [lowB, highB] = endsOf(b);
-    return highA < lowB || highB < lowA;
+    return FoundObjects::kOtherStiffness * highA < lowB || FoundObjects::kOtherStiffness * highB < lowA;
 }
 
 std::optional<Stiffness> ofTouch(const TouchRecord& touch) {

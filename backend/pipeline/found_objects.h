@@ -32,12 +32,14 @@ struct FoundObject {
 /// Tells the objects apart that an arm has touched, by the place of the contact: a touch belongs to the
 /// object that was touched nearest to it, when that is no further than kNear_m in the x-y plane of the base
 /// (objects stand upright), else to a new one. A touch where that object was touched before, but of another
-/// stiffness (the same point within kSamePoint_m, intervals apart), is of a new object: another one stands
-/// there now. Thread: one. Source: TeleTA, section 3, for each object.
+/// stiffness (the same point within kSamePoint_m, intervals kOtherStiffness apart), is of a new object:
+/// another one stands there now. Thread: one. Source: TeleTA, section 3, for each object.
 class FoundObjects {
 public:
     static constexpr double kNear_m = 0.05;
     static constexpr double kSamePoint_m = 0.005;
+    /// Touches from different sides differ by more than their noise: only beyond this factor is it another.
+    static constexpr double kOtherStiffness = 2.0;
 
     explicit FoundObjects(const ContourSettings& settings = {})
         : m_settings(settings) {}
