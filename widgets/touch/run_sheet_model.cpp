@@ -99,8 +99,11 @@ void RunSheetModel::setObjects(const std::vector<FoundObject>& objects) {
     m_objects = objects;
     if (grows)
         showKept();
-    else if (!m_kept.empty())
-        emit dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
+    if (m_kept.empty())
+        return;
+    // But for the names: what is being typed would be taken for old.
+    emit dataChanged(index(0, number), index(rowCount() - 1, number));
+    emit dataChanged(index(0, time), index(rowCount() - 1, kColumns - 1));
 }
 
 void RunSheetModel::clear() {

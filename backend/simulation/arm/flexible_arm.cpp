@@ -76,7 +76,16 @@ JointVector FlexibleArm::torque_Nm() const {
 }
 
 BodyContact FlexibleArm::contactAt(const JointVector& q_rad, const TouchedBody& body) const {
-    const Eigen::Isometry3d X_Base_Forearm = m_kinematics.X_Base_Link(arm::Link::forearm, q_rad);
+    return contactAt(m_kinematics.X_Base_Link(arm::Link::forearm, q_rad), body);
+}
+
+bool FlexibleArm::mayTouch(const Eigen::Isometry3d& X_Base_Forearm, const TouchedBody& body) const {
+    return body.present &&
+           !isBeyond(body.outline, X_Base_Forearm.translation(), X_Base_Forearm.linear().col(0),
+                     m_kinematics.dimensions().forearmLength_m, m_kinematics.dimensions().halfThickness_m);
+}
+
+BodyContact FlexibleArm::contactAt(const Eigen::Isometry3d& X_Base_Forearm, const TouchedBody& body) const {
     const AxisDistance axis =
         axisDistance(body.outline, X_Base_Forearm.translation(), X_Base_Forearm.linear().col(0),
                      m_kinematics.dimensions().forearmLength_m);
@@ -90,11 +99,12 @@ BodyContact FlexibleArm::contactAt(const JointVector& q_rad, const TouchedBody& 
 }
 
 double FlexibleArm::addContacts(const JointVector& q_rad, JointVector* gradient, MassMatrix* hessian) const {
+    const Eigen::Isometry3d X_Base_Forearm = m_kinematics.X_Base_Link(arm::Link::forearm, q_rad);
     double energy_J = 0.0;
     for (const TouchedBody& body : m_bodies) {
-        if (!body.present)
+        if (!mayTouch(X_Base_Forearm, body))
             continue;
-        const BodyContact contact = contactAt(q_rad, body);
+        const BodyContact contact = contactAt(X_Base_Forearm, body);
         if (contact.depth_m <= 0.0)
             continue;
         energy_J += body.energy_J(contact.depth_m);
@@ -293,8 +303,10 @@ void FlexibleArm::setPresent(std::size_t body, bool present) {
 }
 
 void FlexibleArm::updateContacts() {
+    const Eigen::Isometry3d X_Base_Forearm = m_kinematics.X_Base_Link(arm::Link::forearm, m_state.link_rad);
     for (std::size_t i = 0; i < m_bodies.size(); ++i)
-        m_contacts[i] = m_bodies[i].present ? contactAt(m_state.link_rad, m_bodies[i]) : BodyContact{};
+        m_contacts[i] =
+            mayTouch(X_Base_Forearm, m_bodies[i]) ? contactAt(X_Base_Forearm, m_bodies[i]) : BodyContact{};
 }
 
 } // namespace teleta::simulation

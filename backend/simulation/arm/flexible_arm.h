@@ -79,6 +79,7 @@ public:
     /// K (theta - q): what the joints press on the links.
     [[nodiscard]] arm::JointVector torque_Nm() const;
     [[nodiscard]] const std::vector<TouchedBody>& bodies() const { return m_bodies; }
+    /// One a body; of those that do not touch nothing else counts.
     [[nodiscard]] const std::vector<BodyContact>& contacts() const { return m_contacts; }
     /// Of links, springs, contacts, and under admittance control of the virtual masses and springs.
     [[nodiscard]] double energy_J(const arm::JointVector& reference_rad) const;
@@ -88,6 +89,10 @@ public:
 
 private:
     struct Springs;
+    [[nodiscard]] BodyContact contactAt(const Eigen::Isometry3d& X_Base_Forearm,
+                                        const TouchedBody& body) const;
+    /// Cheap: a body that is present and near enough that it may touch.
+    [[nodiscard]] bool mayTouch(const Eigen::Isometry3d& X_Base_Forearm, const TouchedBody& body) const;
     [[nodiscard]] Springs springsFor(double step_s, const arm::JointVector& reference_rad) const;
     /// Energy of the contacts at q, into gradient and hessian when they are given.
     double addContacts(const arm::JointVector& q_rad, arm::JointVector* gradient, MassMatrix* hessian) const;

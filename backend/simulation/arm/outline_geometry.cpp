@@ -59,12 +59,16 @@ OutlineGeometry::OutlineGeometry(const scene::ArmObject& object)
     , m_height_m(object.z_m)
     , m_corners_m(std::visit(CornersOf(), object.outline)) {
     const Eigen::Rotation2Dd turn(object.angle_rad);
-    for (Vector2d& corner : m_corners_m)
+    for (Vector2d& corner : m_corners_m) {
+        m_reach_m = std::max(m_reach_m, corner.norm());
         corner = m_centre_m + turn * corner;
+    }
     if (const auto* round = std::get_if<scene::RoundOutline>(&object.outline))
-        m_radius_m = round->radius_m;
-    if (std::holds_alternative<scene::WallOutline>(object.outline))
+        m_reach_m = m_radius_m = round->radius_m;
+    if (std::holds_alternative<scene::WallOutline>(object.outline)) {
         m_wallNormal = turn * Vector2d::UnitX();
+        m_reach_m = std::numeric_limits<double>::infinity();
+    }
 }
 
 OutlineDistance OutlineGeometry::distance(const Vector2d& p_Base_Point_m) const {
@@ -98,6 +102,13 @@ OutlineDistance OutlineGeometry::distance(const Vector2d& p_Base_Point_m) const 
     if (inside.distance_m <= 0.0 || !(least_m > 0.0))
         return inside;
     return {least_m, (p_Base_Point_m - nearest_m) / least_m};
+}
+
+bool isBeyond(const OutlineGeometry& outline, const Vector3d& start_m, const Vector3d& direction,
+              double length_m, double distance_m) {
+    const Vector3d centre_m(outline.centre_m().x(), outline.centre_m().y(), outline.height_m());
+    const double along_m = std::clamp(direction.dot(centre_m - start_m), 0.0, length_m);
+    return (start_m + along_m * direction - centre_m).norm() > outline.reach_m() + distance_m;
 }
 
 AxisDistance axisDistance(const OutlineGeometry& outline, const Vector3d& start_m, const Vector3d& direction,

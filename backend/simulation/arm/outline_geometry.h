@@ -25,6 +25,8 @@ public:
     [[nodiscard]] OutlineDistance distance(const Eigen::Vector2d& p_Base_Point_m) const;
     [[nodiscard]] double height_m() const { return m_height_m; } ///< z of the outline's plane in the base
     [[nodiscard]] const Eigen::Vector2d& centre_m() const { return m_centre_m; }
+    /// Of the farthest point of the figure from the centre; infinite for a wall.
+    [[nodiscard]] double reach_m() const { return m_reach_m; }
     /// Corners of a polygon, counter-clockwise; empty for the others.
     [[nodiscard]] const std::vector<Eigen::Vector2d>& corners_m() const { return m_corners_m; }
 
@@ -32,6 +34,7 @@ private:
     Eigen::Vector2d m_centre_m;
     double m_height_m;
     double m_radius_m = 0.0; ///< of a circle
+    double m_reach_m = 0.0;
     std::vector<Eigen::Vector2d> m_corners_m;
     Eigen::Vector2d m_wallNormal = Eigen::Vector2d::Zero(); ///< zero: no wall
 };
@@ -48,5 +51,10 @@ struct AxisDistance {
 /// start_m: in the base; direction: unit; length_m > 0. Thread: any (pure).
 [[nodiscard]] AxisDistance axisDistance(const OutlineGeometry& outline, const Eigen::Vector3d& start_m,
                                         const Eigen::Vector3d& direction, double length_m);
+
+/// Whether the axis is farther than distance_m from the object, told by the disc around the object alone:
+/// false does not say that it is nearer. Arguments as of axisDistance. Thread: any (pure).
+[[nodiscard]] bool isBeyond(const OutlineGeometry& outline, const Eigen::Vector3d& start_m,
+                            const Eigen::Vector3d& direction, double length_m, double distance_m);
 
 } // namespace teleta::simulation

@@ -77,12 +77,30 @@ private slots:
         QVERIFY(editor);
         QTest::keyClicks(editor, "  red,  \"big\" box ");
         QTest::keyClick(editor, Qt::Key_Return);
-        QCOMPARE(cell(desk.sheet, 1, RunSheetModel::name), QString("red, \"big\" box"));
+        QTRY_COMPARE(cell(desk.sheet, 1, RunSheetModel::name), QString("red, \"big\" box"));
         QVERIFY(desk.sheet.csv().contains("\n2,\"red, \"\"big\"\" box\",12.5,"));
         desk.key(Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(cell(desk.sheet, 1, RunSheetModel::name), QString());
         desk.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
         QCOMPARE(cell(desk.sheet, 1, RunSheetModel::name), QString("red, \"big\" box"));
+    }
+
+    void whatIsTypedStaysWhenObjectsAreTouchedOrFoundMeanwhile() {
+        Desk desk;
+        QVERIFY(desk.active);
+        desk.sheet.view()->setCurrentIndex(desk.sheet.model().index(1, RunSheetModel::name));
+        desk.key(Qt::Key_F2);
+        auto* editor = desk.sheet.view()->findChild<QLineEdit*>();
+        QVERIFY(editor);
+        QTest::keyClicks(editor, "po");
+        auto touched = objectOf(2);
+        touched.touches = 4;
+        desk.sheet.setObjects({objectOf(1), touched, objectOf(3)});
+        desk.sheet.setObjects({objectOf(1), touched, objectOf(3), objectOf(4)});
+        QCOMPARE(cell(desk.sheet, 1, RunSheetModel::touches), QString("4"));
+        QTest::keyClicks(editor, "st");
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_COMPARE(cell(desk.sheet, 1, RunSheetModel::name), QString("post"));
     }
 
     void whatIsDeletedComesBackWithItsName() {

@@ -116,6 +116,30 @@ TEST(AxisDistance, isTheLeastOfAllPointsOfTheAxis) {
     }
 }
 
+TEST(AxisDistance, nothingThatIsBeyondADistanceIsNearer) {
+    for (const scene::Outline& shape :
+         {scene::Outline(scene::RoundOutline{0.04}), scene::Outline(scene::RectangleOutline{0.08, 0.03}),
+          scene::Outline(scene::TriangleOutline{0.07}), scene::Outline(scene::WallOutline{})}) {
+        const OutlineGeometry outline = outlineOf(shape, 0.3);
+        int beyond = 0;
+        for (int i = 0; i < 400; ++i) {
+            const Vector3d start_m(0.3 * std::sin(1.7 * i), 0.3 * std::cos(2.3 * i), 0.2 * std::sin(0.9 * i));
+            const Vector3d direction =
+                Vector3d(std::cos(1.1 * i), std::sin(1.9 * i), std::sin(0.7 * i + 0.3)).normalized();
+            if (!isBeyond(outline, start_m, direction, 0.27, 0.03))
+                continue;
+            ++beyond;
+            EXPECT_GT(axisDistance(outline, start_m, direction, 0.27).distance_m, 0.03);
+        }
+        // A wall has no end; most of the others are far away.
+        EXPECT_EQ(beyond > 100, std::isfinite(outline.reach_m())) << beyond;
+    }
+    const OutlineGeometry round = outlineOf(scene::RoundOutline{0.04});
+    const Vector3d beside_m = round.centre_m().homogeneous() + Vector3d(0.071, 0.0, round.height_m() - 1.0);
+    EXPECT_TRUE(isBeyond(round, beside_m, Vector3d::UnitZ(), 0.27, 0.03));
+    EXPECT_FALSE(isBeyond(round, beside_m, Vector3d::UnitZ(), 0.27, 0.0311));
+}
+
 TEST(HangingPosture, hangsTheForearmStraightDown) {
     const arm::ArmDimensions dimensions;
     const arm::Arm4Kinematics kinematics(dimensions);
