@@ -49,6 +49,21 @@ stiffness::JointSample ofJoint(const JointSample& sample, std::size_t joint) {
     return {sample.sourceTime_s, sample.angle_rad[joint], sample.torque_Nm[joint]};
 }
 
+/// From the first sample in the window to the first above it, or to the last one.
+double timeInWindow_s(const std::vector<stiffness::JointSample>& rise,
+                      const stiffness::TorqueWindow& window) {
+    const auto isBelow = [](double torque_Nm) {
+        return [torque_Nm](const stiffness::JointSample& sample) {
+            return std::abs(sample.torque_Nm) < torque_Nm;
+        };
+    };
+    const auto first = std::ranges::find_if_not(rise, isBelow(window.low_Nm));
+    if (first == rise.end())
+        return 0.0;
+    const auto above = std::find_if_not(first, rise.end(), isBelow(window.high_Nm));
+    return (above == rise.end() ? rise.back() : *above).time_s - first->time_s;
+}
+
 std::size_t strongest(const JointArray& torque_Nm) {
     const auto found = std::max_element(torque_Nm.begin(), torque_Nm.end(),
                                         [](double a, double b) { return std::abs(a) < std::abs(b); });
@@ -378,6 +393,10 @@ void TouchEstimator::estimate(const Located& located, TouchRecord& record) const
     const auto stiffness = stiffness::estimateStiffness(rise, settings);
     if (!stiffness) {
         record.refusal = stiffness.error();
+        return;
+    }
+    if (timeInWindow_s(rise, m_settings.window) < m_settings.leastRise_s) {
+        record.refusal = stiffness::Refusal::tooQuick;
         return;
     }
     record.stiffness = *stiffness;

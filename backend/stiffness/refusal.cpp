@@ -25,6 +25,8 @@ const char* toString(Refusal refusal) {
         return "torqueUnchanged";
     case Refusal::angleOpposesTorque:
         return "angleOpposesTorque";
+    case Refusal::tooQuick:
+        return "tooQuick";
     }
     return "";
 }

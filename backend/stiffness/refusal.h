@@ -15,6 +15,7 @@ enum class Refusal {
     tooFewSamples,       ///< fewer than two samples in the window
     torqueUnchanged,     ///< all samples in the window have the same torque
     angleOpposesTorque,  ///< the joint turns against the rising torque by more than the noise explains
+    tooQuick,            ///< the torque rises so quickly that the link's inertia is part of it
 };
 
 /// Name of the code, for logs and tests.

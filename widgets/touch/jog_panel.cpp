@@ -2,6 +2,7 @@
 #include "widgets/touch/jog_panel.h"
 
 #include "widgets/base/icons.h"
+#include "widgets/base/number_format.h"
 #include "widgets/base/theme.h"
 #include "widgets/touch/drive_sign.h"
 #include "widgets/touch/hold_button.h"
@@ -15,6 +16,7 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QLocale>
 #include <QPushButton>
 #include <QSlider>
 #include <QVBoxLayout>
@@ -71,7 +73,7 @@ JogPanel::JogPanel(QWidget* parent)
     m_speed->setRange(1, 100);
     m_speed->setValue(kFirstSpeed_percent);
     m_speedLabel->setBuddy(m_speed);
-    m_speedText->setMinimumWidth(base::em(this, 3.2));
+    m_speedText->setMinimumWidth(base::em(this, 4.0));
     m_deadMan->setMinimumHeight(base::em(this, kTouchTarget_em));
     m_clutch->setMinimumHeight(base::em(this, kTouchTarget_em));
 
@@ -133,8 +135,8 @@ JogPanel::JogPanel(QWidget* parent)
         setFocus(Qt::MouseFocusReason);
         take();
     });
-    connect(m_speed, &QSlider::valueChanged, this, [this](int percent) {
-        m_speedText->setText(tr("%1 %").arg(percent));
+    connect(m_speed, &QSlider::valueChanged, this, [this] {
+        showSpeed();
         take();
     });
     connect(m_modeBox, &QComboBox::currentIndexChanged, this,
@@ -162,6 +164,21 @@ JogPanel::~JogPanel() {
     releaseAll();
 }
 
+void JogPanel::showSpeed() {
+    if (isGuided()) {
+        m_speedLabel->setText(tr("&Step"));
+        m_speed->setToolTip(tr("How far a press leads the tip, and a 3D mouse that is fully deflected"));
+        m_speed->setAccessibleName(tr("Length of a step"));
+        m_speedText->setText(base::withUnit(QLocale().toString(10.0 * m_speed->value() * kFullStep_m, 'f', 1),
+                                            QStringLiteral("mm")));
+    } else {
+        m_speedLabel->setText(tr("&Speed"));
+        m_speed->setToolTip(tr("Share of the fastest speed"));
+        m_speed->setAccessibleName(tr("Jog speed"));
+        m_speedText->setText(tr("%1 %").arg(m_speed->value()));
+    }
+}
+
 void JogPanel::retranslate() {
     setAccessibleName(tr("Jog the arm"));
     setWhatsThis(tr("<p>Moves the arm by hand. It moves only while you hold Shift, or the wide button, "
@@ -187,10 +204,7 @@ void JogPanel::retranslate() {
         tr("While it is held the arm stands still and the hand goes back freely; then it takes hold anew. "
            "Also the second button of a 3D mouse."));
     m_clutch->setAccessibleName(tr("Clutch"));
-    m_speedLabel->setText(tr("&Speed"));
-    m_speed->setToolTip(tr("Share of the fastest speed"));
-    m_speed->setAccessibleName(tr("Jog speed"));
-    m_speedText->setText(tr("%1 %").arg(m_speed->value()));
+    showSpeed();
     m_deadMan->setText(tr("Hold to enable (or Shift)"));
     m_deadMan->setToolTip(tr("Dead-man switch: the arm moves only while this button or Shift is held"));
     m_deadMan->setAccessibleName(tr("Dead-man switch"));
@@ -244,6 +258,9 @@ void JogPanel::enableParts() {
     }
     const bool tip = m_mode == Mode::tip;
     m_message->setText(!able ? reason
+                       : isGuided()
+                           ? tr("Hold Shift: each press of a button, or of D A (x), W S (y), E Q (z), "
+                                "is a step.")
                        : tip ? tr("Hold Shift and a button, or Shift with D A (x), W S (y), E Q (z).")
                              : tr("Hold Shift and a button, or Shift with Q W E R (up), A S D F (down)."));
     QPalette colours = palette();
@@ -335,6 +352,7 @@ void JogPanel::setWay(Way way) {
     releaseAll();
     m_way = way;
     m_wayBox->setCurrentIndex(way == Way::position ? 1 : 0);
+    showSpeed();
     enableParts();
 }
 

@@ -121,6 +121,7 @@ private:
     [[nodiscard]] core::JointArray wanted();
     [[nodiscard]] std::size_t axes() const;
     void enableParts();
+    void showSpeed();
     void retranslate();
 
     std::optional<core::ArmDescription> m_arm;

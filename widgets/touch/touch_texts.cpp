@@ -66,8 +66,8 @@ QString TouchTexts::refusal(Refusal refusal) {
     case Refusal::outOfRange:
         return tr("The readings of angle or torque are not usable numbers. Check the arm's sensors.");
     case Refusal::notPositive:
-        return tr("The contact lies on the joint's axis, or the link's stiffness is not set: nothing to "
-                  "divide by.");
+        return tr("The elbow feels nothing of a touch on its axis or along it, or the link's stiffness is "
+                  "not set. Touch from another side.");
     case Refusal::negativeUncertainty:
         return tr("The noise of the arm's readings is set below zero.");
     case Refusal::badWindow:
@@ -75,13 +75,16 @@ QString TouchTexts::refusal(Refusal refusal) {
     case Refusal::noSamples:
         return tr("No joint samples came in during the touch.");
     case Refusal::windowNotReached:
-        return tr("The touch was too light: the torque did not reach the torque window. Press harder.");
+        return tr("The elbow felt too little: its torque did not reach the torque window. Press harder, or "
+                  "from another side.");
     case Refusal::tooFewSamples:
         return tr("The touch was too quick: fewer than two samples lie in the torque window. Press slower.");
     case Refusal::torqueUnchanged:
         return tr("The torque did not change within the torque window. Press with rising force.");
     case Refusal::angleOpposesTorque:
         return tr("The joint turned against the rising torque: the object moved, or a sign is wrong.");
+    case Refusal::tooQuick:
+        return tr("The touch was too quick: the arm's own inertia was felt with the object. Press slower.");
     }
     return {};
 }

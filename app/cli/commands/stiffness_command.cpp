@@ -259,6 +259,10 @@ core::Error StiffnessCommand::explain(Refusal refusal, const std::vector<JointSa
         say(StiffnessText::tr("the joint turns against the rising torque"),
             StiffnessText::tr("angle and torque that rise together; the sign of one column may be turned"));
         break;
+    case Refusal::tooQuick:
+        say(StiffnessText::tr("the torque rises so quickly that the arm's inertia is part of it"),
+            StiffnessText::tr("a slower touch"));
+        break;
     case Refusal::notFinite:
     case Refusal::notPositive:
     case Refusal::negativeUncertainty:

@@ -19,9 +19,8 @@ namespace {
 constexpr qint32 kLayoutVersion = 7;
 
 constexpr std::array<const char*, OperateDocks::kDocks> kNames{
-    "heatmap", "reconstruction", "charts",  "processing", "stiffness", "bracelet", "joints", "touches",
-    "jog",     "feedback",       "contour", "servo",      "runs",      "objects",  "camera", "events",
-    "marks"};
+    "heatmap",  "reconstruction", "charts", "processing", "stiffness", "bracelet", "joints", "touches", "jog",
+    "feedback", "contour",        "servo",  "runs",       "objects",   "camera",   "events", "marks"};
 
 } // namespace
 

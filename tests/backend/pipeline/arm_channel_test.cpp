@@ -39,6 +39,13 @@ std::vector<float> pressedInTheMiddle(double force_N) {
     return values;
 }
 
+/// The scripted arm has no inertia: its touches may be quick.
+ArmSettings withoutInertia() {
+    ArmSettings settings;
+    settings.touch.leastRise_s = 0.0;
+    return settings;
+}
+
 /// One arm with its skin, fed in step.
 class ArmChannelTest : public testing::Test {
 protected:
@@ -71,7 +78,7 @@ protected:
     ScriptedSource* m_skin = new ScriptedSource(kSkin, 1024);
     std::shared_ptr<TouchChannel> m_touchChannel = std::make_shared<TouchChannel>(
         std::unique_ptr<core::TactileSource>(m_skin), pipeline::ChannelSettings{});
-    ArmChannel m_channel{std::unique_ptr<core::ArmSource>(m_source), m_touchChannel};
+    ArmChannel m_channel{std::unique_ptr<core::ArmSource>(m_source), m_touchChannel, withoutInertia()};
     int m_samples = 0;
 };
 
@@ -167,7 +174,7 @@ TEST_F(ArmChannelTest, putsSkinAndJointsInOrderOfTime) {
 }
 
 TEST_F(ArmChannelTest, usesNewSettingsFromTheNextSamplesOn) {
-    ArmSettings settings;
+    ArmSettings settings = withoutInertia();
     settings.touch.method = stiffness::Method::twoPoint;
     settings.contour.samplesPerSegment = 3;
     m_channel.post(settings);

@@ -24,9 +24,16 @@ namespace {
 /// Runs an arm and its skin (200 Hz) through the estimator.
 class TouchRun {
 public:
-    explicit TouchRun(ScriptedArm touched, TouchEstimatorSettings settings = {})
+    explicit TouchRun(ScriptedArm touched, TouchEstimatorSettings settings = withoutInertia())
         : arm(std::move(touched))
         , estimator(paperArm(), settings) {}
+
+    /// The scripted arm has none, so that its touches may be as quick as they like.
+    static TouchEstimatorSettings withoutInertia() {
+        TouchEstimatorSettings settings;
+        settings.leastRise_s = 0.0;
+        return settings;
+    }
 
     /// The elbow's torque goes linearly from where it is to this one.
     void elbowTo(double torque_Nm, int samples) {
@@ -84,7 +91,7 @@ constexpr double kMaterials_NPerM[] = {stiffness::kSpongeStiffness_NPerM,
 TEST(TouchEstimator, measuresTheStiffnessOfThePapersObjects) {
     for (const auto method : {stiffness::Method::regression, stiffness::Method::twoPoint}) {
         for (const double stiffness_NPerM : kMaterials_NPerM) {
-            TouchEstimatorSettings settings;
+            TouchEstimatorSettings settings = TouchRun::withoutInertia();
             settings.method = method;
             TouchRun run(ScriptedArm(0.175, std::numbers::pi, stiffness_NPerM), settings);
             run.idle(100);
@@ -270,7 +277,7 @@ TEST(TouchEstimator, leavesTheStiffnessOutWhenTheElbowHasNoLever) {
 }
 
 TEST(TouchEstimator, waitsForTheElbowWhenAnotherJointFeelsTheTouchFirst) {
-    TouchEstimatorSettings settings;
+    TouchEstimatorSettings settings = TouchRun::withoutInertia();
     settings.elbowWait_s = 0.5;
     TouchRun run(ScriptedArm{}, settings);
     run.idle(100);
@@ -545,10 +552,24 @@ TEST(TouchEstimator, beginsThePlaceAnewWhenTheContactIsElsewhere) {
     EXPECT_NEAR(run.records[0].contactDistance_m, 0.175, 1e-12);
 }
 
+TEST(TouchEstimator, aTouchThatIsQuickerThanTheArmsInertiaAllowsTellsNoStiffness) {
+    // From 0.02 to 0.05 Nm within 60 and within 48 ms.
+    for (const int samples : {160, 128}) {
+        TouchRun run(ScriptedArm{}, TouchEstimatorSettings{});
+        run.idle(100);
+        run.elbowTo(0.08, samples);
+        run.idle(100);
+        ASSERT_EQ(run.records.size(), 1U);
+        EXPECT_TRUE(run.records[0].located);
+        EXPECT_EQ(run.records[0].stiffness.has_value(), samples == 160);
+        EXPECT_EQ(run.records[0].refusal == stiffness::Refusal::tooQuick, samples == 128);
+    }
+}
+
 TEST(TouchEstimator, takesNewSettingsWhileItRuns) {
     TouchRun run(ScriptedArm{});
     run.idle(100);
-    TouchEstimatorSettings settings;
+    TouchEstimatorSettings settings = TouchRun::withoutInertia();
     settings.method = stiffness::Method::twoPoint;
     run.estimator.setSettings(settings);
     run.elbowTo(0.08, 80);

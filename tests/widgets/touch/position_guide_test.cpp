@@ -5,9 +5,11 @@
 #include "widgets/touch/jog_rates.h"
 #include "widgets/touch/position_guide.h"
 
+#include <QLabel>
 #include <QSignalSpy>
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -141,6 +143,27 @@ private slots:
         QVERIFY2(!arm.panel.isMoving(), "the dead man ends the step");
         QTest::keyPress(&arm.panel, Qt::Key_Shift);
         QVERIFY2(!arm.panel.isMoving(), "and it does not go on by itself");
+    }
+
+    void theSliderIsTheLengthOfAStepAndSaysSo() {
+        Follower arm;
+        QVERIFY(arm.active);
+        const auto says = [&](const QString& text) {
+            return std::ranges::any_of(arm.panel.findChildren<QLabel*>(), [&](const QLabel* label) {
+                return label->text().replace(QChar(0x00a0), u' ') == text;
+            });
+        };
+        arm.panel.setSpeed(20);
+        QVERIFY(says("10.0 mm"));
+        const Vector3d start_m = arm.tip();
+        QTest::keyPress(&arm.panel, Qt::Key_Shift);
+        QTest::keyClick(&arm.panel, Qt::Key_A, Qt::ShiftModifier);
+        QTest::keyClick(&arm.panel, Qt::Key_A, Qt::ShiftModifier);
+        arm.look({}, 200);
+        QVERIFY(std::abs((arm.tip() - start_m).x() + 0.02) < 1e-3);
+        arm.panel.setWay(JogPanel::Way::velocity);
+        QVERIFY(says("20 %"));
+        QVERIFY(!says("10.0 mm"));
     }
 
     void theClutchKeyAndStopStandStillAndGiveUpTheRest() {

@@ -175,7 +175,7 @@ private slots:
         for (const Refusal refusal :
              {Refusal::notFinite, Refusal::notPositive, Refusal::negativeUncertainty, Refusal::badWindow,
               Refusal::noSamples, Refusal::windowNotReached, Refusal::tooFewSamples, Refusal::torqueUnchanged,
-              Refusal::angleOpposesTorque}) {
+              Refusal::angleOpposesTorque, Refusal::tooQuick}) {
             StiffnessGauge gauge;
             gauge.setRefusal(refusal);
             const QString said = GaugeTexts::details(gauge.content());
@@ -183,7 +183,7 @@ private slots:
             QVERIFY(gauge.accessibleDescription().contains(said));
             reasons << said;
         }
-        QCOMPARE(reasons.size(), 9);
+        QCOMPARE(reasons.size(), 10);
     }
 
     void aRefusalTakesTheOldEstimateAway() {
