@@ -257,11 +257,9 @@ void JogPanel::enableParts() {
         releaseAll();
     }
     const bool tip = m_mode == Mode::tip;
-    m_message->setText(!able ? reason
-                       : isGuided()
-                           ? tr("Hold Shift: each press of a button, or of D A (x), W S (y), E Q (z), "
-                                "is a step.")
-                       : tip ? tr("Hold Shift and a button, or Shift with D A (x), W S (y), E Q (z).")
+    m_message->setText(!able        ? reason
+                       : isGuided() ? tr("Hold Shift: each press of D A (x), W S (y), E Q (z) is a step.")
+                       : tip        ? tr("Hold Shift and a button, or Shift with D A (x), W S (y), E Q (z).")
                              : tr("Hold Shift and a button, or Shift with Q W E R (up), A S D F (down)."));
     QPalette colours = palette();
     colours.setColor(QPalette::WindowText,

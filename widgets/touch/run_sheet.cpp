@@ -88,10 +88,10 @@ void RunSheet::restyle() {
     const auto wide = [&](int column, const QString& sample) {
         const QString title = m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
         const int text = std::max(metrics.horizontalAdvance(sample), metrics.horizontalAdvance(title));
-        m_view->setColumnWidth(column, text + base::em(this, 1.8));
+        m_view->setColumnWidth(column, text + base::em(this, 1.2));
     };
     wide(RunSheetModel::number, QStringLiteral("888"));
-    wide(RunSheetModel::name, QStringLiteral("the box at the window"));
+    wide(RunSheetModel::name, QStringLiteral("the wooden box"));
     wide(RunSheetModel::time, QStringLiteral("88888.8 s"));
     wide(RunSheetModel::place, QStringLiteral("\u2212888, \u2212888 mm"));
     wide(RunSheetModel::touches, QStringLiteral("888"));
@@ -125,6 +125,10 @@ void RunSheet::removeSelected() {
     m_model->remove(numbers);
 }
 
+void RunSheet::editName() {
+    m_view->edit(m_model->index(m_view->currentIndex().row(), RunSheetModel::name));
+}
+
 void RunSheet::undo() {
     m_undo->undo();
     showEmptiness();
@@ -137,9 +141,7 @@ void RunSheet::redo() {
 
 void RunSheet::populateMenu(QMenu& menu) {
     const bool hasSelection = m_view->selectionModel()->hasSelection();
-    QAction* rename = menu.addAction(tr("&Name…"), this, [this] {
-        m_view->edit(m_model->index(m_view->currentIndex().row(), RunSheetModel::name));
-    });
+    QAction* rename = menu.addAction(tr("&Name…"), this, &RunSheet::editName);
     rename->setShortcut(Qt::Key_F2);
     rename->setEnabled(m_view->currentIndex().isValid());
     QAction* remove = menu.addAction(tr("&Delete"), this, &RunSheet::removeSelected);
@@ -166,7 +168,9 @@ bool RunSheet::isOwnKey(const QKeyEvent& key) const {
 }
 
 bool RunSheet::onKey(const QKeyEvent& key) {
-    if (key.matches(QKeySequence::Delete))
+    if (key.key() == Qt::Key_F2 && m_view->currentIndex().isValid())
+        editName();
+    else if (key.matches(QKeySequence::Delete))
         removeSelected();
     else if (key.matches(QKeySequence::Undo))
         undo();

@@ -36,6 +36,8 @@ public:
     /// All rows as CSV.
     [[nodiscard]] QString csv() const { return runSheetText(*m_model, m_provenance); }
     void removeSelected();
+    /// Of the current object, whichever of its columns is the current one.
+    void editName();
     void undo();
     void redo();
     void populateMenu(QMenu& menu);

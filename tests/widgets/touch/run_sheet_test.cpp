@@ -88,7 +88,7 @@ private slots:
     void whatIsTypedStaysWhenObjectsAreTouchedOrFoundMeanwhile() {
         Desk desk;
         QVERIFY(desk.active);
-        desk.sheet.view()->setCurrentIndex(desk.sheet.model().index(1, RunSheetModel::name));
+        desk.sheet.view()->setCurrentIndex(desk.sheet.model().index(1, RunSheetModel::shape));
         desk.key(Qt::Key_F2);
         auto* editor = desk.sheet.view()->findChild<QLineEdit*>();
         QVERIFY(editor);
