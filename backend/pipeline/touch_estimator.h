@@ -36,7 +36,7 @@ struct TouchEstimatorSettings {
     double skinWait_s = 0.1;        ///< a complete touch waits so long for the skin to feel it
     double elbowWait_s = 1.0;       ///< a touch that another joint feels waits so long for the elbow
     double leastLever_m = 0.02;     ///< with a shorter lever about the elbow there is no stiffness
-    double leastRise_s = 0.05;      ///< a quicker rise through the window moves the link: no stiffness
+    double leastRise_s = 0.075;     ///< a quicker rise through the window moves the link: no stiffness
     double newReference_s =
         2.0; ///< a torque that stays, without the skin feeling a touch, is a new reference
     /// A reference that is accelerated more than this moves the links' inertia.

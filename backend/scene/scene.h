@@ -137,9 +137,9 @@ struct Effect {
     std::string why; ///< what the scene would lose without it
     std::variant<NoiseSpec, QuantizationSpec, SaturationSpec, DeadTaxelsSpec, CrosstalkSpec, HysteresisSpec,
                  DriftSpec, LatencySpec, NonlinearResponseSpec, TorqueNoiseSpec, EncoderQuantizationSpec,
-                 GravityErrorSpec, GearRippleSpec, NonlinearObjectSpec, LinkDelaySpec, BorderStiffeningSpec, HousingRimSpec,
-                 ContactDampingSpec, FrictionSpec, LensDistortionSpec, UnevenLightSpec, SensorNoiseSpec,
-                 MotionBlurSpec, MarkerPrintErrorSpec, VignettingSpec>
+                 GravityErrorSpec, GearRippleSpec, NonlinearObjectSpec, LinkDelaySpec, BorderStiffeningSpec,
+                 HousingRimSpec, ContactDampingSpec, FrictionSpec, LensDistortionSpec, UnevenLightSpec,
+                 SensorNoiseSpec, MotionBlurSpec, MarkerPrintErrorSpec, VignettingSpec>
         parameters;
 };
 
