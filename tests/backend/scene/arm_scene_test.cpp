@@ -136,7 +136,8 @@ TEST(ArmScene, readsAnOperatorHisLinkAndWhatHeDoesNotKnow) {
 
     EXPECT_EQ(errorOf(kHead + kArm + kSkin + kProgram + kObject + link),
               "s.toml:35:8: unknown value \"link_delay\" of \"name\" (expected one of: noise, quantization, "
-              "saturation, dead_taxels, crosstalk, hysteresis, drift, torque_noise, encoder_quantization, "
+              "saturation, dead_taxels, crosstalk, hysteresis, drift, latency, nonlinear_response, "
+              "torque_noise, encoder_quantization, "
               "gravity_error, gear_ripple, nonlinear_object)");
     Scene copy = *scene;
     copy.arm().program = YieldProgram{};

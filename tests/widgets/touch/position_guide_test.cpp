@@ -5,6 +5,8 @@
 #include "widgets/touch/jog_rates.h"
 #include "widgets/touch/position_guide.h"
 
+#include <QCoreApplication>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QSignalSpy>
 #include <QTest>
@@ -45,6 +47,15 @@ struct Follower {
         panel.show();
         active = QTest::qWaitForWindowActive(&panel);
         panel.setFocus();
+    }
+    /// While Shift is held; QTest's own would let go of it with the key.
+    void key(QEvent::Type type, Qt::Key key) {
+        QKeyEvent event(type, key, Qt::ShiftModifier);
+        QCoreApplication::sendEvent(&panel, &event);
+    }
+    void click(Qt::Key key) {
+        this->key(QEvent::KeyPress, key);
+        this->key(QEvent::KeyRelease, key);
     }
     [[nodiscard]] Vector3d tip() const { return tipPosition(test::sampleArm(), sample.reference_rad); }
     /// Looks at the hand as the console does, and moves.
@@ -130,14 +141,14 @@ private slots:
         QVERIFY2(!arm.panel.isMoving(), "without the dead man");
         const Vector3d start_m = arm.tip();
         QTest::keyPress(&arm.panel, Qt::Key_Shift);
-        QTest::keyClick(&arm.panel, Qt::Key_D, Qt::ShiftModifier);
+        arm.click(Qt::Key_D);
         QVERIFY2(arm.panel.isMoving(), "also after the key was let go: it is a step");
         arm.look({}, 200);
         const Vector3d moved_m = arm.tip() - start_m;
         QVERIFY2(std::abs(moved_m.x() - JogPanel::kFullStep_m) < 1e-3,
                  qPrintable(QString::number(moved_m.x())));
         QVERIFY(!arm.panel.isMoving());
-        QTest::keyClick(&arm.panel, Qt::Key_W, Qt::ShiftModifier);
+        arm.click(Qt::Key_W);
         QVERIFY(arm.panel.isMoving());
         QTest::keyRelease(&arm.panel, Qt::Key_Shift);
         QVERIFY2(!arm.panel.isMoving(), "the dead man ends the step");
@@ -157,8 +168,8 @@ private slots:
         QVERIFY(says("10.0 mm"));
         const Vector3d start_m = arm.tip();
         QTest::keyPress(&arm.panel, Qt::Key_Shift);
-        QTest::keyClick(&arm.panel, Qt::Key_A, Qt::ShiftModifier);
-        QTest::keyClick(&arm.panel, Qt::Key_A, Qt::ShiftModifier);
+        arm.click(Qt::Key_A);
+        arm.click(Qt::Key_A);
         arm.look({}, 200);
         QVERIFY(std::abs((arm.tip() - start_m).x() + 0.02) < 1e-3);
         arm.panel.setWay(JogPanel::Way::velocity);
@@ -170,17 +181,17 @@ private slots:
         Follower arm;
         QVERIFY(arm.active);
         QTest::keyPress(&arm.panel, Qt::Key_Shift);
-        QTest::keyClick(&arm.panel, Qt::Key_D, Qt::ShiftModifier);
+        arm.click(Qt::Key_D);
         QVERIFY(arm.panel.isMoving());
-        QTest::keyPress(&arm.panel, Qt::Key_C, Qt::ShiftModifier);
+        arm.key(QEvent::KeyPress, Qt::Key_C);
         QVERIFY2(!arm.panel.isMoving(), "clutch");
-        QTest::keyRelease(&arm.panel, Qt::Key_C, Qt::ShiftModifier);
+        arm.key(QEvent::KeyRelease, Qt::Key_C);
         QVERIFY(!arm.panel.isMoving());
-        QTest::keyClick(&arm.panel, Qt::Key_D, Qt::ShiftModifier);
+        arm.click(Qt::Key_D);
         QVERIFY(arm.panel.isMoving());
         arm.panel.setStopEngaged(true);
         QVERIFY2(!arm.panel.isMoving(), "STOP wins");
-        QTest::keyClick(&arm.panel, Qt::Key_D, Qt::ShiftModifier);
+        arm.click(Qt::Key_D);
         QVERIFY(!arm.panel.isMoving());
         arm.panel.setStopEngaged(false);
         QVERIFY(!arm.panel.isMoving());

@@ -74,7 +74,7 @@ private slots:
         record.refusal = stiffness::Refusal::windowNotReached;
         table.append(record);
         QCOMPARE(cell(table, 0, TouchModel::stiffness), QString("none"));
-        QVERIFY(cell(table, 0, TouchModel::stiffness, Qt::ToolTipRole).contains("too light"));
+        QVERIFY(cell(table, 0, TouchModel::stiffness, Qt::ToolTipRole).contains("too little"));
     }
 
     void whatTheSkinDidNotFeelIsADash() {
