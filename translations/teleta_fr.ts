@@ -1474,6 +1474,14 @@ Exemples&#xa0;:
         <source>The contact wanders over the array while the force stays at 4 N</source>
         <translation>Le contact se promène sur la matrice tandis que la force reste à 4 N</translation>
     </message>
+    <message>
+        <source>Demo: an arm among unknown objects</source>
+        <translation>Démo&#xa0;: un bras parmi des objets inconnus</translation>
+    </message>
+    <message>
+        <source>Drive it yourself over a slow link, or watch the scripted operator: each object that is found goes on the run sheet</source>
+        <translation>Conduisez-le vous-même par une liaison lente, ou regardez l’opérateur programmé&#xa0;: chaque objet trouvé est inscrit au relevé</translation>
+    </message>
 </context>
 <context>
     <name>DeviceState</name>
@@ -3933,6 +3941,17 @@ Aire %6</translation>
     </message>
 </context>
 <context>
+    <name>RunSheet</name>
+    <message>
+        <source>point</source>
+        <translation>point</translation>
+    </message>
+    <message>
+        <source>edge</source>
+        <translation>arête</translation>
+    </message>
+</context>
+<context>
     <name>RunText</name>
     <message>
         <source>STOP ended the measurement.</source>
@@ -4072,6 +4091,18 @@ Aire %6</translation>
     <message>
         <source>the scene is not that of a servoing arm</source>
         <translation>la scène n’est pas celle d’un bras asservi</translation>
+    </message>
+    <message>
+        <source>how far the objects may be displaced is out of range</source>
+        <translation>le déplacement admis des objets est hors limites</translation>
+    </message>
+    <message>
+        <source>effect &quot;%1&quot; needs the program of an operator</source>
+        <translation>l’effet «&#xa0;%1&#xa0;» demande le programme d’un opérateur</translation>
+    </message>
+    <message>
+        <source>the scene is not that of an arm with an operator</source>
+        <translation>la scène n’est pas celle d’un bras avec un opérateur</translation>
     </message>
 </context>
 <context>
@@ -4758,6 +4789,14 @@ Aire %6</translation>
     <message>
         <source>SI units</source>
         <translation>des unités SI</translation>
+    </message>
+    <message>
+        <source>the torque rises so quickly that the arm&apos;s inertia is part of it</source>
+        <translation>le couple monte si vite que l’inertie du bras y prend part</translation>
+    </message>
+    <message>
+        <source>a slower touch</source>
+        <translation>un toucher plus lent</translation>
     </message>
 </context>
 <context>
@@ -6582,10 +6621,6 @@ Aire %6</translation>
         <translation>Les mesures d’angle ou de couple ne sont pas des nombres utilisables. Vérifiez les capteurs du bras.</translation>
     </message>
     <message>
-        <source>The contact lies on the joint&apos;s axis, or the link&apos;s stiffness is not set: nothing to divide by.</source>
-        <translation>Le contact est sur l’axe de l’articulation, ou la raideur du segment n’est pas réglée&#xa0;: division impossible.</translation>
-    </message>
-    <message>
         <source>The noise of the arm&apos;s readings is set below zero.</source>
         <translation>Le bruit des mesures du bras est réglé au-dessous de zéro.</translation>
     </message>
@@ -6596,10 +6631,6 @@ Aire %6</translation>
     <message>
         <source>No joint samples came in during the touch.</source>
         <translation>Aucun échantillon articulaire n’est arrivé pendant le toucher.</translation>
-    </message>
-    <message>
-        <source>The touch was too light: the torque did not reach the torque window. Press harder.</source>
-        <translation>Le toucher était trop léger&#xa0;: le couple n’a pas atteint la fenêtre de couple. Appuyez plus fort.</translation>
     </message>
     <message>
         <source>The touch was too quick: fewer than two samples lie in the torque window. Press slower.</source>
@@ -6660,6 +6691,18 @@ Aire %6</translation>
     <message>
         <source>%1 … %2</source>
         <translation>%1 … %2</translation>
+    </message>
+    <message>
+        <source>The elbow feels nothing of a touch on its axis or along it, or the link&apos;s stiffness is not set. Touch from another side.</source>
+        <translation>Le coude ne sent rien d’un toucher sur son axe ou le long de celui-ci, ou la raideur du segment n’est pas réglée. Touchez d’un autre côté.</translation>
+    </message>
+    <message>
+        <source>The elbow felt too little: its torque did not reach the torque window. Press harder, or from another side.</source>
+        <translation>Le coude a senti trop peu&#xa0;: son couple n’a pas atteint la fenêtre de couple. Appuyez plus fort, ou d’un autre côté.</translation>
+    </message>
+    <message>
+        <source>The touch was too quick: the arm&apos;s own inertia was felt with the object. Press slower.</source>
+        <translation>Le toucher était trop rapide&#xa0;: l’inertie propre du bras a été sentie avec l’objet. Appuyez plus lentement.</translation>
     </message>
 </context>
 <context>
@@ -9103,6 +9146,14 @@ Aire %6</translation>
         <source>Touch %1: %2. Its pattern %3 is missing: nothing was played. Choose another one, or put it back among your patterns.</source>
         <translation>Toucher %1&#xa0;: %2. Son motif %3 manque&#xa0;: rien n’a été joué. Choisissez-en un autre, ou remettez-le parmi vos motifs.</translation>
     </message>
+    <message>
+        <source>From touch to skin: %1 half of the time, %2 at 99 %.</source>
+        <translation>Du toucher à la peau&#xa0;: %1 la moitié du temps, %2 à 99&#xa0;%.</translation>
+    </message>
+    <message>
+        <source>Of the newest touches, with the link between the two sites on the way</source>
+        <translation>Pour les touchers les plus récents, liaison entre les deux sites comprise</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::HandbookWindow</name>
@@ -9736,6 +9787,10 @@ Aire %6</translation>
     <message>
         <source>Marks</source>
         <translation>Marques</translation>
+    </message>
+    <message>
+        <source>Run sheet</source>
+        <translation>Relevé des objets</translation>
     </message>
 </context>
 <context>
@@ -12723,6 +12778,50 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <source>The joint readings are old: nothing is moved until they come again.</source>
         <translation>Les mesures articulaires sont anciennes&#xa0;: rien ne bouge jusqu’à leur retour.</translation>
     </message>
+    <message>
+        <source>&amp;Step</source>
+        <translation>&amp;Pas</translation>
+    </message>
+    <message>
+        <source>How far a press leads the tip, and a 3D mouse that is fully deflected</source>
+        <translation>De combien un appui déplace l’extrémité, de même qu’une souris 3D déviée à fond</translation>
+    </message>
+    <message>
+        <source>Length of a step</source>
+        <translation>Longueur d’un pas</translation>
+    </message>
+    <message>
+        <source>By velocity</source>
+        <translation>En vitesse</translation>
+    </message>
+    <message>
+        <source>By position</source>
+        <translation>En position</translation>
+    </message>
+    <message>
+        <source>How it is moved</source>
+        <translation>Mode de déplacement</translation>
+    </message>
+    <message>
+        <source>By velocity the arm moves while a direction is held. By position each press is a step of the tip, and a 3D mouse leads the tip as far as it is deflected.</source>
+        <translation>En vitesse, le bras bouge tant qu’une direction est maintenue. En position, chaque appui est un pas de l’extrémité, et une souris 3D déplace l’extrémité d’autant qu’elle est déviée.</translation>
+    </message>
+    <message>
+        <source>Clutch (C)</source>
+        <translation>Débrayage (C)</translation>
+    </message>
+    <message>
+        <source>While it is held the arm stands still and the hand goes back freely; then it takes hold anew. Also the second button of a 3D mouse.</source>
+        <translation>Tant qu’il est maintenu, le bras reste immobile et la main revient librement&#xa0;; puis elle reprend prise. Aussi le deuxième bouton d’une souris 3D.</translation>
+    </message>
+    <message>
+        <source>Clutch</source>
+        <translation>Débrayage</translation>
+    </message>
+    <message>
+        <source>Hold Shift: each press of D A (x), W S (y), E Q (z) is a step.</source>
+        <translation>Maintenez Shift&#xa0;: chaque appui sur D A (x), W S (y), E Q (z) est un pas.</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::JointRange</name>
@@ -12856,6 +12955,104 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     <message>
         <source>Map of patterns (*.json)</source>
         <translation>Table des motifs (*.json)</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::touch::RunSheet</name>
+    <message>
+        <source>run sheet</source>
+        <translation>relevé des objets</translation>
+    </message>
+    <message>
+        <source>Run sheet</source>
+        <translation>Relevé des objets</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The objects that were found, told apart by their place. Stiffness is the median of their touches, with its 95 % interval.&lt;/p&gt;&lt;p&gt;F2 names an object, Delete takes it off the sheet, Ctrl+Z brings it back.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Les objets trouvés, distingués par leur emplacement. La raideur est la médiane de leurs touchers, avec son intervalle à 95&#xa0;%.&lt;/p&gt;&lt;p&gt;F2 nomme un objet, Suppr le retire du relevé, Ctrl+Z le rétablit.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>No object was found yet. Drive the arm until it touches something.</source>
+        <translation>Aucun objet n’a encore été trouvé. Conduisez le bras jusqu’à ce qu’il touche quelque chose.</translation>
+    </message>
+    <message>
+        <source>&amp;Name…</source>
+        <translation>&amp;Nommer…</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation>&amp;Annuler %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo %1</source>
+        <translation>&amp;Rétablir %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n object(s) found</source>
+        <translation>
+            <numerusform>%n objet trouvé</numerusform>
+            <numerusform>%n objets trouvés</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>teleta::touch::RunSheetModel</name>
+    <message>
+        <source>Rename object %1</source>
+        <translation>Renommer l’objet %1</translation>
+    </message>
+    <message>
+        <source>Delete from the run sheet</source>
+        <translation>Supprimer du relevé</translation>
+    </message>
+    <message>
+        <source>%1 (%2 %)</source>
+        <comment>a recognised shape and its confidence</comment>
+        <translation>%1 (%2&#xa0;%)</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>N°</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Found at</source>
+        <translation>Trouvé à</translation>
+    </message>
+    <message>
+        <source>Place x, y</source>
+        <translation>Position x, y</translation>
+    </message>
+    <message>
+        <source>Touches</source>
+        <translation>Touchers</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>Contact</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Force</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Raideur</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Matériau</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Forme</translation>
     </message>
 </context>
 <context>

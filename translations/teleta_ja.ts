@@ -1473,6 +1473,14 @@ Examples:
         <source>The contact wanders over the array while the force stays at 4 N</source>
         <translation>力を4 Nに保ったまま、接触がアレイ上を動き回る</translation>
     </message>
+    <message>
+        <source>Demo: an arm among unknown objects</source>
+        <translation>デモ: 未知の物体の中のアーム</translation>
+    </message>
+    <message>
+        <source>Drive it yourself over a slow link, or watch the scripted operator: each object that is found goes on the run sheet</source>
+        <translation>遅い回線越しに自分で操縦するか、スクリプトによる操作者の動きを見ます。見つかった物体はそれぞれ探索シートに載ります</translation>
+    </message>
 </context>
 <context>
     <name>DeviceState</name>
@@ -3926,6 +3934,17 @@ x %4, y %5
     </message>
 </context>
 <context>
+    <name>RunSheet</name>
+    <message>
+        <source>point</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>edge</source>
+        <translation>エッジ</translation>
+    </message>
+</context>
+<context>
     <name>RunText</name>
     <message>
         <source>STOP ended the measurement.</source>
@@ -4065,6 +4084,18 @@ x %4, y %5
     <message>
         <source>the scene is not that of a servoing arm</source>
         <translation>サーボアームのシーンではありません</translation>
+    </message>
+    <message>
+        <source>how far the objects may be displaced is out of range</source>
+        <translation>物体の許容変位が範囲外です</translation>
+    </message>
+    <message>
+        <source>effect &quot;%1&quot; needs the program of an operator</source>
+        <translation>効果「%1」には操作者のプログラムが必要です</translation>
+    </message>
+    <message>
+        <source>the scene is not that of an arm with an operator</source>
+        <translation>操作者付きアームのシーンではありません</translation>
     </message>
 </context>
 <context>
@@ -4751,6 +4782,14 @@ x %4, y %5
     <message>
         <source>SI units</source>
         <translation>SI単位</translation>
+    </message>
+    <message>
+        <source>the torque rises so quickly that the arm&apos;s inertia is part of it</source>
+        <translation>トルクの上昇が速すぎて、アームの慣性が含まれています</translation>
+    </message>
+    <message>
+        <source>a slower touch</source>
+        <translation>もっとゆっくりしたタッチ</translation>
     </message>
 </context>
 <context>
@@ -6574,10 +6613,6 @@ x %4, y %5
         <translation>角度またはトルクの測定値が使えない数値です。アームのセンサーを確認してください。</translation>
     </message>
     <message>
-        <source>The contact lies on the joint&apos;s axis, or the link&apos;s stiffness is not set: nothing to divide by.</source>
-        <translation>接触が関節軸上にあるか、リンクの剛性が設定されていません: 除算ができません。</translation>
-    </message>
-    <message>
         <source>The noise of the arm&apos;s readings is set below zero.</source>
         <translation>アームの測定値のノイズが負に設定されています。</translation>
     </message>
@@ -6588,10 +6623,6 @@ x %4, y %5
     <message>
         <source>No joint samples came in during the touch.</source>
         <translation>タッチ中に関節のサンプルが届きませんでした。</translation>
-    </message>
-    <message>
-        <source>The touch was too light: the torque did not reach the torque window. Press harder.</source>
-        <translation>タッチが軽すぎます: トルクがトルク窓に達しませんでした。もっと強く押してください。</translation>
     </message>
     <message>
         <source>The touch was too quick: fewer than two samples lie in the torque window. Press slower.</source>
@@ -6652,6 +6683,18 @@ x %4, y %5
     <message>
         <source>%1 … %2</source>
         <translation>%1 … %2</translation>
+    </message>
+    <message>
+        <source>The elbow feels nothing of a touch on its axis or along it, or the link&apos;s stiffness is not set. Touch from another side.</source>
+        <translation>肘は、その軸上または軸に沿ったタッチを感じません。あるいは、リンクの剛性が設定されていません。別の側から触れてください。</translation>
+    </message>
+    <message>
+        <source>The elbow felt too little: its torque did not reach the torque window. Press harder, or from another side.</source>
+        <translation>肘で感じた力が小さすぎます: トルクがトルク窓に達しませんでした。もっと強く、または別の側から押してください。</translation>
+    </message>
+    <message>
+        <source>The touch was too quick: the arm&apos;s own inertia was felt with the object. Press slower.</source>
+        <translation>タッチが速すぎます: アーム自体の慣性が物体とともに感知されました。もっとゆっくり押してください。</translation>
     </message>
 </context>
 <context>
@@ -9085,6 +9128,14 @@ x %4, y %5
         <source>Touch %1: %2. Its pattern %3 is missing: nothing was played. Choose another one, or put it back among your patterns.</source>
         <translation>タッチ%1: %2。パターン %3 が見つからないため、何も再生されませんでした。別のパターンを選ぶか、自作パターンに戻してください。</translation>
     </message>
+    <message>
+        <source>From touch to skin: %1 half of the time, %2 at 99 %.</source>
+        <translation>タッチから皮膚まで: 半数は%1以内、99 %は%2以内。</translation>
+    </message>
+    <message>
+        <source>Of the newest touches, with the link between the two sites on the way</source>
+        <translation>最近のタッチについて。途中にある2拠点間の回線を含みます</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::HandbookWindow</name>
@@ -9718,6 +9769,10 @@ x %4, y %5
     <message>
         <source>Marks</source>
         <translation>マーク</translation>
+    </message>
+    <message>
+        <source>Run sheet</source>
+        <translation>探索シート</translation>
     </message>
 </context>
 <context>
@@ -12698,6 +12753,50 @@ Double-click to type the upper end.</source>
         <source>The joint readings are old: nothing is moved until they come again.</source>
         <translation>関節の測定値が古くなっています: 再び届くまで何も動きません。</translation>
     </message>
+    <message>
+        <source>&amp;Step</source>
+        <translation>ステップ(&amp;T)</translation>
+    </message>
+    <message>
+        <source>How far a press leads the tip, and a 3D mouse that is fully deflected</source>
+        <translation>1回押したとき、または3Dマウスを最大まで倒したときに先端が動く距離</translation>
+    </message>
+    <message>
+        <source>Length of a step</source>
+        <translation>ステップの長さ</translation>
+    </message>
+    <message>
+        <source>By velocity</source>
+        <translation>速度で</translation>
+    </message>
+    <message>
+        <source>By position</source>
+        <translation>位置で</translation>
+    </message>
+    <message>
+        <source>How it is moved</source>
+        <translation>動かし方</translation>
+    </message>
+    <message>
+        <source>By velocity the arm moves while a direction is held. By position each press is a step of the tip, and a 3D mouse leads the tip as far as it is deflected.</source>
+        <translation>速度では、方向を押している間アームが動きます。位置では、1回押すごとに先端が1ステップ動き、3Dマウスでは倒した分だけ先端が動きます。</translation>
+    </message>
+    <message>
+        <source>Clutch (C)</source>
+        <translation>クラッチ (C)</translation>
+    </message>
+    <message>
+        <source>While it is held the arm stands still and the hand goes back freely; then it takes hold anew. Also the second button of a 3D mouse.</source>
+        <translation>押している間アームは静止し、手を自由に戻せます。離すと、その位置から再び操作できます。3Dマウスの第2ボタンも同じです。</translation>
+    </message>
+    <message>
+        <source>Clutch</source>
+        <translation>クラッチ</translation>
+    </message>
+    <message>
+        <source>Hold Shift: each press of D A (x), W S (y), E Q (z) is a step.</source>
+        <translation>Shiftを押し続けてください: D A (x)、W S (y)、E Q (z) を1回押すごとに1ステップ動きます。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::JointRange</name>
@@ -12831,6 +12930,103 @@ Double-click to type the upper end.</source>
     <message>
         <source>Map of patterns (*.json)</source>
         <translation>パターン対応表 (*.json)</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::touch::RunSheet</name>
+    <message>
+        <source>run sheet</source>
+        <translation>探索シート</translation>
+    </message>
+    <message>
+        <source>Run sheet</source>
+        <translation>探索シート</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The objects that were found, told apart by their place. Stiffness is the median of their touches, with its 95 % interval.&lt;/p&gt;&lt;p&gt;F2 names an object, Delete takes it off the sheet, Ctrl+Z brings it back.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;見つかった物体を、場所で区別して示します。剛性はそのタッチの中央値で、95 %区間を添えます。&lt;/p&gt;&lt;p&gt;F2で物体に名前を付け、Deleteでシートから外し、Ctrl+Zで元に戻します。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>No object was found yet. Drive the arm until it touches something.</source>
+        <translation>物体はまだ見つかっていません。何かに触れるまでアームを動かしてください。</translation>
+    </message>
+    <message>
+        <source>&amp;Name…</source>
+        <translation>名前を付ける(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>削除(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation>元に戻す(&amp;U) %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo %1</source>
+        <translation>やり直す(&amp;R) %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n object(s) found</source>
+        <translation>
+            <numerusform>見つかった物体%n個</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>teleta::touch::RunSheetModel</name>
+    <message>
+        <source>Rename object %1</source>
+        <translation>物体%1の名前の変更</translation>
+    </message>
+    <message>
+        <source>Delete from the run sheet</source>
+        <translation>探索シートから削除</translation>
+    </message>
+    <message>
+        <source>%1 (%2 %)</source>
+        <comment>a recognised shape and its confidence</comment>
+        <translation>%1 (%2 %)</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>番号</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Found at</source>
+        <translation>発見時刻</translation>
+    </message>
+    <message>
+        <source>Place x, y</source>
+        <translation>位置 x, y</translation>
+    </message>
+    <message>
+        <source>Touches</source>
+        <translation>タッチ</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>接触</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>剛性</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>材料</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>形状</translation>
     </message>
 </context>
 <context>

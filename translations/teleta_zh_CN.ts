@@ -1473,6 +1473,14 @@ Examples:
         <source>The contact wanders over the array while the force stays at 4 N</source>
         <translation>接触在阵列上移动，而力保持为 4 N</translation>
     </message>
+    <message>
+        <source>Demo: an arm among unknown objects</source>
+        <translation>演示：未知物体之间的机械臂</translation>
+    </message>
+    <message>
+        <source>Drive it yourself over a slow link, or watch the scripted operator: each object that is found goes on the run sheet</source>
+        <translation>通过慢速链路亲自操纵，或观看脚本操作者：发现的每个物体都列入物体清单</translation>
+    </message>
 </context>
 <context>
     <name>DeviceState</name>
@@ -3926,6 +3934,17 @@ x %4，y %5
     </message>
 </context>
 <context>
+    <name>RunSheet</name>
+    <message>
+        <source>point</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>edge</source>
+        <translation>边缘</translation>
+    </message>
+</context>
+<context>
     <name>RunText</name>
     <message>
         <source>STOP ended the measurement.</source>
@@ -4065,6 +4084,18 @@ x %4，y %5
     <message>
         <source>the scene is not that of a servoing arm</source>
         <translation>该场景不是伺服机械臂的场景</translation>
+    </message>
+    <message>
+        <source>how far the objects may be displaced is out of range</source>
+        <translation>物体允许的位移超出范围</translation>
+    </message>
+    <message>
+        <source>effect &quot;%1&quot; needs the program of an operator</source>
+        <translation>效应“%1”需要操作者的程序</translation>
+    </message>
+    <message>
+        <source>the scene is not that of an arm with an operator</source>
+        <translation>该场景不是带操作者的机械臂的场景</translation>
     </message>
 </context>
 <context>
@@ -4751,6 +4782,14 @@ x %4，y %5
     <message>
         <source>SI units</source>
         <translation>SI 单位</translation>
+    </message>
+    <message>
+        <source>the torque rises so quickly that the arm&apos;s inertia is part of it</source>
+        <translation>力矩上升过快，其中包含了机械臂的惯性</translation>
+    </message>
+    <message>
+        <source>a slower touch</source>
+        <translation>更慢的触碰</translation>
     </message>
 </context>
 <context>
@@ -6574,10 +6613,6 @@ x %4，y %5
         <translation>角度或力矩的读数不可用。请检查机械臂的传感器。</translation>
     </message>
     <message>
-        <source>The contact lies on the joint&apos;s axis, or the link&apos;s stiffness is not set: nothing to divide by.</source>
-        <translation>接触点位于关节轴上，或未设置连杆刚度：除数为零。</translation>
-    </message>
-    <message>
         <source>The noise of the arm&apos;s readings is set below zero.</source>
         <translation>机械臂读数的噪声被设为负值。</translation>
     </message>
@@ -6588,10 +6623,6 @@ x %4，y %5
     <message>
         <source>No joint samples came in during the touch.</source>
         <translation>触碰期间没有收到关节样本。</translation>
-    </message>
-    <message>
-        <source>The touch was too light: the torque did not reach the torque window. Press harder.</source>
-        <translation>触碰过轻：力矩未达到力矩窗口。请用力按压。</translation>
     </message>
     <message>
         <source>The touch was too quick: fewer than two samples lie in the torque window. Press slower.</source>
@@ -6652,6 +6683,18 @@ x %4，y %5
     <message>
         <source>%1 … %2</source>
         <translation>%1 … %2</translation>
+    </message>
+    <message>
+        <source>The elbow feels nothing of a touch on its axis or along it, or the link&apos;s stiffness is not set. Touch from another side.</source>
+        <translation>肘部感觉不到位于其轴上或沿其轴的触碰，或者未设置连杆的刚度。请从另一侧触碰。</translation>
+    </message>
+    <message>
+        <source>The elbow felt too little: its torque did not reach the torque window. Press harder, or from another side.</source>
+        <translation>肘部感觉到的太少：其力矩未达到力矩窗口。请更用力按压，或从另一侧按压。</translation>
+    </message>
+    <message>
+        <source>The touch was too quick: the arm&apos;s own inertia was felt with the object. Press slower.</source>
+        <translation>触碰过快：机械臂自身的惯性与物体一起被感觉到。请放慢按压。</translation>
     </message>
 </context>
 <context>
@@ -9085,6 +9128,14 @@ x %4，y %5
         <source>Touch %1: %2. Its pattern %3 is missing: nothing was played. Choose another one, or put it back among your patterns.</source>
         <translation>触碰 %1：%2。其图案 %3 缺失：未播放任何内容。请另选一个，或将它放回您的图案中。</translation>
     </message>
+    <message>
+        <source>From touch to skin: %1 half of the time, %2 at 99 %.</source>
+        <translation>从触碰到皮肤：半数不超过 %1，99 % 不超过 %2。</translation>
+    </message>
+    <message>
+        <source>Of the newest touches, with the link between the two sites on the way</source>
+        <translation>针对最近的触碰，包含途中两地之间的链路</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::HandbookWindow</name>
@@ -9718,6 +9769,10 @@ x %4，y %5
     <message>
         <source>Marks</source>
         <translation>标记</translation>
+    </message>
+    <message>
+        <source>Run sheet</source>
+        <translation>物体清单</translation>
     </message>
 </context>
 <context>
@@ -12698,6 +12753,50 @@ Double-click to type the upper end.</source>
         <source>The joint readings are old: nothing is moved until they come again.</source>
         <translation>关节读数已过时：在新读数到来之前不会移动。</translation>
     </message>
+    <message>
+        <source>&amp;Step</source>
+        <translation>步长(&amp;T)</translation>
+    </message>
+    <message>
+        <source>How far a press leads the tip, and a 3D mouse that is fully deflected</source>
+        <translation>每按一次，或 3D 鼠标完全偏转时，末端移动的距离</translation>
+    </message>
+    <message>
+        <source>Length of a step</source>
+        <translation>每步的长度</translation>
+    </message>
+    <message>
+        <source>By velocity</source>
+        <translation>按速度</translation>
+    </message>
+    <message>
+        <source>By position</source>
+        <translation>按位置</translation>
+    </message>
+    <message>
+        <source>How it is moved</source>
+        <translation>移动方式</translation>
+    </message>
+    <message>
+        <source>By velocity the arm moves while a direction is held. By position each press is a step of the tip, and a 3D mouse leads the tip as far as it is deflected.</source>
+        <translation>按速度时，按住方向期间机械臂移动。按位置时，每按一次末端移动一步，3D 鼠标偏转多少，末端就移动多少。</translation>
+    </message>
+    <message>
+        <source>Clutch (C)</source>
+        <translation>离合 (C)</translation>
+    </message>
+    <message>
+        <source>While it is held the arm stands still and the hand goes back freely; then it takes hold anew. Also the second button of a 3D mouse.</source>
+        <translation>按住期间机械臂静止，手可自由收回；松开后重新接合。也可用 3D 鼠标的第二个按钮。</translation>
+    </message>
+    <message>
+        <source>Clutch</source>
+        <translation>离合</translation>
+    </message>
+    <message>
+        <source>Hold Shift: each press of D A (x), W S (y), E Q (z) is a step.</source>
+        <translation>按住 Shift：每按一次 D A (x)、W S (y)、E Q (z) 移动一步。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::JointRange</name>
@@ -12831,6 +12930,103 @@ Double-click to type the upper end.</source>
     <message>
         <source>Map of patterns (*.json)</source>
         <translation>图案对应表 (*.json)</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::touch::RunSheet</name>
+    <message>
+        <source>run sheet</source>
+        <translation>物体清单</translation>
+    </message>
+    <message>
+        <source>Run sheet</source>
+        <translation>物体清单</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The objects that were found, told apart by their place. Stiffness is the median of their touches, with its 95 % interval.&lt;/p&gt;&lt;p&gt;F2 names an object, Delete takes it off the sheet, Ctrl+Z brings it back.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;已发现的物体，按位置区分。刚度为其各次触碰的中位数，并附 95 % 区间。&lt;/p&gt;&lt;p&gt;F2 为物体命名，Delete 将其从清单中删除，Ctrl+Z 将其恢复。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>No object was found yet. Drive the arm until it touches something.</source>
+        <translation>尚未发现物体。请操纵机械臂，直到它触碰到物体。</translation>
+    </message>
+    <message>
+        <source>&amp;Name…</source>
+        <translation>命名(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>删除(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation>撤销(&amp;U) %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo %1</source>
+        <translation>重做(&amp;R) %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n object(s) found</source>
+        <translation>
+            <numerusform>已发现 %n 个物体</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>teleta::touch::RunSheetModel</name>
+    <message>
+        <source>Rename object %1</source>
+        <translation>重命名物体 %1</translation>
+    </message>
+    <message>
+        <source>Delete from the run sheet</source>
+        <translation>从物体清单中删除</translation>
+    </message>
+    <message>
+        <source>%1 (%2 %)</source>
+        <comment>a recognised shape and its confidence</comment>
+        <translation>%1 (%2 %)</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>序号</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Found at</source>
+        <translation>发现时间</translation>
+    </message>
+    <message>
+        <source>Place x, y</source>
+        <translation>位置 x、y</translation>
+    </message>
+    <message>
+        <source>Touches</source>
+        <translation>触碰</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>接触</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>刚度</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>材料</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>形状</translation>
     </message>
 </context>
 <context>
