@@ -141,9 +141,9 @@ constexpr std::array kLibraries = {
 };
 
 const std::set<std::string_view> kPosixHeaders = {
-    "fcntl.h",    "netdb.h",     "netinet/tcp.h", "poll.h",      "pthread.h",     "sched.h",
-    "stdlib.h",   "termios.h",   "time.h",        "unistd.h",    "sys/mman.h",    "sys/socket.h",
-    "sys/stat.h", "sys/types.h", "sys/ioctl.h",   "sys/prctl.h", "sys/resource.h"};
+    "fcntl.h",    "netdb.h",     "netinet/tcp.h", "poll.h",      "pthread.h",   "sched.h",
+    "stdlib.h",   "termios.h",   "time.h",        "unistd.h",    "sys/mman.h",  "sys/socket.h",
+    "sys/stat.h", "sys/types.h", "sys/file.h",    "sys/ioctl.h", "sys/prctl.h", "sys/resource.h"};
 
 bool isStandard(std::string_view header) {
     return !header.empty() && std::all_of(header.begin(), header.end(), [](char c) {
