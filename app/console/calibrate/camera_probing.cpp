@@ -4,8 +4,6 @@
 #include "app/common/scene_file.h"
 #include "backend/scene_run/simulated_probing.h"
 
-#include <utility>
-
 namespace teleta::console {
 
 namespace {
@@ -16,50 +14,17 @@ constexpr const char* kScene = ":/scenes/vtacarm-calibration.toml";
 
 CameraProbing::CameraProbing(QObject* parent)
     : QObject(parent) {
-    m_pool.setMaxThreadCount(1);
-}
-
-CameraProbing::~CameraProbing() {
-    m_stop.request_stop();
-    m_pool.waitForDone();
+    connect(&m_thread, &ProbingThread::runningChanged, this, &CameraProbing::runningChanged);
 }
 
 void CameraProbing::start(std::uint64_t seed) {
-    m_stop.request_stop();
-    m_stop = {};
-    ++m_number;
-    setRunning(true);
-    m_pool.start([this, number = m_number, seed, stop = m_stop.get_token()] { run(number, seed, stop); });
+    m_thread.start([this, seed](const ProbingThread::Run& run) { probe(run, seed); });
 }
 
-void CameraProbing::cancel() {
-    m_stop.request_stop();
-    ++m_number; // what it still has to tell is of no interest
-    setRunning(false);
-}
-
-void CameraProbing::setRunning(bool running) {
-    if (running == m_running)
-        return;
-    m_running = running;
-    emit runningChanged(running);
-}
-
-template <typename What>
-void CameraProbing::tell(std::uint64_t number, What what) {
-    QMetaObject::invokeMethod(
-        this,
-        [this, number, what = std::move(what)] {
-            if (number == m_number)
-                what();
-        },
-        Qt::QueuedConnection);
-}
-
-void CameraProbing::run(std::uint64_t number, std::uint64_t seed, const std::stop_token& stop) {
+void CameraProbing::probe(const ProbingThread::Run& run, std::uint64_t seed) {
     const auto fail = [&](const core::Error& error) {
-        tell(number, [this, trouble = QString::fromStdString(core::describe(error))] {
-            setRunning(false);
+        m_thread.tell(run, [this, trouble = QString::fromStdString(core::describe(error))] {
+            m_thread.ended();
             emit failed(trouble);
         });
     };
@@ -70,14 +35,14 @@ void CameraProbing::run(std::uint64_t number, std::uint64_t seed, const std::sto
     if (!probing)
         return fail(probing.error());
     scene_run::SimulatedProbing& person = **probing;
-    tell(number, [this, settings = person.settings()] { emit begun(settings); });
+    m_thread.tell(run, [this, settings = person.settings()] { emit begun(settings); });
     const double duration_s = person.plan().duration_s();
-    while (!stop.stop_requested() && person.tube().time_s() < duration_s) {
+    while (!run.stop.stop_requested() && person.tube().time_s() < duration_s) {
         if (const auto taken = person.next())
-            tell(number, [this, pair = taken->pair] { emit this->taken(pair); });
-        tell(number, [this, share = person.tube().time_s() / duration_s] { emit progressed(share); });
+            m_thread.tell(run, [this, pair = taken->pair] { emit this->taken(pair); });
+        m_thread.tell(run, [this, share = person.tube().time_s() / duration_s] { emit progressed(share); });
     }
-    tell(number, [this] { setRunning(false); });
+    m_thread.tell(run, [this] { m_thread.ended(); });
 }
 
 } // namespace teleta::console

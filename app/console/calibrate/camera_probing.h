@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/console/calibrate/probing_thread.h"
 #include "backend/vision/camera_calibration.h"
 
 #include <QObject>
 #include <QString>
-#include <QThreadPool>
 
 #include <cstdint>
-#include <stop_token>
 
 namespace teleta::console {
 
@@ -20,12 +19,11 @@ class CameraProbing : public QObject {
 
 public:
     explicit CameraProbing(QObject* parent = nullptr);
-    ~CameraProbing() override;
 
     /// Ends one that runs.
     void start(std::uint64_t seed);
-    void cancel();
-    [[nodiscard]] bool isRunning() const { return m_running; }
+    void cancel() { m_thread.cancel(); }
+    [[nodiscard]] bool isRunning() const { return m_thread.isRunning(); }
 
 signals:
     /// What the pairs that follow are to be calibrated with.
@@ -38,16 +36,9 @@ signals:
     void runningChanged(bool running);
 
 private:
-    void setRunning(bool running);
-    void run(std::uint64_t number, std::uint64_t seed, const std::stop_token& stop);
-    /// Has the GUI's thread do something, as long as this probing is the present one.
-    template <typename What>
-    void tell(std::uint64_t number, What what);
+    void probe(const ProbingThread::Run& run, std::uint64_t seed);
 
-    std::stop_source m_stop;
-    std::uint64_t m_number = 0; ///< of the newest probing
-    bool m_running = false;
-    QThreadPool m_pool; ///< one thread
+    ProbingThread m_thread;
 };
 
 } // namespace teleta::console

@@ -22,10 +22,9 @@ cv::Mat1b viewOf(const core::GreyImage& image) {
 } // namespace
 
 struct LiveProbing::Run {
-    std::uint64_t number = 0;
+    ProbingThread::Run id;
     Opener opener;
     vision::CylinderSurface surface;
-    std::stop_token stop;
     std::unique_ptr<core::CameraSource> source{};
     std::unique_ptr<vision::ProbeWatcher> watcher{};
     int width_px = 0;
@@ -37,53 +36,22 @@ struct LiveProbing::Run {
 
 LiveProbing::LiveProbing(QObject* parent)
     : QObject(parent) {
-    m_pool.setMaxThreadCount(1);
+    connect(&m_thread, &ProbingThread::runningChanged, this, &LiveProbing::runningChanged);
 }
 
-LiveProbing::~LiveProbing() {
-    m_stop.request_stop();
-    m_pool.waitForDone();
-}
+LiveProbing::~LiveProbing() = default;
 
 void LiveProbing::start(Opener opener, const vision::CylinderSurface& surface) {
-    m_stop.request_stop();
-    m_stop = {};
-    ++m_number;
     m_referenceWanted = false;
-    setRunning(true);
-    m_pool.start([this, number = m_number, opener = std::move(opener), surface, stop = m_stop.get_token()] {
-        Run one{number, opener, surface, stop};
+    m_thread.start([this, opener = std::move(opener), surface](const ProbingThread::Run& id) {
+        Run one{id, opener, surface};
         run(one);
     });
 }
 
-void LiveProbing::cancel() {
-    m_stop.request_stop();
-    ++m_number; // what it still has to tell is of no interest
-    setRunning(false);
-}
-
-void LiveProbing::setRunning(bool running) {
-    if (running == m_running)
-        return;
-    m_running = running;
-    emit runningChanged(running);
-}
-
-template <typename What>
-void LiveProbing::tell(std::uint64_t number, What what) {
-    QMetaObject::invokeMethod(
-        this,
-        [this, number, what = std::move(what)] {
-            if (number == m_number)
-                what();
-        },
-        Qt::QueuedConnection);
-}
-
 void LiveProbing::finish(const Run& run, const QString& why) {
-    tell(run.number, [this, why] {
-        setRunning(false);
+    m_thread.tell(run.id, [this, why] {
+        m_thread.ended();
         if (why.isEmpty())
             emit ended();
         else
@@ -95,11 +63,11 @@ void LiveProbing::tellTrouble(Run& run, const QString& why) {
     if (run.why == why)
         return;
     run.why = why;
-    tell(run.number, [this, why] { emit trouble(why); });
+    m_thread.tell(run.id, [this, why] { emit trouble(why); });
 }
 
 void LiveProbing::run(Run& run) {
-    if (run.stop.stop_requested())
+    if (run.id.stop.stop_requested())
         return;
     auto source = run.opener();
     if (!source)
@@ -108,12 +76,12 @@ void LiveProbing::run(Run& run) {
     core::Wakeup wakeup;
     run.source->start(wakeup);
     std::int64_t newest_ns = core::steadyNow_ns();
-    while (!run.stop.stop_requested()) {
+    while (!run.id.stop.stop_requested()) {
         // Looked at before the queue: what came before the end of a video is in it.
         const core::DeviceStatus status = run.source->status();
         core::CameraFrame frame;
         bool any = false;
-        while (!run.stop.stop_requested() && run.source->pop(frame)) {
+        while (!run.id.stop.stop_requested() && run.source->pop(frame)) {
             any = true;
             if (!process(run, frame)) {
                 run.source->stop();
@@ -142,7 +110,7 @@ void LiveProbing::run(Run& run) {
 
 bool LiveProbing::makeWatcher(Run& run, const core::GreyImage& image) {
     const vision::CalibrationSettings settings{image.width_px, image.height_px, run.surface};
-    auto made = vision::ProbeWatcher::make(settings, run.stop);
+    auto made = vision::ProbeWatcher::make(settings, run.id.stop);
     if (!made) {
         finish(run, QString::fromStdString(core::describe(made.error())));
         return false;
@@ -150,7 +118,7 @@ bool LiveProbing::makeWatcher(Run& run, const core::GreyImage& image) {
     run.watcher = std::move(*made);
     run.width_px = image.width_px;
     run.height_px = image.height_px;
-    tell(run.number, [this, settings] { emit begun(settings); });
+    m_thread.tell(run.id, [this, settings] { emit begun(settings); });
     return true;
 }
 
@@ -161,7 +129,7 @@ bool LiveProbing::process(Run& run, const core::CameraFrame& frame) {
         return true;
     }
     if (!run.watcher && !makeWatcher(run, frame.image))
-        return run.stop.stop_requested();
+        return run.id.stop.stop_requested();
     if (frame.image.width_px != run.width_px || frame.image.height_px != run.height_px) {
         finish(run, tr("The camera's image has changed from %1 \u00d7 %2 to %3 \u00d7 %4 pixels.")
                         .arg(run.width_px)
@@ -183,7 +151,7 @@ bool LiveProbing::process(Run& run, const core::CameraFrame& frame) {
         pixel = run.watcher->next(image, run.last_s);
     show(run, frame);
     if (pixel)
-        tell(run.number, [this, at = *pixel] { emit touched(at); });
+        m_thread.tell(run.id, [this, at = *pixel] { emit touched(at); });
     return true;
 }
 
@@ -213,10 +181,10 @@ void LiveProbing::show(const Run& run, const core::CameraFrame& frame) {
         return;
     QMetaObject::invokeMethod(
         this,
-        [this, number = run.number] {
+        [this, id = run.id] {
             m_viewTold = false;
             const auto newest = m_views.take();
-            if (newest && number == m_number)
+            if (newest && m_thread.isPresent(id))
                 emit seen(*newest);
         },
         Qt::QueuedConnection);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/console/calibrate/probing_thread.h"
 #include "backend/core/camera_source.h"
 #include "backend/core/error.h"
 #include "backend/core/mailbox.h"
@@ -10,7 +11,6 @@
 
 #include <QObject>
 #include <QString>
-#include <QThreadPool>
 
 #include <Eigen/Core>
 
@@ -18,7 +18,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <stop_token>
 
 namespace teleta::vision {
 class ProbeWatcher;
@@ -52,10 +51,10 @@ public:
 
     /// Ends one that runs. opener: called on the probing's thread. surface: of the tube.
     void start(Opener opener, const vision::CylinderSurface& surface);
-    void cancel();
+    void cancel() { m_thread.cancel(); }
     /// The next frame shows the skin untouched.
     void renewReference() { m_referenceWanted.store(true); }
-    [[nodiscard]] bool isRunning() const { return m_running; }
+    [[nodiscard]] bool isRunning() const { return m_thread.isRunning(); }
 
 signals:
     /// What the pairs that follow are to be calibrated with.
@@ -73,7 +72,6 @@ signals:
 
 private:
     struct Run;
-    void setRunning(bool running);
     void run(Run& run);
     /// False when it cannot go on.
     [[nodiscard]] bool process(Run& run, const core::CameraFrame& frame);
@@ -81,17 +79,11 @@ private:
     void show(const Run& run, const core::CameraFrame& frame);
     void tellTrouble(Run& run, const QString& why);
     void finish(const Run& run, const QString& why);
-    /// Has the GUI's thread do something, as long as this probing is the present one.
-    template <typename What>
-    void tell(std::uint64_t number, What what);
 
-    std::stop_source m_stop;
-    std::uint64_t m_number = 0; ///< of the newest probing
-    bool m_running = false;
     std::atomic<bool> m_referenceWanted{false};
     core::Mailbox<ProbingView> m_views;
     std::atomic<bool> m_viewTold{false};
-    QThreadPool m_pool; ///< one thread
+    ProbingThread m_thread;
 };
 
 } // namespace teleta::console
