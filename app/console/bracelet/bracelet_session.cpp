@@ -34,15 +34,18 @@ openSource(BraceletChoice choice, const std::string& deviceFile, const core::Sto
 
 } // namespace
 
-core::Expected<std::shared_ptr<BraceletSession>>
-BraceletSession::open(BraceletChoice choice, const std::string& deviceFile, const core::StopSwitch& stop) {
+core::Expected<std::shared_ptr<BraceletSession>> BraceletSession::open(BraceletChoice choice,
+                                                                       const std::string& deviceFile,
+                                                                       const core::StopSwitch& stop,
+                                                                       playback::PlayerConfig player) {
     auto source = openSource(choice, deviceFile, stop);
     if (!source)
         return core::Unexpected(source.error());
-    return std::make_shared<BraceletSession>(std::move(*source), stop);
+    return std::make_shared<BraceletSession>(std::move(*source), stop, std::move(player));
 }
 
-BraceletSession::BraceletSession(std::unique_ptr<core::BraceletSource> source, const core::StopSwitch& stop)
+BraceletSession::BraceletSession(std::unique_ptr<core::BraceletSource> source, const core::StopSwitch& stop,
+                                 playback::PlayerConfig player)
     : m_source(std::make_unique<TappedBracelet>(std::move(source))) {
     const std::string& serial = m_source->description().serial;
     auto found = motors::findMotors(serial);
@@ -59,10 +62,9 @@ BraceletSession::BraceletSession(std::unique_ptr<core::BraceletSource> source, c
         m_limits.strongest.fill(motors::kUnknownStrongest);
     }
     m_source->start(m_wakeup);
-    m_player = std::make_unique<playback::Player>(
-        *m_source, stop,
-        playback::PlayerConfig{.limits = {.userLimit = m_limits.strongest},
-                               .ranges = playback::rangesOf(m_calibration.profiles())});
+    player.limits.userLimit = m_limits.strongest;
+    player.ranges = playback::rangesOf(m_calibration.profiles());
+    m_player = std::make_unique<playback::Player>(*m_source, stop, std::move(player));
 }
 
 BraceletSession::~BraceletSession() {

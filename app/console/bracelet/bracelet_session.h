@@ -30,10 +30,13 @@ enum class BraceletChoice {
 class BraceletSession {
 public:
     /// Opens the bracelet and reads the profile of its motors. stop must outlive the session. choice: not
-    /// none. deviceFile: of a Modbus bracelet. Error: of the device or its file.
+    /// none. deviceFile: of a Modbus bracelet. player: its limits and ranges are taken from the files of the
+    /// bracelet. Error: of the device or its file.
     [[nodiscard]] static core::Expected<std::shared_ptr<BraceletSession>>
-    open(BraceletChoice choice, const std::string& deviceFile, const core::StopSwitch& stop);
-    BraceletSession(std::unique_ptr<core::BraceletSource> source, const core::StopSwitch& stop);
+    open(BraceletChoice choice, const std::string& deviceFile, const core::StopSwitch& stop,
+         playback::PlayerConfig player = {});
+    BraceletSession(std::unique_ptr<core::BraceletSource> source, const core::StopSwitch& stop,
+                    playback::PlayerConfig player = {});
     ~BraceletSession();
     BraceletSession(const BraceletSession&) = delete;
     BraceletSession& operator=(const BraceletSession&) = delete;

@@ -29,9 +29,10 @@ playback::Program builtIn(const std::string& id) {
 
 } // namespace
 
-BraceletStation::BraceletStation(core::StopSwitch& stop, QObject* parent)
+BraceletStation::BraceletStation(core::StopSwitch& stop, QObject* parent, playback::PlayerConfig player)
     : QObject(parent)
     , m_stop(stop)
+    , m_player(std::move(player))
     , m_slot(std::make_shared<core::LatestCopy<std::shared_ptr<BraceletSession>>>())
     , m_feedback(std::make_shared<pipeline::TactileFeedback>([slot = m_slot](playback::Program program) {
         if (const auto session = slot->get())
@@ -80,10 +81,10 @@ void BraceletStation::choose(BraceletChoice choice, const QString& deviceFile) {
     emit chosen(choice);
     if (choice == BraceletChoice::none)
         return;
-    m_openings.push_back({m_chosen, std::async(std::launch::async,
-                                               [choice, file = m_deviceFile.toStdString(), &stop = m_stop] {
-                                                   return BraceletSession::open(choice, file, stop);
-                                               })});
+    m_openings.push_back({m_chosen, std::async(std::launch::async, [choice, file = m_deviceFile.toStdString(),
+                                                                    &stop = m_stop, player = m_player] {
+                              return BraceletSession::open(choice, file, stop, player);
+                          })});
 }
 
 void BraceletStation::takeOpened() {

@@ -35,7 +35,9 @@ class BraceletStation : public QObject {
     Q_OBJECT
 
 public:
-    explicit BraceletStation(core::StopSwitch& stop, QObject* parent = nullptr);
+    /// player: of every bracelet, but for its limits and ranges.
+    explicit BraceletStation(core::StopSwitch& stop, QObject* parent = nullptr,
+                             playback::PlayerConfig player = {});
     ~BraceletStation() override;
 
     /// Takes another bracelet in place of the present one. deviceFile: of a Modbus bracelet.
@@ -146,6 +148,7 @@ private:
     void repeatHold();
 
     core::StopSwitch& m_stop;
+    playback::PlayerConfig m_player;
     BraceletChoice m_choice = BraceletChoice::none;
     QString m_deviceFile;
     motors::MotorCalibration m_calibration;

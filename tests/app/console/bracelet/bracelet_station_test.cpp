@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A Modbus bracelet in the console, against a server that somebody else wrote (python3-pymodbus).
 #include "app/console/bracelet/bracelet_menu.h"
-#include "app/console/bracelet/bracelet_station.h"
 #include "app/console/console_settings.h"
 #include "backend/core/stop_switch.h"
 #include "backend/pattern/built_in_patterns.h"
 #include "backend/playback/pattern_program.h"
+#include "tests/app/console/bracelet/patient_station.h"
 #include "tests/support/peer_process.h"
 
 #include <QAction>
@@ -68,7 +68,7 @@ private slots:
     }
     void init() {
         m_stop.release();
-        m_station = std::make_unique<BraceletStation>(m_stop);
+        m_station = test::patientStation(m_stop);
         connect(&m_clock, &QTimer::timeout, m_station.get(), &BraceletStation::tick);
         m_clock.start(10);
     }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/console/bracelet/bracelet_station.h"
 #include "app/console/patterns/patterns_page.h"
 #include "app/console/study/bracelet_stimulus.h"
 #include "backend/core/steady_time.h"
 #include "backend/pattern/built_in_patterns.h"
 #include "backend/pipeline/touch_record.h"
 #include "backend/playback/pattern_program.h"
+#include "tests/app/console/bracelet/patient_station.h"
 #include "widgets/bracelet/strength_panel.h"
 
 #include <QDir>
@@ -54,7 +54,7 @@ private slots:
     void initTestCase() { qputenv("XDG_CONFIG_HOME", m_config.path().toLocal8Bit()); }
     void init() {
         QFile::remove(limitsFile());
-        m_station = std::make_unique<BraceletStation>(m_stop);
+        m_station = test::patientStation(m_stop);
         m_clock.disconnect();
         connect(&m_clock, &QTimer::timeout, this, [this] {
             m_station->tick();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/console/bracelet/bracelet_station.h"
 #include "app/console/calibrate/calibrate_page.h"
 #include "backend/core/stop_switch.h"
 #include "backend/motors/motor_file.h"
+#include "tests/app/console/bracelet/patient_station.h"
 #include "tests/backend/motors/measured_motor.h"
 #include "widgets/base/theme.h"
 #include "widgets/calibrate/motor_table.h"
@@ -46,7 +46,7 @@ private slots:
     void init() {
         QFile::remove(QString::fromStdString(motors::profilePath("simulated")));
         m_stop.release();
-        m_station = std::make_unique<BraceletStation>(m_stop);
+        m_station = test::patientStation(m_stop);
         m_page = std::make_unique<CalibratePage>(*m_station);
         m_page->resize(1200, 800);
         m_page->show();

@@ -4,6 +4,7 @@
 #include "backend/pattern/built_in_patterns.h"
 #include "backend/pattern/pattern_file.h"
 #include "backend/pattern/pattern_json.h"
+#include "tests/app/console/bracelet/patient_station.h"
 #include "widgets/pattern/law_list.h"
 #include "widgets/pattern/pattern_editor.h"
 #include "widgets/pattern/pattern_library.h"
@@ -126,7 +127,7 @@ private slots:
     void init() {
         QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
         m_folder = std::make_unique<QTemporaryDir>();
-        m_station = std::make_unique<BraceletStation>(m_stop);
+        m_station = test::patientStation(m_stop);
         m_clock.disconnect();
         connect(&m_clock, &QTimer::timeout, this, [this] {
             m_station->tick();

@@ -5,6 +5,7 @@
 #include "backend/study/protocol_text.h"
 #include "backend/study/study_store.h"
 #include "devices/simulated/simulated_bracelet.h"
+#include "tests/app/console/bracelet/patient_station.h"
 #include "widgets/study/participant_window.h"
 #include "widgets/study/session_panel.h"
 
@@ -189,7 +190,7 @@ protected:
     void setUp() {
         m_folder = std::make_unique<QTemporaryDir>();
         m_stop = std::make_unique<core::StopSwitch>();
-        m_station = std::make_unique<console::BraceletStation>(*m_stop);
+        m_station = test::patientStation(*m_stop);
         m_station->choose(console::BraceletChoice::simulated);
     }
     void tearDown() {
