@@ -137,6 +137,9 @@ JogPanel::JogPanel(QWidget* parent)
     });
     connect(m_speed, &QSlider::valueChanged, this, [this] {
         showSpeed();
+        // The same deflection would be another place.
+        if (m_leader == Leader::hand)
+            m_guide.letGo();
         take();
     });
     connect(m_modeBox, &QComboBox::currentIndexChanged, this,
@@ -181,8 +184,12 @@ void JogPanel::showSpeed() {
 
 void JogPanel::retranslate() {
     setAccessibleName(tr("Jog the arm"));
-    setWhatsThis(tr("<p>Moves the arm by hand. It moves only while you hold Shift, or the wide button, "
-                    "together with a direction. Let go of either and it stands still.</p>"));
+    setWhatsThis(isGuided()
+                     ? tr("<p>Leads the tip of the arm by hand. Each press of a direction is a step. The arm "
+                          "moves only while you hold Shift, or the wide button; let go of it and it stands "
+                          "still.</p>")
+                     : tr("<p>Moves the arm by hand. It moves only while you hold Shift, or the wide button, "
+                          "together with a direction. Let go of either and it stands still.</p>"));
     m_run->setText(tr("&Run"));
     m_run->setToolTip(tr("Let the arm's program go on"));
     m_hold->setText(tr("&Hold"));
@@ -223,7 +230,9 @@ void JogPanel::retranslate() {
             const QString sign = up ? QStringLiteral("+") : QString(QChar(0x2212));
             button->setText(tip ? QChar(kAxes[axis]) + sign : sign);
             button->setAccessibleName(up ? tr("%1 up").arg(name) : tr("%1 down").arg(name));
-            button->setToolTip(tr("Hold with Shift to move; key Shift+%1").arg(QChar(key)));
+            button->setToolTip((isGuided() ? tr("A step, while Shift is held; key Shift+%1")
+                                           : tr("Hold with Shift to move; key Shift+%1"))
+                                   .arg(QChar(key)));
         };
         describe(false, keys.down);
         describe(true, keys.up);
@@ -350,8 +359,7 @@ void JogPanel::setWay(Way way) {
     releaseAll();
     m_way = way;
     m_wayBox->setCurrentIndex(way == Way::position ? 1 : 0);
-    showSpeed();
-    enableParts();
+    retranslate();
 }
 
 void JogPanel::setSpeed(int percent) {
@@ -376,14 +384,20 @@ JointArray JogPanel::tipRate(const std::array<double, 3>& share) const {
     return m_hasSample && !velocity.isZero() ? tipRates(*m_arm, m_sample.angle_rad, velocity) : JointArray{};
 }
 
-JointArray JogPanel::guidedRate() {
-    const bool byKeys = m_mode == Mode::tip && (m_shift || m_deadMan->isHeld());
-    const bool byHand = !byKeys && m_handReady && m_hand.deadManHeld;
-    const bool clutch = m_clutchKey || m_clutch->isHeld() || (byHand && m_hand.clutchHeld);
-    if (!m_hasSample || !(byKeys || byHand)) {
+/// The tip is led from where it is when another one takes over: his hand is elsewhere.
+void JogPanel::leadBy(Leader leader) {
+    if (leader != m_leader)
         m_guide.letGo();
+    m_leader = leader;
+}
+
+JointArray JogPanel::guidedRate() {
+    const bool byKeys = m_hasSample && m_mode == Mode::tip && (m_shift || m_deadMan->isHeld());
+    const bool byHand = m_hasSample && !byKeys && m_handReady && m_hand.deadManHeld;
+    const bool clutch = m_clutchKey || m_clutch->isHeld() || (byHand && m_hand.clutchHeld);
+    leadBy(byKeys ? Leader::keys : byHand ? Leader::hand : Leader::nobody);
+    if (m_leader == Leader::nobody)
         return {};
-    }
     const double scale_m = byHand ? 0.01 * m_speed->value() * kFullStep_m : 0.0;
     const Eigen::Vector3d hand_m =
         scale_m * Eigen::Vector3d(m_hand.velocity[0], m_hand.velocity[1], m_hand.velocity[2]);
@@ -404,12 +418,13 @@ void JogPanel::stepBy(std::size_t axis, bool up) {
 
 JointArray JogPanel::wanted() {
     if (!m_arm || m_stopEngaged || m_readingsOld) {
-        m_guide.letGo();
+        leadBy(Leader::nobody);
         return {};
     }
     const bool byKeys = m_shift || m_deadMan->isHeld();
     if (m_way == Way::position && (isGuided() || !byKeys))
         return guidedRate();
+    leadBy(Leader::nobody);
     if (!byKeys)
         return tipRate(handVelocity());
     std::array<double, core::kArmJoints> direction{};
@@ -441,7 +456,7 @@ void JogPanel::releaseAll() {
     m_shift = false;
     m_keys = {};
     m_clutchKey = false;
-    m_guide.letGo();
+    leadBy(Leader::nobody);
     m_deadMan->letGo();
     m_clutch->letGo();
     for (const auto& pair : m_buttons)

@@ -31,14 +31,15 @@ class HoldButton;
 class JointRange;
 
 /// Moves the arm by hand, joint by joint or its tip along the axes of the base. The arm moves only while the
-/// dead-man switch (Shift, or the button on the screen) and a direction (a button, or its key) are both held.
-/// Letting go of either, losing the keyboard focus or the window, hiding, STOP, or losing the arm sends zero
-/// at once and takes all holds back, so that nothing goes on by itself.
+/// dead-man switch (Shift, or the button on the screen) is held. Letting go of it, losing the keyboard focus
+/// or the window, hiding, STOP, or losing the arm sends zero at once and takes all holds back, so that
+/// nothing goes on by itself.
 ///
-/// By velocity, the arm moves as long as the direction is held. By position, the tip goes where it is led:
-/// each press of a direction is a step of the scale, and the deflection of a 3D mouse is a displacement, of
-/// kFullStep_m at most and 100 %. While the clutch (C, its button, or the second one of a 3D mouse) is held,
-/// the arm stands still; then the hand takes hold anew. Joints are always moved by velocity.
+/// By velocity, the arm moves as long as a direction (a button, or its key) is held, too. By position, the
+/// tip goes where it is led: each press of a direction is a step of the scale, and the deflection of a 3D
+/// mouse is a displacement, of kFullStep_m at most and 100 %. While the clutch (C, its button, or the second
+/// one of a 3D mouse) is held, the arm stands still; then the hand takes hold anew, as does who takes over
+/// from another (keys from the mouse, the mouse from keys). Joints are always moved by velocity.
 ///
 /// A 3D mouse moves the tip, whatever the mode, while its own dead-man button is held; it needs no focus.
 /// STOP, another arm and old joint readings take it out of effect until its button was let go.
@@ -109,11 +110,15 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    /// Who leads the tip by position.
+    enum class Leader { nobody, keys, hand };
+
     [[nodiscard]] bool isOwnKey(int key) const;
     void onKey(const QKeyEvent& event, bool pressed);
     [[nodiscard]] std::array<double, 3> handVelocity() const;
     [[nodiscard]] core::JointArray tipRate(const std::array<double, 3>& share) const;
     [[nodiscard]] core::JointArray guidedRate();
+    void leadBy(Leader leader);
     void stepBy(std::size_t axis, bool up);
     [[nodiscard]] bool isGuided() const { return m_way == Way::position && m_mode == Mode::tip; }
     void onDirectionHeld(bool held, Qt::KeyboardModifiers modifiers);
@@ -134,6 +139,7 @@ private:
     Mode m_mode = Mode::joints;
     Way m_way = Way::velocity;
     PositionGuide m_guide;
+    Leader m_leader = Leader::nobody; ///< who has hold of m_guide
     bool m_clutchKey = false;
     core::JointArray m_rate{};
     bool m_shift = false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/test_registry.h"
 #include "tests/widgets/touch/sample_arm.h"
+#include "widgets/touch/hold_button.h"
 #include "widgets/touch/jog_panel.h"
 #include "widgets/touch/jog_rates.h"
 #include "widgets/touch/position_guide.h"
@@ -66,6 +67,13 @@ struct Follower {
                 sample.reference_rad[joint] += 0.033 * panel.rate_radPerS()[joint];
             panel.setSample(sample);
         }
+    }
+    /// Takes hold with the mouse and leads the tip up by a share of the full step. Returns where it then is.
+    Vector3d leadByMouse(double share) {
+        look({}, 1);
+        look({{0, 0, 0}, true, false}, 1);
+        look({{0, 0, share}, true, false}, 200);
+        return tip();
     }
 
     JogPanel panel;
@@ -212,6 +220,71 @@ private slots:
         QVERIFY(std::abs((arm.tip() - start_m).z() - 2.0 * JogPanel::kFullStep_m) < 2e-3);
         arm.look({{1.0, 0, 0}, false, false}, 5);
         QVERIFY2(!arm.panel.isMoving(), "the dead man");
+    }
+
+    void theKeysTakeOverFromTheMouseAndGiveBackWhereTheTipIs() {
+        Follower arm;
+        const Vector3d there_m = arm.leadByMouse(0.6);
+        const HandMotion still{{0, 0, 0.6}, true, false};
+        QTest::keyPress(&arm.panel, Qt::Key_Shift);
+        QVERIFY2(!arm.panel.isMoving(), "not back to where the mouse took hold");
+        arm.look(still, 50);
+        QVERIFY(arm.tip() == there_m);
+        arm.click(Qt::Key_D);
+        arm.look(still, 200);
+        const Vector3d aside_m = arm.tip();
+        QVERIFY(std::abs((aside_m - there_m).x() - JogPanel::kFullStep_m) < 1e-3);
+        QTest::keyRelease(&arm.panel, Qt::Key_Shift);
+        QVERIFY2(!arm.panel.isMoving(), "nor out to where it was led before");
+        arm.look(still, 50);
+        QVERIFY(arm.tip() == aside_m);
+        arm.look({{0, 0, 0.8}, true, false}, 200);
+        QVERIFY2(std::abs((arm.tip() - aside_m).z() - 0.2 * JogPanel::kFullStep_m) < 1e-3,
+                 "from there the mouse leads on");
+    }
+
+    void aJointThatIsJoggedBetweenIsNotDrivenBackByTheMouse() {
+        Follower arm;
+        arm.panel.setMode(JogPanel::Mode::joints);
+        (void)arm.leadByMouse(0.6);
+        const HandMotion still{{0, 0, 0.6}, true, false};
+        QTest::keyPress(&arm.panel, Qt::Key_Shift);
+        QVERIFY(!arm.panel.isMoving());
+        const double before_rad = arm.sample.reference_rad[0];
+        arm.key(QEvent::KeyPress, Qt::Key_Q);
+        arm.look(still, 10);
+        QVERIFY(arm.sample.reference_rad[0] > before_rad + 0.1);
+        arm.key(QEvent::KeyRelease, Qt::Key_Q);
+        const Vector3d jogged_m = arm.tip();
+        QTest::keyRelease(&arm.panel, Qt::Key_Shift);
+        QVERIFY(!arm.panel.isMoving());
+        arm.look(still, 50);
+        QVERIFY(arm.tip() == jogged_m);
+    }
+
+    void anotherScaleMovesNothingByItself() {
+        Follower arm;
+        const Vector3d there_m = arm.leadByMouse(1.0);
+        arm.panel.setSpeed(20);
+        QVERIFY(!arm.panel.isMoving());
+        arm.look({{0, 0, 1.0}, true, false}, 50);
+        QVERIFY(arm.tip() == there_m);
+        arm.look({{0, 0, 0.5}, true, false}, 200);
+        QVERIFY(std::abs((arm.tip() - there_m).z() + 0.5 * 0.2 * JogPanel::kFullStep_m) < 1e-3);
+    }
+
+    void theTextsTellWhatEndsTheMotion() {
+        Follower arm;
+        const auto tip = [&] { return arm.panel.directionButton(0, true)->toolTip(); };
+        QVERIFY2(tip().contains("step"), qPrintable(tip()));
+        QVERIFY(!arm.panel.whatsThis().contains("either"));
+        arm.panel.setWay(JogPanel::Way::velocity);
+        QVERIFY2(!tip().contains("step"), qPrintable(tip()));
+        QVERIFY(arm.panel.whatsThis().contains("either"));
+        arm.panel.setWay(JogPanel::Way::position);
+        arm.panel.setMode(JogPanel::Mode::joints); // which go by velocity
+        QVERIFY(!tip().contains("step"));
+        QVERIFY(arm.panel.whatsThis().contains("either"));
     }
 };
 
