@@ -22,23 +22,20 @@ namespace teleta::touch {
 namespace {
 
 constexpr double kTitle_em = 1.75;
-constexpr int kUndoDepth = 200;
 
 } // namespace
 
 RunSheet::RunSheet(QWidget* parent)
     : QWidget(parent)
-    , m_undo(new QUndoStack(this))
-    , m_model(new RunSheetModel(m_undo, this))
+    , m_model(new RunSheetModel(this))
     , m_view(new QTableView(this))
     , m_empty(new QLabel(m_view->viewport()))
     , m_export(new base::FigureExport(this, [this] {
         base::Figure figure;
-        figure.name = tr("run sheet");
+        figure.name = tr("run-sheet", "name of a file");
         figure.csv = [text = csv()] { return text; };
         return figure;
     })) {
-    m_undo->setUndoLimit(kUndoDepth);
     m_view->setModel(m_model);
     m_view->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_view->setSelectionMode(QAbstractItemView::ExtendedSelection);
@@ -130,12 +127,12 @@ void RunSheet::editName() {
 }
 
 void RunSheet::undo() {
-    m_undo->undo();
+    m_model->undoStack().undo();
     showEmptiness();
 }
 
 void RunSheet::redo() {
-    m_undo->redo();
+    m_model->undoStack().redo();
     showEmptiness();
 }
 
@@ -148,12 +145,14 @@ void RunSheet::populateMenu(QMenu& menu) {
     remove->setShortcut(QKeySequence::Delete);
     remove->setEnabled(hasSelection);
     menu.addSeparator();
-    QAction* back = menu.addAction(tr("&Undo %1").arg(m_undo->undoText()), this, &RunSheet::undo);
+    QAction* back =
+        menu.addAction(tr("&Undo %1").arg(m_model->undoStack().undoText()), this, &RunSheet::undo);
     back->setShortcut(QKeySequence::Undo);
-    back->setEnabled(m_undo->canUndo());
-    QAction* again = menu.addAction(tr("&Redo %1").arg(m_undo->redoText()), this, &RunSheet::redo);
+    back->setEnabled(m_model->undoStack().canUndo());
+    QAction* again =
+        menu.addAction(tr("&Redo %1").arg(m_model->undoStack().redoText()), this, &RunSheet::redo);
     again->setShortcut(QKeySequence::Redo);
-    again->setEnabled(m_undo->canRedo());
+    again->setEnabled(m_model->undoStack().canRedo());
     menu.addSeparator();
     m_export->addDataActions(menu);
 }

@@ -13,7 +13,6 @@
 class QLabel;
 class QMenu;
 class QTableView;
-class QUndoStack;
 
 namespace teleta::touch {
 
@@ -60,7 +59,6 @@ private:
     void restyle();
     void showEmptiness();
 
-    QUndoStack* m_undo;
     RunSheetModel* m_model;
     QTableView* m_view;
     QLabel* m_empty;

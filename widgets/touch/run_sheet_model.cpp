@@ -7,7 +7,7 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <QStringList>
-#include <QUndoStack>
+#include <QUndoCommand>
 
 #include <algorithm>
 #include <array>
@@ -22,6 +22,7 @@ namespace {
 
 constexpr int kPlainDigits = 9;
 constexpr int kLongestName = 200;
+constexpr int kUndoDepth = 200;
 
 QString plain(std::optional<double> value) {
     return value && std::isfinite(*value) ? QString::number(*value, 'g', kPlainDigits) : QStringLiteral("NA");
@@ -32,6 +33,20 @@ QString quoted(const QString& text) {
     if (!text.contains(u',') && !text.contains(u'"') && !text.contains(u'\n') && !text.contains(u'\r'))
         return text;
     return u'"' + QString(text).replace(u'"', QStringLiteral("\"\"")) + u'"';
+}
+
+QString sourceName(base::Provenance provenance) {
+    switch (provenance) {
+    case base::Provenance::recorded:
+        return QStringLiteral("recorded");
+    case base::Provenance::simulated:
+        return QStringLiteral("simulated");
+    case base::Provenance::recordedSimulation:
+        return QStringLiteral("recorded_simulation");
+    case base::Provenance::live:
+        break;
+    }
+    return QStringLiteral("live");
 }
 
 struct ContactText {
@@ -86,17 +101,22 @@ private:
     std::vector<std::uint64_t> m_objects;
 };
 
-RunSheetModel::RunSheetModel(QUndoStack* undo, QObject* parent)
-    : QAbstractTableModel(parent)
-    , m_undo(undo) {
+RunSheetModel::Notes::Notes()
+    : undo(std::make_unique<QUndoStack>()) {
+    undo->setUndoLimit(kUndoDepth);
+}
+
+RunSheetModel::RunSheetModel(QObject* parent)
+    : QAbstractTableModel(parent) {
 }
 
 void RunSheetModel::setObjects(const std::vector<FoundObject>& objects) {
-    const bool isSameRun = objects.size() >= m_objects.size();
+    const bool isSameRun = objects.size() >= m_notes.objects;
     if (!isSameRun)
         clear();
     const bool grows = objects.size() > m_objects.size();
     m_objects = objects;
+    m_notes.objects = objects.size();
     if (grows)
         showKept();
     if (m_kept.empty())
@@ -106,11 +126,16 @@ void RunSheetModel::setObjects(const std::vector<FoundObject>& objects) {
     emit dataChanged(index(0, time), index(rowCount() - 1, kColumns - 1));
 }
 
-void RunSheetModel::clear() {
-    m_undo->clear();
+RunSheetModel::Notes RunSheetModel::takeNotes() {
+    Notes notes = std::exchange(m_notes, Notes());
     m_objects.clear();
-    m_names.clear();
-    m_removed.clear();
+    showKept();
+    return notes;
+}
+
+void RunSheetModel::setNotes(Notes notes) {
+    m_objects.clear();
+    m_notes = std::move(notes);
     showKept();
 }
 
@@ -123,7 +148,7 @@ void RunSheetModel::retranslate() {
 void RunSheetModel::showKept() {
     std::vector<std::size_t> kept;
     for (std::size_t i = 0; i < m_objects.size(); ++i)
-        if (!m_removed.contains(m_objects[i].number))
+        if (!m_notes.removed.contains(m_objects[i].number))
             kept.push_back(i);
     // New ones come at the end: selection and an open editor stay.
     const bool appends =
@@ -144,16 +169,16 @@ void RunSheetModel::showKept() {
 void RunSheetModel::rename(std::uint64_t object, const QString& text) {
     const QString taken = text.simplified().left(kLongestName);
     if (taken != nameOf(object))
-        m_undo->push(new RenameObject(*this, object, taken));
+        m_notes.undo->push(new RenameObject(*this, object, taken));
 }
 
 void RunSheetModel::remove(const std::vector<std::uint64_t>& objects) {
     if (!objects.empty())
-        m_undo->push(new RemoveObjects(*this, objects));
+        m_notes.undo->push(new RemoveObjects(*this, objects));
 }
 
 void RunSheetModel::applyName(std::uint64_t object, const QString& text) {
-    m_names[object] = text;
+    m_notes.names[object] = text;
     for (int row = 0; row < rowCount(); ++row)
         if (this->object(row).number == object)
             emit dataChanged(index(row, Column::name), index(row, Column::name));
@@ -162,9 +187,9 @@ void RunSheetModel::applyName(std::uint64_t object, const QString& text) {
 void RunSheetModel::applyRemoved(const std::vector<std::uint64_t>& objects, bool removed) {
     for (const std::uint64_t object : objects) {
         if (removed)
-            m_removed.insert(object);
+            m_notes.removed.insert(object);
         else
-            m_removed.erase(object);
+            m_notes.removed.erase(object);
     }
     showKept();
 }
@@ -174,8 +199,8 @@ const FoundObject& RunSheetModel::object(int row) const {
 }
 
 QString RunSheetModel::nameOf(std::uint64_t object) const {
-    const auto found = m_names.find(object);
-    return found == m_names.end() ? QString() : found->second;
+    const auto found = m_notes.names.find(object);
+    return found == m_notes.names.end() ? QString() : found->second;
 }
 
 int RunSheetModel::rowCount(const QModelIndex& parent) const {
@@ -255,9 +280,7 @@ bool RunSheetModel::setData(const QModelIndex& index, const QVariant& value, int
 }
 
 QString runSheetText(const RunSheetModel& model, base::Provenance provenance) {
-    const QString source = provenance == base::Provenance::simulated  ? QStringLiteral("simulated")
-                           : provenance == base::Provenance::recorded ? QStringLiteral("recorded")
-                                                                      : QStringLiteral("live");
+    const QString source = sourceName(provenance);
     QString text = QStringLiteral("object,name,time_s,x_m,y_m,touches,contact_type,force_n,stiffness_n_per_m,"
                                   "stiffness_lower_95,stiffness_upper_95,material,shape,confidence,source\n");
     for (int row = 0; row < model.rowCount(); ++row) {

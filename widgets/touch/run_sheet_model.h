@@ -6,13 +6,14 @@
 
 #include <QAbstractTableModel>
 #include <QString>
+#include <QUndoStack>
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <set>
 #include <vector>
-
-class QUndoStack;
 
 namespace teleta::touch {
 
@@ -24,12 +25,25 @@ public:
     enum Column { number, name, time, place, touches, contact, force, stiffness, material, shape };
     static constexpr int kColumns = 10;
 
-    explicit RunSheetModel(QUndoStack* undo, QObject* parent = nullptr);
+    /// What the operator has put down about the objects of a run, with the steps that can be undone.
+    struct Notes {
+        Notes();
+        std::map<std::uint64_t, QString> names;
+        std::set<std::uint64_t> removed;
+        std::size_t objects = 0; ///< of the run so far: with fewer, it is another one
+        std::unique_ptr<QUndoStack> undo;
+    };
+
+    explicit RunSheetModel(QObject* parent = nullptr);
 
     /// All objects of the run as they are known now. Names and deletions stay with their number.
     void setObjects(const std::vector<pipeline::FoundObject>& objects);
     /// Another run: forgets everything.
-    void clear();
+    void clear() { (void)takeNotes(); }
+    /// Another run is looked at: forgets everything here. The notes are for setNotes() of this model.
+    [[nodiscard]] Notes takeNotes();
+    /// The run of these notes is looked at again; its objects follow.
+    void setNotes(Notes notes);
     void retranslate();
 
     /// As one step that can be undone.
@@ -38,6 +52,7 @@ public:
 
     [[nodiscard]] const pipeline::FoundObject& object(int row) const;
     [[nodiscard]] QString nameOf(std::uint64_t object) const;
+    [[nodiscard]] QUndoStack& undoStack() { return *m_notes.undo; }
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
@@ -53,16 +68,14 @@ private:
     void applyRemoved(const std::vector<std::uint64_t>& objects, bool removed);
     void showKept();
 
-    QUndoStack* m_undo;
     std::vector<pipeline::FoundObject> m_objects;
     std::vector<std::size_t> m_kept; ///< rows: indices of the objects that are not deleted
-    std::map<std::uint64_t, QString> m_names;
-    std::set<std::uint64_t> m_removed;
+    Notes m_notes;
 };
 
 /// The rows as CSV: object,name,time_s,x_m,y_m,touches,contact_type,force_n,stiffness_n_per_m,
 /// stiffness_lower_95,stiffness_upper_95,material,shape,confidence,source; NA where nothing is known; source:
-/// live, recorded or simulated; C locale.
+/// live, recorded, simulated or recorded_simulation; C locale.
 [[nodiscard]] QString runSheetText(const RunSheetModel& model, base::Provenance provenance);
 
 } // namespace teleta::touch

@@ -85,10 +85,13 @@ void ArmViews::addTo(OperateDocks& docks) {
 }
 
 void ArmViews::setArm(std::shared_ptr<pipeline::ArmChannel> arm, base::Provenance provenance) {
-    if (m_arm)
+    if (m_arm) {
         m_arm->setFeedback(nullptr);
+        m_notes[m_arm] = m_sheet->model().takeNotes();
+    }
     clear();
     m_arm = std::move(arm);
+    std::erase_if(m_notes, [](const auto& entry) { return entry.first.expired(); });
     if (!m_arm) {
         m_jog->setArm(std::nullopt);
         return;
@@ -106,6 +109,8 @@ void ArmViews::setArm(std::shared_ptr<pipeline::ArmChannel> arm, base::Provenanc
     const core::ArrayLayout& skin = m_arm->skin().description().layout;
     m_scene.setSurface(view3d::Surface::cylinder);
     m_scene.setCylinder({.radius_m = description.skin.radius_m, .length_m = skin.columns * skin.pitch_m});
+    if (auto kept = m_notes.extract(m_arm))
+        m_sheet->model().setNotes(std::move(kept.mapped()));
     m_arm->setFeedback(m_bracelet.feedback());
 }
 

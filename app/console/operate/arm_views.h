@@ -8,11 +8,13 @@
 #include "backend/core/stop_switch.h"
 #include "backend/pipeline/arm_channel.h"
 #include "widgets/base/badge.h"
+#include "widgets/touch/run_sheet_model.h"
 #include "widgets/view3d/scene_types.h"
 
 #include <QObject>
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -85,6 +87,8 @@ private:
     FeedbackPanel* m_feedback;
 
     std::shared_ptr<pipeline::ArmChannel> m_arm;
+    /// Of the other open arms, for when they are looked at again.
+    std::map<std::weak_ptr<pipeline::ArmChannel>, touch::RunSheetModel::Notes, std::owner_less<>> m_notes;
     arm::Arm4Kinematics m_kinematics;
     std::vector<core::JointSample> m_samples; ///< of a tick
     std::uint64_t m_contourRevision = 0;

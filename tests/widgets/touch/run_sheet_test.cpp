@@ -6,6 +6,8 @@
 #include <QTableView>
 #include <QTest>
 
+#include <utility>
+
 using namespace teleta;
 using namespace teleta::touch;
 
@@ -129,6 +131,53 @@ private slots:
         QCOMPARE(desk.sheet.view()->currentIndex().row(), 1);
         desk.sheet.setObjects({objectOf(1)}); // another run
         QCOMPARE(desk.rows(), 1);
+    }
+
+    void whatWasPutDownComesBackWithTheRunItIsAbout() {
+        Desk desk;
+        QVERIFY(desk.active);
+        desk.sheet.model().rename(1, "post");
+        desk.sheet.view()->selectRow(2);
+        desk.key(Qt::Key_Delete);
+        QCOMPARE(desk.rows(), 2);
+        auto notes = desk.sheet.model().takeNotes();
+        QCOMPARE(desk.rows(), 0);
+        desk.sheet.setObjects({objectOf(1)}); // another arm is looked at
+        QCOMPARE(cell(desk.sheet, 0, RunSheetModel::name), QString());
+        desk.key(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(cell(desk.sheet, 0, RunSheetModel::name), QString());
+        desk.sheet.model().setNotes(std::move(notes));
+        QCOMPARE(desk.rows(), 0);
+        desk.sheet.setObjects({objectOf(1), objectOf(2), objectOf(3), objectOf(4)});
+        QCOMPARE(desk.rows(), 3);
+        QCOMPARE(cell(desk.sheet, 0, RunSheetModel::name), QString("post"));
+        desk.key(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(desk.rows(), 4);
+        desk.key(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(cell(desk.sheet, 0, RunSheetModel::name), QString());
+    }
+
+    void notesOfARunThatBeganAnewMeanwhileAreForgotten() {
+        Desk desk;
+        desk.sheet.model().rename(1, "post");
+        auto notes = desk.sheet.model().takeNotes();
+        desk.sheet.model().setNotes(std::move(notes));
+        desk.sheet.setObjects({objectOf(1)});
+        QCOMPARE(cell(desk.sheet, 0, RunSheetModel::name), QString());
+    }
+
+    void csvNamesEverySource_data() {
+        QTest::addColumn<base::Provenance>("provenance");
+        QTest::newRow("live") << base::Provenance::live;
+        QTest::newRow("recorded") << base::Provenance::recorded;
+        QTest::newRow("simulated") << base::Provenance::simulated;
+        QTest::newRow("recorded_simulation") << base::Provenance::recordedSimulation;
+    }
+    void csvNamesEverySource() {
+        QFETCH(base::Provenance, provenance);
+        Desk desk;
+        desk.sheet.setProvenance(provenance);
+        QCOMPARE(desk.sheet.csv().split(u'\n')[1].section(u',', -1), QString(QTest::currentDataTag()));
     }
 
     void csvSaysWhereItIsFromAndWhatIsNotKnown() {

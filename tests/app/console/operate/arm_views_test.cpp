@@ -16,6 +16,7 @@
 #include "widgets/touch/contour_view.h"
 #include "widgets/touch/jog_panel.h"
 #include "widgets/touch/pattern_map_table.h"
+#include "widgets/touch/run_sheet.h"
 #include "widgets/touch/stiffness_gauge.h"
 #include "widgets/touch/touch_table.h"
 #include "widgets/view3d/gl_setup.h"
@@ -174,6 +175,23 @@ private slots:
         station.choose(BraceletChoice::simulated);
         station.tick();
         QTRY_VERIFY((station.tick(), station.isReady()));
+    }
+
+    void whatWasTypedOnTheRunSheetIsThereAgainAfterALookAtAnotherSource() {
+        openArm();
+        const auto& sheet = child<touch::RunSheet>()->model();
+        QTRY_COMPARE_WITH_TIMEOUT(sheet.rowCount(), 1, 30'000);
+        child<touch::RunSheet>()->model().rename(sheet.object(0).number, QStringLiteral("post"));
+        const auto armKey = m_window->sources().items().front().key;
+        ConsoleOptions other;
+        other.scenes = {QStringLiteral(":/scenes/tactile-indenter.toml")};
+        m_window->openRequested(other);
+        QTRY_COMPARE_WITH_TIMEOUT(sheet.rowCount(), 0, 20'000);
+        QVERIFY(!child<touch::RunSheet>()->model().undoStack().canUndo());
+        m_window->sources().activate(armKey);
+        QTRY_COMPARE_WITH_TIMEOUT(sheet.rowCount(), 1, 20'000);
+        QCOMPARE(sheet.nameOf(sheet.object(0).number), QStringLiteral("post"));
+        QVERIFY(child<touch::RunSheet>()->model().undoStack().canUndo());
     }
 
     void aTactorIsFeltWhileItIsHeld() {
