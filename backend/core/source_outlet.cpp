@@ -15,10 +15,10 @@ void SourceOutlet::open(Wakeup& consumer, std::int64_t now_ns) {
     setState(DeviceState::connecting, now_ns);
 }
 
-void SourceOutlet::deliver(SampleBlock&& block, DeviceState state) {
+void SourceOutlet::deliver(SampleBlock&& block, DeviceState state, std::optional<std::int64_t> arrived_ns) {
     begin(block);
     m_blocks.push(std::move(block), m_time_ns.size());
-    finish(state);
+    finish(state, arrived_ns);
 }
 
 bool SourceOutlet::tryDeliver(SampleBlock& block, DeviceState state) {
@@ -34,12 +34,12 @@ void SourceOutlet::begin(SampleBlock& block) {
     m_time_ns.assign(block.time_ns.begin(), block.time_ns.end());
 }
 
-void SourceOutlet::finish(DeviceState state) {
+void SourceOutlet::finish(DeviceState state, std::optional<std::int64_t> arrived_ns) {
     m_nextFrame += m_time_ns.size();
     m_status.framesRead += m_time_ns.size();
-    m_status.lastData_ns = m_time_ns.back();
+    m_status.lastData_ns = arrived_ns.value_or(m_time_ns.back());
     for (const std::int64_t time_ns : m_time_ns)
-        m_rate.add(time_ns);
+        m_rate.add(arrived_ns.value_or(time_ns));
     if (state != m_status.state)
         enter(state, m_status.lastData_ns, {});
     publish();

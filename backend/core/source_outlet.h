@@ -7,6 +7,7 @@
 #include "backend/core/wakeup.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,9 @@ public:
     void open(Wakeup& consumer, std::int64_t now_ns);
 
     /// Numbers a block and queues it; a full queue loses it, which is counted. The state becomes this one.
-    /// block: at least one frame, its firstFrame is overwritten.
-    void deliver(SampleBlock&& block, DeviceState state);
+    /// block: at least one frame, its firstFrame is overwritten. arrived_ns: when it came here; by default
+    /// when its frames were read.
+    void deliver(SampleBlock&& block, DeviceState state, std::optional<std::int64_t> arrived_ns = {});
 
     /// The same for a worker that can wait: false when the queue is full, and then nothing happened.
     [[nodiscard]] bool tryDeliver(SampleBlock& block, DeviceState state);
@@ -45,7 +47,7 @@ public:
 
 private:
     void begin(SampleBlock& block);
-    void finish(DeviceState state);
+    void finish(DeviceState state, std::optional<std::int64_t> arrived_ns = {});
     void enter(DeviceState state, std::int64_t now_ns, std::string message);
     void publish();
 

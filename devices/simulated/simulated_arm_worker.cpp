@@ -183,7 +183,7 @@ void SimulatedArmWorker::deliverArrivals(const SimulatedFaults& faults) {
             m_skin.lose(1);
         } else if (m_arrival.hasFrame) {
             m_values = m_arrival.frame;
-            deliverFrame(sample.time_ns, sample.sourceTime_s);
+            deliverFrame(sample.time_ns, sample.sourceTime_s, now_ns);
         }
         if (m_link.happens(faults.dropShare)) {
             m_joints.lose(1);
@@ -200,14 +200,15 @@ void SimulatedArmWorker::deliverArrivals(const SimulatedFaults& faults) {
     m_linkCounted = counters;
 }
 
-void SimulatedArmWorker::deliverFrame(std::int64_t time_ns, double sourceTime_s) {
+void SimulatedArmWorker::deliverFrame(std::int64_t time_ns, double sourceTime_s,
+                                      std::optional<std::int64_t> arrived_ns) {
     core::SampleBlock block;
     block.channels = m_values.size();
     block.time_ns = {time_ns};
     block.sourceTime_s = {sourceTime_s};
     block.values = m_values;
     block.discontinuity = std::exchange(m_skinDiscontinuity, false);
-    m_skin.deliver(std::move(block), core::DeviceState::live);
+    m_skin.deliver(std::move(block), core::DeviceState::live, arrived_ns);
 }
 
 } // namespace teleta::simulated

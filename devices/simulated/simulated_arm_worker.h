@@ -53,7 +53,7 @@ private:
     void stepDue(const SimulatedFaults& faults, std::int64_t now_ns);
     void step(const SimulatedFaults& faults);
     void deliverArrivals(const SimulatedFaults& faults);
-    void deliverFrame(std::int64_t time_ns, double sourceTime_s);
+    void deliverFrame(std::int64_t time_ns, double sourceTime_s, std::optional<std::int64_t> arrived_ns = {});
 
     std::unique_ptr<core::ArmGenerator> m_generator;
     const core::StopSwitch& m_stopSwitch;

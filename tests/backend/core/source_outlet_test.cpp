@@ -82,6 +82,20 @@ TEST(SourceOutlet, publishesStatesAndWakesTheConsumer) {
     EXPECT_FALSE(consumer.waitFor(0s));
 }
 
+TEST(SourceOutlet, isAsFreshAsWhatArrivesThoughItWasReadLongAgo) {
+    SourceOutlet outlet(4);
+    Wakeup consumer;
+    outlet.open(consumer, 0);
+    for (std::int64_t i = 0; i < 4; ++i)
+        outlet.deliver(blockOf({10'000'000 * i}), DeviceState::live, 1'000'000'000 + 20'000'000 * i);
+    EXPECT_EQ(outlet.status().lastData_ns, 1'060'000'000);
+    EXPECT_EQ(outlet.status().since_ns, 1'000'000'000);
+    EXPECT_NEAR(outlet.status().rate_Hz, 50.0, 1e-9);
+    SampleBlock block;
+    ASSERT_TRUE(outlet.blocks().pop(block));
+    EXPECT_EQ(block.time_ns.front(), 0);
+}
+
 TEST(SourceOutlet, countsEachStreamAnew) {
     SourceOutlet outlet(1);
     Wakeup consumer;

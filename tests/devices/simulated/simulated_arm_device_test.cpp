@@ -2,7 +2,7 @@
 #include "backend/scene/scene_reader.h"
 #include "backend/simulation/arm/teleoperated_arm.h"
 #include "devices/simulated/simulated_arm_device.h"
-#include "tests/devices/manual_clock.h"
+#include "tests/devices/simulated/counting_arm.h"
 
 #include <gtest/gtest.h>
 
@@ -17,135 +17,13 @@ using core::JointArray;
 using simulated::SimulatedArmConfig;
 using simulated::SimulatedArmDevice;
 using simulated::SimulatedFaults;
+using test::CountingArm;
 using test::eventually;
-using test::ManualClock;
+using test::SimulatedArmDeviceTest;
 
 namespace {
 
 constexpr std::int64_t kMs_ns = 1'000'000;
-
-/// The first joint's angle counts the steps, its torque the steps of the program, the second one's torque
-/// tells the drive; references follow the jog. A skin frame every fifth step.
-class CountingArm : public core::ArmGenerator {
-public:
-    explicit CountingArm(int programSteps = 1'000'000)
-        : m_programSteps(programSteps) {}
-
-    [[nodiscard]] core::ArmDescription description() const override {
-        core::ArmDescription description;
-        description.name = "counter";
-        description.simulated = true;
-        description.lowest_rad = {-1.0, -1.0, -1.0, -0.01};
-        description.highest_rad = {1.0, 1.0, 1.0, 0.02};
-        description.fastest_radPerS = {0.5, 0.5, 0.5, 0.5};
-        description.hasProgram = m_programSteps > 0;
-        return description;
-    }
-    [[nodiscard]] core::SourceDescription skinDescription() const override {
-        return {.name = "counter",
-                .layout = {1, 2, 0.01},
-                .unit = "N",
-                .nominalRate_Hz = 200.0,
-                .simulated = true};
-    }
-    void next(const core::ArmDemand& demand, core::JointSample& sample) override {
-        ++m_steps;
-        m_programDone += demand.drive == ArmDrive::program ? 1 : 0;
-        for (std::size_t joint = 0; joint < core::kArmJoints; ++joint)
-            m_reference_rad[joint] += 1e-3 * demand.rate_radPerS[joint];
-        sample.sourceTime_s = time_s();
-        sample.angle_rad[0] = m_steps;
-        sample.torque_Nm = {1.0 * m_programDone, static_cast<double>(demand.drive), 0.0, 0.0};
-        sample.reference_rad = m_reference_rad;
-    }
-    bool skinFrame(std::span<float> values) override {
-        if (m_steps % 5 != 0)
-            return false;
-        std::fill(values.begin(), values.end(), static_cast<float>(m_steps));
-        return true;
-    }
-    [[nodiscard]] double time_s() const override { return 1e-3 * m_steps; }
-    [[nodiscard]] bool programDone() const override { return m_programDone >= m_programSteps; }
-    void restart() override {
-        m_steps = m_programDone = 0;
-        m_reference_rad = {};
-    }
-
-private:
-    int m_programSteps;
-    int m_steps = 0;
-    int m_programDone = 0;
-    JointArray m_reference_rad{};
-};
-
-/// The same arm at another place: what it tells takes twenty steps, and every tenth message is lost.
-class DistantArm : public CountingArm {
-public:
-    void next(const core::ArmDemand& demand, core::JointSample& sample) override {
-        CountingArm::next(demand, sample);
-        m_told.push_back(sample);
-    }
-    bool skinFrame(std::span<float>) override { return false; }
-    [[nodiscard]] bool isRemote() const override { return true; }
-    bool takeArrival(core::ArmArrival& arrival) override {
-        while (m_taken < m_told.size() && m_told[m_taken].sourceTime_s < time_s() - 0.0195) {
-            arrival.sample = m_told[m_taken++];
-            if (m_taken % 10 != 0)
-                return true;
-            ++m_lost;
-        }
-        return false;
-    }
-    [[nodiscard]] core::ArmLinkCounters linkCounters() const override { return {.samplesLost = m_lost}; }
-
-private:
-    std::vector<core::JointSample> m_told;
-    std::size_t m_taken = 0;
-    std::uint64_t m_lost = 0;
-};
-
-class SimulatedArmDeviceTest : public testing::Test {
-protected:
-    void make(SimulatedArmConfig config = {}, int programSteps = 1'000'000) {
-        config.clock = m_clock;
-        m_device = std::make_unique<SimulatedArmDevice>(std::make_unique<CountingArm>(programSteps), m_stop,
-                                                        std::move(config));
-        m_skin = m_device->makeSkin();
-    }
-    void start() {
-        m_device->start(m_wakeup);
-        m_clock->settle();
-    }
-    void advance_ms(int duration_ms) {
-        for (int i = 0; i < duration_ms; ++i)
-            m_clock->advance(kMs_ns);
-    }
-    std::vector<core::JointSample> drain() {
-        std::vector<core::JointSample> samples;
-        core::JointSample sample;
-        while (m_device->joints().pop(sample))
-            samples.push_back(sample);
-        return samples;
-    }
-    std::vector<core::SampleBlock> drainSkin() {
-        std::vector<core::SampleBlock> blocks;
-        core::SampleBlock block;
-        while (m_skin->blocks().pop(block))
-            blocks.push_back(std::move(block));
-        return blocks;
-    }
-    void jog(const JointArray& rate_radPerS) {
-        m_device->post({.rate_radPerS = rate_radPerS, .time_ns = m_clock->now_ns()});
-    }
-    [[nodiscard]] ArmDrive drive() const { return m_device->drive(); }
-    [[nodiscard]] DeviceState state() const { return m_device->status().state; }
-
-    std::shared_ptr<ManualClock> m_clock = std::make_shared<ManualClock>();
-    core::StopSwitch m_stop;
-    core::Wakeup m_wakeup;
-    std::unique_ptr<SimulatedArmDevice> m_device;
-    std::unique_ptr<core::TactileSource> m_skin;
-};
 
 ArmDrive driveOf(const core::JointSample& sample) {
     return static_cast<ArmDrive>(static_cast<int>(sample.torque_Nm[1]));
@@ -527,22 +405,6 @@ TEST(SimulatedArmDevice, losesNoSampleInRealTime) {
     // Never early: sample k is due k periods after the start.
     EXPECT_GE(last_ns - begin_ns, static_cast<std::int64_t>(samples.size()) * kMs_ns);
     EXPECT_EQ(device.status().framesLost, 0U);
-}
-
-TEST_F(SimulatedArmDeviceTest, stampsWhatComesFromAnotherPlaceWithTheTimeAtWhichItWasReadThere) {
-    m_device = std::make_unique<SimulatedArmDevice>(std::make_unique<DistantArm>(), m_stop,
-                                                    SimulatedArmConfig{.clock = m_clock});
-    m_skin = m_device->makeSkin();
-    start();
-    const std::int64_t begin_ns = m_clock->now_ns();
-    advance_ms(120);
-    const auto samples = drain();
-    ASSERT_EQ(samples.size(), 90U); // of a hundred that were sent long enough ago
-    for (const core::JointSample& sample : samples)
-        EXPECT_EQ(sample.time_ns - begin_ns, std::llround(1e9 * sample.sourceTime_s));
-    const core::DeviceStatus status = m_device->status();
-    EXPECT_EQ(status.framesLost, 10U);
-    EXPECT_EQ(status.lastData_ns, m_clock->now_ns() - 1'000'000) << "late is not stale; one was lost";
 }
 
 // A real scene: what the console runs.
