@@ -126,10 +126,7 @@ struct ArmArrival {
 
 /// How messages fared on that link since the start.
 struct ArmLinkCounters {
-    std::uint64_t commandsSent = 0;
     std::uint64_t commandsLost = 0;
-    std::uint64_t commandsOvertaken = 0; ///< given up for a newer one
-    std::uint64_t samplesSent = 0;
     std::uint64_t samplesLost = 0;
     std::uint64_t framesLost = 0; ///< of the skin
 };

@@ -28,7 +28,6 @@ public:
 
     /// False: the message is lost.
     bool send(double now_s, Message message) {
-        ++m_sent;
         const std::optional<double> delay_s = m_delay ? m_delay->next_s(now_s) : std::optional(0.0);
         if (!delay_s) {
             ++m_lost;
@@ -63,12 +62,11 @@ public:
 
     void restart() {
         m_onTheirWay.clear();
-        m_sent = m_lost = m_overtaken = 0;
+        m_lost = m_overtaken = 0;
         if (m_delay)
             m_delay->restart();
     }
 
-    [[nodiscard]] std::uint64_t sent() const { return m_sent; }
     [[nodiscard]] std::uint64_t lost() const { return m_lost; }
     /// Given up for a newer one.
     [[nodiscard]] std::uint64_t overtaken() const { return m_overtaken; }
@@ -82,7 +80,6 @@ private:
     LineOrder m_order;
     std::optional<LinkDelay> m_delay;
     std::deque<Entry> m_onTheirWay; ///< in the order in which they were sent
-    std::uint64_t m_sent = 0;
     std::uint64_t m_lost = 0;
     std::uint64_t m_overtaken = 0;
 };

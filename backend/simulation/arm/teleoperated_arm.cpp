@@ -51,6 +51,7 @@ void TeleoperatedArm::restart() {
     m_told.restart();
     m_framesLost = 0;
     m_seen.reset();
+    m_seenAt_s = 0.0;
     m_command = {};
     m_heardAt_s = 0.0;
     m_obeyed = ArmDrive::held;
@@ -61,7 +62,7 @@ void TeleoperatedArm::restart() {
 void TeleoperatedArm::next(const ArmDemand& demand, core::JointSample& sample) {
     const double now_s = m_arm->time_s();
     const Clock::time_point start = m_timed ? Clock::now() : Clock::time_point();
-    m_commands.send(now_s, asked(demand));
+    m_commands.send(now_s, asked(demand, now_s));
     const ArmDemand obeyed = heard(now_s);
     const Clock::time_point between = m_timed ? Clock::now() : Clock::time_point();
     m_obeyed = obeyed.drive;
@@ -79,18 +80,20 @@ void TeleoperatedArm::next(const ArmDemand& demand, core::JointSample& sample) {
         m_linkTime_s += std::chrono::duration<double>((between - start) + (Clock::now() - again)).count();
 }
 
-ArmDemand TeleoperatedArm::asked(const ArmDemand& demand) {
+ArmDemand TeleoperatedArm::asked(const ArmDemand& demand, double now_s) {
     if (demand.drive != ArmDrive::program) {
         m_operatorLeft = m_operatorLeft || demand.drive == ArmDrive::jog;
         return demand;
     }
+    if (m_seen && now_s - m_seenAt_s > kWatchdog_s)
+        return {};
     if (std::exchange(m_operatorLeft, false))
         m_operator.takeOver();
     return {ArmDrive::jog, m_operator.rates_radPerS(m_step_s, m_seen)};
 }
 
 ArmDemand TeleoperatedArm::heard(double now_s) {
-    while (m_commands.receive(now_s, m_command))
+    if (m_commands.receive(now_s, m_command))
         m_heardAt_s = now_s;
     return now_s - m_heardAt_s <= kWatchdog_s ? m_command : ArmDemand{};
 }
@@ -98,17 +101,15 @@ ArmDemand TeleoperatedArm::heard(double now_s) {
 bool TeleoperatedArm::takeArrival(ArmArrival& arrival) {
     if (!m_told.receive(m_arm->time_s(), arrival))
         return false;
+    m_operatorLeft =
+        m_operatorLeft || (m_seen && arrival.sample.sourceTime_s - m_seen->sourceTime_s > kWatchdog_s);
     m_seen = arrival.sample;
+    m_seenAt_s = m_arm->time_s();
     return true;
 }
 
 core::ArmLinkCounters TeleoperatedArm::linkCounters() const {
-    return {.commandsSent = m_commands.sent(),
-            .commandsLost = m_commands.lost(),
-            .commandsOvertaken = m_commands.overtaken(),
-            .samplesSent = m_told.sent(),
-            .samplesLost = m_told.lost(),
-            .framesLost = m_framesLost};
+    return {.commandsLost = m_commands.lost(), .samplesLost = m_told.lost(), .framesLost = m_framesLost};
 }
 
 core::Expected<std::unique_ptr<core::ArmGenerator>> makeArm(const scene::Scene& scene, std::uint64_t seed) {

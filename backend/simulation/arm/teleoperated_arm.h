@@ -19,10 +19,11 @@ namespace teleta::simulation {
 
 /// The arm of a scene with an operator at another place. Each step
 ///   demand, or what the scripted operator asks -> link -> the newest that has arrived -> SimulatedArm
-///   joint sample, with the skin frame that was read with it -> link, in order -> next(), takeSample() ...
+///   joint sample, with the skin frame that was read with it -> link, in order -> next(), takeArrival() ...
 /// STOP goes over the link like any command, once a step. An arm that hears nothing for
-/// core::ArmCommand::kJogLifetime_ns stands still (its watchdog). Without the effect link_delay nothing is
-/// late. Deterministic as SimulatedArm. Thread: one.
+/// core::ArmCommand::kJogLifetime_ns stands still (its watchdog). As long without news of the arm the
+/// scripted operator waits, and begins a touch of which he has missed as much anew. Without the effect
+/// link_delay nothing is late. Deterministic as SimulatedArm. Thread: one.
 class TeleoperatedArm : public core::ArmGenerator {
 public:
     /// Error: badInput when the scene is not valid or has no operator.
@@ -51,7 +52,7 @@ public:
 
 private:
     TeleoperatedArm(std::unique_ptr<SimulatedArm> arm, const scene::Scene& scene, std::uint64_t seed);
-    [[nodiscard]] core::ArmDemand asked(const core::ArmDemand& demand);
+    [[nodiscard]] core::ArmDemand asked(const core::ArmDemand& demand, double now_s);
     [[nodiscard]] core::ArmDemand heard(double now_s);
 
     std::unique_ptr<SimulatedArm> m_arm;
@@ -64,10 +65,11 @@ private:
     std::uint64_t m_framesLost = 0;
 
     std::optional<core::JointSample> m_seen; ///< newest sample at the operator's place
-    core::ArmDemand m_command;               ///< newest at the arm
+    double m_seenAt_s = 0.0;
+    core::ArmDemand m_command; ///< newest at the arm
     double m_heardAt_s = 0.0;
     core::ArmDrive m_obeyed = core::ArmDrive::held;
-    bool m_operatorLeft = false; ///< somebody else has moved the arm since the scripted operator did
+    bool m_operatorLeft = false; ///< the arm was moved, or was not seen, since the scripted operator led it
     double m_linkTime_s = 0.0;
 };
 

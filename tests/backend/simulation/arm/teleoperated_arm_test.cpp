@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/arm/arm4_kinematics.h"
 #include "backend/simulation/arm/delayed_line.h"
 #include "backend/simulation/arm/teleoperated_arm.h"
 #include "backend/simulation/arm/unknown_places.h"
@@ -8,8 +9,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace teleta::simulation::test {
@@ -37,6 +40,35 @@ scene::Scene teleoperation(const std::vector<scene::Effect>& effects = {}) {
     scene::Scene scene = shippedArm("teleoperation.toml");
     scene.effects = effects;
     return scene;
+}
+
+/// The elbow's distance from the place that the scripted operator explores first.
+double elbowDistance_m(const scene::ArmWorld& world, const core::JointSample& sample) {
+    const arm::Arm4Kinematics kinematics({.upperArmLength_m = world.body.upperArmLength_m,
+                                          .forearmLength_m = world.body.forearmLength_m,
+                                          .halfThickness_m = world.body.halfThickness_m});
+    const auto& place = std::get<scene::OperatorProgram>(world.program).explorations.front();
+    const Eigen::Vector2d elbow_m =
+        kinematics
+            .p_Base_Point(arm::Link::upperArm, arm::JointVector(sample.reference_rad.data()),
+                          {world.body.upperArmLength_m, 0.0, 0.0})
+            .head<2>();
+    return (elbow_m - Eigen::Vector2d(place.x_m, place.y_m)).norm();
+}
+
+/// When the scripted operator first touches something over such a link; empty: not within the time.
+std::optional<double> firstTouch_s(const scene::LinkDelaySpec& link, double duration_s) {
+    const auto made = TeleoperatedArm::make(teleoperation({{.why = "w", .parameters = link}}), 1);
+    core::JointSample atArm;
+    core::ArmArrival arrival;
+    while ((*made)->time_s() < duration_s) {
+        (*made)->next({.drive = ArmDrive::program}, atArm);
+        while ((*made)->takeArrival(arrival)) {
+        }
+        if (!(*made)->arm().truth().touches.empty())
+            return (*made)->arm().truth().touches.front().begin_s;
+    }
+    return {};
 }
 
 core::ArmDemand jog(double elbow_radPerS) {
@@ -249,6 +281,57 @@ TEST(TeleoperatedArm, stopsForStopEvenWhenHalfOfAllMessagesAreLost) {
         EXPECT_EQ(arm.obeyed(), ArmDrive::stopped);
     }
     EXPECT_EQ(atArm.reference_rad[3], stood_rad);
+}
+
+TEST(TeleoperatedArm, itsOperatorWaitsWhileHeSeesNothingAndThenBeginsTheTouchAnew) {
+    const auto touch_s = firstTouch_s({.delay_s = 0.02}, 60.0);
+    ASSERT_TRUE(touch_s);
+    // While he approaches, half a second before he would touch.
+    const double outage_s = 5.0;
+    const scene::LinkDelaySpec link{.delay_s = 0.02, .outageAt_s = *touch_s - 0.5, .outage_s = outage_s};
+    const scene::Scene scene = teleoperation({{.why = "w", .parameters = link}});
+    const auto made = TeleoperatedArm::make(scene, 1);
+    ASSERT_TRUE(made);
+    TeleoperatedArm& arm = **made;
+    core::JointSample atArm;
+    core::ArmArrival arrival;
+    double stood_m = 0.0;
+    double nearest_m = 1.0;
+    double furthest_m = 0.0;
+    while (arm.time_s() < link.outageAt_s + outage_s + 2.0) {
+        arm.next({.drive = ArmDrive::program}, atArm);
+        while (arm.takeArrival(arrival)) {
+        }
+        const double distance_m = elbowDistance_m(scene.arm(), atArm);
+        if (arm.time_s() < link.outageAt_s + outage_s) {
+            stood_m = distance_m;
+        } else {
+            nearest_m = std::min(nearest_m, distance_m);
+            furthest_m = std::max(furthest_m, distance_m);
+        }
+    }
+    EXPECT_GT(nearest_m, stood_m - 0.001) << "not on by all that he wished meanwhile";
+    EXPECT_NEAR(furthest_m, 0.08, 0.002) << "but back to where the touch begins";
+}
+
+TEST(TeleoperatedArm, itsOperatorGoesOnWhenWhatComesIsLateButWhole) {
+    const scene::LinkDelaySpec link{.delay_s = 0.02, .jitter_s = 0.03};
+    const auto made = TeleoperatedArm::make(teleoperation({{.why = "w", .parameters = link}}), 1);
+    ASSERT_TRUE(made);
+    TeleoperatedArm& arm = **made;
+    core::JointSample atArm;
+    core::ArmArrival arrival;
+    int pauses = 0;
+    double last_s = 0.0;
+    while (arm.time_s() < 60.0) {
+        arm.next({.drive = ArmDrive::program}, atArm);
+        while (arm.takeArrival(arrival)) {
+            pauses += arm.time_s() - last_s > 0.1 ? 1 : 0;
+            last_s = arm.time_s();
+        }
+    }
+    EXPECT_GT(pauses, 50) << "he waits more than once in a touch";
+    EXPECT_GE(arm.arm().truth().touches.size(), 6U);
 }
 
 TEST(TeleoperatedArm, drawsNothingForALinkThatIsNotListedAndTellsTheSameAgain) {
