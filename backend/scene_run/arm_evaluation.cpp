@@ -2,36 +2,11 @@
 #include "backend/scene_run/arm_evaluation.h"
 
 #include "backend/scene_run/scene_settings.h"
+#include "backend/scene_run/scene_summary.h"
 
-#include <array>
-#include <string_view>
-#include <utility>
 #include <variant>
 
 namespace teleta::scene_run {
-
-core::Expected<JointLog> JointLog::open(const std::string& outFolder) {
-    constexpr std::array<std::string_view, 13> kColumns{
-        "time_s", "q1", "q2", "q3", "q4", "tau1", "tau2", "tau3", "tau4", "ref1", "ref2", "ref3", "ref4"};
-    JointLog log;
-    if (outFolder.empty())
-        return log;
-    core::Expected<core::CsvWriter> csv = core::CsvWriter::create(outFolder + "/joints.csv", kColumns);
-    if (!csv)
-        return core::Unexpected(csv.error());
-    log.m_csv = std::move(*csv);
-    return log;
-}
-
-void JointLog::add(const core::JointSample& sample) {
-    if (!m_csv)
-        return;
-    m_csv->number(sample.sourceTime_s);
-    for (const core::JointArray* values : {&sample.angle_rad, &sample.torque_Nm, &sample.reference_rad})
-        for (const double value : *values)
-            m_csv->number(value);
-    m_csv->endRow();
-}
 
 SkinReader::SkinReader(const scene::Scene& scene)
     : m_conditioner(scene.arm().skin.layout.taxels(), {})
@@ -71,6 +46,18 @@ ComparedTouch compared(const pipeline::TouchRecord& record, const simulation::Si
         break;
     }
     return touch;
+}
+
+void reportContacts(const std::vector<ComparedTouch>& touches, nlohmann::ordered_json& measures) {
+    std::vector<double> errors_m;
+    for (const ComparedTouch& touch : touches)
+        if (touch.record.located && !touch.object.empty())
+            errors_m.push_back((touch.record.p_Base_Contact_m - touch.p_Base_Truth_m).norm());
+    const ErrorStatistics errors = errorStatistics(errors_m);
+    measures["contact_error_mean_m"] = errors.mean;
+    measures["contact_error_p95_m"] = errors.p95;
+    measures["first_contact_s"] =
+        touches.empty() ? nlohmann::ordered_json(nullptr) : jsonNumber(touches.front().record.start_s);
 }
 
 const char* trueShape(const scene::Outline& outline) {

@@ -4,8 +4,6 @@
 #include "backend/contact/contact_segmenter.h"
 #include "backend/contact/frame_conditioner.h"
 #include "backend/contact/tactile_features.h"
-#include "backend/core/csv_writer.h"
-#include "backend/core/error.h"
 #include "backend/pipeline/touch_record.h"
 #include "backend/scene/scene.h"
 #include "backend/scene_run/touch_log.h"
@@ -14,25 +12,13 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
-#include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace teleta::scene_run {
 
-/// The joint samples as CSV; without a folder nothing is written.
-class JointLog {
-public:
-    [[nodiscard]] static core::Expected<JointLog> open(const std::string& outFolder);
-
-    void add(const core::JointSample& sample);
-    [[nodiscard]] bool failed() const { return m_csv && m_csv->failed(); }
-    [[nodiscard]] core::Expected<void> finish() { return m_csv ? m_csv->finish() : core::Expected<void>(); }
-
-private:
-    std::optional<core::CsvWriter> m_csv;
-};
+/// How often a run tells how far it is, and may be ended.
+inline constexpr std::uint64_t kSamplesBetweenReports = 1024;
 
 /// The strongest contact of each skin frame of a scene's arm.
 class SkinReader {
@@ -53,6 +39,9 @@ private:
 /// A touch beside what the world knows of it: the newest touch that had begun when it was evaluated.
 [[nodiscard]] ComparedTouch compared(const pipeline::TouchRecord& record,
                                      const simulation::SimulatedArm& arm);
+
+/// The measures of where the contacts were located, beside where they truly were, and of the first one.
+void reportContacts(const std::vector<ComparedTouch>& touches, nlohmann::ordered_json& measures);
 
 /// Name of the shape that an outline is recognised as.
 [[nodiscard]] const char* trueShape(const scene::Outline& outline);

@@ -4,9 +4,7 @@
 #include "backend/pipeline/contour_explorer.h"
 #include "backend/pipeline/touch_estimator.h"
 #include "backend/scene_run/arm_evaluation.h"
-#include "backend/scene_run/frame_log.h"
-#include "backend/scene_run/scene_recording.h"
-#include "backend/scene_run/scene_settings.h"
+#include "backend/scene_run/arm_logs.h"
 #include "backend/scene_run/touch_log.h"
 #include "backend/simulation/arm/simulated_arm.h"
 #include "backend/simulation/effect_time.h"
@@ -26,17 +24,13 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::uint64_t kSamplesBetweenReports = 1024;
-
 void reportStiffness(const std::vector<ComparedTouch>& touches, ordered_json& measures) {
     std::vector<ordered_json> estimated;
     std::vector<ordered_json> truth;
     std::vector<ordered_json> material;
     for (const ComparedTouch& touch : touches) {
         const auto& stiffness = touch.record.stiffness;
-        estimated.push_back(stiffness && stiffness->object.value_NPerM
-                                ? jsonNumber(*stiffness->object.value_NPerM)
-                                : ordered_json(nullptr));
+        estimated.push_back(stiffness ? orNull(stiffness->object.value_NPerM) : nullptr);
         truth.push_back(jsonNumber(touch.trueStiffness_NPerM));
         material.push_back(stiffness ? ordered_json(stiffness::toString(stiffness->material))
                                      : ordered_json(nullptr));
@@ -84,18 +78,9 @@ core::Expected<SceneSummary> runArmScene(const scene::Scene& scene, const RunOpt
         return core::Unexpected(made.error());
     simulation::SimulatedArm& arm = **made;
     const core::ArmDescription description = arm.description();
-    const core::ArrayLayout layout = arm.skinDescription().layout;
-    core::Expected<JointLog> joints = JointLog::open(options.outFolder);
-    if (!joints)
-        return core::Unexpected(joints.error());
-    core::Expected<FrameLog> skin = FrameLog::open(options.outFolder, layout.taxels());
-    if (!skin)
-        return core::Unexpected(skin.error());
-    core::Expected<SceneRecording> recording = SceneRecording::open(options, scene);
-    if (!recording)
-        return core::Unexpected(recording.error());
-    recording->beginArray(arm.skinDescription(), scene);
-    recording->beginArm(description);
+    core::Expected<ArmLogs> logs = ArmLogs::open(options, scene, arm);
+    if (!logs)
+        return core::Unexpected(logs.error());
 
     const double duration_s = options.duration_s.value_or(scene.duration_s);
     const auto samples = static_cast<std::uint64_t>(std::llround(duration_s * description.nominalRate_Hz));
@@ -104,43 +89,34 @@ core::Expected<SceneSummary> runArmScene(const scene::Scene& scene, const RunOpt
     SkinReader reader(scene);
     SceneSummary summary;
     std::vector<ComparedTouch> touches;
-    std::vector<double> errors_m;
     const auto take = [&](const std::optional<pipeline::TouchRecord>& record) {
         if (!record)
             return;
-        recording->addTouch(*record);
+        logs->addTouch(*record);
         touches.push_back(compared(*record, arm));
         summary.events.push_back(touchEvent(touches.back()));
-        if (!record->located)
-            return;
-        explorer.add(record->p_Base_Contact_m);
-        if (!touches.back().object.empty())
-            errors_m.push_back((record->p_Base_Contact_m - touches.back().p_Base_Truth_m).norm());
+        if (record->located)
+            explorer.add(record->p_Base_Contact_m);
     };
 
     core::JointSample sample;
-    std::vector<float> values(layout.taxels());
-    std::uint64_t frames = 0;
-    for (std::uint64_t i = 0; i < samples && !joints->failed() && !skin->failed(); ++i) {
+    std::vector<float> values(arm.skinDescription().layout.taxels());
+    for (std::uint64_t i = 0; i < samples && !logs->failed(); ++i) {
         if (i % kSamplesBetweenReports == 0 && options.goOn && !options.goOn(arm.time_s(), duration_s)) {
             summary.interrupted = true;
             break;
         }
         arm.next({.drive = core::ArmDrive::program}, sample);
         sample.time_ns = std::llround(sample.sourceTime_s * 1e9);
-        joints->add(sample);
-        recording->addJoints(sample);
+        logs->add(sample);
         take(estimator.update(sample));
         if (!arm.skinFrame(values))
             continue;
-        ++frames;
-        skin->add(sample.sourceTime_s, values);
-        recording->addFrame(sample.sourceTime_s, values);
+        logs->addFrame(sample.sourceTime_s, values);
         take(estimator.update(reader.read(values, sample)));
     }
-    for (const core::Expected<void>& written : {joints->finish(), skin->finish(), recording->finish()})
-        if (!written)
-            return core::Unexpected(written.error());
+    if (const auto written = logs->finish(); !written)
+        return core::Unexpected(written.error());
     if (!options.outFolder.empty()) {
         for (const core::Expected<void>& written :
              {writeTouches(options.outFolder + "/touches.csv", touches),
@@ -156,12 +132,8 @@ core::Expected<SceneSummary> runArmScene(const scene::Scene& scene, const RunOpt
         reportStiffness(touches, summary.measures);
     if (std::holds_alternative<scene::ContourProgram>(scene.arm().program))
         reportContour(explorer.contour(), arm, summary.measures);
-    const ErrorStatistics errors = errorStatistics(errors_m);
-    summary.measures["contact_error_mean_m"] = errors.mean;
-    summary.measures["contact_error_p95_m"] = errors.p95;
-    summary.measures["first_contact_s"] =
-        touches.empty() ? ordered_json(nullptr) : jsonNumber(touches.front().record.start_s);
-    summary.measures["frames"] = frames;
+    reportContacts(touches, summary.measures);
+    summary.measures["frames"] = logs->frames();
     summary.measures["frames_lost"] = 0;
     return summary;
 }

@@ -86,8 +86,7 @@ core::Expected<SceneSummary> runArrayScene(const scene::Scene& scene, const RunO
     for (const simulation::EffectTime& effect : (*array)->effectTimes())
         summary.effects.push_back({std::string(effect.name), effect.time_s});
     errors.report(summary.measures);
-    summary.measures["first_contact_s"] =
-        firstContact_s ? jsonNumber(*firstContact_s) : nlohmann::ordered_json(nullptr);
+    summary.measures["first_contact_s"] = orNull(firstContact_s);
     summary.measures["frames"] = frame;
     summary.measures["frames_lost"] = 0;
     return summary;

@@ -249,8 +249,7 @@ core::Expected<SceneSummary> runCameraScene(const scene::Scene& scene, const Run
     for (const simulation::EffectTime& effect : tube.effectTimes())
         summary.effects.push_back({std::string(effect.name), effect.time_s});
     measures.report(summary.measures);
-    summary.measures["first_contact_s"] =
-        firstContact_s ? jsonNumber(*firstContact_s) : nlohmann::ordered_json(nullptr);
+    summary.measures["first_contact_s"] = orNull(firstContact_s);
     summary.measures["frames"] = done;
     summary.measures["frames_lost"] = tracker.unusableFrames();
     return summary;

@@ -36,6 +36,10 @@ ordered_json jsonNumber(double value) {
     return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
 }
 
+ordered_json orNull(const std::optional<double>& value) {
+    return value ? jsonNumber(*value) : ordered_json(nullptr);
+}
+
 ErrorStatistics errorStatistics(const std::vector<double>& errors) {
     if (errors.empty())
         return {nullptr, nullptr};

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -40,6 +41,8 @@ struct SceneSummary {
 
 /// A number for a JSON document; what is not finite becomes null.
 [[nodiscard]] nlohmann::ordered_json jsonNumber(double value);
+/// The same for a number that may not be known: null.
+[[nodiscard]] nlohmann::ordered_json orNull(const std::optional<double>& value);
 
 /// Mean and 95 % quantile (linear between order statistics, type 7 of Hyndman and Fan) of errors; both null
 /// without any.

@@ -20,10 +20,6 @@ constexpr double kAlignedFor_s = 0.2;
 constexpr double kSpeedWindow_s = 0.1;
 constexpr double kSettled_s = 1.0;
 
-ordered_json orNull(const std::optional<double>& value) {
-    return value ? jsonNumber(*value) : ordered_json(nullptr);
-}
-
 } // namespace
 
 void ServoMeasures::Errors::add(double error) {

@@ -31,8 +31,6 @@ public:
 
     /// When the first frame other than zero of the newest program was written; empty: not yet, or never.
     [[nodiscard]] std::optional<double> onset_s() const { return m_onset_s; }
-    [[nodiscard]] bool isPlaying() const { return m_program.has_value(); }
-    [[nodiscard]] const core::Intensities& given() const { return m_limiter.output(); }
     [[nodiscard]] core::Expected<void> finish() { return m_csv ? m_csv->finish() : core::Expected<void>(); }
 
 private:

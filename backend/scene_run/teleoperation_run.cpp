@@ -7,8 +7,7 @@
 #include "backend/pipeline/touch_estimator.h"
 #include "backend/playback/pattern_program.h"
 #include "backend/scene_run/arm_evaluation.h"
-#include "backend/scene_run/frame_log.h"
-#include "backend/scene_run/scene_recording.h"
+#include "backend/scene_run/arm_logs.h"
 #include "backend/scene_run/simulated_player.h"
 #include "backend/simulation/arm/teleoperated_arm.h"
 
@@ -25,20 +24,14 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::uint64_t kSamplesBetweenReports = 1024;
-
-ordered_json orNull(const std::optional<double>& value) {
-    return value ? jsonNumber(*value) : ordered_json(nullptr);
-}
-
 /// The operator's side of the link.
 class OperatorSide {
 public:
     OperatorSide(const scene::Scene& scene, const simulation::TeleoperatedArm& arm, SimulatedPlayer& player,
-                 SceneRecording& recording, SceneSummary& summary)
+                 ArmLogs& logs, SceneSummary& summary)
         : m_arm(arm)
         , m_player(player)
-        , m_recording(recording)
+        , m_logs(logs)
         , m_summary(summary)
         , m_estimator(arm.description())
         , m_reader(scene)
@@ -49,12 +42,12 @@ public:
         });
     }
 
-    /// In the order in which ArmChannel takes them: a frame is read before its sample.
+    /// In the order in which ArmChannel takes them: a sample, then the frame that was read with it.
     void take(const core::ArmArrival& arrival, double now_s) {
         m_heardAt_s = now_s;
+        take(m_estimator.update(arrival.sample));
         if (arrival.hasFrame)
             take(m_estimator.update(m_reader.read(arrival.frame, arrival.sample)));
-        take(m_estimator.update(arrival.sample));
     }
 
     /// After all that has arrived by now.
@@ -78,7 +71,7 @@ private:
     void take(const std::optional<pipeline::TouchRecord>& record) {
         if (!record)
             return;
-        m_recording.addTouch(*record);
+        m_logs.addTouch(*record);
         m_touches.push_back(compared(*record, m_arm.arm()));
         ordered_json event = touchEvent(m_touches.back());
         m_feedback.onTouch(*record);
@@ -87,8 +80,6 @@ private:
             ++m_named[object->number][m_touches.back().object];
             m_feedback.onContour(*record, m_found.contour());
         }
-        if (record->located && !m_touches.back().object.empty())
-            m_errors_m.push_back((record->p_Base_Contact_m - m_touches.back().p_Base_Truth_m).norm());
         m_summary.events.push_back(std::move(event));
         pipeline::FeedbackSent sent;
         while (m_feedback.popSent(sent)) {
@@ -126,7 +117,7 @@ private:
 
     const simulation::TeleoperatedArm& m_arm;
     SimulatedPlayer& m_player;
-    SceneRecording& m_recording;
+    ArmLogs& m_logs;
     SceneSummary& m_summary;
     pipeline::TouchEstimator m_estimator;
     SkinReader m_reader;
@@ -134,7 +125,6 @@ private:
     pipeline::FoundObjects m_found;
     std::vector<ComparedTouch> m_touches;
     std::map<std::uint64_t, std::map<std::string, int>> m_named; ///< touches of true objects, by found one
-    std::vector<double> m_errors_m;
     std::vector<double> m_latencies_s;
     std::optional<double> m_waiting; ///< ready_s of the touch whose pattern has not begun
     std::uint64_t m_patternsSent = 0;
@@ -166,11 +156,7 @@ void OperatorSide::report() {
         measures["shape"] = oneOrList(shape);
         measures["true_shape"] = oneOrList(shapeTruth);
     }
-    const ErrorStatistics errors = errorStatistics(m_errors_m);
-    measures["contact_error_mean_m"] = errors.mean;
-    measures["contact_error_p95_m"] = errors.p95;
-    measures["first_contact_s"] =
-        m_touches.empty() ? ordered_json(nullptr) : jsonNumber(m_touches.front().record.start_s);
+    reportContacts(m_touches, measures);
     measures["touch_to_tactor_p50_s"] = jsonNumber(quantile(m_latencies_s, 0.5));
     measures["touch_to_tactor_p99_s"] = jsonNumber(quantile(m_latencies_s, 0.99));
     measures["patterns_sent"] = m_patternsSent;
@@ -217,29 +203,20 @@ core::Expected<SceneSummary> runTeleoperation(const scene::Scene& scene, const R
         return core::Unexpected(made.error());
     simulation::TeleoperatedArm& arm = **made;
     const core::ArmDescription description = arm.description();
-    core::Expected<JointLog> joints = JointLog::open(options.outFolder);
-    if (!joints)
-        return core::Unexpected(joints.error());
-    core::Expected<FrameLog> skin = FrameLog::open(options.outFolder, arm.skinDescription().layout.taxels());
-    if (!skin)
-        return core::Unexpected(skin.error());
+    core::Expected<ArmLogs> logs = ArmLogs::open(options, scene, arm);
+    if (!logs)
+        return core::Unexpected(logs.error());
     core::Expected<SimulatedPlayer> player = SimulatedPlayer::open(options.outFolder);
     if (!player)
         return core::Unexpected(player.error());
-    core::Expected<SceneRecording> recording = SceneRecording::open(options, scene);
-    if (!recording)
-        return core::Unexpected(recording.error());
-    recording->beginArray(arm.skinDescription(), scene);
-    recording->beginArm(description);
 
     const double duration_s = options.duration_s.value_or(scene.duration_s);
     const auto samples = static_cast<std::uint64_t>(std::llround(duration_s * description.nominalRate_Hz));
     SceneSummary summary;
-    OperatorSide side(scene, arm, *player, *recording, summary);
+    OperatorSide side(scene, arm, *player, *logs, summary);
     core::JointSample atArm;
     core::ArmArrival arrival;
-    std::uint64_t frames = 0;
-    for (std::uint64_t i = 0; i < samples && !joints->failed() && !skin->failed(); ++i) {
+    for (std::uint64_t i = 0; i < samples && !logs->failed(); ++i) {
         if (i % kSamplesBetweenReports == 0 && options.goOn && !options.goOn(arm.time_s(), duration_s)) {
             summary.interrupted = true;
             break;
@@ -248,19 +225,14 @@ core::Expected<SceneSummary> runTeleoperation(const scene::Scene& scene, const R
         while (arm.takeArrival(arrival)) {
             core::JointSample& sample = arrival.sample;
             sample.time_ns = std::llround(sample.sourceTime_s * 1e9);
-            joints->add(sample);
-            recording->addJoints(sample);
-            if (arrival.hasFrame) {
-                ++frames;
-                skin->add(sample.sourceTime_s, arrival.frame);
-                recording->addFrame(sample.sourceTime_s, arrival.frame);
-            }
+            logs->add(sample);
+            if (arrival.hasFrame)
+                logs->addFrame(sample.sourceTime_s, arrival.frame);
             side.take(arrival, arm.time_s());
         }
         side.playUntil(arm.time_s());
     }
-    for (const core::Expected<void>& written :
-         {joints->finish(), skin->finish(), player->finish(), recording->finish()})
+    for (const core::Expected<void>& written : {logs->finish(), player->finish()})
         if (!written)
             return core::Unexpected(written.error());
     if (!options.outFolder.empty()) {
@@ -275,7 +247,7 @@ core::Expected<SceneSummary> runTeleoperation(const scene::Scene& scene, const R
     for (const simulation::EffectTime& effect : arm.effectTimes())
         summary.effects.push_back({std::string(effect.name), effect.time_s});
     side.report();
-    summary.measures["frames"] = frames;
+    summary.measures["frames"] = logs->frames();
     summary.measures["frames_lost"] = arm.linkCounters().framesLost;
     return summary;
 }

@@ -109,9 +109,6 @@ nlohmann::ordered_json touchEvent(const ComparedTouch& touch) {
     if (!touch.record.stiffness)
         return event;
     const stiffness::TouchStiffness& estimate = *touch.record.stiffness;
-    const auto orNull = [](const std::optional<double>& value) {
-        return value ? jsonNumber(*value) : nlohmann::ordered_json(nullptr);
-    };
     event["object_stiffness_n_per_m"] = orNull(estimate.object.value_NPerM);
     event["object_stiffness_lower_95"] = orNull(estimate.object.lower95_NPerM);
     event["object_stiffness_upper_95"] = orNull(estimate.object.upper95_NPerM);
