@@ -52,10 +52,6 @@ DepthRate::Slope DepthRate::slope(std::size_t sightings) const {
     return {together / spread_s2, m_noise_m / std::sqrt(spread_s2)};
 }
 
-double DepthRate::mean_mPerS() const {
-    return m_sightings.size() < 2 ? 0.0 : slope(m_sightings.size()).rate_mPerS;
-}
-
 double DepthRate::atLeast_mPerS() const {
     double best_mPerS = 0.0;
     for (std::size_t count = 2; count <= m_sightings.size(); ++count) {

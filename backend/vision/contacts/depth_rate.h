@@ -19,8 +19,6 @@ public:
     /// contact: in a frame; time_s: of its capture, rising; framePeriod_s: since the frame before.
     void add(const CameraContact& contact, double time_s, double framePeriod_s);
 
-    /// Through all sightings that are kept; 0 without two.
-    [[nodiscard]] double mean_mPerS() const;
     /// The rate that is surely there: the highest, over any number of the newest sightings, of a slope less
     /// three standard deviations. 0 without two sightings.
     [[nodiscard]] double atLeast_mPerS() const;

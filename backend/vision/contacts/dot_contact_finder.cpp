@@ -148,6 +148,7 @@ core::Expected<void> DotContactFinder::takeReference(const cv::Mat1b& frame) {
         m_nodes[i].known = tracker.dots()[i].found;
     }
     m_beforeKnown = true; // in the reference nothing has moved
+    m_patches.forget();
     m_tracker = std::move(tracker);
     return {};
 }

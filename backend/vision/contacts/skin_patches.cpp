@@ -34,6 +34,8 @@ std::vector<SkinPatch> SkinPatches::find(std::span<const SkinNode> nodes,
     m_peak_m.assign(nodes.size(), 0.0);
     m_parent.assign(nodes.size(), kNone);
     m_order.clear();
+    m_straysBefore.swap(m_strays);
+    m_strays.clear();
     for (std::size_t i = 0; i < nodes.size(); ++i)
         m_moved_m[i] = nodes[i].known ? std::hypot(nodes[i].around_m, nodes[i].inward_m) : 0.0;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -112,7 +114,7 @@ std::size_t SkinPatches::loneJump(std::span<const SkinNode> nodes, const SkinPat
     double most_m = 0.0;
     double next_m = 0.0;
     for (const std::size_t i : patch.nodes) {
-        if (!nodes[i].known || !std::isfinite(nodes[i].inwardBefore_m))
+        if (!nodes[i].known || !isKnownBefore(nodes, i))
             continue;
         const double deepened_m = nodes[i].inward_m - nodes[i].inwardBefore_m;
         if (deepened_m > most_m) {
@@ -125,14 +127,21 @@ std::size_t SkinPatches::loneJump(std::span<const SkinNode> nodes, const SkinPat
     return most_m > m_settings.loneJump_m + m_settings.loneJumpShare * next_m ? first : kNone;
 }
 
-void SkinPatches::measureDepth(std::span<const SkinNode> nodes, SkinPatch& patch) const {
+bool SkinPatches::isKnownBefore(std::span<const SkinNode> nodes, std::size_t node) const {
+    return std::isfinite(nodes[node].inwardBefore_m) &&
+           std::ranges::find(m_straysBefore, node) == m_straysBefore.end();
+}
+
+void SkinPatches::measureDepth(std::span<const SkinNode> nodes, SkinPatch& patch) {
     const std::size_t alone = loneJump(nodes, patch);
+    if (alone != kNone)
+        m_strays.push_back(alone);
     double inward_m = 0.0;
     double inwardBefore_m = 0.0;
     bool knownBefore = false;
     std::size_t lost = 0;
     for (const std::size_t i : patch.nodes) {
-        const bool before = std::isfinite(nodes[i].inwardBefore_m);
+        const bool before = isKnownBefore(nodes, i);
         if (!nodes[i].known) {
             lost += before ? 1 : 0;
             continue;

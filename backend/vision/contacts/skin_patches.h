@@ -28,7 +28,8 @@ struct SkinPatch {
     double depth_m = 0.0; ///< largest inward displacement of a point
     /// How much larger it is than in the frame before, of the points that are known in both; NaN without any.
     /// At least jump_m when several points were lost at once, since they moved further than they could be
-    /// followed. A point that jumps while no other one does was taken for another and counts for neither.
+    /// followed. A point that jumps while no other one does was taken for another and counts for neither; in
+    /// the next frame it says nothing of how deep the contact was before.
     double deepened_m = std::numeric_limits<double>::quiet_NaN();
     double peak_m = 0.0;            ///< largest displacement
     std::vector<std::size_t> nodes; ///< falling displacement
@@ -56,6 +57,8 @@ public:
     /// neighbours: of each node. Largest peak first.
     [[nodiscard]] std::vector<SkinPatch> find(std::span<const SkinNode> nodes,
                                               std::span<const std::vector<std::size_t>> neighbours);
+    /// The next nodes are others, or follow on no frame.
+    void forget() { m_strays.clear(); }
 
     /// Displacement at a place, a mean of the known nodes among the candidates with weights that fall with
     /// the distance (Gaussian of the given width); 0 without any.
@@ -66,13 +69,17 @@ private:
     /// The point of a patch that jumps alone; kNone: none does.
     [[nodiscard]] std::size_t loneJump(std::span<const SkinNode> nodes, const SkinPatch& patch) const;
     /// Depth of a patch and how it has changed.
-    void measureDepth(std::span<const SkinNode> nodes, SkinPatch& patch) const;
+    void measureDepth(std::span<const SkinNode> nodes, SkinPatch& patch);
+    /// Where the node was is known, and its own.
+    [[nodiscard]] bool isKnownBefore(std::span<const SkinNode> nodes, std::size_t node) const;
 
     Settings m_settings;
     std::vector<double> m_moved_m;
     std::vector<std::size_t> m_order;
     std::vector<std::size_t> m_parent; ///< union-find; kNone: not active yet
     std::vector<double> m_peak_m;
+    std::vector<std::size_t> m_strays;       ///< points that jumped alone in this frame
+    std::vector<std::size_t> m_straysBefore; ///< and in the frame before
 };
 
 } // namespace teleta::vision

@@ -23,20 +23,20 @@ TEST(DepthRate, isThatOfTheSkinAtTheFirstSightingWhateverTheFrameRate) {
     for (const double rate_Hz : {10.0, 40.0, 500.0}) {
         DepthRate rate;
         rate.add(deepened(0.03 / rate_Hz), 1.0, 1.0 / rate_Hz);
-        EXPECT_NEAR(rate.mean_mPerS(), 0.03, 1e-12) << rate_Hz;
         EXPECT_NEAR(rate.atLeast_mPerS(), 0.03, 1e-12) << rate_Hz;
     }
 }
 
 TEST(DepthRate, isTheSlopeOfAStraightLineThroughTheSightings) {
-    // 0, 1, 1, 4 at 0, 1, 2, 3: slope (-1.5 * 0 - 0.5 * 1 + 0.5 * 1 + 1.5 * 4) / 5 = 1.2.
+    // 0, 1, 1, 0 at 0, 1, 2, 3: the newest two fall by 1, the newest three by 0.5, and all by
+    // (-1.5 * 0 - 0.5 * 1 + 0.5 * 1 + 1.5 * 0) / 5 = 0.
     DepthRate rate;
     constexpr double kPeriod_s = 0.01;
     rate.add(deepened(1e-4), 1 * kPeriod_s, kPeriod_s);
     rate.add(deepened(0.0), 2 * kPeriod_s, kPeriod_s);
-    rate.add(deepened(3e-4), 3 * kPeriod_s, kPeriod_s);
-    EXPECT_NEAR(rate.mean_mPerS(), 1.2 * 1e-4 / kPeriod_s, 1e-12);
-    EXPECT_NEAR(rate.atLeast_mPerS(), 3.0 * 1e-4 / kPeriod_s, 1e-12); // the newest two, without noise
+    EXPECT_NEAR(rate.atLeast_mPerS(), 0.5 * 1e-4 / kPeriod_s, 1e-12); // 0, 1, 1: the steepest of all
+    rate.add(deepened(-1e-4), 3 * kPeriod_s, kPeriod_s);
+    EXPECT_NEAR(rate.atLeast_mPerS(), 0.0, 1e-12);
 }
 
 TEST(DepthRate, isTheSurerTheMoreSightingsThereAre) {
@@ -47,7 +47,6 @@ TEST(DepthRate, isTheSurerTheMoreSightingsThereAre) {
     for (std::size_t i = 0; i < spread.size(); ++i) {
         rate.add(deepened(0.03 * kPeriod_s, kNoise_m), static_cast<double>(i) * kPeriod_s, kPeriod_s);
         EXPECT_NEAR(rate.atLeast_mPerS(), 0.03 - 3.0 * kNoise_m / (kPeriod_s * std::sqrt(spread[i])), 1e-12);
-        EXPECT_NEAR(rate.mean_mPerS(), 0.03, 1e-12);
     }
 }
 
@@ -63,18 +62,17 @@ TEST(DepthRate, seesABlowOnAContactThatHasRestedForLong) {
 
 TEST(DepthRate, beginsAnewAfterAGapAndIsNotKnownWithoutTheFrameBefore) {
     DepthRate rate;
-    EXPECT_EQ(rate.mean_mPerS(), 0.0);
+    EXPECT_EQ(rate.atLeast_mPerS(), 0.0);
     rate.add(deepened(NAN), 0.0, 0.01);
-    EXPECT_EQ(rate.mean_mPerS(), 0.0);
     EXPECT_EQ(rate.atLeast_mPerS(), 0.0);
     rate.add(deepened(1e-4), 0.01, 0.01);
-    EXPECT_NEAR(rate.mean_mPerS(), 0.01, 1e-12);
+    EXPECT_NEAR(rate.atLeast_mPerS(), 0.01, 1e-12);
     rate.add(deepened(2e-4), 0.1, 0.01); // not seen in the frames between
-    EXPECT_NEAR(rate.mean_mPerS(), 0.02, 1e-12);
+    EXPECT_NEAR(rate.atLeast_mPerS(), 0.02, 1e-12);
     rate.add(deepened(NAN), 0.2, 0.01);
-    EXPECT_EQ(rate.mean_mPerS(), 0.0);
+    EXPECT_EQ(rate.atLeast_mPerS(), 0.0);
     rate.add(deepened(1e-4), 0.2, 0.0); // a time that stands still
-    EXPECT_TRUE(std::isfinite(rate.mean_mPerS()));
+    EXPECT_TRUE(std::isfinite(rate.atLeast_mPerS()));
 }
 
 TEST(DepthRate, isThatOfTheDepthWhereWhatTheSkinDidIsNotKnown) {
@@ -83,7 +81,7 @@ TEST(DepthRate, isThatOfTheDepthWhereWhatTheSkinDidIsNotKnown) {
     rate.add(contact, 0.0, 0.01);
     contact.depth_m += 2e-4;
     rate.add(contact, 0.01, 0.01);
-    EXPECT_NEAR(rate.mean_mPerS(), 0.02, 1e-12);
+    EXPECT_NEAR(rate.atLeast_mPerS(), 0.02, 1e-12);
 }
 
 } // namespace teleta::vision

@@ -88,6 +88,33 @@ TEST(SkinPatches, haveNoDepthFromAPointThatJumpsAlone) {
     EXPECT_GT(skin.find()[0].depth_m, 1.5 * depth_m);
 }
 
+TEST(SkinPatches, haveNoDepthBeforeFromAPointThatHadJumpedAloneEither) {
+    Skin skin;
+    skin.press(0.5, 0.03, 0.0008);
+    const auto nextFrame = [&] {
+        for (SkinNode& node : skin.nodes)
+            node.inwardBefore_m = node.inward_m;
+    };
+    nextFrame();
+    SkinPatches patches{SkinPatches::Settings()};
+    const SkinPatch before = patches.find(skin.nodes, skin.neighbours)[0];
+    skin.nodes[before.nodes[1]].inward_m += 0.001; // taken for the dot of the next ring
+    ASSERT_NEAR(patches.find(skin.nodes, skin.neighbours)[0].deepened_m, 0.0, 1e-12);
+    // It is found again, and the dent grows by a quarter of its depth.
+    nextFrame();
+    skin.nodes[before.nodes[1]].inward_m -= 0.001;
+    skin.press(0.5, 0.03, 0.0002);
+    const SkinPatch after = patches.find(skin.nodes, skin.neighbours)[0];
+    EXPECT_NEAR(after.deepened_m, 0.25 * before.depth_m, 1e-12);
+    // Of other nodes nothing is remembered.
+    nextFrame();
+    skin.nodes[before.nodes[1]].inward_m += 0.001;
+    static_cast<void>(patches.find(skin.nodes, skin.neighbours));
+    patches.forget();
+    nextFrame();
+    EXPECT_NEAR(patches.find(skin.nodes, skin.neighbours)[0].deepened_m, 0.0, 1e-12);
+}
+
 TEST(SkinPatches, countSeveralPointsThatAreLostAtOnceAsAJump) {
     Skin skin;
     skin.press(0.5, 0.03, 0.0008);
