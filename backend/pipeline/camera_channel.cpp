@@ -374,14 +374,14 @@ void CameraChannel::takeTaps() {
     if (taps == m_tapsInUse)
         return;
     m_tapsInUse = std::move(taps);
-    recordReference(core::steadyNow_ns(), m_time_s);
+    recordReference(core::steadyNow_ns(), m_time_s - m_offset_s);
 }
 
-void CameraChannel::recordReference(std::int64_t time_ns, double time_s) {
+void CameraChannel::recordReference(std::int64_t time_ns, double capture_s) {
     // Nobody writes to the reference's pixels.
     if (m_tapsInUse && m_tracker.hasReference())
         m_tapsInUse->reference->append(
-            {.image = core::greyImageOf(m_tracker.reference()), .time_ns = time_ns, .capture_s = time_s});
+            {.image = core::greyImageOf(m_tracker.reference()), .time_ns = time_ns, .capture_s = capture_s});
 }
 
 void CameraChannel::recordContacts(const core::CameraFrame& frame,

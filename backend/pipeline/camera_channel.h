@@ -119,7 +119,8 @@ private:
     void report(const std::vector<vision::FollowedContact>& contacts);
     void addEvent(CameraEvent event);
     void takeTaps();
-    void recordReference(std::int64_t time_ns, double time_s);
+    /// capture_s: by the source's clock, as of the pictures.
+    void recordReference(std::int64_t time_ns, double capture_s);
     void recordContacts(const core::CameraFrame& frame, const std::vector<vision::FollowedContact>& contacts);
     [[nodiscard]] bool mayReact() const;
 

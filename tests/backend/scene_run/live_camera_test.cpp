@@ -45,14 +45,18 @@ public:
             if (damaged)
                 frame.image = {};
             frame.capture_s = m_generator->time_s();
+            const double clock_s = frame.capture_s + m_clock_s;
             frame.time_ns = m_keepsTime ? core::steadyNow_ns()
                                         : m_start_ns + static_cast<std::int64_t>(frame.capture_s * 1e9);
+            frame.capture_s = clock_s;
             frame.number = m_number++;
             m_frames.push(std::move(frame));
         }
         m_consumer->notify();
     }
     void cut() { m_cut = true; }
+    /// Of its own clock.
+    void beginAt(double time_s) { m_clock_s = time_s; }
     /// From now on frames are as old as they are, and a silence counts.
     void keepTime() { m_keepsTime = true; }
 
@@ -63,6 +67,7 @@ private:
     std::uint64_t m_number = 0;
     /// However slowly the test goes, no frame is late.
     std::int64_t m_start_ns = core::steadyNow_ns() + 3'600'000'000'000;
+    double m_clock_s = 0.0;
     bool m_cut = false;
     bool m_keepsTime = false;
 };
@@ -366,6 +371,24 @@ TEST_F(LiveCamera, aCutInTheStreamBeginsContactsAnewAndTimeGoesOn) {
     ASSERT_EQ(snapshot().contacts.size(), 1U);
     EXPECT_GT(snapshot().contacts.front().contact.id, id);
     EXPECT_EQ(eventsOf(CameraEvent::Kind::restart), 1);
+}
+
+TEST_F(LiveCamera, aRecordingHasTheReferenceOnTheClockOfThePictures) {
+    ASSERT_NO_FATAL_FAILURE(open(smallScene({}, {{0.0, 0.0, 0.02, 0.0}, {1.0, 0.0, 0.02, 0.0}})));
+    m_source->beginAt(100.0);
+    run(3);
+    const auto taps = std::make_shared<pipeline::CameraTaps>(
+        pipeline::CameraTaps{std::make_shared<core::StreamTap>(8), std::make_shared<core::StreamTap>(8),
+                             std::make_shared<core::StreamTap>(8), [](const CameraEvent&, std::int64_t) {}});
+    m_channel->record(taps);
+    run(1);
+    core::TappedFrames picture;
+    core::TappedFrames reference;
+    ASSERT_TRUE(taps->pictures->pop(picture));
+    ASSERT_TRUE(taps->reference->pop(reference));
+    // It was in use from the frame before on.
+    EXPECT_LT(reference.sourceTime_s[0], picture.sourceTime_s[0]);
+    EXPECT_NEAR(reference.sourceTime_s[0], picture.sourceTime_s[0], 0.1);
 }
 
 TEST_F(LiveCamera, aNewReferenceForgetsWhatPressesNow) {
