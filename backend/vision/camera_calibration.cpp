@@ -474,7 +474,8 @@ PairResidual residualOf(const CylinderCamera& camera, const CalibrationPair& pai
 
 tl::expected<Calibration, CalibrationRefusal> calibrate(Pairs pairs, const CalibrationSettings& settings,
                                                         CalibrationMethod method) {
-    if (settings.width_px < 1 || settings.height_px < 1 || !settings.surface.isUsable())
+    const auto isSide = [](int pixels) { return pixels >= 1 && pixels <= kLargestSide_px; };
+    if (!isSide(settings.width_px) || !isSide(settings.height_px) || !settings.surface.isUsable())
         return Refused(CalibrationRefusal::badSettings);
     if (const auto refusal = degeneracy(pairs))
         return Refused(*refusal);

@@ -24,7 +24,6 @@ struct CameraText {
     Q_DECLARE_TR_FUNCTIONS(CameraFile)
 };
 
-constexpr int kWidest_px = 16'384; ///< of an image; work on it keeps some maps of its size
 constexpr const char* kFormat = "teleta-camera";
 constexpr long long kVersion = 1;
 constexpr double kHuge = 1e9;
@@ -150,8 +149,8 @@ core::Expected<CameraFile> parseCamera(std::string text, const std::string& file
                     std::to_string(kVersion));
 
     CameraParameters camera;
-    camera.width_px = static_cast<int>(reader.integer(reader.member(root, "width_px"), 1, kWidest_px));
-    camera.height_px = static_cast<int>(reader.integer(reader.member(root, "height_px"), 1, kWidest_px));
+    camera.width_px = static_cast<int>(reader.integer(reader.member(root, "width_px"), 1, kLargestSide_px));
+    camera.height_px = static_cast<int>(reader.integer(reader.member(root, "height_px"), 1, kLargestSide_px));
     readFocus(reader, camera);
     readRows(reader, reader.member(root, "R"), camera.R_Camera_Sensor);
     const ordered_json& centre = reader.array(reader.member(root, "C_m"), 3, 3);

@@ -7,6 +7,9 @@
 
 namespace teleta::vision {
 
+/// Of an image's width and height: work on a camera keeps some maps of its image's size.
+inline constexpr int kLargestSide_px = 16'384;
+
 /// What makes a camera. Pixels count from the centre of the upper left one, u to the right and v down.
 /// The camera looks along its z, x to the right and y down in the image.
 struct CameraParameters {

@@ -91,11 +91,11 @@ void CalibrateCommand::declare(CLI::App& app) {
     app.add_option("--width", m_settings.width_px,
                    help(QT_TRANSLATE_NOOP("CalibrateCommand", "Width of the image, px")))
         ->capture_default_str()
-        ->check(between(1, 1e5));
+        ->check(between(1, vision::kLargestSide_px));
     app.add_option("--height", m_settings.height_px,
                    help(QT_TRANSLATE_NOOP("CalibrateCommand", "Height of the image, px")))
         ->capture_default_str()
-        ->check(between(1, 1e5));
+        ->check(between(1, vision::kLargestSide_px));
     app.add_option("--radius-mm", m_radius_mm,
                    help(QT_TRANSLATE_NOOP("CalibrateCommand", "Radius of the elastomer, mm")))
         ->capture_default_str()

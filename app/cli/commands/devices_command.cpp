@@ -5,6 +5,7 @@
 #include "backend/core/output_file.h"
 #include "backend/core/stop_switch.h"
 #include "backend/scene/toml_table.h"
+#include "backend/vision/camera_model.h"
 #include "devices/bracelet/hid_bracelet.h"
 #include "devices/camera/camera_list.h"
 #include "devices/modbus/libmodbus_link.h"
@@ -107,10 +108,9 @@ core::Expected<FoundDevice> probeArray(const scene::TomlDocument& document, scen
 }
 
 core::Expected<FoundDevice> probeCamera(const scene::TomlDocument& document, scene::TomlTable& root) {
-    constexpr long long kLargestSide_px = 16384;
     FoundDevice found{.kind = "camera", .name = root.text("name"), .where = root.text("source")};
-    const auto width_px = static_cast<int>(root.integer("width_px", 0, kLargestSide_px, 0));
-    const auto height_px = static_cast<int>(root.integer("height_px", 0, kLargestSide_px, 0));
+    const auto width_px = static_cast<int>(root.integer("width_px", 0, vision::kLargestSide_px, 0));
+    const auto height_px = static_cast<int>(root.integer("height_px", 0, vision::kLargestSide_px, 0));
     const double rate_Hz = root.number("rate_Hz", {.low = 0.0, .high = 10'000.0}, 0.0);
     root.finish();
     if (document.firstError())

@@ -179,6 +179,7 @@ TEST_F(CalibrateCommand, wrongUsageAndBadInputHaveTheirExitCodes) {
     expectError(calibrate(pairsCsv(), {"--method", "guess"}), 2, "--method");
     expectError(calibrate(pairsCsv(), {"--radius-mm", "0"}), 2, "--radius-mm");
     expectError(calibrate(pairsCsv(), {"--width", "-1"}), 2, "--width");
+    expectError(calibrate(pairsCsv(), {"--width", "16385"}), 2, "--width"); // no camera file may say it
     expectError(run({"calibrate"}), 2, "pairs");
     expectError(calibrate("u_px,v_px,x_m,y_m,z_m\n1,2,3,4,abc\n"), 3, "pairs.csv:2:9:");
     expectError(calibrate("u_px,v_px,x_m,y_m,z_m\n1,2,3,4,nan\n"), 3, "pairs.csv:2:9:");

@@ -77,10 +77,17 @@ TEST(CameraCalibrationStability, numbersThatAreNoneAreRefused) {
     settings.surface.radius_m = 0.0;
     EXPECT_EQ(calibrate(simulated.pairs, settings, CalibrationMethod::robust).error(),
               CalibrationRefusal::badSettings);
-    settings = {};
-    settings.width_px = 0;
-    EXPECT_EQ(calibrate(simulated.pairs, settings, CalibrationMethod::robust).error(),
-              CalibrationRefusal::badSettings);
+    // A camera whose file could not be read is none.
+    for (const int side_px : {0, -1, kLargestSide_px + 1}) {
+        settings = {};
+        settings.width_px = side_px;
+        EXPECT_EQ(calibrate(simulated.pairs, settings, CalibrationMethod::robust).error(),
+                  CalibrationRefusal::badSettings);
+        settings = {};
+        settings.height_px = side_px;
+        EXPECT_EQ(calibrate(simulated.pairs, settings, CalibrationMethod::robust).error(),
+                  CalibrationRefusal::badSettings);
+    }
 }
 
 TEST(CameraCalibrationStability, aRingThatThickensIsRefusedUntilItShowsTheCamera) {
