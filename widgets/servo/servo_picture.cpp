@@ -136,8 +136,7 @@ ServoPicture::Columns ServoPicture::columns(double width_px) const {
     return columns;
 }
 
-QRectF ServoPicture::titleRect(std::size_t index) const {
-    const Columns columns = this->columns(width());
+QRectF ServoPicture::titleRect(const Columns& columns, std::size_t index) const {
     const double left = kMargin_em * base::em(this, 1) +
                         std::accumulate(columns.width_px.begin(),
                                         columns.width_px.begin() + static_cast<std::ptrdiff_t>(index), 0.0);
@@ -145,8 +144,11 @@ QRectF ServoPicture::titleRect(std::size_t index) const {
 }
 
 std::array<QString, 4> ServoPicture::shownTitles() const {
+    return shownTitles(columns(width()));
+}
+
+std::array<QString, 4> ServoPicture::shownTitles(const Columns& columns) const {
     const QFontMetricsF small(base::sized(font(), base::kSmallText));
-    const Columns columns = this->columns(width());
     std::array<QString, 4> shown = titles();
     for (std::size_t i = 0; i < 4; ++i)
         shown[i] = small.elidedText(shown[i], Qt::ElideRight, columns.width_px[i] + 0.5);
@@ -157,10 +159,12 @@ bool ServoPicture::event(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
         const std::array<QString, 4> whole = titles();
-        const std::array<QString, 4> shown = shownTitles();
+        const Columns columns = this->columns(width());
+        const std::array<QString, 4> shown = shownTitles(columns);
         for (std::size_t i = 0; i < 4; ++i)
-            if (shown[i] != whole[i] && titleRect(i).contains(help->pos())) {
-                QToolTip::showText(help->globalPos(), whole[i], this, titleRect(i).toAlignedRect());
+            if (const QRectF rect = titleRect(columns, i);
+                shown[i] != whole[i] && rect.contains(help->pos())) {
+                QToolTip::showText(help->globalPos(), whole[i], this, rect.toAlignedRect());
                 return true;
             }
     }
@@ -186,14 +190,15 @@ void ServoPicture::paintFeatures(QPainter& painter) const {
     const double em = base::em(this, 1);
     const double line = lineHeight();
     const double margin = kMargin_em * em;
+    const Columns columns = this->columns(width()); // once: it measures all texts
     const auto cell = [&](int row, std::size_t index) {
-        return titleRect(index).translated(0.0, row * line);
+        return titleRect(columns, index).translated(0.0, row * line);
     };
     const QColor quiet =
         base::mixed(palette().color(QPalette::WindowText), palette().color(QPalette::Window), 0.35);
     painter.setFont(base::sized(font(), base::kSmallText));
     painter.setPen(quiet);
-    const std::array<QString, 4> titles = shownTitles();
+    const std::array<QString, 4> titles = shownTitles(columns);
     for (std::size_t i = 0; i < 4; ++i)
         painter.drawText(cell(0, i), (i == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter, titles[i]);
     painter.setPen(

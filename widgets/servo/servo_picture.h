@@ -48,7 +48,9 @@ private:
     [[nodiscard]] static std::array<QString, 4> titles();
     /// As wide as their content; what a width leaves over, or lacks, is shared. 0: as they want to be.
     [[nodiscard]] Columns columns(double width_px) const;
-    [[nodiscard]] QRectF titleRect(std::size_t index) const;
+    /// columns: as wide as the widget shows them.
+    [[nodiscard]] QRectF titleRect(const Columns& columns, std::size_t index) const;
+    [[nodiscard]] std::array<QString, 4> shownTitles(const Columns& columns) const;
     void paintFeatures(QPainter& painter) const;
     void paintMatrix(QPainter& painter, const QRectF& rect, const QString& name, const Matrix6& matrix) const;
     void describe();
