@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
 #include <linux/videodev2.h>
@@ -29,6 +30,12 @@ constexpr double kUnknownRate_Hz = 30.0;
 constexpr int kMostFailures = 25; ///< pictures in a row that cannot be decoded are the end of a file
 constexpr double kHighestRate_Hz = 10000.0;
 constexpr double kLongestGap = 1e6; ///< frames; what is longer is a damaged time stamp
+
+/// OpenCV waits ten seconds for a frame of a camera that hangs, and whoever ends it waits with it. It reads
+/// the variable at the first frame; it is set before there are threads that read the environment.
+const bool kWaitIsLimited [[maybe_unused]] =
+    ::setenv("OPENCV_VIDEOIO_V4L_SELECT_TIMEOUT", std::to_string(VideoStream::kLongestWait_s).c_str(), 0) ==
+    0;
 
 std::optional<int> cameraNumber(const std::string& source) {
     int number = 0;

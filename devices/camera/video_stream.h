@@ -28,11 +28,15 @@ public:
         return open(source, {});
     }
 
+    /// For a frame of a camera; the variable OPENCV_VIDEOIO_V4L_SELECT_TIMEOUT (seconds), where it is set,
+    /// says otherwise.
+    static constexpr int kLongestWait_s = 2;
+
     enum class Outcome {
         frame,
         undecodable, ///< there was a frame, but it could not be decoded
         ended,       ///< of a file
-        gone,        ///< the camera gives no frames any more
+        gone,        ///< the camera gives no frames any more, or none for kLongestWait_s
     };
     /// Waits for the next frame. frame: changed only when there is one.
     [[nodiscard]] Outcome next(cv::Mat1b& frame, double& time_s);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -47,6 +48,12 @@ TEST_F(VideoStreamTest, readsAllFramesOfAFileInGreyWithTheirTimes) {
     }
     EXPECT_EQ(stream->next(frame, time_s), Outcome::ended);
     EXPECT_EQ(stream->framesSkipped(), 0U);
+}
+
+TEST_F(VideoStreamTest, aCameraThatHangsIsWaitedForNoLongerThanItSays) {
+    const char* const wait_s = std::getenv("OPENCV_VIDEOIO_V4L_SELECT_TIMEOUT");
+    ASSERT_NE(wait_s, nullptr);
+    EXPECT_EQ(wait_s, std::to_string(VideoStream::kLongestWait_s));
 }
 
 TEST_F(VideoStreamTest, countsAFrameThatCannotBeDecodedAndGoesOnAfterIt) {
