@@ -293,7 +293,7 @@ void MainWindow::openScenes(const QStringList& scenes, const QString& studyFolde
 }
 
 void MainWindow::openCamera() {
-    auto* dialog = new CameraDialog(m_settings.camera(), CameraDialog::connectedCameras(), this);
+    auto* dialog = new CameraDialog(m_settings.camera(), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog] {
         m_settings.setCamera(dialog->request());

@@ -53,6 +53,8 @@ struct CalibrationSettings {
     int width_px = 1640;
     int height_px = 1232;
     CylinderSurface surface;
+
+    [[nodiscard]] bool operator==(const CalibrationSettings&) const = default;
 };
 
 /// What the camera makes of one pair.

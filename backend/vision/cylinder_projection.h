@@ -12,6 +12,7 @@ struct CylinderSurface {
     double highest_z_m = 0.1;
 
     [[nodiscard]] bool isUsable() const;
+    [[nodiscard]] bool operator==(const CylinderSurface&) const = default;
 };
 
 /// Why a pixel shows no point of the sensitive surface.

@@ -6,6 +6,17 @@
 
 namespace teleta::console {
 
+std::vector<vision::CalibrationPair> CalibrationWork::onSurface() const {
+    std::vector<vision::CalibrationPair> moved = pairs;
+    for (vision::CalibrationPair& pair : moved)
+        pair.p_Sensor_m.head<2>() *= holeFactor;
+    return moved;
+}
+
+bool CalibrationWork::isJoinedBy(const vision::CalibrationSettings& probed) const {
+    return !simulated && holeFactor == 1.0 && settings == probed;
+}
+
 void CalibrationWork::add(const vision::CalibrationPair& pair) {
     pairs.push_back(pair);
     used.push_back(true);
@@ -20,7 +31,7 @@ void CalibrationWork::put(const vision::CalibrationPair& pair) {
 }
 
 int CalibrationWork::remove(const std::vector<std::size_t>& numbers) {
-    CalibrationWork left{{}, {}, settings, simulated};
+    CalibrationWork left{{}, {}, settings, simulated, holeFactor};
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         if (std::ranges::find(numbers, i) != numbers.end())
             continue;

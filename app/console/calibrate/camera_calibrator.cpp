@@ -122,6 +122,7 @@ void CameraCalibrator::buildTools() {
     addActions({m_load, m_save, m_undoAction, m_redoAction});
     m_tube = new TubeFields;
     connect(m_tube, &TubeFields::changed, this, &CameraCalibrator::setSettings);
+    connect(m_tube, &TubeFields::holeFactorChanged, this, &CameraCalibrator::setHoleFactor);
 }
 
 QWidget* CameraCalibrator::buildTables() {
@@ -353,7 +354,8 @@ void CameraCalibrator::apply(const Work& work) {
     if (m_answers)
         takeAnswers(std::move(*m_answers), before);
     m_tube->setSettings(m_work.settings);
-    m_live->setPairs(m_work.pairs);
+    m_tube->setHoleFactor(m_work.holeFactor);
+    followProbing();
     fit();
     refresh();
 }
@@ -363,7 +365,7 @@ void CameraCalibrator::takeAnswers(Answers answers, const Work& fitted) {
     for (Answer& one : answers) {
         if (!one.calibration)
             continue;
-        one.calibration->residuals = carriedOver(*one.calibration, fitted.pairs, m_work.pairs);
+        one.calibration->residuals = carriedOver(*one.calibration, fitted.onSurface(), m_work.onSurface());
         if (one.calibration->residuals.empty())
             return;
     }
@@ -373,7 +375,7 @@ void CameraCalibrator::takeAnswers(Answers answers, const Work& fitted) {
 void CameraCalibrator::setPairs(std::vector<CalibrationPair> pairs) {
     m_probing->cancel();
     m_live->cancel();
-    Work after{{}, std::vector<bool>(pairs.size(), true), m_work.settings, false};
+    Work after{{}, std::vector<bool>(pairs.size(), true), m_work.settings, false, m_work.holeFactor};
     after.pairs = std::move(pairs);
     edit(std::move(after), tr("loading"));
     sizeColumns();
@@ -402,6 +404,12 @@ void CameraCalibrator::setUsed(const std::vector<std::size_t>& pairs, bool used)
 void CameraCalibrator::setSettings(const vision::CalibrationSettings& settings) {
     Work after = m_work;
     after.settings = settings;
+    edit(std::move(after), tr("image and cylinder"));
+}
+
+void CameraCalibrator::setHoleFactor(double factor) {
+    Work after = m_work;
+    after.holeFactor = factor;
     edit(std::move(after), tr("image and cylinder"));
 }
 
@@ -454,7 +462,7 @@ void CameraCalibrator::fit() {
     }
     m_fitting = true;
     runInBackground(
-        this, [work = m_work] { return std::pair(fitAll(work.pairs, work.used, work.settings), work); },
+        this, [work = m_work] { return std::pair(fitAll(work.onSurface(), work.used, work.settings), work); },
         [this](std::pair<Answers, Work> fitted) {
             m_fitting = false;
             takeAnswers(std::move(fitted.first), fitted.second);
@@ -505,7 +513,7 @@ QString CameraCalibrator::verdict() const {
 }
 
 void CameraCalibrator::refresh() {
-    m_shown = {m_work.pairs,
+    m_shown = {m_work.onSurface(),
                m_work.used,
                {},
                {},
@@ -533,6 +541,7 @@ void CameraCalibrator::refresh() {
     m_savePairs->setEnabled(!m_work.pairs.empty());
     m_probe->setEnabled(!m_probing->isRunning() && !m_live->isRunning());
     m_probeWith->setEnabled(m_probe->isEnabled());
+    m_tube->setEnabled(m_probe->isEnabled()); // what is probed is a tube and an image of its own
     m_origin->setVisible(m_work.simulated);
     m_origin->setText(tr("SIMULATED"));
     QPalette colours = palette();

@@ -68,6 +68,8 @@ public:
     /// Uses pairs or leaves them out.
     void setUsed(const std::vector<std::size_t>& pairs, bool used);
     void setSettings(const vision::CalibrationSettings& settings);
+    /// The pairs' points are holes of a shell: x and y times this are on the surface; > 0.
+    void setHoleFactor(double factor);
     /// Collects pairs from a simulated tube, in place of the present ones.
     void probe(std::uint64_t seed = 1);
     [[nodiscard]] CameraProbing& probing() { return *m_probing; }
@@ -106,6 +108,8 @@ private:
     void buildProbing();
     void buildLive();
     void askForCamera();
+    /// Tells the probing with a camera of the pairs, and ends it where its touches do not belong to them.
+    void followProbing();
     void apply(const Work& work);
     void takeAnswers(Answers answers, const Work& fitted);
     void build();
@@ -156,7 +160,8 @@ private:
     ProbingStrip* m_strip;
     LiveProbingPanel* m_live;
     QAction* m_probeWith;
-    QString m_camera; ///< that was probed with the last time
+    std::optional<vision::CalibrationSettings> m_probed; ///< with a camera: what its pairs belong to
+    QString m_camera;                                    ///< that was probed with the last time
     vision::HoleGrid m_grid;
     QLabel* m_origin; ///< that the pairs are simulated
     TubeFields* m_tube;

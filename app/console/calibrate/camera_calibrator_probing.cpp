@@ -4,7 +4,6 @@
 #include "app/console/calibrate/live_probing_dialog.h"
 #include "app/console/calibrate/live_probing_panel.h"
 #include "app/console/calibrate/probing_strip.h"
-#include "app/console/operate/camera_dialog.h"
 
 #include <utility>
 #include <vector>
@@ -35,12 +34,10 @@ void CameraCalibrator::probe(std::uint64_t seed) {
 void CameraCalibrator::buildLive() {
     m_live = new LiveProbingPanel;
     connect(m_live, &LiveProbingPanel::begun, this, [this](const vision::CalibrationSettings& settings) {
-        const vision::CalibrationSettings& known = m_work.settings;
-        const bool sameImage = known.width_px == settings.width_px && known.height_px == settings.height_px;
-        if (sameImage && !m_work.simulated)
-            return;
-        // Pairs of another image, or of a tube that does not exist, would spoil the new ones.
-        edit({{}, {}, {settings.width_px, settings.height_px, known.surface}, false}, tr("probing"));
+        m_probed = settings;
+        // Pairs of another image or tube, or of one that does not exist, would spoil the new ones.
+        if (!m_work.isJoinedBy(settings))
+            edit({{}, {}, settings}, tr("probing"));
     });
     connect(m_live, &LiveProbingPanel::taken, this, [this](const vision::CalibrationPair& pair) {
         Work after = m_work;
@@ -59,16 +56,24 @@ void CameraCalibrator::probeWith(
     const vision::HoleGrid& grid) {
     m_probing->cancel();
     m_grid = grid;
+    m_probed.reset();
     m_live->start(opener, m_work.settings.surface, grid);
-    m_live->setPairs(m_work.simulated ? std::vector<vision::CalibrationPair>() : m_work.pairs);
+    followProbing();
+}
+
+void CameraCalibrator::followProbing() {
+    if (m_probed && m_live->isRunning() && !m_work.isJoinedBy(*m_probed))
+        m_live->cancel();
+    m_live->setPairs(m_work.isJoinedBy(m_work.settings) ? m_work.pairs
+                                                        : std::vector<vision::CalibrationPair>());
 }
 
 void CameraCalibrator::askForCamera() {
-    auto* dialog = new LiveProbingDialog(m_camera, m_grid, CameraDialog::connectedCameras(), this);
+    auto* dialog = new LiveProbingDialog(m_camera, m_grid, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog] {
         m_camera = dialog->source();
-        probeWith(cameraOpener(m_camera), dialog->grid());
+        probeWith(cameraOpener(m_camera, m_work.settings), dialog->grid());
     });
     dialog->open();
 }

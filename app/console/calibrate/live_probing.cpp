@@ -25,6 +25,7 @@ struct LiveProbing::Run {
     ProbingThread::Run id;
     Opener opener;
     vision::CylinderSurface surface;
+    std::uint64_t lifts = 0; ///< that the watcher knows of
     std::unique_ptr<core::CameraSource> source{};
     std::unique_ptr<vision::ProbeWatcher> watcher{};
     int width_px = 0;
@@ -43,10 +44,11 @@ LiveProbing::~LiveProbing() = default;
 
 void LiveProbing::start(Opener opener, const vision::CylinderSurface& surface) {
     m_referenceWanted = false;
-    m_thread.start([this, opener = std::move(opener), surface](const ProbingThread::Run& id) {
-        Run one{id, opener, surface};
-        run(one);
-    });
+    m_thread.start(
+        [this, opener = std::move(opener), surface, lifts = m_lifts.load()](const ProbingThread::Run& id) {
+            Run one{id, opener, surface, lifts};
+            run(one);
+        });
 }
 
 void LiveProbing::finish(const Run& run, const QString& why) {
@@ -144,6 +146,9 @@ bool LiveProbing::process(Run& run, const core::CameraFrame& frame) {
     }
     run.last_s = frame.capture_s + run.offset_s;
     const cv::Mat1b image = viewOf(frame.image);
+    if (const std::uint64_t lifts = m_lifts.load();
+        std::exchange(run.lifts, lifts) != lifts && run.watcher->hasReference())
+        run.watcher->awaitLift();
     std::optional<Eigen::Vector2d> pixel;
     if (!run.watcher->hasReference() || m_referenceWanted.exchange(false))
         static_cast<void>(run.watcher->setReference(image)); // why not is shown, and the next frame is tried
@@ -151,7 +156,10 @@ bool LiveProbing::process(Run& run, const core::CameraFrame& frame) {
         pixel = run.watcher->next(image, run.last_s);
     show(run, frame);
     if (pixel)
-        m_thread.tell(run.id, [this, at = *pixel] { emit touched(at); });
+        m_thread.tell(run.id, [this, at = *pixel, lifts = run.lifts] {
+            if (lifts == m_lifts.load())
+                emit touched(at);
+        });
     return true;
 }
 

@@ -37,7 +37,8 @@ struct ProbingView {
 /// touch. The first frame that shows the skin is the reference. A camera that is lost is awaited; a video
 /// ends the probing. Opening, reading and finding run on a thread of its own, and of the views only the
 /// newest is told. Thread: GUI; no call waits but the destructor, for the frame or the tables that are
-/// computed just now.
+/// computed just now, or for a camera that gives no frame until its driver gives up
+/// (camera::VideoStream::kLongestWait_s).
 class LiveProbing : public QObject {
     Q_OBJECT
 
@@ -54,6 +55,9 @@ public:
     void cancel() { m_thread.cancel(); }
     /// The next frame shows the skin untouched.
     void renewReference() { m_referenceWanted.store(true); }
+    /// A touch that goes on now, or whose pixel was not told yet, belongs to what was probed until now: it
+    /// does not count, and touched() comes only after the probe was lifted.
+    void awaitLift() { ++m_lifts; }
     [[nodiscard]] bool isRunning() const { return m_thread.isRunning(); }
 
 signals:
@@ -81,6 +85,7 @@ private:
     void finish(const Run& run, const QString& why);
 
     std::atomic<bool> m_referenceWanted{false};
+    std::atomic<std::uint64_t> m_lifts{0}; ///< how often a lift was asked for
     core::Mailbox<ProbingView> m_views;
     std::atomic<bool> m_viewTold{false};
     ProbingThread m_thread;

@@ -2,17 +2,12 @@
 #include "app/console/calibrate/live_probing_dialog.h"
 
 #include "devices/camera/camera_feed.h"
-#include "widgets/base/form_row.h"
 
-#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QPushButton>
 #include <QSpinBox>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <numbers>
@@ -26,21 +21,16 @@ constexpr int kMostHoles = 1000; ///< a ring, and rings
 
 } // namespace
 
-LiveProbingDialog::LiveProbingDialog(const QString& last, const vision::HoleGrid& grid,
-                                     const QStringList& cameras, QWidget* parent)
+LiveProbingDialog::LiveProbingDialog(const QString& last, const vision::HoleGrid& grid, QWidget* parent,
+                                     const CameraSourceField::Lister& cameras)
     : QDialog(parent)
-    , m_source(new QComboBox)
+    , m_source(new CameraSourceField(last, cameras))
     , m_around(new QSpinBox)
     , m_along(new QSpinBox)
     , m_first(new QDoubleSpinBox)
     , m_last(new QDoubleSpinBox)
     , m_angle(new QDoubleSpinBox) {
     setWindowTitle(tr("Probe with a camera"));
-    m_source->setObjectName(QStringLiteral("probingSource"));
-    m_source->setEditable(true);
-    m_source->addItems(cameras);
-    m_source->setCurrentText(last.isEmpty() && !cameras.isEmpty() ? cameras.front() : last);
-    m_source->setToolTip(tr("The number of a connected camera (0 is /dev/video0), or a video file"));
     for (QSpinBox* box : {m_around, m_along})
         box->setRange(1, kMostHoles);
     m_around->setValue(grid.around);
@@ -58,22 +48,8 @@ LiveProbingDialog::LiveProbingDialog(const QString& last, const vision::HoleGrid
     m_angle->setValue(kDegrees * grid.firstAngle_rad);
     m_angle->setToolTip(tr("Of the first hole of each ring, from the x axis towards y"));
 
-    auto* choose = new QToolButton;
-    choose->setText(tr("\u2026"));
-    choose->setToolTip(tr("Choose a video"));
-    choose->setAccessibleName(choose->toolTip());
-    connect(choose, &QToolButton::clicked, this, [this] {
-        auto* dialog = new QFileDialog(this, tr("Video of a probing"), {}, tr("Videos and pictures (*)"));
-        dialog->setAttribute(Qt::WA_DeleteOnClose);
-        dialog->setFileMode(QFileDialog::ExistingFile);
-        connect(dialog, &QFileDialog::fileSelected, m_source, &QComboBox::setCurrentText);
-        dialog->open();
-    });
-    auto* row = new QHBoxLayout;
-    row->addWidget(m_source, 1);
-    row->addWidget(choose);
     auto* form = new QFormLayout;
-    base::addFormRow(*form, tr("&Camera or video:"), row, m_source);
+    form->addRow(tr("&Camera or video:"), m_source);
     form->addRow(tr("Holes a &ring:"), m_around);
     form->addRow(tr("Ri&ngs:"), m_along);
     form->addRow(tr("&First ring at z ="), m_first);
@@ -85,7 +61,7 @@ LiveProbingDialog::LiveProbingDialog(const QString& last, const vision::HoleGrid
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     const auto check = [this] { m_accept->setEnabled(!source().isEmpty()); };
-    connect(m_source, &QComboBox::currentTextChanged, this, check);
+    connect(m_source, &CameraSourceField::changed, this, check);
     auto* layout = new QVBoxLayout(this);
     layout->addLayout(form);
     layout->addStretch(1);
@@ -94,7 +70,7 @@ LiveProbingDialog::LiveProbingDialog(const QString& last, const vision::HoleGrid
 }
 
 QString LiveProbingDialog::source() const {
-    return m_source->currentText().trimmed();
+    return m_source->source();
 }
 
 vision::HoleGrid LiveProbingDialog::grid() const {
@@ -105,13 +81,22 @@ vision::HoleGrid LiveProbingDialog::grid() const {
             .firstAngle_rad = m_angle->value() / kDegrees};
 }
 
-LiveProbing::Opener cameraOpener(const QString& source) {
-    return [source]() -> core::Expected<std::unique_ptr<core::CameraSource>> {
-        auto feed = camera::CameraFeed::open({.source = source.toStdString()});
-        if (!feed)
-            return core::Unexpected(feed.error());
-        return std::unique_ptr<core::CameraSource>(std::move(*feed));
-    };
+camera::CameraConfig probingCamera(const QString& source, const vision::CalibrationSettings& settings) {
+    camera::CameraConfig config;
+    config.source = source.toStdString();
+    config.width_px = settings.width_px;
+    config.height_px = settings.height_px;
+    return config;
+}
+
+LiveProbing::Opener cameraOpener(const QString& source, const vision::CalibrationSettings& settings) {
+    return
+        [config = probingCamera(source, settings)]() -> core::Expected<std::unique_ptr<core::CameraSource>> {
+            auto feed = camera::CameraFeed::open(config);
+            if (!feed)
+                return core::Unexpected(feed.error());
+            return std::unique_ptr<core::CameraSource>(std::move(*feed));
+        };
 }
 
 } // namespace teleta::console

@@ -2,13 +2,14 @@
 #pragma once
 
 #include "app/console/calibrate/live_probing.h"
+#include "app/console/operate/camera_source_field.h"
+#include "backend/vision/camera_calibration.h"
 #include "backend/vision/hole_grid.h"
+#include "devices/camera/camera_config.h"
 
 #include <QDialog>
 #include <QString>
-#include <QStringList>
 
-class QComboBox;
 class QDoubleSpinBox;
 class QPushButton;
 class QSpinBox;
@@ -21,16 +22,16 @@ class LiveProbingDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// cameras: numbers of those that are connected.
-    LiveProbingDialog(const QString& last, const vision::HoleGrid& grid, const QStringList& cameras,
-                      QWidget* parent = nullptr);
+    /// last: the camera or video of the last time.
+    LiveProbingDialog(const QString& last, const vision::HoleGrid& grid, QWidget* parent = nullptr,
+                      const CameraSourceField::Lister& cameras = camera::listCameras);
 
     /// A file or the number of a camera.
     [[nodiscard]] QString source() const;
     [[nodiscard]] vision::HoleGrid grid() const;
 
 private:
-    QComboBox* m_source;
+    CameraSourceField* m_source;
     QSpinBox* m_around;
     QSpinBox* m_along;
     QDoubleSpinBox* m_first;
@@ -39,7 +40,10 @@ private:
     QPushButton* m_accept;
 };
 
-/// Opens a camera, or a video that is played at its own rate.
-[[nodiscard]] LiveProbing::Opener cameraOpener(const QString& source);
+/// A camera that is asked for the image that is to be calibrated, or a video that is played at its own rate.
+[[nodiscard]] camera::CameraConfig probingCamera(const QString& source,
+                                                 const vision::CalibrationSettings& settings);
+[[nodiscard]] LiveProbing::Opener cameraOpener(const QString& source,
+                                               const vision::CalibrationSettings& settings);
 
 } // namespace teleta::console

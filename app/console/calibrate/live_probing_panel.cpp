@@ -103,17 +103,22 @@ void LiveProbingPanel::start(LiveProbing::Opener opener, const vision::CylinderS
 
 void LiveProbingPanel::setPairs(std::span<const vision::CalibrationPair> pairs) {
     const std::size_t before = m_hole;
+    std::optional<std::size_t> takenBack;
+    bool filled = false; // the hole that is next
     for (std::size_t i = 0; i < m_holes_m.size(); ++i) {
         const bool probed = std::ranges::any_of(
             pairs, [&](const vision::CalibrationPair& pair) { return pair.p_Sensor_m == m_holes_m[i]; });
-        if (m_probed[i] && !probed)
-            m_hole = i; // taken back
-        else if (!m_probed[i] && probed && m_hole == i)
-            m_hole = i + 1;
+        if (m_probed[i] && !probed && !takenBack)
+            takenBack = i;
+        filled |= i == m_hole && probed && !m_probed[i];
         m_probed[i] = probed;
     }
-    if (m_hole != before && (m_hole >= m_holes_m.size() || m_probed[m_hole]))
+    if (takenBack)
+        m_hole = *takenBack;
+    else if (filled)
         m_hole = unprobedFrom(m_hole);
+    if (m_hole != before && !m_taking)
+        m_probing.awaitLift();
     refresh();
     if (m_hole != before)
         emit holeChanged();
@@ -132,7 +137,9 @@ void LiveProbingPanel::take(const Eigen::Vector2d& pixel) {
     if (m_hole >= m_holes_m.size())
         return;
     const std::size_t hole = m_hole;
+    m_taking = true;
     emit taken({pixel, m_holes_m[hole]});
+    m_taking = false;
     // One that was probed again: setPairs() saw no change.
     if (m_hole == hole)
         goTo(unprobedFrom(hole + 1));
@@ -140,6 +147,12 @@ void LiveProbingPanel::take(const Eigen::Vector2d& pixel) {
         m_probing.cancel();
         emit ended(tr("All holes are probed."));
     }
+}
+
+void LiveProbingPanel::leaveFor(std::size_t hole) {
+    if (hole != m_hole)
+        m_probing.awaitLift();
+    goTo(hole);
 }
 
 void LiveProbingPanel::goTo(std::size_t hole) {
@@ -152,12 +165,12 @@ void LiveProbingPanel::goTo(std::size_t hole) {
 
 void LiveProbingPanel::skip() {
     if (!m_holes_m.empty())
-        goTo((m_hole + 1) % m_holes_m.size());
+        leaveFor((m_hole + 1) % m_holes_m.size());
 }
 
 void LiveProbingPanel::back() {
     if (!m_holes_m.empty())
-        goTo((std::min(m_hole, m_holes_m.size()) + m_holes_m.size() - 1) % m_holes_m.size());
+        leaveFor((std::min(m_hole, m_holes_m.size()) + m_holes_m.size() - 1) % m_holes_m.size());
 }
 
 std::optional<Eigen::Vector3d> LiveProbingPanel::nextPoint_m() const {
@@ -194,6 +207,8 @@ QString LiveProbingPanel::stateText() const {
         return tr("The skin is touched at several places. Lift all but the stick.");
     case Phase::taken:
         return tr("Taken. Lift the stick.");
+    case Phase::refused:
+        return tr("Lift the stick first: this touch does not count.");
     }
     return {};
 }

@@ -24,7 +24,8 @@ namespace teleta::console {
 
 /// Leads a person through the holes of a shell while the camera watches: which hole is next, how the touch is
 /// going, skip, back, a new reference, stop; shown while a probing runs. A hole that has a pair is passed
-/// over; one whose pair was taken back is next again. Thread: GUI.
+/// over; one whose pair was taken back is next again, the first one of several. A touch counts for the hole
+/// that was next when it began. Thread: GUI.
 class LiveProbingPanel : public QWidget {
     Q_OBJECT
 
@@ -69,6 +70,8 @@ protected:
 
 private:
     void take(const Eigen::Vector2d& pixel);
+    /// As a person asks for it: a touch that goes on is none of this hole.
+    void leaveFor(std::size_t hole);
     void goTo(std::size_t hole);
     /// The next one that has no pair, from here on and then from the first.
     [[nodiscard]] std::size_t unprobedFrom(std::size_t hole) const;
@@ -79,6 +82,7 @@ private:
     std::vector<Eigen::Vector3d> m_holes_m;
     std::vector<bool> m_probed;
     std::size_t m_hole = 0;
+    bool m_taking = false; ///< the touch of the hole is being filed
     ProbingView m_view;
     QString m_trouble;
 

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/console/operate/camera_source_field.h"
 #include "app/console/operate/source_request.h"
 
 #include <QDialog>
-#include <QStringList>
-
-#include <functional>
 
 class QCheckBox;
-class QComboBox;
 class QLineEdit;
 class QPushButton;
 
@@ -21,18 +18,17 @@ class CameraDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// last: what was opened the last time. cameras: numbers of those that are connected.
-    CameraDialog(const CameraRequest& last, const QStringList& cameras, QWidget* parent = nullptr);
+    /// last: what was opened the last time.
+    explicit CameraDialog(const CameraRequest& last, QWidget* parent = nullptr,
+                          const CameraSourceField::Lister& cameras = camera::listCameras);
 
     [[nodiscard]] CameraRequest request() const;
-    /// Numbers of the connected cameras, in order.
-    [[nodiscard]] static QStringList connectedCameras();
 
 private:
     void check();
-    void choose(const QString& title, const QString& filter, const std::function<void(const QString&)>& take);
+    void chooseModel();
 
-    QComboBox* m_source;
+    CameraSourceField* m_source;
     QLineEdit* m_model;
     QCheckBox* m_loop;
     QPushButton* m_accept;

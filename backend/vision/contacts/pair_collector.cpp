@@ -30,7 +30,7 @@ std::optional<Eigen::Vector2d> PairCollector::next(std::span<const CameraContact
         m_phase = Phase::free;
         return std::nullopt;
     }
-    if (m_phase == Phase::taken)
+    if (m_phase == Phase::taken || m_phase == Phase::refused)
         return std::nullopt;
     if (second != nullptr && second->depth_m > m_settings.secondShare * probe->depth_m) {
         m_touch.clear();

@@ -28,6 +28,7 @@ public:
         touching, ///< not steady, or not deep enough yet
         several,  ///< more than one contact: which one is the probe?
         taken,    ///< the pixel was taken; lift the probe
+        refused,  ///< the touch that goes on does not count; lift the probe
     };
 
     PairCollector() = default;
@@ -39,6 +40,11 @@ public:
     [[nodiscard]] std::optional<Eigen::Vector2d> next(std::span<const CameraContact> contacts, double time_s);
     /// A frame that cannot be used: what was steady so far does not count.
     void skip() { m_touch.clear(); }
+    /// A touch that goes on now does not count: the probe has to be lifted first.
+    void awaitLift() {
+        m_touch.clear();
+        m_phase = Phase::refused;
+    }
 
     [[nodiscard]] Phase phase() const { return m_phase; }
     /// How much of the time for which the contact must be steady has passed, 0 .. 1.

@@ -36,6 +36,8 @@ public:
     [[nodiscard]] std::optional<Eigen::Vector2d> next(const cv::Mat1b& frame, double time_s);
     /// The stream has jumped, or frames were lost.
     void skip() { m_collector.skip(); }
+    /// A touch that goes on now does not count: the probe has to be lifted first.
+    void awaitLift() { m_collector.awaitLift(); }
 
     /// Of the newest frame.
     [[nodiscard]] const std::vector<CameraContact>& contacts() const { return m_contacts; }

@@ -12,6 +12,7 @@
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
+#include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -245,6 +246,48 @@ private slots:
             calibrator.undoStack().undo();
         QCOMPARE(tube->width()->value(), 1640);
         QCOMPARE(tube->radius()->value(), 25.0);
+        QTRY_VERIFY_WITH_TIMEOUT(!calibrator.isBusy(), 60'000);
+    }
+
+    void holesOfAShellAreMovedToTheSurfaceByTheFactorThatIsTypedIn() {
+        constexpr double kFactor = 0.97;
+        std::vector<vision::CalibrationPair> holes = simulated().pairs;
+        for (vision::CalibrationPair& pair : holes)
+            pair.p_Sensor_m.head<2>() /= kFactor;
+        const QTemporaryDir folder;
+        CameraCalibrator calibrator;
+        calibrator.resize(1400, 900);
+        calibrator.show();
+        QVERIFY(QTest::qWaitForWindowActive(&calibrator));
+        QSignalSpy done(&calibrator, &CameraCalibrator::calibrated);
+        calibrator.setPairs(holes);
+        QVERIFY(done.wait(60'000));
+        const auto& onTheShell = calibrator.answer()->calibration; // 0.77 mm above the surface
+        QVERIFY(!onTheShell || onTheShell->mean_error_m > 0.5e-3);
+        QDoubleSpinBox* factor = calibrator.findChild<console::TubeFields*>()->holeFactor();
+        factor->setFocus();
+        factor->selectAll();
+        QTest::keyClicks(factor, QLocale().toString(kFactor));
+        QTest::keyClick(factor, Qt::Key_Tab);
+        QVERIFY(done.wait(60'000));
+        QVERIFY(calibrator.answer()->calibration);
+        QVERIFY(calibrator.answer()->calibration->mean_error_m < 0.25e-3);
+        const vision::CalibrationPair shown = calibrator.shown().pairs[7];
+        QVERIFY((shown.p_Sensor_m - simulated().pairs[7].p_Sensor_m).norm() < 1e-12);
+        // The file holds them as they were loaded, and those that follow are moved alike.
+        QSignalSpy told(&calibrator, &CameraCalibrator::message);
+        const QString file = folder.filePath("pairs.csv");
+        calibrator.savePairs(file);
+        QVERIFY(told.wait(60'000));
+        const auto saved = vision::readPairs(file.toStdString());
+        QVERIFY(saved && (saved->at(7).p_Sensor_m - holes[7].p_Sensor_m).norm() < 1e-9);
+        calibrator.open(file);
+        QVERIFY(done.wait(60'000));
+        QVERIFY((calibrator.shown().pairs[7].p_Sensor_m - shown.p_Sensor_m).norm() < 1e-9);
+        calibrator.undoStack().undo();
+        calibrator.undoStack().undo();
+        QCOMPARE(factor->value(), 1.0);
+        QVERIFY((calibrator.shown().pairs[7].p_Sensor_m - holes[7].p_Sensor_m).norm() < 1e-12);
         QTRY_VERIFY_WITH_TIMEOUT(!calibrator.isBusy(), 60'000);
     }
 

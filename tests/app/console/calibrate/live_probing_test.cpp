@@ -3,6 +3,7 @@
 #include "app/console/calibrate/camera_calibrator.h"
 #include "app/console/calibrate/live_probing_dialog.h"
 #include "app/console/calibrate/live_probing_panel.h"
+#include "app/console/calibrate/tube_fields.h"
 #include "backend/core/steady_time.h"
 #include "backend/simulation/camera/simulated_tube.h"
 #include "devices/camera/camera_feed.h"
@@ -16,6 +17,7 @@
 
 #include <opencv2/videoio.hpp>
 
+#include <condition_variable>
 #include <deque>
 #include <memory>
 #include <mutex>
@@ -57,6 +59,9 @@ public:
         core::Wakeup* consumer = nullptr;
         double time_s = 0.0;
         bool discontinuity = false;
+        bool drained = false; ///< all frames were worked on
+        bool hangs = false;   ///< and does not stop
+        std::condition_variable changed;
 
         void give(const cv::Mat1b& image) {
             const std::scoped_lock lock(mutex);
@@ -66,9 +71,20 @@ public:
             frame.discontinuity = std::exchange(discontinuity, false);
             time_s += 1.0 / kRate_Hz;
             frames.push_back(std::move(frame));
+            drained = false;
             status.state = DeviceState::live;
             if (consumer != nullptr)
                 consumer->notify();
+        }
+        /// Without an event of the GUI's thread.
+        void waitUntilDrained() {
+            std::unique_lock lock(mutex);
+            changed.wait(lock, [this] { return drained; });
+        }
+        void hang(bool on) {
+            const std::scoped_lock lock(mutex);
+            hangs = on;
+            changed.notify_all();
         }
         void enter(DeviceState state, const std::string& why = {}) {
             const std::scoped_lock lock(mutex);
@@ -92,13 +108,17 @@ public:
         m_shared->consumer = &consumer;
     }
     void stop() override {
-        const std::scoped_lock lock(m_shared->mutex);
+        std::unique_lock lock(m_shared->mutex);
+        m_shared->changed.wait(lock, [this] { return !m_shared->hangs; });
         m_shared->consumer = nullptr;
     }
     bool pop(core::CameraFrame& frame) override {
         const std::scoped_lock lock(m_shared->mutex);
-        if (m_shared->frames.empty())
+        if (m_shared->frames.empty()) {
+            m_shared->drained = true;
+            m_shared->changed.notify_all();
             return false;
+        }
         frame = std::move(m_shared->frames.front());
         m_shared->frames.pop_front();
         return true;
@@ -263,11 +283,161 @@ private slots:
     void aSourceThatDoesNotOpenIsToldWithItsName() {
         CameraCalibrator calibrator;
         QSignalSpy told(&calibrator, &CameraCalibrator::message);
-        calibrator.probeWith(console::cameraOpener("/nowhere/probing.avi"), kGrid);
+        calibrator.probeWith(console::cameraOpener("/nowhere/probing.avi", {}), kGrid);
         QVERIFY(told.wait(60'000));
         QVERIFY(told[0][1].toBool());
         QVERIFY(told[0][0].toString().contains("/nowhere/probing.avi"));
         QVERIFY(!calibrator.live().isRunning());
+    }
+
+    void aTouchAcrossSkipOrUndoIsNotFiledUnderAnotherHole() {
+        const auto world = tube();
+        auto shared = std::make_shared<HandCamera::Shared>();
+        CameraCalibrator calibrator;
+        calibrator.resize(1400, 900);
+        calibrator.show();
+        QVERIFY(QTest::qWaitForWindowActive(&calibrator));
+        console::LiveProbingPanel& live = calibrator.live();
+        calibrator.probeWith(by(shared), kGrid);
+        cv::Mat1b untouched;
+        world->untouched(untouched);
+        shared->give(untouched);
+        shared->give(untouched);
+        QTRY_VERIFY_WITH_TIMEOUT(live.stateText().contains("Press the stick"), 60'000);
+        const auto press = [&](std::size_t hole, int frames) {
+            cv::Mat1b frame;
+            for (int i = 0; i < frames; ++i) {
+                world->pressed({{.centre = {kGrid.angle_rad(hole), kGrid.z_m(hole)},
+                                 .ballRadius_m = 0.008,
+                                 .depth_m = 0.001}},
+                               frame);
+                shared->give(frame);
+            }
+        };
+        // It has begun, but is not steady yet.
+        press(0, 2);
+        QTRY_VERIFY_WITH_TIMEOUT(live.stateText().contains("Hold still"), 60'000);
+        QTest::mouseClick(live.skipButton(), Qt::LeftButton);
+        QCOMPARE(live.hole(), std::size_t(1));
+        press(0, 6);
+        QTRY_VERIFY_WITH_TIMEOUT(live.stateText().contains("does not count"), 60'000);
+        shared->waitUntilDrained();
+        shared->give(untouched);
+        QTRY_VERIFY_WITH_TIMEOUT(live.stateText().contains("Press the stick"), 60'000);
+        QVERIFY(calibrator.work().pairs.empty());
+        // It is steady, but nobody has heard of it yet.
+        press(1, 6);
+        shared->waitUntilDrained();
+        QTest::mouseClick(live.backButton(), Qt::LeftButton);
+        QCOMPARE(live.hole(), std::size_t(0));
+        shared->give(untouched);
+        QTRY_VERIFY_WITH_TIMEOUT(live.stateText().contains("Press the stick"), 60'000);
+        QVERIFY(calibrator.work().pairs.empty());
+        // Taken back while the next hole is touched.
+        press(0, 6);
+        QTRY_COMPARE_WITH_TIMEOUT(calibrator.work().pairs.size(), std::size_t(1), 60'000);
+        shared->give(untouched);
+        press(1, 2);
+        QTRY_VERIFY_WITH_TIMEOUT(live.stateText().contains("Hold still"), 60'000);
+        QTest::keyClick(&calibrator, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(live.hole(), std::size_t(0));
+        press(1, 6);
+        QTRY_VERIFY_WITH_TIMEOUT(live.stateText().contains("does not count"), 60'000);
+        shared->waitUntilDrained();
+        shared->give(untouched);
+        QTRY_VERIFY_WITH_TIMEOUT(live.stateText().contains("Press the stick"), 60'000);
+        QVERIFY(calibrator.work().pairs.empty());
+        press(0, 6);
+        QTRY_COMPARE_WITH_TIMEOUT(calibrator.work().pairs.size(), std::size_t(1), 60'000);
+        expectNear(calibrator.work().pairs[0], world->camera());
+        QTRY_VERIFY_WITH_TIMEOUT(!calibrator.isBusy(), 60'000);
+    }
+
+    void ofSeveralPairsThatAreTakenBackTheFirstOnesHoleIsNext() {
+        const std::vector<Eigen::Vector3d> holes_m = vision::holesOnSkin_m(kGrid, {});
+        CameraCalibrator calibrator;
+        calibrator.probeWith(by(std::make_shared<HandCamera::Shared>()), kGrid);
+        for (std::size_t i = 0; i < 4; ++i)
+            calibrator.addPair({{100.0 + 10.0 * static_cast<double>(i), 200.0}, holes_m[i]});
+        QCOMPARE(calibrator.live().hole(), std::size_t(4));
+        calibrator.removePairs({1, 2, 3});
+        QCOMPARE(calibrator.live().hole(), std::size_t(1));
+        QTRY_VERIFY_WITH_TIMEOUT(!calibrator.isBusy(), 60'000);
+    }
+
+    void undoBringsNoSimulatedPairsUnderThoseOfACamera() {
+        CameraCalibrator calibrator;
+        console::LiveProbingPanel& live = calibrator.live();
+        QSignalSpy begun(&live, &console::LiveProbingPanel::begun);
+        cv::Mat1b untouched;
+        tube()->untouched(untouched);
+        const auto probe = [&] {
+            auto shared = std::make_shared<HandCamera::Shared>();
+            calibrator.probeWith(by(shared), kGrid);
+            shared->give(untouched);
+            QVERIFY(begun.wait(60'000));
+        };
+        calibrator.probe();
+        QTRY_VERIFY_WITH_TIMEOUT(calibrator.work().simulated, 60'000);
+        probe();
+        QVERIFY(!calibrator.work().simulated);
+        calibrator.undoStack().undo();
+        QVERIFY(calibrator.work().simulated);
+        QVERIFY(!live.isRunning());
+        // Nor by the undo of a loading that was before the probing.
+        calibrator.setPairs({});
+        probe();
+        QVERIFY(live.isRunning());
+        calibrator.undoStack().undo();
+        QVERIFY(calibrator.work().simulated);
+        QVERIFY(!live.isRunning());
+        // Nor pairs of another image.
+        vision::CalibrationSettings other = calibrator.work().settings;
+        other.width_px /= 2;
+        calibrator.setPairs({});
+        calibrator.setSettings(other);
+        probe();
+        QCOMPARE(calibrator.work().settings.width_px, untouched.cols);
+        calibrator.undoStack().undo();
+        QCOMPARE(calibrator.work().settings.width_px, other.width_px);
+        QVERIFY(!live.isRunning());
+        QTRY_VERIFY_WITH_TIMEOUT(!calibrator.isBusy(), 60'000);
+    }
+
+    void theImageThatIsSetIsAskedOfTheCameraAndStaysWhileItProbes() {
+        const vision::CalibrationSettings settings{1280, 960, {}};
+        const camera::CameraConfig config = console::probingCamera("2", settings);
+        QCOMPARE(config.source, std::string("2"));
+        QCOMPARE(config.width_px, 1280);
+        QCOMPARE(config.height_px, 960);
+        CameraCalibrator calibrator;
+        const auto* fields = calibrator.findChild<console::TubeFields*>();
+        QVERIFY(fields->isEnabled());
+        calibrator.probeWith(by(std::make_shared<HandCamera::Shared>()), kGrid);
+        QVERIFY(!fields->isEnabled());
+        calibrator.live().cancel();
+        QVERIFY(fields->isEnabled());
+    }
+
+    void aCameraThatHangsHoldsUpNeitherTheEndNorTheNextProbing() {
+        auto hung = std::make_shared<HandCamera::Shared>();
+        auto other = std::make_shared<HandCamera::Shared>();
+        CameraCalibrator calibrator;
+        console::LiveProbingPanel& live = calibrator.live();
+        calibrator.probeWith(by(hung), kGrid);
+        hung->waitUntilDrained();
+        hung->hang(true);
+        live.cancel();
+        QVERIFY(!live.isRunning());
+        calibrator.probeWith(by(other), kGrid);
+        QVERIFY(live.isRunning());
+        QVERIFY(live.stateText().contains("first frame"));
+        hung->hang(false);
+        cv::Mat1b untouched;
+        tube()->untouched(untouched);
+        other->give(untouched);
+        other->give(untouched);
+        QTRY_VERIFY_WITH_TIMEOUT(live.stateText().contains("Press the stick"), 60'000);
     }
 
     void aFrameWithoutDotsIsNoReferenceAndTheNextOneIsTried() {

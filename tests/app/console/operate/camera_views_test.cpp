@@ -20,9 +20,13 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <future>
+#include <vector>
+
 using namespace teleta;
 using console::CameraDialog;
 using console::CameraRequest;
+using console::CameraSourceField;
 using console::OperateDocks;
 using console::OperatePage;
 using console::SceneRequest;
@@ -194,11 +198,14 @@ private slots:
     }
 
     void theDialogAsksForACameraAndItsCalibration() {
-        CameraDialog dialog({}, {"0", "2"});
+        CameraDialog dialog({}, nullptr, [] {
+            return std::vector<camera::CameraInfo>{{.number = 0, .name = "inside"},
+                                                   {.number = 2, .name = {}}};
+        });
         QCOMPARE(test::labelsWithBareMnemonic(dialog), QStringList());
         auto* open = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Open);
         QVERIFY(!open->isEnabled());
-        QCOMPARE(dialog.request().source, std::string("0"));
+        QTRY_COMPARE(dialog.request().source, std::string("0")); // once the drivers have answered
         dialog.show();
         QVERIFY(QTest::qWaitForWindowExposed(&dialog));
         auto* model = dialog.findChild<QLineEdit*>("cameraModel");
@@ -210,6 +217,23 @@ private slots:
         QVERIFY(dialog.findChild<QCheckBox*>()->isEnabled());
         QCOMPARE(dialog.request().source, std::string("run.avi"));
         QCOMPARE(dialog.request().modelPath, std::string("camera.json"));
+    }
+
+    void aSourceThatWasTypedInStaysWhenTheCamerasAreThere() {
+        std::promise<void> drivers;
+        const std::shared_future<void> answered = drivers.get_future().share();
+        CameraSourceField field({}, [answered] {
+            answered.wait();
+            return std::vector<camera::CameraInfo>{{.number = 3, .name = "outside"}};
+        });
+        field.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&field));
+        auto* box = field.findChild<QComboBox*>("cameraSource");
+        QTest::keyClicks(box, "run.avi");
+        drivers.set_value();
+        QTRY_COMPARE(box->count(), 1);
+        QCOMPARE(field.source(), QStringLiteral("run.avi"));
+        QCOMPARE(box->itemData(0, Qt::ToolTipRole).toString(), QStringLiteral("outside"));
     }
 };
 

@@ -92,6 +92,24 @@ TEST_F(PairCollectorTest, aFrameThatCannotBeUsedBeginsTheWaitAnew) {
     EXPECT_TRUE(next({touch(10.0, 0.001)}));
 }
 
+TEST_F(PairCollectorTest, aTouchThatGoesOnWhereALiftIsAwaitedDoesNotCount) {
+    for (int i = 0; i < 3; ++i)
+        EXPECT_FALSE(next({touch(10.0, 0.001)}));
+    m_collector.awaitLift();
+    EXPECT_EQ(m_collector.phase(), Phase::refused);
+    EXPECT_EQ(m_collector.progress(), 0.0);
+    for (int i = 0; i < 20; ++i)
+        EXPECT_FALSE(next({touch(10.0, 0.001)}));
+    EXPECT_EQ(m_collector.phase(), Phase::refused);
+    EXPECT_FALSE(next({}));
+    EXPECT_EQ(m_collector.phase(), Phase::free);
+    for (int i = 0; i < 3; ++i)
+        EXPECT_FALSE(next({touch(50.0, 0.001)}));
+    const auto pixel = next({touch(50.0, 0.001)});
+    ASSERT_TRUE(pixel);
+    EXPECT_DOUBLE_EQ(pixel->x(), 50.0);
+}
+
 TEST_F(PairCollectorTest, passesOverContactsWithoutAPlace) {
     CameraContact nowhere = touch(10.0, 0.001);
     nowhere.located = false;
