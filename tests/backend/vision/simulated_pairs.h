@@ -54,8 +54,9 @@ inline SimulatedPairs simulatePairs(const CameraParameters& parameters, const Pa
 
 /// How a calibrated camera locates what the true one sees.
 struct SurfaceErrors {
-    std::vector<double> errors_m; ///< of the points that are located
-    int notLocated = 0;           ///< points whose pixels have no ray
+    std::vector<double> errors_m;    ///< of the points that are located
+    std::vector<double> farErrors_m; ///< of those in the last quarter of the tube
+    int notLocated = 0;              ///< points whose pixels have no ray
 
     [[nodiscard]] double mean_m() const {
         double sum_m = 0.0;
@@ -77,10 +78,13 @@ inline SurfaceErrors surfaceErrors(const CameraParameters& truth, const Cylinder
     for (int i = 0; i < 36; ++i) {
         for (int j = 0; j <= 20; ++j) {
             const Eigen::Vector3d p = onCylinder(2.0 * std::numbers::pi * (i + 0.5) / 36.0, 0.1 * j / 20.0);
-            if (const auto point = found.locate_m(*camera.project(p)))
+            if (const auto point = found.locate_m(*camera.project(p))) {
                 result.errors_m.push_back((*point - p).norm());
-            else
+                if (j >= 15)
+                    result.farErrors_m.push_back(result.errors_m.back());
+            } else {
                 ++result.notLocated;
+            }
         }
     }
     return result;
