@@ -20,6 +20,7 @@ struct PlaybackCommands {
     double speed = 1.0;
     std::optional<double> seek_s; ///< once
     long long steps = 0;          ///< once
+    std::int64_t at_ns = 0;       ///< when the newest of it was asked for; 0: nothing was
 };
 
 /// Where the commands for a recording are left for the worker that plays it, and where that worker waits.
@@ -34,6 +35,7 @@ public:
     void command(const Change& change) {
         const std::scoped_lock lock(m_mutex);
         change(m_commands);
+        m_commands.at_ns = m_clock->now_ns();
         m_commanded = true;
         m_condition.notify_all();
     }

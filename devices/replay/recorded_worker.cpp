@@ -158,11 +158,12 @@ void RecordedWorker::play(RecordedTrack& frames, RecordedTrack* joints, const st
         const bool ended = state == core::DeviceState::finished || state == core::DeviceState::lost;
         core::Expected<void> done;
         if (m_active.seek_s)
-            done = seekTo(frames, joints, *m_active.seek_s, stop);
+            done = seekTo(frames, joints, *m_active.seek_s, commanded_ns(), stop);
         else if (ended && m_active.playing)
-            done = seekTo(frames, joints, 0.0, stop);
+            done = seekTo(frames, joints, 0.0, commanded_ns(), stop);
         else if (previous.playing != m_active.playing || previous.speed != m_active.speed) {
-            anchorAt(m_shown_ns.get());
+            const std::int64_t at_ns = previous.playing ? now_ns() : commanded_ns();
+            anchorAt(reached_ns(previous, at_ns), at_ns);
             // As fast as possible, frames run ahead of the clock.
             if (std::isinf(previous.speed))
                 m_jumped = m_jointsJumped = true;
@@ -193,7 +194,7 @@ void RecordedWorker::countDamage(const RecordedTrack& frames, const RecordedTrac
 }
 
 core::Expected<void> RecordedWorker::seekTo(RecordedTrack& frames, RecordedTrack* joints, double time_s,
-                                            const std::stop_token& stop) {
+                                            std::int64_t at_ns, const std::stop_token& stop) {
     const double duration_s = static_cast<double>(m_span.last_ns - m_span.first_ns) * 1e-9;
     const std::int64_t wanted_ns =
         time_s < duration_s ? m_span.first_ns + std::llround(time_s * 1e9) : m_span.last_ns;
@@ -209,16 +210,21 @@ core::Expected<void> RecordedWorker::seekTo(RecordedTrack& frames, RecordedTrack
     if (frames.atEnd())
         return {};
     m_jumped = true;
-    // Where there is no frame for a while, what is played beside it goes on, and so does the time.
+    if (!m_config.span)
+        return show(frames, joints, frames.time_ns(), at_ns, stop);
+    // What is played beside it has frames at other times: all go on from the time that was asked for.
     const double gap_ns = std::max(2.0 * period_ns(), kShortGap_ns);
-    if (m_config.span && static_cast<double>(frames.time_ns() - wanted_ns) > gap_ns) {
+    const std::int64_t ahead_ns = frames.time_ns() - wanted_ns;
+    if (ahead_ns > 0 && (m_active.playing || static_cast<double>(ahead_ns) > gap_ns)) {
         m_jointsJumped = true;
-        anchorAt(wanted_ns);
+        anchorAt(wanted_ns, at_ns);
         m_shown_ns.set(wanted_ns);
         return joints != nullptr ? joints->seek(wanted_ns) : core::Expected<void>();
     }
-    return show(frames, joints, m_config.span ? std::max(frames.time_ns(), wanted_ns) : frames.time_ns(),
-                stop);
+    const core::Expected<void> shown =
+        show(frames, joints, std::max(frames.time_ns(), wanted_ns), at_ns, stop);
+    m_shown_ns.set(wanted_ns);
+    return shown;
 }
 
 core::Expected<void> RecordedWorker::stepBy(RecordedTrack& frames, RecordedTrack* joints, long long by,
@@ -243,20 +249,20 @@ core::Expected<void> RecordedWorker::stepBy(RecordedTrack& frames, RecordedTrack
         }
     }
     m_jumped = m_jumped || by != 1;
-    return show(frames, joints, frames.time_ns(), stop);
+    return show(frames, joints, frames.time_ns(), now_ns(), stop);
 }
 
 /// Delivers the frame that the track is at now, for this time, also when paused.
-core::Expected<void> RecordedWorker::show(RecordedTrack& frames, RecordedTrack* joints, std::int64_t at_ns,
-                                          const std::stop_token& stop) {
+core::Expected<void> RecordedWorker::show(RecordedTrack& frames, RecordedTrack* joints, std::int64_t time_ns,
+                                          std::int64_t at_ns, const std::stop_token& stop) {
     if (joints != nullptr) {
-        if (const core::Expected<void> done = joints->seek(at_ns); !done)
+        if (const core::Expected<void> done = joints->seek(time_ns); !done)
             return done;
         m_jointsJumped = true;
     }
-    anchorAt(at_ns);
+    anchorAt(time_ns, at_ns);
     take(frames);
-    m_shown_ns.set(at_ns);
+    m_shown_ns.set(time_ns);
     deliver(stop);
     return frames.advance();
 }
@@ -264,15 +270,21 @@ core::Expected<void> RecordedWorker::show(RecordedTrack& frames, RecordedTrack* 
 core::Expected<void> RecordedWorker::playEnd(RecordedTrack& frames, RecordedTrack* joints,
                                              const std::stop_token& stop) {
     const bool unpaced = std::isinf(m_active.speed);
-    const std::int64_t end_ns =
-        due_ns(m_active.loop ? m_span.last_ns + std::llround(period_ns()) : m_span.last_ns);
+    // What is played together ends together, whatever the period of each.
+    const bool hasSeam = m_active.loop && !m_config.span;
+    const std::int64_t end_ns = due_ns(hasSeam ? m_span.last_ns + std::llround(period_ns()) : m_span.last_ns);
     if (!unpaced && now_ns() < end_ns) {
         m_outlet->setState(core::DeviceState::live, now_ns());
         m_desk.waitUntil(end_ns, stop);
         return {};
     }
-    if (m_active.loop)
-        return seekTo(frames, joints, 0.0, stop);
+    if (m_active.loop) {
+        // The next pass begins when this one ended, not when that was noticed: what is played together
+        // notices it at different times.
+        const std::int64_t now = now_ns();
+        const bool isLate = unpaced || now - end_ns > kLongestLag_ns;
+        return seekTo(frames, joints, 0.0, isLate ? now : end_ns, stop);
+    }
     m_shown_ns.set(m_span.last_ns);
     endAs(core::DeviceState::finished);
     return {};
@@ -297,7 +309,7 @@ core::Expected<void> RecordedWorker::playDue(RecordedTrack& frames, RecordedTrac
             return {};
         }
         if (now - next_ns > kLongestLag_ns)
-            anchorAt(first_ns);
+            anchorAt(first_ns, now);
     }
     const auto isDue = [&](const RecordedTrack& track) { return unpaced || due_ns(track.time_ns()) <= now; };
     // Joints first, up to the newest frame of the block: a skin frame that was read before them is then
@@ -372,8 +384,8 @@ void RecordedWorker::loseBy(core::Error error) {
     endAs(core::DeviceState::lost, std::move(message));
 }
 
-void RecordedWorker::anchorAt(std::int64_t time_ns) {
-    m_anchor_ns = now_ns();
+void RecordedWorker::anchorAt(std::int64_t time_ns, std::int64_t at_ns) {
+    m_anchor_ns = at_ns;
     m_anchorTime_ns = time_ns;
 }
 
@@ -383,6 +395,20 @@ std::int64_t RecordedWorker::due_ns(std::int64_t time_ns) const {
     const double speed = std::isinf(m_active.speed) ? 1.0 : m_active.speed;
     const double wait_ns = static_cast<double>(time_ns - m_anchorTime_ns) / speed;
     return m_anchor_ns + static_cast<std::int64_t>(std::clamp(wait_ns, -kLongest_ns, kLongest_ns));
+}
+
+std::int64_t RecordedWorker::commanded_ns() const {
+    const std::int64_t now = now_ns();
+    return now - m_active.at_ns > kLongestLag_ns ? now : m_active.at_ns;
+}
+
+std::int64_t RecordedWorker::reached_ns(const PlaybackCommands& previous, std::int64_t now_ns) const {
+    const std::int64_t shown_ns = m_shown_ns.get();
+    if (!previous.playing || std::isinf(previous.speed))
+        return shown_ns;
+    // The frames of what is played beside it were shown at other times: those do not count.
+    const double played_ns = static_cast<double>(now_ns - m_anchor_ns) * previous.speed;
+    return std::max<std::int64_t>(shown_ns, m_anchorTime_ns + std::llround(played_ns));
 }
 
 } // namespace teleta::replay

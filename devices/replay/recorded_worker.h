@@ -67,11 +67,13 @@ public:
 
 private:
     void play(RecordedTrack& frames, RecordedTrack* joints, const std::stop_token& stop);
+    /// at_ns: when what is played from there begins.
     [[nodiscard]] core::Expected<void> seekTo(RecordedTrack& frames, RecordedTrack* joints, double time_s,
-                                              const std::stop_token& stop);
+                                              std::int64_t at_ns, const std::stop_token& stop);
     [[nodiscard]] core::Expected<void> stepBy(RecordedTrack& frames, RecordedTrack* joints, long long by,
                                               const std::stop_token& stop);
-    [[nodiscard]] core::Expected<void> show(RecordedTrack& frames, RecordedTrack* joints, std::int64_t at_ns,
+    [[nodiscard]] core::Expected<void> show(RecordedTrack& frames, RecordedTrack* joints,
+                                            std::int64_t time_ns, std::int64_t at_ns,
                                             const std::stop_token& stop);
     [[nodiscard]] core::Expected<void> playDue(RecordedTrack& frames, RecordedTrack* joints,
                                                const std::stop_token& stop);
@@ -83,8 +85,13 @@ private:
     void endAs(core::DeviceState state, std::string message = {});
     void loseBy(core::Error error);
     void countDamage(const RecordedTrack& frames, const RecordedTrack* joints);
-    void anchorAt(std::int64_t time_ns);
+    void anchorAt(std::int64_t time_ns, std::int64_t at_ns);
     [[nodiscard]] std::int64_t due_ns(std::int64_t time_ns) const;
+    /// When the newest commands take effect: as soon as they were given, so that what is played together is
+    /// together; of what waited too long, now.
+    [[nodiscard]] std::int64_t commanded_ns() const;
+    /// The time that is played now, when it goes on from where it was with another speed.
+    [[nodiscard]] std::int64_t reached_ns(const PlaybackCommands& previous, std::int64_t now_ns) const;
     [[nodiscard]] double period_ns() const;
     [[nodiscard]] std::int64_t now_ns() const { return m_config.clock->now_ns(); }
 

@@ -61,6 +61,13 @@ public:
 
     void settle() { advance(0); }
 
+    /// Whether the worker comes to wait for just this time.
+    [[nodiscard]] bool comesToWaitFor(std::int64_t deadline_ns) {
+        std::unique_lock own(m_mutex);
+        return m_changed.wait_for(own, std::chrono::seconds(20),
+                                  [&] { return m_parked && m_deadline_ns == deadline_ns; });
+    }
+
     /// Moves on by so much and wakes a worker that waits; for one that goes on to wait for something else.
     void advanceAlone(std::int64_t step_ns) {
         std::unique_lock own(m_mutex);

@@ -364,6 +364,95 @@ TEST_F(RecordedDeviceTest, whatIsPlayedTogetherHasOneTime) {
     EXPECT_TRUE(eventually(m_wakeup, [&] { return m_array->position().time_s == 0.5; }));
 }
 
+TEST_F(RecordedDeviceTest, anotherSpeedGoesOnFromTheTimeThatWasReached) {
+    write(4);
+    open();
+    EXPECT_EQ(received(), Values{0.0F});
+    m_clock->advance(kTenth_ns / 2);
+    m_array->setSpeed(2.0);
+    EXPECT_TRUE(m_clock->comesToWaitFor(m_clock->now_ns() + kTenth_ns / 4))
+        << "half a period is left, at twice the speed";
+}
+
+namespace {
+
+constexpr std::int64_t kSpan_ns = 1'000'000'000;
+
+/// Two arrays of one recording: one at 10 Hz that begins at 0 s and ends at 1 s, and one at 4 Hz between
+/// them, whose frames are those at 0.02, 0.27, 0.52 and 0.77 s.
+void writeTwoArrays(const std::string& path) {
+    auto recorder = Recorder::start(path, headAt(kStart_ns), {.simulatedTime = true}).value();
+    StreamInfo slow = arrayInfo();
+    slow.name = "slow";
+    const auto fast = recorder->addStream(arrayInfo());
+    const auto other = recorder->addStream(slow);
+    for (int i = 0; i <= 10; ++i)
+        appendFrame(*fast, kStart_ns + i * kTenth_ns, static_cast<float>(i));
+    for (int i = 0; i < 4; ++i)
+        appendFrame(*other, kStart_ns + 20'000'000 + i * 250'000'000, static_cast<float>(i));
+    ASSERT_TRUE(recorder->stop());
+}
+
+replay::RecordedConfig partOfTwo(const std::string& path, std::size_t stream,
+                                 std::shared_ptr<core::PacingClock> clock) {
+    replay::RecordedConfig config;
+    config.path = path;
+    config.stream = stream;
+    config.array.layout = {.rows = 2, .columns = 3, .pitch_m = 0.01};
+    config.clock = std::move(clock);
+    config.span = replay::RecordedConfig::Span{kStart_ns, kStart_ns + kSpan_ns};
+    return config;
+}
+
+} // namespace
+
+TEST_F(RecordedDeviceTest, whatIsPlayedTogetherStaysTogetherPassByPass) {
+    writeTwoArrays(path());
+    for (const std::size_t stream : {0U, 1U}) {
+        SCOPED_TRACE(stream);
+        m_clock = std::make_shared<ManualClock>();
+        replay::RecordedConfig config = partOfTwo(path(), stream, m_clock);
+        config.loop = true;
+        m_array = std::make_unique<replay::RecordedArray>(replay::RecordedPlayer::open(config).value());
+        m_time_ns.clear();
+        m_sourceTime_s.clear();
+        m_array->start(m_wakeup);
+        m_clock->settle();
+        const std::int64_t begin_ns = m_clock->now_ns();
+        // Each seam is noticed late, and not by all sources at the same time.
+        const std::int64_t step_ns = stream == 0 ? 30'000'000 : 70'000'000;
+        while (m_clock->now_ns() - begin_ns < 5 * kSpan_ns) {
+            m_clock->advance(step_ns);
+            (void)received();
+        }
+        ASSERT_GE(m_time_ns.size(), 16U);
+        std::int64_t pass = 0;
+        for (std::size_t i = 0; i < m_time_ns.size(); ++i) {
+            pass += i > 0 && m_sourceTime_s[i] < m_sourceTime_s[i - 1] ? 1 : 0;
+            ASSERT_EQ(m_time_ns[i] - begin_ns, pass * kSpan_ns + std::llround(m_sourceTime_s[i] * 1e9))
+                << "frame " << i;
+        }
+        EXPECT_GE(pass, 4);
+    }
+}
+
+TEST_F(RecordedDeviceTest, whatIsBegunTogetherIsTogetherAlthoughItsFramesAreNot) {
+    writeTwoArrays(path());
+    replay::RecordedConfig config = partOfTwo(path(), 1, m_clock);
+    config.autoplay = false;
+    m_array = std::make_unique<replay::RecordedArray>(replay::RecordedPlayer::open(config).value());
+    m_array->start(m_wakeup);
+    ASSERT_TRUE(comesTo(core::DeviceState::paused));
+    EXPECT_EQ(take(1), Values{0.0F}) << "what is there is shown";
+    EXPECT_TRUE(eventually(m_wakeup, [&] { return m_array->position().time_s == 0.0; }))
+        << "at the time of all sources";
+    m_array->play();
+    EXPECT_TRUE(m_clock->comesToWaitFor(m_clock->now_ns() + 270'000'000));
+    m_array->seek(0.5);
+    EXPECT_TRUE(m_clock->comesToWaitFor(m_clock->now_ns() + 20'000'000)) << "its next frame is at 0.52 s";
+    EXPECT_EQ(received(), Values{});
+}
+
 TEST_F(RecordedDeviceTest, marksAreToldByTheTimeOfThePlayback) {
     {
         auto recorder = Recorder::start(path(), headAt(kStart_ns), {.simulatedTime = true}).value();
