@@ -21,6 +21,7 @@ SampleHistory::SampleHistory(std::size_t columns, std::size_t capacity)
     : m_capacity(std::max<std::size_t>(1, capacity))
     , m_time_s(m_capacity)
     , m_sourceTime_s(m_capacity)
+    , m_time_ns(m_capacity)
     , m_values(columns, std::vector<double>(m_capacity))
     , m_breaks(m_capacity) {
 }
@@ -44,7 +45,7 @@ double SampleHistory::follow(const SampleTime& sample, Break& before) {
     const double step_s = sample.sourceTime_s - sourceTime_s(m_size - 1);
     if (sample.discontinuity || !(step_s >= 0.0)) {
         before = Break::jump;
-        const double passed_s = static_cast<double>(sample.time_ns - m_lastSteady_ns) * 1e-9;
+        const double passed_s = static_cast<double>(sample.time_ns - time_ns(m_size - 1)) * 1e-9;
         return newest_s + std::clamp(passed_s, kShortestJump_s, kLongestJump_s);
     }
     if (m_period_s > 0.0 && step_s > longestStep_s())
@@ -57,7 +58,6 @@ double SampleHistory::follow(const SampleTime& sample, Break& before) {
 void SampleHistory::append(const SampleTime& time, std::span<const double> values) {
     Break before = Break::none;
     const double chartTime_s = follow(time, before);
-    m_lastSteady_ns = time.time_ns;
     if (m_size == m_capacity)
         m_first = m_first + 1 == m_capacity ? 0 : m_first + 1;
     else
@@ -67,23 +67,34 @@ void SampleHistory::append(const SampleTime& time, std::span<const double> value
     const std::size_t s = slot(m_size - 1);
     m_time_s[s] = chartTime_s;
     m_sourceTime_s[s] = time.sourceTime_s;
+    m_time_ns[s] = time.time_ns;
     m_breaks[s] = before;
     for (std::size_t column = 0; column < m_values.size(); ++column)
         m_values[column][s] =
             column < values.size() ? values[column] : std::numeric_limits<double>::quiet_NaN();
 }
 
-std::size_t SampleHistory::firstAt(double time) const {
+template <typename IsBefore>
+std::size_t SampleHistory::countWhile(const IsBefore& isBefore) const {
     std::size_t low = 0;
     std::size_t high = m_size;
     while (low < high) {
         const std::size_t middle = low + (high - low) / 2;
-        if (time_s(middle) < time)
+        if (isBefore(middle))
             low = middle + 1;
         else
             high = middle;
     }
     return low;
+}
+
+std::size_t SampleHistory::firstAt(double time) const {
+    return countWhile([&](std::size_t index) { return time_s(index) < time; });
+}
+
+std::optional<std::size_t> SampleHistory::newestAt(std::int64_t time) const {
+    const std::size_t until = countWhile([&](std::size_t index) { return time_ns(index) <= time; });
+    return until > 0 ? std::optional(until - 1) : std::nullopt;
 }
 
 std::optional<std::size_t> SampleHistory::nearest(double time) const {

@@ -46,6 +46,8 @@ public:
     /// Samples count from 0, the oldest that is kept.
     [[nodiscard]] double time_s(std::size_t index) const { return m_time_s[slot(index)]; }
     [[nodiscard]] double sourceTime_s(std::size_t index) const { return m_sourceTime_s[slot(index)]; }
+    /// When it came, by the steady clock.
+    [[nodiscard]] std::int64_t time_ns(std::size_t index) const { return m_time_ns[slot(index)]; }
     [[nodiscard]] double value(std::size_t column, std::size_t index) const {
         return m_values[column][slot(index)];
     }
@@ -61,6 +63,8 @@ public:
     [[nodiscard]] std::optional<std::size_t> nearest(double time_s) const;
     /// The newest sample whose source time is nearest to this one.
     [[nodiscard]] std::optional<std::size_t> nearestSource(double sourceTime_s) const;
+    /// The sample that was the newest one at a time of the steady clock; empty: that is not kept any more.
+    [[nodiscard]] std::optional<std::size_t> newestAt(std::int64_t time_ns) const;
     /// Distance of two samples from which on the stretch between them is missing.
     [[nodiscard]] double longestStep_s() const;
 
@@ -72,6 +76,9 @@ protected:
     [[nodiscard]] std::size_t capacity() const { return m_capacity; }
 
 private:
+    /// How many samples from the oldest on this is true of. isBefore: false from some sample on.
+    template <typename IsBefore>
+    [[nodiscard]] std::size_t countWhile(const IsBefore& isBefore) const;
     /// Decides how the sample follows the newest one and returns its chart time.
     double follow(const SampleTime& sample, Break& before);
 
@@ -80,9 +87,9 @@ private:
     std::size_t m_size = 0;
     std::uint64_t m_appended = 0;
     double m_period_s = 0.0; ///< of the stream, smoothed; 0 unknown
-    std::int64_t m_lastSteady_ns = 0;
     std::vector<double> m_time_s;
     std::vector<double> m_sourceTime_s;
+    std::vector<std::int64_t> m_time_ns;
     std::vector<std::vector<double>> m_values;
     std::vector<Break> m_breaks;
 };

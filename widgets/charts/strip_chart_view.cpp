@@ -13,6 +13,14 @@
 
 namespace teleta::charts {
 
+namespace {
+
+bool isMarkKey(const QKeyEvent& event) {
+    return event.key() == Qt::Key_M && event.modifiers() == Qt::NoModifier;
+}
+
+} // namespace
+
 StripChartView::StripChartView(QWidget* parent)
     : StripChartView(new StripPlot, parent) {
 }
@@ -128,6 +136,15 @@ bool StripChartView::addMark(double sourceTime_s, const QString& label) {
     return true;
 }
 
+bool StripChartView::addMarkAt(std::int64_t time_ns, const QString& label) {
+    const auto sample = m_history.newestAt(time_ns);
+    if (!sample)
+        return false;
+    m_marks.push_back({m_history.time_s(*sample), label});
+    invalidate();
+    return true;
+}
+
 void StripChartView::clearMarks() {
     m_marks.clear();
     invalidate();
@@ -135,7 +152,7 @@ void StripChartView::clearMarks() {
 
 void StripChartView::requestMark() {
     if (const auto sample = shownSample())
-        emit markRequested(m_history.sourceTime_s(*sample));
+        emit markRequested(m_history.time_ns(*sample));
 }
 
 QString StripChartView::csv(std::size_t first, std::size_t last) const {
@@ -153,8 +170,17 @@ void StripChartView::fillMenu(QMenu& menu, std::optional<int> lane) {
     addPlotActions(menu, lane);
 }
 
+bool StripChartView::event(QEvent* event) {
+    // Else a shortcut of the window, which marks now, would take it before the cursor counts.
+    if (event->type() == QEvent::ShortcutOverride && isMarkKey(*static_cast<QKeyEvent*>(event))) {
+        event->accept();
+        return true;
+    }
+    return TimeChartView::event(event);
+}
+
 void StripChartView::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_M)
+    if (isMarkKey(*event))
         requestMark();
     else
         TimeChartView::keyPressEvent(event);

@@ -7,6 +7,7 @@
 #include "widgets/charts/time_chart_view.h"
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -39,6 +40,8 @@ public:
     /// A vertical line with a label where the stream was at that time of its own. False when it is no longer
     /// kept.
     bool addMark(double sourceTime_s, const QString& label);
+    /// The same where the stream was at a time of the steady clock.
+    bool addMarkAt(std::int64_t time_ns, const QString& label);
     void clearMarks();
     [[nodiscard]] std::size_t marks() const { return m_marks.size(); }
 
@@ -48,8 +51,8 @@ public:
     [[nodiscard]] StripPlot* plot() const { return m_strips; }
 
 signals:
-    /// The user wants a mark at that time of the stream.
-    void markRequested(double sourceTime_s);
+    /// The user wants a mark at a sample, which came at that time of the steady clock.
+    void markRequested(std::int64_t time_ns);
     void stripsChanged();
 
 protected:
@@ -59,6 +62,7 @@ protected:
     [[nodiscard]] QString cursorText(const QString& time, const QString& sourceTime) const override;
     [[nodiscard]] QString figureName() const override { return tr("charts"); }
     [[nodiscard]] QString csv(std::size_t first, std::size_t last) const override;
+    bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
 private:

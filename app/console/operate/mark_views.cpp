@@ -3,8 +3,6 @@
 
 #include "widgets/charts/strip_chart_view.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace teleta::console {
@@ -13,11 +11,7 @@ MarkViews::MarkViews(charts::StripChartView& charts, QWidget* parent)
     : QObject(parent)
     , m_charts(charts)
     , m_list(new MarkList(parent)) {
-    connect(&m_charts, &charts::StripChartView::markRequested, this, [this](double sourceTime_s) {
-        if (m_newest)
-            emit markRequested(m_newest->time_ns +
-                               std::llround((sourceTime_s - m_newest->sourceTime_s) * 1e9));
-    });
+    connect(&m_charts, &charts::StripChartView::markRequested, this, &MarkViews::markRequested);
     connect(m_list, &MarkList::timeChosen, this, [this](double time_s) {
         if (!m_live && !m_played.empty())
             emit seekRequested(time_s);
@@ -26,7 +20,7 @@ MarkViews::MarkViews(charts::StripChartView& charts, QWidget* parent)
 
 void MarkViews::setSource(const core::PlaybackControl* playback) {
     m_played = playback != nullptr ? playback->marks() : std::vector<core::PlaybackMark>();
-    m_passed.clear();
+    m_passed.assign(m_played.size(), false);
     m_newest.reset();
     m_stale = true;
     showList();
@@ -41,33 +35,34 @@ void MarkViews::setRecorded(std::vector<RecordingMark> marks, bool live) {
 
 void MarkViews::take(const pipeline::FeatureSample& sample) {
     if (m_newest && !sample.discontinuity) {
-        for (const core::PlaybackMark& mark : m_played) {
-            if (mark.sourceTime_s <= m_newest->sourceTime_s || mark.sourceTime_s > sample.sourceTime_s)
+        for (std::size_t i = 0; i < m_played.size(); ++i) {
+            const double mark_s = m_played[i].sourceTime_s;
+            if (mark_s <= m_newest->sourceTime_s || mark_s > sample.sourceTime_s)
                 continue;
-            m_passed.push_back(mark);
+            m_passed[i] = true;
             m_stale = true;
         }
     }
+    // A mark of now was shown where the charts were, until they have come to it.
+    if (m_newest && !m_recorded.empty() && m_recorded.back().time_ns > m_newest->time_ns &&
+        m_recorded.back().time_ns <= sample.time_ns)
+        m_stale = true;
     m_newest = Moment{sample.time_ns, sample.sourceTime_s};
 }
 
 void MarkViews::tick() {
-    // A mark of now is shown once the charts have come to it.
-    if (m_stale && m_newest && (m_recorded.empty() || m_recorded.back().time_ns <= m_newest->time_ns))
+    if (m_stale && m_newest)
         showInCharts();
-}
-
-double MarkViews::sourceTimeOf(std::int64_t time_ns) const {
-    return m_newest->sourceTime_s + static_cast<double>(time_ns - m_newest->time_ns) * 1e-9;
 }
 
 void MarkViews::showInCharts() {
     m_stale = false;
     m_charts.clearMarks();
-    for (const core::PlaybackMark& mark : m_passed)
-        m_charts.addMark(mark.sourceTime_s, QString::fromStdString(mark.text));
+    for (std::size_t i = 0; i < m_played.size(); ++i)
+        if (m_passed[i])
+            m_charts.addMark(m_played[i].sourceTime_s, QString::fromStdString(m_played[i].text));
     for (const RecordingMark& mark : m_recorded)
-        m_charts.addMark(sourceTimeOf(mark.time_ns), mark.text);
+        m_charts.addMarkAt(mark.time_ns, mark.text);
 }
 
 void MarkViews::showList() {

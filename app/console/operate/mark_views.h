@@ -47,12 +47,11 @@ signals:
 private:
     void showList();
     void showInCharts();
-    [[nodiscard]] double sourceTimeOf(std::int64_t time_ns) const;
 
     charts::StripChartView& m_charts;
     MarkList* m_list;
     std::vector<core::PlaybackMark> m_played;
-    std::vector<core::PlaybackMark> m_passed; ///< of these, those that the charts have come to
+    std::vector<bool> m_passed; ///< of these, those that the charts have come to
     std::vector<RecordingMark> m_recorded;
     bool m_live = false;
     bool m_stale = false; ///< the charts show other marks

@@ -155,6 +155,21 @@ private slots:
                  std::optional<std::size_t>(180)); // only the first pass came so far
     }
 
+    void aTimeOfTheClockMeansWhatWasTheNewestThen() {
+        FeatureHistory history(100);
+        QVERIFY(!history.newestAt(0));
+        // Played at twice its speed, then paused for a second.
+        for (int i = 0; i < 100; ++i)
+            history.append(at(0.01 * i, 5.0 + 0.005 * i));
+        history.append(at(1.0, 6.5));
+        const auto newestAt = [&](double time_s) { return history.newestAt(std::llround(time_s * 1e9)); };
+        QCOMPARE(newestAt(5.25), std::optional<std::size_t>(49)); // one sample was overwritten
+        QCOMPARE(newestAt(5.2549), std::optional<std::size_t>(49));
+        QCOMPARE(newestAt(6.0), std::optional<std::size_t>(98));
+        QCOMPARE(newestAt(9.0), std::optional<std::size_t>(99));
+        QVERIFY(!newestAt(5.0));
+    }
+
     void clearForgetsAll() {
         FeatureHistory history = steadyHistory(10);
         history.clear();

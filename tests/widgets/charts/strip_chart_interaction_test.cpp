@@ -5,13 +5,17 @@
 #include "widgets/charts/strip_chart_view.h"
 #include "widgets/charts/strip_plot.h"
 
+#include <QAction>
 #include <QClipboard>
+#include <QMainWindow>
 #include <QMenu>
 #include <QMimeData>
 #include <QMouseEvent>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 using namespace teleta;
 using namespace teleta::charts;
@@ -234,11 +238,42 @@ private slots:
         QSignalSpy asked(m_view.get(), &StripChartView::markRequested);
         QTest::keyClick(m_view.get(), Qt::Key_M);
         QCOMPARE(asked.size(), qsizetype(1));
-        QCOMPARE(asked.at(0).at(0).toDouble(), 0.005 * 3999);
+        QCOMPARE(asked.at(0).at(0).toLongLong(), 5'000'000LL * 3999);
         m_view->setCursorTime(-5.0);
         QTest::keyClick(m_view.get(), Qt::Key_M);
-        QVERIFY(std::abs(asked.at(1).at(0).toDouble() - 14.995) < 0.003);
+        QVERIFY(std::abs(asked.at(1).at(0).toLongLong() - 14'995'000'000LL) <= 3'000'000);
         QCOMPARE(m_view->marks(), std::size_t(0)); // the view owns no truth
+    }
+
+    void theKeyOfMarksIsTheChartsWhileItHasTheFocusAndTheWindowsElse() {
+        QMainWindow window;
+        auto* view = new StripChartView;
+        auto* other = new QPushButton;
+        auto* both = new QWidget;
+        auto* layout = new QVBoxLayout(both);
+        layout->addWidget(view);
+        layout->addWidget(other);
+        window.setCentralWidget(both);
+        QAction markNow;
+        markNow.setShortcut(Qt::Key_M);
+        window.addAction(&markNow);
+        window.show();
+        window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        for (int i = 0; i < 4000; ++i)
+            view->append(test::rollingSample(0.005 * i, true));
+        view->refresh();
+        view->setCursorTime(-5.0);
+        QSignalSpy now(&markNow, &QAction::triggered);
+        QSignalSpy asked(view, &StripChartView::markRequested);
+        view->setFocus();
+        QTest::keyClick(view, Qt::Key_M);
+        QCOMPARE(asked.size(), 1);
+        QCOMPARE(now.size(), 0);
+        other->setFocus();
+        QTest::keyClick(other, Qt::Key_M);
+        QCOMPARE(asked.size(), 1);
+        QCOMPARE(now.size(), 1);
     }
 
     void aMarkWhereNothingWasKeptIsRefused() {
