@@ -11,6 +11,7 @@
 #include <QStyleOptionSlider>
 #include <QToolTip>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -33,8 +34,17 @@ void TimeSlider::setMarks(std::vector<core::PlaybackMark> marks) {
     update();
 }
 
+TimeSlider::Run TimeSlider::run() const {
+    QStyleOptionSlider option;
+    initStyleOption(&option);
+    const int handle = style()->pixelMetric(QStyle::PM_SliderLength, &option, this);
+    return {0.5 * handle, std::max(1.0, static_cast<double>(width() - handle))};
+}
+
 int TimeSlider::valueAt(double x_px) const {
-    return QStyle::sliderValueFromPosition(minimum(), maximum(), qRound(x_px), width() - 1);
+    const auto [first_px, length_px] = run();
+    const double share = std::clamp((x_px - first_px) / length_px, 0.0, 1.0);
+    return minimum() + static_cast<int>(std::lround(share * (maximum() - minimum())));
 }
 
 bool TimeSlider::isShown(const core::PlaybackMark& mark) const {
@@ -42,10 +52,8 @@ bool TimeSlider::isShown(const core::PlaybackMark& mark) const {
 }
 
 double TimeSlider::x_px(const core::PlaybackMark& mark) const {
-    QStyleOptionSlider option;
-    initStyleOption(&option);
-    const int handle = style()->pixelMetric(QStyle::PM_SliderLength, &option, this);
-    return 0.5 * handle + mark.time_s / m_duration_s * (width() - handle);
+    const auto [first_px, length_px] = run();
+    return first_px + mark.time_s / m_duration_s * length_px;
 }
 
 bool TimeSlider::event(QEvent* event) {

@@ -29,8 +29,14 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    /// Where the middle of the handle can be, in px from the left.
+    struct Run {
+        double first_px = 0.0;
+        double length_px = 0.0;
+    };
+    [[nodiscard]] Run run() const;
     [[nodiscard]] int valueAt(double x_px) const;
-    /// Where a mark is drawn, in px from the left; empty: outside.
+    /// Where a mark that is shown is drawn, in px from the left.
     [[nodiscard]] double x_px(const core::PlaybackMark& mark) const;
     [[nodiscard]] bool isShown(const core::PlaybackMark& mark) const;
 

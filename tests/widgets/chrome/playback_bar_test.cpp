@@ -65,6 +65,36 @@ private slots:
         QVERIFY2(qAbs(seeks[0][0].toDouble() - 30.0) < 0.5, qPrintable(seeks[0][0].toString()));
     }
 
+    void seeksToTheMarkThatIsClicked() {
+        PlaybackBar bar;
+        bar.resize(900, 40);
+        bar.show();
+        bar.setPosition(position(0.0, true));
+        auto* slider = bar.findChild<QSlider*>();
+        for (const double mark_s : {3.0, 57.0}) {
+            bar.setMarks({});
+            bar.setPosition(position(0.0, true));
+            const QImage without = slider->grab().toImage();
+            bar.setMarks({{mark_s, mark_s, "a"}});
+            const QImage with = slider->grab().toImage();
+            // The point of the flag is in the middle of what is drawn.
+            int left = with.width();
+            int right = 0;
+            for (int x = 0; x < with.width(); ++x)
+                if (with.pixel(x, 1) != without.pixel(x, 1)) {
+                    left = std::min(left, x);
+                    right = std::max(right, x);
+                }
+            QVERIFY(left <= right);
+            QSignalSpy seeks(&bar, &PlaybackBar::seekRequested);
+            QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint((left + right) / 2, slider->height() / 2));
+            QCOMPARE(seeks.size(), 1);
+            const double pixel_s = 60.0 / slider->width();
+            QVERIFY2(qAbs(seeks[0][0].toDouble() - mark_s) < 2.0 * pixel_s,
+                     qPrintable(seeks[0][0].toString()));
+        }
+    }
+
     void showingAPositionAsksForNothing() {
         PlaybackBar bar;
         QSignalSpy seeks(&bar, &PlaybackBar::seekRequested);
