@@ -34,10 +34,12 @@ BraceletStation::BraceletStation(core::StopSwitch& stop, QObject* parent, playba
     , m_stop(stop)
     , m_player(std::move(player))
     , m_slot(std::make_shared<core::LatestCopy<std::shared_ptr<BraceletSession>>>())
-    , m_feedback(std::make_shared<pipeline::TactileFeedback>([slot = m_slot](playback::Program program) {
-        if (const auto session = slot->get())
-            session->player().play(std::move(program));
-    }))
+    , m_felt(std::make_shared<core::LatestCopy<Felt>>())
+    , m_feedback(std::make_shared<pipeline::TactileFeedback>(
+          [slot = m_slot, felt = m_felt](playback::Program program) {
+              if (const auto session = slot->get())
+                  felt->set({session, session->player().play(std::move(program))});
+          }))
     , m_library(builtIn) {
     m_keeping.setMaxThreadCount(1);
     m_keepSoon.setSingleShot(true);
@@ -55,6 +57,7 @@ BraceletStation::~BraceletStation() {
 void BraceletStation::letGo() {
     m_slot->set(nullptr);
     m_held.reset();
+    m_asked = 0;
     if (!m_session)
         return;
     if (m_keepSoon.isActive())
@@ -135,7 +138,10 @@ void BraceletStation::setMode(pipeline::FeedbackMode mode) {
 }
 
 std::uint64_t BraceletStation::play(playback::Program program, bool loop, double from_s) {
-    return m_session && !m_reserved ? m_session->player().play(std::move(program), loop, from_s) : 0;
+    if (!m_session || m_reserved)
+        return 0;
+    m_asked = m_session->player().play(std::move(program), loop, from_s);
+    return m_asked;
 }
 
 void BraceletStation::change(std::uint64_t number, playback::Program program, double shift_s) {
@@ -259,7 +265,6 @@ void BraceletStation::tick() {
         return;
     m_last->onset_s = static_cast<double>(counters.onset_ns - m_last->sent.felt_ns) * 1e-9;
     m_touchToSkin_s = m_last->onset_s;
-    m_feedbackBegun_ns = counters.begun_ns;
     m_latencies_s.push_back(*m_last->onset_s);
     if (m_latencies_s.size() > kLatencies)
         m_latencies_s.erase(m_latencies_s.begin());
@@ -267,8 +272,9 @@ void BraceletStation::tick() {
 }
 
 void BraceletStation::endFeedback() {
-    if (m_session && !m_reserved && m_feedbackBegun_ns != 0 &&
-        m_session->player().counters().begun_ns == m_feedbackBegun_ns)
+    const Felt felt = m_felt->get();
+    const bool isNewest = m_session && felt.session.lock() == m_session && felt.number > m_asked;
+    if (isNewest && !m_reserved && !m_held && isPlaying(felt.number))
         m_session->player().stop();
 }
 

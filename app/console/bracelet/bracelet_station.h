@@ -161,13 +161,19 @@ private:
     std::shared_ptr<BraceletSession> m_session; ///< null while it is being opened
     /// The same for the pipeline's thread.
     std::shared_ptr<core::LatestCopy<std::shared_ptr<BraceletSession>>> m_slot;
+    /// What is played for the newest touch; set by the pipeline's thread.
+    struct Felt {
+        std::weak_ptr<BraceletSession> session;
+        std::uint64_t number = 0; ///< as play()'s
+    };
+    std::shared_ptr<core::LatestCopy<Felt>> m_felt;
     std::shared_ptr<pipeline::TactileFeedback> m_feedback;
     pipeline::TactileFeedback::Library m_library;
     pattern::PatternMap m_map;
     std::optional<FeedbackEvent> m_last;
     std::optional<double> m_touchToSkin_s;
-    std::vector<double> m_latencies_s;   ///< of the newest touches
-    std::int64_t m_feedbackBegun_ns = 0; ///< playing that was for the newest touch; 0: none
+    std::vector<double> m_latencies_s; ///< of the newest touches
+    std::uint64_t m_asked = 0;         ///< number of the newest program that was not for a touch
     std::optional<std::size_t> m_held;
     bool m_reserved = false;
 };

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/pipeline/touch_record.h"
+#include "tests/app/console/bracelet/patient_station.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <memory>
+
+using namespace teleta;
+using console::BraceletChoice;
+using console::BraceletStation;
+
+namespace {
+
+/// So long that it does not end by itself in a test.
+playback::Program longProgram(const std::string& /*id*/ = {}) {
+    core::Intensities half{};
+    half.fill(0.5);
+    return {[half](double) { return half; }, 600.0};
+}
+
+} // namespace
+
+/// What is played for touches ends when the arm tells nothing any more.
+class EndOfFeedbackTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_config;
+    core::StopSwitch m_stop;
+    std::unique_ptr<BraceletStation> m_station;
+
+    [[nodiscard]] std::int64_t begun_ns() const { return m_station->session()->player().counters().begun_ns; }
+    void touch(std::uint64_t number) {
+        pipeline::TouchRecord record;
+        record.number = number;
+        record.stiffness.emplace();
+        record.stiffness->material = stiffness::Material::metal;
+        m_station->feedback()->onTouch(record);
+    }
+
+private slots:
+    void initTestCase() { qputenv("XDG_CONFIG_HOME", m_config.path().toLocal8Bit()); }
+    void init() {
+        m_station = test::patientStation(m_stop);
+        m_station->choose(BraceletChoice::simulated);
+        QTRY_VERIFY((m_station->tick(), m_station->isReady()));
+        m_station->setLibrary(longProgram);
+        m_station->setMap(pattern::PatternMap::defaults());
+        m_station->setMode(pipeline::FeedbackMode::stiffness);
+    }
+    void cleanup() { m_station.reset(); }
+
+    void theNewestOfTwoTouchesOneRightAfterTheOtherIsEnded() {
+        touch(1);
+        QTRY_VERIFY(begun_ns() != 0);
+        const std::int64_t first_ns = begun_ns();
+        touch(2);
+        // The first one is still what the bracelet tells of.
+        m_station->tick();
+        QTRY_VERIFY(begun_ns() != first_ns);
+        m_station->endFeedback();
+        QTRY_VERIFY(!m_station->isDriven());
+    }
+
+    void aTouchThatNobodyHasLookedAtYetIsEnded() {
+        touch(1);
+        QTRY_VERIFY(m_station->isDriven());
+        m_station->endFeedback();
+        QTRY_VERIFY(!m_station->isDriven());
+    }
+
+    void whatIsPlayedForSomethingElseGoesOn() {
+        touch(1);
+        QTRY_VERIFY(m_station->isDriven());
+        const std::uint64_t number = m_station->play(longProgram(), false);
+        m_station->endFeedback();
+        QTRY_VERIFY(m_station->session()->player().status().program == number &&
+                    m_station->playingPosition_s().value_or(0.0) > 0.05);
+        m_station->endFeedback();
+        QVERIFY(m_station->isPlaying(number));
+    }
+};
+
+QTEST_MAIN(EndOfFeedbackTest)
+#include "end_of_feedback_test.moc"
