@@ -51,6 +51,10 @@ void printError(const core::Error& error) {
     std::fprintf(stderr, "teleta: %s\n", core::describe(error).c_str());
 }
 
+void warn(const QString& text) {
+    std::fprintf(stderr, "teleta: %s\n", text.toUtf8().constData());
+}
+
 void declareJson(CLI::App& app, bool& json) {
     app.add_flag("--json", json, OutputText::tr("Print one JSON document on standard output").toStdString());
 }

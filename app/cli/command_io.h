@@ -31,6 +31,9 @@ enum ExitCode { kDone = 0, kWorkFailed = 1, kWrongUsage = 2, kBadInput = 3 };
 /// Prints "teleta: file:line:column: message (expected ...)" on standard error.
 void printError(const core::Error& error);
 
+/// Prints "teleta: text" on standard error, for what does not end the work.
+void warn(const QString& text);
+
 /// Adds the flag --json.
 void declareJson(CLI::App& app, bool& json);
 

@@ -4,6 +4,7 @@
 #include "backend/core/elapsed.h"
 #include "backend/core/steady_time.h"
 #include "backend/pipeline/recorded_camera.h"
+#include "backend/vision/contacts/picture_view.h"
 
 #include <opencv2/imgproc.hpp>
 
@@ -24,13 +25,7 @@ constexpr double kLeastPeriod_s = 0.025;
 
 using vision::ContactEvent;
 using vision::FollowedContact;
-
-/// The pixels themselves, which nobody writes to.
-cv::Mat1b viewOf(const core::GreyImage& image) {
-    if (image.isEmpty())
-        return {};
-    return {image.height_px, image.width_px, const_cast<std::uint8_t*>(image.pixels.get())};
-}
+using vision::viewOf;
 
 core::GreyImage previewOf(const core::GreyImage& image) {
     const cv::Mat1b whole = viewOf(image);

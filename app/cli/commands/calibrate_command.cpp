@@ -11,7 +11,6 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include <cstdio>
 #include <utility>
 #include <vector>
 
@@ -155,13 +154,11 @@ core::Expected<void> CalibrateCommand::run() {
         if (const core::Expected<void> written = vision::writeCamera(file, m_outPath); !written)
             return written;
         if (calibration->method == vision::CalibrationMethod::paper) {
-            const QString warning =
-                CalibrateText::tr("The camera that was written has no lens: it is off by %1 mm on average "
-                                  "over the pairs that it kept (%2 of %3).")
-                    .arg(forPeople(1e3 * calibration->mean_error_m))
-                    .arg(calibration->kept)
-                    .arg(pairs->size());
-            std::fputs(("teleta: " + warning.toStdString() + "\n").c_str(), stderr);
+            warn(CalibrateText::tr("The camera that was written has no lens: it is off by %1 mm on average "
+                                   "over the pairs that it kept (%2 of %3).")
+                     .arg(forPeople(1e3 * calibration->mean_error_m))
+                     .arg(calibration->kept)
+                     .arg(pairs->size()));
         }
     }
     return m_json ? printDocument(toJson(*calibration, file)) : printTable(*calibration);

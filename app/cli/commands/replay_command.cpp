@@ -4,11 +4,13 @@
 #include "app/cli/feature_rows.h"
 #include "app/cli/interruption.h"
 #include "app/cli/progress_bar.h"
+#include "app/cli/tracker_losses.h"
 #include "app/cli/validators.h"
 #include "backend/core/wakeup.h"
 #include "backend/pipeline/touch_channel.h"
 #include "backend/vision/contacts/contact_ladder.h"
 #include "backend/vision/contacts/contact_rows.h"
+#include "backend/vision/contacts/picture_view.h"
 #include "devices/replay/recorded_device.h"
 
 #include <QCoreApplication>
@@ -19,7 +21,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
-#include <cstdio>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -43,13 +44,13 @@ void tellLosses(std::uint64_t damagedBlocks, std::uint64_t framesLost) {
     const QStringList counts{
         ReplayText::tr("%n damaged block(s) left out", nullptr, static_cast<int>(damagedBlocks)),
         ReplayText::tr("%n frame(s) lost at this speed", nullptr, static_cast<int>(framesLost))};
-    std::fprintf(stderr, "teleta: %s\n", qUtf8Printable(counts.join(QStringLiteral(", "))));
+    warn(counts.join(QStringLiteral(", ")));
 }
 
 /// Ends the output after a source has ended.
 core::Expected<void> finish(RowOutput& rows, const replay::RecordedControl& source,
-                            const core::DeviceStatus& status) {
-    tellLosses(source.damagedBlocks(), status.framesLost);
+                            const core::DeviceStatus& status, std::uint64_t framesLost) {
+    tellLosses(source.damagedBlocks(), framesLost);
     if (status.state == core::DeviceState::lost && !interrupted()) {
         rows.flush();
         return core::Unexpected(source.error());
@@ -156,13 +157,8 @@ core::Expected<void> ReplayCommand::replayCamera(const recording::Recording& rec
     const auto reference = pipeline::firstReference(recording, source);
     if (!reference)
         return core::Unexpected(reference.error());
-    const auto matrixOf = [](const core::GreyImage& image) {
-        return image.isEmpty() ? cv::Mat1b()
-                               : cv::Mat1b(image.height_px, image.width_px,
-                                           const_cast<std::uint8_t*>(image.pixels.get()));
-    };
     if (!reference->isEmpty()) {
-        if (const auto taken = tracker.next(matrixOf(*reference), 0.0); !taken)
+        if (const auto taken = tracker.next(vision::viewOf(*reference), 0.0); !taken)
             return core::Unexpected(taken.error());
     }
     replay::RecordedConfig config = configOf(source.stream);
@@ -182,6 +178,7 @@ core::Expected<void> ReplayCommand::replayCamera(const recording::Recording& rec
     // The reference, wherever it is kept, is frame 0.
     const long long first = reference->isEmpty() ? 0 : 1;
     long long done = 0;
+    std::uint64_t lost = 0; // to a finder that is slower than the playing
     for (bool ended = false; !ended && !interrupted() && !rows->failed();) {
         status = camera.status();
         ended = status.state == core::DeviceState::finished || status.state == core::DeviceState::lost;
@@ -190,7 +187,10 @@ core::Expected<void> ReplayCommand::replayCamera(const recording::Recording& rec
         core::CameraFrame frame;
         while (!interrupted() && camera.pop(frame)) {
             ++done;
-            const auto contacts = tracker.next(matrixOf(frame.image), frame.capture_s);
+            lost += frame.passedOver;
+            if (frame.discontinuity && tracker.hasReference())
+                tracker.forget();
+            const auto contacts = tracker.next(vision::viewOf(frame.image), frame.capture_s);
             if (!contacts)
                 continue; // counted by the tracker
             const int bumped = tracker.bump() ? tracker.bump()->contact : 0;
@@ -205,7 +205,8 @@ core::Expected<void> ReplayCommand::replayCamera(const recording::Recording& rec
     }
     camera.stop();
     progress.erase();
-    return finish(*rows, camera, status);
+    warnOfUnusableFrames(tracker);
+    return finish(*rows, camera, status, lost + status.framesLost);
 }
 
 core::Expected<void> ReplayCommand::replayArray(pipeline::RecordedSource source) {
@@ -252,7 +253,7 @@ core::Expected<void> ReplayCommand::replayArray(pipeline::RecordedSource source)
                                             {},
                                             {m_path}});
     }
-    return finish(*rows, array, status);
+    return finish(*rows, array, status, status.framesLost);
 }
 
 } // namespace teleta::cli

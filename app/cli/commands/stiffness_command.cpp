@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <string_view>
 #include <unistd.h>
 #include <utility>
@@ -183,12 +182,8 @@ core::Expected<void> StiffnessCommand::run() {
     if (!touch)
         return core::Unexpected(explain(touch.error(), *log));
     if (touch->stifferThanLink)
-        std::fprintf(
-            stderr, "teleta: %s\n",
-            StiffnessText::tr(
-                "the touch is stiffer than the link allows: check contact distance and link stiffness")
-                .toUtf8()
-                .constData());
+        warn(StiffnessText::tr(
+            "the touch is stiffer than the link allows: check contact distance and link stiffness"));
     return m_json ? printDocument(toJson(*touch)) : printTable(*touch);
 }
 

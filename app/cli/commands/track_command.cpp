@@ -3,6 +3,7 @@
 
 #include "app/cli/interruption.h"
 #include "app/cli/progress_bar.h"
+#include "app/cli/tracker_losses.h"
 #include "backend/vision/camera_file.h"
 #include "backend/vision/contacts/camera_tracker.h"
 #include "backend/vision/contacts/contact_ladder.h"
@@ -13,7 +14,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <cstdio>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -27,21 +27,6 @@ using Outcome = camera::VideoStream::Outcome;
 struct TrackText {
     Q_DECLARE_TR_FUNCTIONS(TrackCommand)
 };
-
-void warn(const QString& text) {
-    std::fputs(("teleta: " + text.toStdString() + "\n").c_str(), stderr);
-}
-
-/// Says what was lost on the way; the rows alone do not tell.
-void reportLosses(const camera::VideoStream& stream, const vision::CameraTracker& tracker) {
-    if (tracker.unusableFrames() > 0)
-        warn(TrackText::tr("%1 of %2 frames could not be used. The last reason: %3")
-                 .arg(tracker.unusableFrames())
-                 .arg(tracker.frames())
-                 .arg(QString::fromStdString(tracker.whyUnusable())));
-    if (stream.framesSkipped() > 0)
-        warn(TrackText::tr("Frames that are missing by their time stamps: %1").arg(stream.framesSkipped()));
-}
 
 } // namespace
 
@@ -130,7 +115,9 @@ core::Expected<void> TrackCommand::run() {
     const core::Expected<void> finished = rows->finish();
     if (!finished)
         return finished;
-    reportLosses(*stream, tracker);
+    warnOfUnusableFrames(tracker);
+    if (stream->framesSkipped() > 0)
+        warn(TrackText::tr("Frames that are missing by their time stamps: %1").arg(stream->framesSkipped()));
     if (stopped)
         return core::Unexpected(interruption());
     const auto failed = [&](core::ErrorKind kind, const QString& message) {

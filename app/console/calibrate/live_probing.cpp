@@ -3,6 +3,7 @@
 
 #include "backend/core/steady_time.h"
 #include "backend/core/wakeup.h"
+#include "backend/vision/contacts/picture_view.h"
 #include "backend/vision/contacts/probe_watcher.h"
 
 #include <chrono>
@@ -13,11 +14,6 @@ namespace teleta::console {
 namespace {
 
 constexpr std::chrono::milliseconds kPatience{100};
-
-/// The pixels themselves, which nobody writes to.
-cv::Mat1b viewOf(const core::GreyImage& image) {
-    return {image.height_px, image.width_px, const_cast<std::uint8_t*>(image.pixels.get())};
-}
 
 } // namespace
 
@@ -145,7 +141,7 @@ bool LiveProbing::process(Run& run, const core::CameraFrame& frame) {
         run.offset_s = run.last_s + 1.0 - frame.capture_s;
     }
     run.last_s = frame.capture_s + run.offset_s;
-    const cv::Mat1b image = viewOf(frame.image);
+    const cv::Mat1b image = vision::viewOf(frame.image);
     if (const std::uint64_t lifts = m_lifts.load();
         std::exchange(run.lifts, lifts) != lifts && run.watcher->hasReference())
         run.watcher->awaitLift();

@@ -146,3 +146,46 @@ TEST(ReplayCommandOfACamera, theContactsAreThoseOfTheRun) {
     EXPECT_EQ(splitCsv(readAll(folder.path("csv/reference.csv"))).size(), 2U);
     EXPECT_EQ(splitCsv(readAll(folder.path("csv/contacts.csv"))).size(), expected.size());
 }
+
+namespace {
+
+/// A block of the camera in a recording of teleta simulate: the picture of that frame, counted with the
+/// reference, which is 0.
+QString pictureBlock(int frame) {
+    return QStringLiteral("key = (SELECT key FROM block WHERE stream = (SELECT key FROM stream WHERE name = "
+                          "'camera') ORDER BY key LIMIT 1 OFFSET %1)")
+        .arg(frame - 1);
+}
+
+} // namespace
+
+TEST(ReplayCommandOfACamera, contactsBeforeAndBehindAJumpAreNotTheSame) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(run({"simulate", "vtacarm-bump", "--duration", "0.7", "--out", folder.path("run")}).exitCode,
+              0);
+    const std::string recording = folder.path("run/recording.teleta");
+    const auto before = splitCsv(run({"replay", recording}).out);
+    ASSERT_GT(before.size(), 3U);
+    ASSERT_EQ(std::stoi(before[2][0]), std::stoi(before[1][0]) + 1) << "the contact lasts two frames";
+    ASSERT_EQ(before[2].back(), "NA");
+    askFile(recording, QStringLiteral("UPDATE block SET discontinuity = 1 WHERE ") +
+                           pictureBlock(std::stoi(before[2][0])));
+    const auto after = splitCsv(run({"replay", recording}).out);
+    ASSERT_GT(after.size(), 2U);
+    EXPECT_EQ(after[1], before[1]);
+    EXPECT_EQ(after[2][0], before[2][0]);
+    EXPECT_NE(after[2].back(), "NA") << "a contact begins";
+}
+
+TEST(ReplayCommandOfACamera, picturesThatCannotBeUsedAreTold) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(run({"simulate", "vtacarm-bump", "--duration", "0.2", "--out", folder.path("run")}).exitCode,
+              0);
+    const std::string recording = folder.path("run/recording.teleta");
+    // As many pixels, but of another shape.
+    askFile(recording,
+            QStringLiteral("UPDATE block SET width = height, height = width WHERE ") + pictureBlock(3));
+    const ProgramResult replayed = run({"replay", recording});
+    EXPECT_EQ(replayed.exitCode, 0) << replayed.err;
+    EXPECT_NE(replayed.err.find("1 of 9 frames could not be used"), std::string::npos) << replayed.err;
+}
