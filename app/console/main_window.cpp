@@ -532,7 +532,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     m_stop.engage();
     m_clock.stop();
     saveState();
-    m_recording->station().stop();
+    m_recording->stop();
     m_sources.closeAll();
     QMainWindow::closeEvent(event);
 }

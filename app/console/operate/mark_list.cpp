@@ -82,24 +82,46 @@ void MarkList::edit(std::uint64_t number) {
     m_table->editItem(item);
 }
 
+void MarkList::finishEditing() {
+    if (m_table->indexWidget(m_table->currentIndex()) == nullptr)
+        return;
+    // A table takes over what is typed in a cell that is left.
+    const int row = m_table->currentRow();
+    m_table->setCurrentItem(nullptr);
+    m_table->setCurrentCell(row, textColumn);
+}
+
 void MarkList::rebuild() {
     const QScopedValueRollback building(m_building, true);
+    const Qt::ItemFlags flags = m_editable ? Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable
+                                           : Qt::ItemIsEnabled | Qt::ItemIsSelectable;
     const int current = m_table->currentRow();
     m_table->setRowCount(static_cast<int>(m_rows.size()));
     for (int row = 0; row < m_table->rowCount(); ++row) {
         const Row& mark = m_rows[static_cast<std::size_t>(row)];
-        auto* time = new QTableWidgetItem(clock(mark.time_s));
+        // Not in place of those that are there: the text of one may be being set.
+        QTableWidgetItem* time = itemAt(row, timeColumn);
+        time->setText(clock(mark.time_s));
         time->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
         time->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-        auto* text = new QTableWidgetItem(mark.text);
-        text->setFlags(m_editable ? Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable
-                                  : Qt::ItemIsEnabled | Qt::ItemIsSelectable);
-        m_table->setItem(row, timeColumn, time);
-        m_table->setItem(row, textColumn, text);
+        QTableWidgetItem* text = itemAt(row, textColumn);
+        text->setText(mark.text);
+        // An editor is filled anew when they are set, even to what they were.
+        if (text->flags() != flags)
+            text->setFlags(flags);
     }
     m_table->setCurrentCell(std::min(current, m_table->rowCount() - 1), textColumn);
     m_table->setVisible(!m_rows.empty());
     m_hint->setVisible(m_rows.empty());
+}
+
+QTableWidgetItem* MarkList::itemAt(int row, int column) {
+    QTableWidgetItem* item = m_table->item(row, column);
+    if (item == nullptr) {
+        item = new QTableWidgetItem;
+        m_table->setItem(row, column, item);
+    }
+    return item;
 }
 
 bool MarkList::eventFilter(QObject* watched, QEvent* event) {

@@ -9,6 +9,7 @@
 
 class QLabel;
 class QTableWidget;
+class QTableWidgetItem;
 
 namespace teleta::console {
 
@@ -32,6 +33,8 @@ public:
     [[nodiscard]] const std::vector<Row>& marks() const { return m_rows; }
     /// Begins to type the text of a mark.
     void edit(std::uint64_t number);
+    /// Takes the text that is being typed as it is, as Enter does.
+    void finishEditing();
 
 signals:
     void renamed(std::uint64_t number, const QString& text);
@@ -44,6 +47,8 @@ protected:
 
 private:
     void rebuild();
+    /// The item of a cell, made when there is none.
+    QTableWidgetItem* itemAt(int row, int column);
     void retranslate();
 
     QTableWidget* m_table;

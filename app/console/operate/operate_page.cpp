@@ -47,13 +47,6 @@ bool isRecorded(const SourceManager::Item& item) {
     return item.camera ? item.camera->description().recorded : item.channel->description().recorded;
 }
 
-/// Null when the source is no playback, or is being opened.
-core::PlaybackControl* playbackOf(const SourceManager::Item& item) {
-    if (item.camera)
-        return item.camera->source().playback();
-    return item.channel ? item.channel->playback() : nullptr;
-}
-
 /// Nobody looks at this arm: what it felt meanwhile is not shown later as if it were new.
 void drain(pipeline::ArmChannel& arm) {
     core::JointSample sample;
@@ -344,7 +337,7 @@ void OperatePage::withOthers(const Call& call) {
         const auto* other = std::get_if<PlaybackRequest>(&item.request);
         if (other == nullptr || &item == shown || other->path != playback->path)
             continue;
-        if (core::PlaybackControl* control = playbackOf(item))
+        if (core::PlaybackControl* control = item.playback())
             call(*control);
     }
 }
@@ -391,7 +384,7 @@ void OperatePage::stepPlayback(int frames) {
 
 core::PlaybackControl* OperatePage::playback() {
     SourceManager::Item* item = m_sources.active();
-    return item != nullptr && item->isOpen() ? playbackOf(*item) : nullptr;
+    return item != nullptr ? item->playback() : nullptr;
 }
 
 void OperatePage::watchFailures(const SourceManager::Item& item) {

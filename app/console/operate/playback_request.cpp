@@ -92,6 +92,7 @@ core::Expected<pipeline::OpenedSource> openPlayback(const PlaybackRequest& reque
     replay::RecordedConfig config;
     config.path = request.path;
     config.loop = request.loop;
+    config.autoplay = false;
     config.span = replay::RecordedConfig::Span{sources->first_ns, sources->last_ns};
     const auto isIt = [&](std::size_t stream) { return recording->streams()[stream].name == request.stream; };
     for (pipeline::RecordedSource& source : sources->arrays)

@@ -27,8 +27,8 @@ struct PlaybackRequest {
 /// pipeline::recordedSources.
 [[nodiscard]] core::Expected<std::vector<PlaybackRequest>> playbacksOf(const std::string& path);
 
-/// Opens a source of a recording; all of them are played from the first frame of any to the last one. Not on
-/// the GUI's thread. Error: as playbacksOf.
+/// Opens a source of a recording, which waits at its begin; all of them are played from the first frame of
+/// any to the last one. Not on the GUI's thread. Error: as playbacksOf.
 [[nodiscard]] core::Expected<pipeline::OpenedSource> openPlayback(const PlaybackRequest& request,
                                                                   const core::StopSwitch& stop);
 

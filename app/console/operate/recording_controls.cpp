@@ -47,6 +47,7 @@ RecordingControls::RecordingControls(SourceManager& sources, OperatePage& page, 
     connect(m_mark, &QAction::triggered, this, [this] { mark(core::steadyNow_ns()); });
     connect(m_folder, &QAction::triggered, this, &RecordingControls::askForFolder);
     connect(m_csv, &QAction::triggered, this, &RecordingControls::exportCsv);
+    connect(&m_export, &RecordingExport::busyChanged, m_csv, &QAction::setDisabled);
     connect(&m_export, &RecordingExport::finished, this,
             [this](const QString& folder, int files, int damaged) {
                 const QString left =
@@ -80,10 +81,8 @@ RecordingControls::RecordingControls(SourceManager& sources, OperatePage& page, 
     connect(&m_station, &RecordingStation::marksChanged, this,
             [this, &marks] { marks.setRecorded(m_station.marks(), m_station.isRecording()); });
     connect(&marks, &MarkViews::markRequested, this, &RecordingControls::mark);
-    connect(&marks.list(), &MarkList::renamed, &m_station, &RecordingStation::renameMark,
-            Qt::QueuedConnection);
-    connect(&marks.list(), &MarkList::removed, &m_station, &RecordingStation::removeMark,
-            Qt::QueuedConnection);
+    connect(&marks.list(), &MarkList::renamed, &m_station, &RecordingStation::renameMark);
+    connect(&marks.list(), &MarkList::removed, &m_station, &RecordingStation::removeMark);
     update();
 }
 
@@ -100,10 +99,16 @@ void RecordingControls::toggle() {
     if (m_station.state() == RecordingStation::State::idle)
         m_station.start(QDir(folder()).filePath(m_station.suggestedName()));
     else
-        m_station.stop();
+        stop();
+}
+
+void RecordingControls::stop() {
+    m_page.marks().list().finishEditing();
+    m_station.stop();
 }
 
 void RecordingControls::mark(std::int64_t time_ns) {
+    m_page.marks().list().finishEditing();
     if (m_station.isRecording())
         m_station.mark(time_ns);
     else

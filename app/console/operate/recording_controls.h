@@ -40,6 +40,8 @@ public:
     void fill(QMenu& menu);
     /// Records into a new file of the usual folder, or ends the recording.
     void toggle();
+    /// Ends the recording, with the text of a mark that is being typed.
+    void stop();
     void tick();
 
 private:

@@ -3,6 +3,8 @@
 
 #include "backend/recording/recording.h"
 
+#include <QDir>
+#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QProgressDialog>
@@ -55,22 +57,20 @@ void RecordingExport::askForFolder(const QString& path) {
 }
 
 void RecordingExport::start(const QString& path, const QString& folder) {
-    if (isBusy())
+    if (isBusy()) {
+        emit failed(QFileInfo(path).fileName(), core::Error{core::ErrorKind::refused,
+                                                            tr("another export is running").toStdString(),
+                                                            {},
+                                                            {path.toStdString()}});
         return;
+    }
     m_path = path;
     m_folder = folder;
     m_progress = std::make_shared<Progress>();
-    m_result = std::async(
-        std::launch::async,
-        [progress = m_progress, path = path.toStdString(), folder = folder.toStdString()]() -> Result {
-            const auto recording = recording::Recording::open(path);
-            if (!recording)
-                return core::Unexpected(recording.error());
-            return recording::exportCsv(*recording, folder, {.goOn = [&](double frames, double all) {
-                progress->share = all > 0.0 ? frames / all : 0.0;
-                return !progress->cancelled;
-            }});
-        });
+    m_result = std::async(std::launch::async,
+                          [progress = m_progress, path = path.toStdString(), folder = folder.toStdString()] {
+                              return write(path, folder, *progress);
+                          });
     m_dialog = new QProgressDialog(tr("Exporting %1\u2026", "a file").arg(QFileInfo(path).fileName()),
                                    tr("Cancel"), 0, kPermille, m_window);
     m_dialog->setWindowModality(Qt::NonModal);
@@ -80,6 +80,28 @@ void RecordingExport::start(const QString& path, const QString& folder) {
             [progress = m_progress] { progress->cancelled = true; });
     m_dialog->setValue(0);
     m_timer.start();
+    emit busyChanged(true);
+}
+
+RecordingExport::Result RecordingExport::write(const std::string& path, const std::string& folder,
+                                               Progress& progress) {
+    const auto recording = recording::Recording::open(path);
+    if (!recording)
+        return core::Unexpected(recording.error());
+    const QString place = QString::fromStdString(folder);
+    const bool isNew = !QFileInfo::exists(place);
+    Result files = recording::exportCsv(*recording, folder, {.goOn = [&](double frames, double all) {
+        progress.share = all > 0.0 ? frames / all : 0.0;
+        return !progress.cancelled;
+    }});
+    if (!files || !progress.cancelled)
+        return files;
+    // A file that is cut short would be taken for a whole one.
+    for (const recording::ExportedFile& file : *files)
+        QFile::remove(QString::fromStdString(file.path));
+    if (isNew)
+        QDir().rmdir(place);
+    return Result();
 }
 
 void RecordingExport::look() {
@@ -91,12 +113,13 @@ void RecordingExport::look() {
     m_timer.stop();
     std::exchange(m_dialog, nullptr)->deleteLater();
     const Result result = m_result.get();
-    if (m_progress->cancelled)
-        return;
+    emit busyChanged(false);
     if (!result) {
         emit failed(QFileInfo(m_path).fileName(), result.error());
         return;
     }
+    if (result->empty())
+        return;
     std::uint64_t damaged = 0;
     for (const recording::ExportedFile& file : *result)
         damaged += file.damagedBlocks;

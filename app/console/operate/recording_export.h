@@ -11,6 +11,7 @@
 #include <atomic>
 #include <future>
 #include <memory>
+#include <string>
 #include <vector>
 
 class QProgressDialog;
@@ -31,21 +32,24 @@ public:
 
     /// Asks for a recording and a folder. suggested: a recording; may be empty.
     void ask(const QString& suggested);
+    /// folder: made when it is missing. Fails while another export runs.
     void start(const QString& path, const QString& folder);
     [[nodiscard]] bool isBusy() const { return m_result.valid(); }
 
 signals:
+    void busyChanged(bool busy);
+    /// Nothing is said of an export that was cancelled, and none of its files stays.
     void finished(const QString& folder, int files, int damagedBlocks);
-    /// Nothing is said of an export that was cancelled.
     void failed(const QString& name, const core::Error& error);
 
 private:
-    using Result = core::Expected<std::vector<recording::ExportedFile>>;
+    using Result = core::Expected<std::vector<recording::ExportedFile>>; ///< no files: it was cancelled
     struct Progress {
         std::atomic<double> share{0.0};
         std::atomic<bool> cancelled{false};
     };
     void askForFolder(const QString& path);
+    [[nodiscard]] static Result write(const std::string& path, const std::string& folder, Progress& progress);
     void look();
 
     QWidget* m_window;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/operate/source_manager.h"
 
+#include "backend/pipeline/camera_channel.h"
+
 #include <algorithm>
 #include <utility>
+#include <variant>
 
 namespace teleta::console {
 
@@ -12,6 +15,12 @@ using pipeline::ChannelKey;
 SourceManager::SourceManager(core::StopSwitch& stop, QObject* parent)
     : QObject(parent)
     , m_stop(stop) {
+}
+
+core::PlaybackControl* SourceManager::Item::playback() const {
+    if (camera)
+        return camera->source().playback();
+    return channel ? channel->playback() : nullptr;
 }
 
 ChannelKey SourceManager::open(const SourceRequest& request) {
@@ -68,6 +77,7 @@ void SourceManager::poll() {
             item->arm = std::move(event.arm);
             item->servo = std::move(event.servo);
             item->camera = std::move(event.camera);
+            item->waits = std::holds_alternative<PlaybackRequest>(item->request);
             emit opened(event.key);
             emit itemsChanged();
             activate(event.key);
@@ -81,6 +91,25 @@ void SourceManager::poll() {
         case ChannelEvent::Kind::closed:
             break;
         }
+    }
+    beginPlaybacks();
+}
+
+void SourceManager::beginPlaybacks() {
+    const auto isOf = [](const Item& item, const std::string& path) {
+        const auto* playback = std::get_if<PlaybackRequest>(&item.request);
+        return playback != nullptr && playback->path == path;
+    };
+    for (const Item& waiting : m_items) {
+        if (!waiting.waits)
+            continue;
+        const std::string path = std::get<PlaybackRequest>(waiting.request).path;
+        if (std::ranges::any_of(m_items,
+                                [&](const Item& item) { return isOf(item, path) && !item.isOpen(); }))
+            continue;
+        for (Item& item : m_items)
+            if (isOf(item, path) && std::exchange(item.waits, false))
+                item.playback()->play();
     }
 }
 

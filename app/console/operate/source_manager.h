@@ -30,7 +30,11 @@ public:
         std::uint64_t displayed = 0;                     ///< snapshots that were painted
         std::shared_ptr<pipeline::CameraChannel> camera = nullptr; ///< null unless the source is a camera
 
+        bool waits = false; ///< a playback that begins with the others of its recording
+
         [[nodiscard]] bool isOpen() const { return channel != nullptr || camera != nullptr; }
+        /// Null when it is no playback, or is being opened.
+        [[nodiscard]] core::PlaybackControl* playback() const;
     };
 
     explicit SourceManager(core::StopSwitch& stop, QObject* parent = nullptr);
@@ -58,6 +62,8 @@ signals:
     void itemsChanged();
 
 private:
+    /// Begins the playbacks of each recording whose sources are all open.
+    void beginPlaybacks();
     void remove(pipeline::ChannelKey key);
 
     core::StopSwitch& m_stop;

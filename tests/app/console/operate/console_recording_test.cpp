@@ -31,6 +31,7 @@ using namespace teleta;
 using console::ConsoleOptions;
 using console::ConsoleSettings;
 using console::MainWindow;
+using console::RecordingMark;
 using console::RecordingStation;
 
 namespace {
@@ -203,7 +204,14 @@ private slots:
         // What is exported by the window is what the recording holds.
         QSignalSpy exported(&m_window->recording().csv(), &console::RecordingExport::finished);
         m_window->recording().csv().start(path, m_folder.filePath("csv"));
+        const auto isOffered = [&] {
+            return std::ranges::any_of(m_window->findChildren<QAction*>(), [](const QAction* action) {
+                return action->text().contains("recording as CSV") && action->isEnabled();
+            });
+        };
+        QVERIFY2(!isOffered(), "one export at a time");
         QTRY_COMPARE_WITH_TIMEOUT(exported.size(), 1, kPatience_ms);
+        QVERIFY(isOffered());
         QFile csv(m_folder.filePath("csv/tactile-indenter-frames.csv"));
         QVERIFY(csv.open(QIODevice::ReadOnly));
         QCOMPARE(csv.readAll().count('\n'), static_cast<int>(frames.sourceTime_s.size()) + 1);
@@ -323,6 +331,77 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(page().messages().count(), 1, kPatience_ms);
         QCOMPARE(m_window->sources().items().size(), std::size_t(1));
         QVERIFY(QApplication::activeModalWidget() == nullptr);
+    }
+
+    void aTextThatIsBeingTypedIsKeptByAMarkTheEndAndTheClosing() {
+        openScene("tactile-indenter");
+        const auto type = [&](const RecordingMark& mark, const char* text) {
+            page().docks().bringForward("marks");
+            page().marks().list().edit(mark.number);
+            auto* editor = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+            QVERIFY(editor != nullptr && page().marks().list().isAncestorOf(editor));
+            QTest::keyClicks(editor, text);
+        };
+        const auto begin = [&](const QString& path) {
+            station().start(path);
+            QTRY_VERIFY_WITH_TIMEOUT(station().isRecording(), kPatience_ms);
+            QTest::keyClick(m_window.get(), Qt::Key_M);
+            QCOMPARE(station().marks().size(), std::size_t(1));
+        };
+        const auto inFile = [](const QString& path) {
+            const auto recording = recording::Recording::open(path.toStdString());
+            return recording ? marksOf(*recording) : std::vector<std::string>{};
+        };
+        const QString ended = m_folder.filePath("typed.teleta");
+        begin(ended);
+        type(station().marks()[0], "it slipped");
+        auto* indicator = m_window->findChild<chrome::RecordingIndicator*>();
+        QTRY_VERIFY(indicator->findChild<QToolButton*>("mark")->isVisible());
+        QTest::mouseClick(indicator->findChild<QToolButton*>("mark"), Qt::LeftButton);
+        QCOMPARE(station().marks().size(), std::size_t(2));
+        QCOMPARE(station().marks()[0].text, QString("it slipped"));
+        QCOMPARE(station().marks()[1].text, QString());
+        type(station().marks()[1], "it fell");
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_R, Qt::ControlModifier);
+        QTRY_COMPARE_WITH_TIMEOUT(station().state(), RecordingStation::State::idle, kPatience_ms);
+        QCOMPARE(inFile(ended), (std::vector<std::string>{"it slipped", "it fell"}));
+
+        const QString closed = m_folder.filePath("typed-closed.teleta");
+        begin(closed);
+        type(station().marks()[0], "the last word");
+        m_window->close();
+        m_window.reset();
+        QCOMPARE(inFile(closed), std::vector<std::string>{"the last word"});
+    }
+
+    void theSourcesOfARecordingBeginTogetherWhenAllAreOpen() {
+        openScene("tactile-indenter");
+        m_window->sources().open(console::SceneRequest{"tactile-two-contacts", 1});
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->sources().items().back().isOpen(), kPatience_ms);
+        const QString path = m_folder.filePath("together.teleta");
+        station().start(path);
+        waitForFrames(300);
+        end();
+        console::SourceManager& sources = m_window->sources();
+        sources.closeAll();
+        std::vector<bool> waited;
+        connect(&sources, &console::SourceManager::opened, this, [&](pipeline::ChannelKey key) {
+            waited.push_back(sources.find(key)->playback()->position().paused);
+        });
+        drop(path);
+        QTRY_COMPARE_WITH_TIMEOUT(waited.size(), std::size_t(2), kPatience_ms);
+        QCOMPARE(waited, (std::vector<bool>{true, true}));
+        for (const console::SourceManager::Item& item : sources.items())
+            QTRY_VERIFY_WITH_TIMEOUT(item.displayed > 0 || !item.playback()->position().paused, kPatience_ms);
+
+        // One that is not opened after all holds up no other.
+        const auto request = std::get<console::PlaybackRequest>(sources.items().front().request);
+        const auto other = std::get<console::PlaybackRequest>(sources.items().back().request);
+        sources.closeAll();
+        sources.open(request);
+        sources.close(sources.open(other));
+        QTRY_VERIFY_WITH_TIMEOUT(sources.items().front().isOpen(), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(!sources.items().front().waits, kPatience_ms);
     }
 
     void closingTheWindowCompletesTheFile() {

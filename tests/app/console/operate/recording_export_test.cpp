@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/operate/recording_export.h"
+#include "backend/recording/recorder.h"
+
+#include <QDir>
+#include <QProgressDialog>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QWidget>
+
+#include <array>
+
+using namespace teleta;
+using console::RecordingExport;
+
+/// Exports of recordings in the window.
+class RecordingExportTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+    QWidget m_window;
+
+    [[nodiscard]] QString recording() const { return m_folder.filePath("run.teleta"); }
+    [[nodiscard]] QString csv() const { return m_folder.filePath("csv"); }
+    void cancel() { m_window.findChild<QProgressDialog*>()->findChild<QPushButton*>()->click(); }
+
+private slots:
+    /// So long that an export is far from its end when it is cancelled.
+    void initTestCase() {
+        recording::RecordingHead head;
+        head.start_ns = 1;
+        auto recorder = recording::Recorder::start(recording().toStdString(), head, {.simulatedTime = true});
+        QVERIFY(recorder);
+        recording::StreamInfo info;
+        info.name = "frames";
+        info.kind = recording::StreamKind::array;
+        info.type = recording::ValueType::float32;
+        info.shape = {16, 16};
+        const auto tap = (*recorder)->addStream(info);
+        const std::array<float, 256> values{0.1F, 0.2F, 0.3F};
+        for (int i = 0; i < 40'000; ++i)
+            tap->append(1 + i * 1'000'000LL, 0.001 * i, std::span<const float>(values));
+        QVERIFY((*recorder)->stop());
+    }
+
+    void anExportThatIsCancelledLeavesNoFiles() {
+        RecordingExport exporter(&m_window);
+        QSignalSpy busy(&exporter, &RecordingExport::busyChanged);
+        QSignalSpy finished(&exporter, &RecordingExport::finished);
+        exporter.start(recording(), csv());
+        QVERIFY(exporter.isBusy());
+        cancel();
+        QTRY_VERIFY_WITH_TIMEOUT(!exporter.isBusy(), 60'000);
+        QCOMPARE(finished.size(), 0);
+        QVERIFY(!QDir(csv()).exists());
+        QCOMPARE(busy.size(), 2);
+        QVERIFY(busy[0][0].toBool() && !busy[1][0].toBool());
+    }
+
+    void aFolderThatWasThereStaysWithWhatIsInIt() {
+        QVERIFY(QDir().mkpath(csv() + "/mine"));
+        RecordingExport exporter(&m_window);
+        exporter.start(recording(), csv());
+        cancel();
+        QTRY_VERIFY_WITH_TIMEOUT(!exporter.isBusy(), 60'000);
+        QCOMPARE(QDir(csv()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot), QStringList("mine"));
+    }
+
+    void anotherExportMeanwhileIsRefusedAndSaysSo() {
+        RecordingExport exporter(&m_window);
+        QSignalSpy failed(&exporter, &RecordingExport::failed);
+        exporter.start(recording(), m_folder.filePath("first"));
+        exporter.start(recording(), m_folder.filePath("second"));
+        QCOMPARE(failed.size(), 1);
+        QCOMPARE(failed[0][0].toString(), QString("run.teleta"));
+        QVERIFY(!QDir(m_folder.filePath("second")).exists());
+        cancel();
+        QTRY_VERIFY_WITH_TIMEOUT(!exporter.isBusy(), 60'000);
+    }
+};
+
+QTEST_MAIN(RecordingExportTest)
+#include "recording_export_test.moc"
