@@ -145,6 +145,45 @@ void settle(RobustFit& fit, Pairs pairs) {
     }
 }
 
+/// A ring of right pairs that the descent has lost is taken back: from the same camera once more with a loss
+/// that reaches so far at first, when that keeps more pairs at the same noise.
+void takeBack(RobustFit& fit, Pairs pairs) {
+    constexpr double kReach = 64.0;     // deviations of the noise
+    constexpr double kLeastNear = 0.02; // of the pairs; gross outliers are anywhere, few of them so near
+    constexpr double kSameNoise = 1.1;
+    const auto noiseOfKept_px = [&](const RobustFit& one) {
+        const std::vector<CalibrationPair> inliers = chosen(pairs, one.kept);
+        return noiseOf(inliers, one.camera, kPoseAndFocus + freeDistortion(inliers.size()));
+    };
+    const double noise_px = noiseOfKept_px(fit);
+    const std::vector<double> errors = errors_px(pairs, fit.camera);
+    std::size_t near = 0;
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        near += !fit.kept[i] && errors[i] < kReach * noise_px ? 1 : 0;
+    if (static_cast<double>(near) < std::max(3.0, kLeastNear * static_cast<double>(pairs.size())))
+        return;
+    RobustFit other = fit;
+    // A lens with a pole before the ring does not find its way back.
+    other.camera.distortion = equidistantLens();
+    for (double reach = kReach; reach >= 1.0; reach *= 0.5) {
+        RefinementSettings settings;
+        settings.noise_px = noise_px;
+        settings.lossScale_px = kTukey * reach * noise_px;
+        settings.freeDistortion = freeDistortion(pairs.size());
+        const std::optional<CameraParameters> camera = refineCamera(other.camera, pairs, settings);
+        if (!camera)
+            return;
+        other.camera = *camera;
+    }
+    other.spread_px = median(errors_px(pairs, other.camera));
+    other.kept.clear();
+    settle(other, pairs);
+    if (other.kept.size() == pairs.size() &&
+        std::ranges::count(other.kept, true) > std::ranges::count(fit.kept, true) &&
+        noiseOfKept_px(other) <= kSameNoise * noise_px)
+        fit = std::move(other);
+}
+
 tl::expected<RobustFit, CalibrationRefusal> fitRobust(Pairs pairs, const CalibrationSettings& settings) {
     std::vector<CameraParameters> starts = alignedCameras(pairs, settings.width_px, settings.height_px);
     if (const std::optional<CameraParameters> linear = directLinearCamera(pairs))
@@ -165,6 +204,8 @@ tl::expected<RobustFit, CalibrationRefusal> fitRobust(Pairs pairs, const Calibra
         return RobustFit{*all, std::vector<bool>(pairs.size(), true), best->spread_px};
     }
     settle(*best, pairs);
+    if (best->kept.size() == pairs.size())
+        takeBack(*best, pairs);
     const auto kept = static_cast<std::size_t>(std::count(best->kept.begin(), best->kept.end(), true));
     if (2 * kept < pairs.size() || kept < kFewestAgreeing)
         return Refused(CalibrationRefusal::noAgreement);

@@ -88,12 +88,12 @@ struct Calibration {
 /// Finds camera, lens and handedness from pairs.
 /// robust: starts by radial alignment (camera_start.h) and by DLT; fits with Tukey's biweight, whose scale
 /// follows the residuals' median down; then keeps the pairs within the 99.9 % circle of the noise and fits
-/// those by squares, until the same pairs are kept. The lens model is made increasing up to 80 degrees, or
-/// as far as the image reaches, when that costs the fit nothing, at least over all kept pairs.
-/// The covariance is that of the fitted parameters for the noise that the kept pairs show (with fewer spare
-/// equations it is wider). Pairs in any order give the same answer up to rounding.
-/// Thread: any (pure); some 0.1 s for 250 pairs. Source: VTacArm, sections III-B and IV-A; the erratum of
-/// eq. (3).
+/// those by squares, until the same pairs are kept; pairs near by that were lost are tried once more. The
+/// lens model is made increasing up to 80 degrees, or as far as the image reaches, when that costs the fit
+/// nothing, at least over all kept pairs. The covariance is that of the fitted parameters for the noise that
+/// the kept pairs show (with fewer spare equations it is wider). Pairs in any order give the same answer up
+/// to rounding. Thread: any (pure); some 0.1 s for 250 pairs. Source: VTacArm, sections III-B and IV-A; the
+/// erratum of eq. (3).
 [[nodiscard]] tl::expected<Calibration, CalibrationRefusal> calibrate(std::span<const CalibrationPair> pairs,
                                                                       const CalibrationSettings& settings,
                                                                       CalibrationMethod method);
