@@ -45,7 +45,7 @@ PrintedDots::Rim PrintedDots::nearest(const SkinPlace& place) const {
             turn_rad -= 2.0 * std::numbers::pi * std::floor(turn_rad / (2.0 * std::numbers::pi) + 0.5);
             const double around_m = m_tubeRadius_m * turn_rad;
             const double along_m = place.z_m - dot.place.z_m;
-            const double distance_m = std::hypot(around_m, along_m);
+            const double distance_m = std::sqrt(around_m * around_m + along_m * along_m);
             if (distance_m - dot.radius_m < best.distance_m) {
                 best.distance_m = distance_m - dot.radius_m;
                 best.aroundDirection = distance_m > 0.0 ? around_m / distance_m : 1.0;

@@ -87,7 +87,10 @@ private:
     [[nodiscard]] double distance_m(const Press& press, double angle_rad, double z_m) const {
         double turn_rad = angle_rad - press.press.centre.angle_rad;
         turn_rad -= 2.0 * std::numbers::pi * std::floor(turn_rad / (2.0 * std::numbers::pi) + 0.5);
-        return std::hypot(m_tubeRadius_m * turn_rad, z_m - press.press.centre.z_m);
+        const double around_m = m_tubeRadius_m * turn_rad;
+        const double along_m = z_m - press.press.centre.z_m;
+        // Several times a pixel: hypot, which guards against overflow, took a third of the picture's time.
+        return std::sqrt(around_m * around_m + along_m * along_m);
     }
 
     double m_tubeRadius_m;
