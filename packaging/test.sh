@@ -7,7 +7,8 @@
 #   tsan        threads: parts of backend and devices under the thread sanitizer
 #   asan        parts of the backend under the address and undefined-behaviour sanitizers
 # Outside that run, only when named:
-#   soak        what takes many minutes: every effect of every scene with a camera left out once
+#   soak        what takes many minutes: every effect of every scene with a camera left out once; the console for an hour
+#               with arm, array, camera, bracelet and recording (TELETA_SOAK_S: other seconds)
 # Names as arguments choose among them. Every check runs, whatever the others found; the summary is last.
 set -uo pipefail
 source "$(dirname -- "${BASH_SOURCE[0]}")/build_environment.sh"
@@ -104,7 +105,7 @@ for name in "${checks[@]}"; do
             ;;
         soak)
             labels=(-L '^soak$')
-            check_build ci backend/scene_run
+            check_build ci backend/scene_run app/console
             labels=(-LE '^soak$')
             ;;
         *) check_build "$name" ;;

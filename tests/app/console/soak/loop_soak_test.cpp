@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The whole loop for an hour: arm, array, camera, bracelet, recording and all views. TELETA_SOAK_S: seconds
+// in place of the hour.
+#include "app/console/main_window.h"
+#include "app/console/operate/operate_page.h"
+#include "app/console/operate/recording_controls.h"
+#include "backend/core/quantile.h"
+#include "backend/pipeline/arm_channel.h"
+#include "widgets/base/theme.h"
+#include "widgets/view3d/gl_setup.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <malloc.h>
+#include <map>
+#include <memory>
+#include <optional>
+#include <unistd.h>
+#include <utility>
+#include <vector>
+
+using namespace teleta;
+using console::ConsoleOptions;
+using console::ConsoleSettings;
+using console::MainWindow;
+using console::RecordingStation;
+
+namespace {
+
+constexpr double kHour_s = 3600.0;
+constexpr int kPatience_ms = 120'000;
+constexpr int kLook_ms = 1000;
+/// Each source is looked at so long, one after the other.
+constexpr int kShown_s = 20;
+/// Pictures fill a disk: a recording ends after so long, and the next one begins.
+constexpr int kRecording_s = 30;
+/// Until the histories of the views are full, which are 5 min at 200 Hz of a source that is shown a third of
+/// the time. Memory is judged afterwards only.
+constexpr std::size_t kWarmUp_looks = 1000;
+constexpr double kMemoryGrowth = 0.05;
+
+double seconds() {
+    bool isNumber = false;
+    const double wanted_s = qEnvironmentVariable("TELETA_SOAK_S").toDouble(&isNumber);
+    return isNumber && wanted_s > 0.0 ? wanted_s : kHour_s;
+}
+
+double residentMemory_MB() {
+    QFile file(QStringLiteral("/proc/self/statm"));
+    if (!file.open(QIODevice::ReadOnly))
+        return 0.0;
+    const QList<QByteArray> pages = file.readAll().split(' ');
+    return pages.size() > 1 ? 1e-6 * pages[1].toDouble() * static_cast<double>(sysconf(_SC_PAGESIZE)) : 0.0;
+}
+
+/// What the program holds, without what it has given back to the allocator and the allocator keeps.
+double heldMemory_MB() {
+    const struct mallinfo2 info = mallinfo2();
+    return 1e-6 * static_cast<double>(info.uordblks + info.hblkhd);
+}
+
+double quantileOf(std::vector<double> values, double probability) {
+    if (values.empty())
+        return 0.0;
+    std::ranges::sort(values);
+    return core::quantileOf(values, probability);
+}
+
+} // namespace
+
+class LoopSoakTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+    std::unique_ptr<core::StopSwitch> m_stop;
+    std::unique_ptr<ConsoleSettings> m_settings;
+    std::unique_ptr<MainWindow> m_window;
+
+    std::vector<double> m_memory_MB; ///< resident, one a look
+    std::vector<double> m_held_MB;   ///< of it, what is not free
+    std::map<QString, std::vector<double>> m_latency_s;
+    std::uint64_t m_recorded = 0;
+    std::uint64_t m_notRecorded = 0;
+    int m_recordings = 0;
+
+    /// The camera of the scene with a quarter of its pixels, so that two cores follow at 40 Hz.
+    QString cameraScene() {
+        QFile shipped(QStringLiteral(TELETA_SOURCE_DIR "/resources/scenes/vtacarm-multicontact.toml"));
+        if (!shipped.open(QIODevice::ReadOnly))
+            qFatal("the camera scene is missing");
+        QByteArray text = shipped.readAll();
+        text.replace("width_px = 1640", "width_px = 820");
+        text.replace("height_px = 1232", "height_px = 616");
+        text.replace("focal_length_px = 587.0", "focal_length_px = 293.5");
+        QFile file(m_folder.filePath(QStringLiteral("camera.toml")));
+        if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size())
+            qFatal("cannot write the scene");
+        return file.fileName();
+    }
+
+    [[nodiscard]] RecordingStation& station() const { return m_window->recording().station(); }
+
+    void beginRecording() {
+        station().start(m_folder.filePath(QStringLiteral("run%1.teleta").arg(m_recordings++)));
+        QTRY_VERIFY_WITH_TIMEOUT(station().isRecording(), kPatience_ms);
+    }
+    void endRecording() {
+        station().stop();
+        QTRY_COMPARE_WITH_TIMEOUT(station().state(), RecordingStation::State::idle, kPatience_ms);
+        m_recorded += station().status().frames;
+        m_notRecorded += station().status().dropped;
+        QVERIFY(QFile::remove(station().path()));
+    }
+
+    void look() {
+        m_memory_MB.push_back(residentMemory_MB());
+        m_held_MB.push_back(heldMemory_MB());
+        for (const chrome::DeviceReading& reading : m_window->operatePage().readings())
+            if (reading.active && reading.latency_s)
+                m_latency_s[reading.name].push_back(*reading.latency_s);
+        // An arm that has come to the end of its program begins anew.
+        for (const auto& item : m_window->sources().items())
+            if (item.arm && item.arm->device().drive() == core::ArmDrive::held)
+                item.arm->device().restartProgram();
+    }
+
+    void showNext(std::size_t turn) {
+        const auto& items = m_window->sources().items();
+        m_window->sources().activate(items[turn % items.size()].key);
+    }
+
+    void tell(double duration_s) const {
+        const console::GuiClock::Report loop = m_window->clock().report();
+        std::printf("%.0f s, %d recordings of %d s\n", duration_s, m_recordings, kRecording_s);
+        for (const auto& [name, memory_MB] :
+             {std::pair{"resident", &m_memory_MB}, std::pair{"held", &m_held_MB}})
+            std::printf("%s memory: %.0f MB at first, %.0f in the middle, %.0f at the end\n", name,
+                        memory_MB->front(), (*memory_MB)[memory_MB->size() / 2], memory_MB->back());
+        std::printf("event loop: work p50 %.1f, p99 %.1f, most %.1f ms; late p99 %.1f, most %.1f ms\n",
+                    1e3 * loop.work_p50_s, 1e3 * loop.work_p99_s, 1e3 * loop.work_max_s,
+                    1e3 * loop.stall_p99_s, 1e3 * loop.stall_max_s);
+        std::printf("recorded %llu frames, not in time %llu\n", static_cast<unsigned long long>(m_recorded),
+                    static_cast<unsigned long long>(m_notRecorded));
+        for (const chrome::DeviceReading& reading : m_window->operatePage().readings())
+            std::printf("%s: %.1f Hz, %llu lost\n", qPrintable(reading.name), reading.rate_Hz,
+                        static_cast<unsigned long long>(reading.lost));
+        for (const auto& [name, latency_s] : m_latency_s)
+            std::printf("%s to screen: p50 %.1f, p99 %.1f ms of %zu\n", qPrintable(name),
+                        1e3 * quantileOf(latency_s, 0.5), 1e3 * quantileOf(latency_s, 0.99),
+                        latency_s.size());
+        if (const auto felt = m_window->operatePage().bracelet().touchToSkin())
+            std::printf("touch to bracelet: p50 %.1f, p99 %.1f ms\n", 1e3 * felt->median_s,
+                        1e3 * felt->p99_s);
+        std::fflush(stdout);
+    }
+
+private slots:
+    void initTestCase() {
+        qputenv("HOME", m_folder.path().toUtf8());
+        qputenv("XDG_CONFIG_HOME", m_folder.filePath("config").toUtf8());
+        base::applyTheme(base::ThemeChoice::light);
+    }
+
+    void runsWithoutLossAndWithFlatMemory() {
+        const double duration_s = seconds();
+        m_stop = std::make_unique<core::StopSwitch>();
+        m_settings = std::make_unique<ConsoleSettings>(true);
+        ConsoleOptions options;
+        options.scenes = {QStringLiteral("teleta-touch"), QStringLiteral("tactile-indenter"), cameraScene()};
+        options.bracelet = QStringLiteral("simulated");
+        m_window = std::make_unique<MainWindow>(options, *m_settings, *m_stop);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        m_window->openRequested(options);
+        const auto& items = m_window->sources().items();
+        const auto allOpen = [&] {
+            return items.size() == 3 && std::ranges::all_of(items, [](const auto& i) { return i.isOpen(); });
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(allOpen(), kPatience_ms);
+        m_window->clock().resetReport();
+
+        QElapsedTimer run;
+        run.start();
+        QElapsedTimer recording;
+        std::size_t turn = 0;
+        for (int second = 0; 1e-3 * static_cast<double>(run.elapsed()) < duration_s; ++second) {
+            if (second % kShown_s == 0)
+                showNext(turn++);
+            if (!recording.isValid()) {
+                beginRecording();
+                recording.start();
+            }
+            QTest::qWait(kLook_ms);
+            look();
+            if (recording.elapsed() > 1000 * kRecording_s) {
+                endRecording();
+                recording.invalidate();
+            }
+        }
+        if (recording.isValid())
+            endRecording();
+        tell(1e-3 * static_cast<double>(run.elapsed()));
+
+        for (const chrome::DeviceReading& reading : m_window->operatePage().readings())
+            QVERIFY2(reading.lost == 0, qPrintable(reading.name));
+        QCOMPARE(m_notRecorded, std::uint64_t(0));
+        for (const auto& item : items)
+            if (item.arm)
+                QCOMPARE(item.arm->samplesNotShown() + item.arm->touchesNotShown(), std::uint64_t(0));
+        if (m_held_MB.size() < 2 * kWarmUp_looks)
+            return;
+        const auto warm = m_held_MB.begin() + kWarmUp_looks;
+        const auto part = (m_held_MB.end() - warm) / 3;
+        const double before_MB = quantileOf({warm, warm + part}, 0.5);
+        const double after_MB = quantileOf({m_held_MB.end() - part, m_held_MB.end()}, 0.5);
+        QVERIFY2(after_MB < (1.0 + kMemoryGrowth) * before_MB,
+                 qPrintable(QStringLiteral("%1 MB, then %2 MB").arg(before_MB).arg(after_MB)));
+    }
+
+    void cleanupTestCase() { m_window.reset(); }
+};
+
+int main(int argc, char* argv[]) {
+    view3d::configureOpenGlBeforeApplication();
+    QApplication application(argc, argv);
+    // The hour is one function of the test.
+    qputenv("QTEST_FUNCTION_TIMEOUT", "5400000");
+    LoopSoakTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "loop_soak_test.moc"
