@@ -150,6 +150,36 @@ TEST_F(RenderedContacts, areNowhereButWhereTheyPressOnRungsOfTheWholeImage) {
     }
 }
 
+/// A bump is told by what the noise of a depth could not make of it, so the noise that a contact states must
+/// not be smaller than that which its depth has.
+TEST_F(RenderedContacts, ofASkinThatRestsHaveADepthThatWavesNoMoreThanTheNoiseTheyState) {
+    auto tube = simulation::SimulatedTube::make(test::cameraScene(), 5);
+    cv::Mat1b frame;
+    (*tube)->untouched(frame);
+    auto finder = makeContactFinder(contactLadder().front(), (*tube)->camera());
+    ASSERT_TRUE(finder && (*finder)->setReference(frame));
+    for (const double z_m : {0.02, 0.05, 0.08}) {
+        const simulation::SkinPress press{.centre = {1.0, z_m}, .ballRadius_m = 0.01, .depth_m = 0.0012};
+        (*finder)->forget();
+        std::vector<double> depths_m;
+        double stated_m = 0.0;
+        for (int i = 0; i < 12; ++i) {
+            (*tube)->pressed({press}, frame);
+            const auto found = (*finder)->find(frame);
+            ASSERT_TRUE(found && !found->empty()) << z_m;
+            depths_m.push_back(found->front().depth_m);
+            stated_m = found->front().depthNoise_m;
+        }
+        double squares_m2 = 0.0;
+        for (const double depth_m : depths_m)
+            squares_m2 += std::pow(depth_m - mean(depths_m), 2);
+        const double waves_m = std::sqrt(squares_m2 / static_cast<double>(depths_m.size() - 1));
+        std::cout << "z " << 1e3 * z_m << " mm: depth waves by " << 1e6 * waves_m << " um, " << 1e6 * stated_m
+                  << " um stated\n";
+        EXPECT_LT(waves_m, stated_m) << z_m;
+    }
+}
+
 TEST_F(RenderedContacts, showNoContactInTwentyFramesOfTheUntouchedSkin) {
     auto tube = simulation::SimulatedTube::make(test::cameraScene(), 2);
     cv::Mat1b frame;
