@@ -3,6 +3,7 @@
 
 #include "backend/scene/toml_table.h"
 #include "backend/study/identifier.h"
+#include "backend/study/protocol_text.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -141,12 +142,19 @@ core::Expected<Protocol> readProtocol(const std::string& path) {
     if (!protocol)
         return protocol;
     const QDir folder = QFileInfo(file.fileName()).absoluteDir();
+    bool moved = false;
     for (StudyTask& task : protocol->tasks) {
         for (StudyPattern& pattern : task.patterns) {
-            for (auto& [condition, name] : pattern.files)
-                name = QDir::cleanPath(folder.absoluteFilePath(QString::fromStdString(name))).toStdString();
+            for (auto& [condition, name] : pattern.files) {
+                const QString given = QString::fromStdString(name);
+                moved = moved || QDir::isRelativePath(given);
+                name = QDir::cleanPath(folder.absoluteFilePath(given)).toStdString();
+            }
         }
     }
+    // What is kept of it is read again in another place.
+    if (moved)
+        protocol->source = protocolText(*protocol);
     return protocol;
 }
 

@@ -63,12 +63,15 @@ RunCheck checkStimuli(const RunConditions& now) {
             CheckText::tr("Make a study whose protocol names a file for each pattern that does not come with "
                           "the program."));
     }
-    if (now.stimuliChanged)
+    if (now.stimuliChanged.value_or(false))
         return failed(
             kKind, name, CheckText::tr("the patterns are not those with which this study was begun"),
             CheckText::tr("Go on with version %1 of the program, which began it, or begin a new study.")
                 .arg(QString::fromStdString(now.madeBy)));
-    return passed(kKind, name, CheckText::tr("those with which the study was begun"));
+    return passed(kKind, name,
+                  now.stimuliChanged
+                      ? CheckText::tr("those with which the study was begun")
+                      : CheckText::tr("all there; whether the study was begun with others is not known"));
 }
 
 RunCheck checkParticipant(const RunConditions& now) {

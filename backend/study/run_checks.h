@@ -43,11 +43,12 @@ struct RunConditions {
     /// Protocol, or what is wrong with it.
     core::Expected<const Protocol*> protocol = nullptr;
     std::vector<std::string> missingStimuli; ///< ids of stimuli of which there is no pattern
-    bool stimuliChanged = false;             ///< they are not those with which the study was made
-    std::string madeBy;                      ///< version of the program that made the study
-    std::string participant;                 ///< empty: none is chosen
-    std::optional<std::string> runner;       ///< who runs the participant now; empty: nobody else
-    bool finished = false;                   ///< the session was finished before
+    /// They are not those with which the study was made; empty: nobody knows.
+    std::optional<bool> stimuliChanged = false;
+    std::string madeBy;                ///< version of the program that made the study
+    std::string participant;           ///< empty: none is chosen
+    std::optional<std::string> runner; ///< who runs the participant now; empty: nobody else
+    bool finished = false;             ///< the session was finished before
     BraceletCondition bracelet = BraceletCondition::missing;
     std::string braceletName;
     bool braceletIsSimulated = false;

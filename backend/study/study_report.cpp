@@ -325,11 +325,16 @@ QString pageStyle() {
 }
 
 QString framesText(const TrialTally::Frames& frames) {
-    return ReportText::tr(
-               "Stimuli: %1 trials were played on a bracelet; the longest write of a frame took %2 ms. "
-               "Frames were missed in %3 of them, %4 in all.")
-        .arg(frames.trials)
-        .arg(frames.longestWrite_ms, 0, 'f', 2)
+    const int trials = static_cast<int>(frames.trials);
+    const QString played =
+        frames.longestWrite_ms
+            ? ReportText::tr(
+                  "Stimuli: %n trial(s) were played on a bracelet; the longest write of a frame took %1 ms.",
+                  nullptr, trials)
+                  .arg(*frames.longestWrite_ms, 0, 'f', 2)
+            : ReportText::tr("Stimuli: the frames of %n trial(s) were counted.", nullptr, trials);
+    return ReportText::tr("%1 Frames were missed in %2 of them, %3 in all.", "the sentence before, numbers")
+        .arg(played)
         .arg(frames.trialsWithMisses)
         .arg(frames.missed);
 }

@@ -52,6 +52,10 @@ struct ParticipantClaim::Hold {
     }
 };
 
+std::optional<bool> StudyHead::stimuliChanged() const {
+    return stimulusSetSha256.empty() ? std::nullopt : std::optional(stimulusSetSha256 != stimuli.sha256());
+}
+
 ParticipantClaim::ParticipantClaim(std::unique_ptr<Hold> hold)
     : m_hold(std::move(hold)) {
 }
@@ -300,6 +304,14 @@ core::Expected<std::optional<std::string>> StudyStore::runner(const Participant&
 
 core::Expected<SessionRecord> StudyStore::beginSession(const Participant& participant, std::size_t planIndex,
                                                        const PlannedSession& plan, const QDateTime& now) {
+    if (m_head.stimuliChanged().value_or(false))
+        return core::Unexpected(core::Error{
+            core::ErrorKind::refused,
+            StoreText::tr("the patterns are not those with which this study was begun").toStdString(),
+            StoreText::tr("version %1 of the program, or a new study")
+                .arg(QString::fromStdString(m_head.appVersion))
+                .toStdString(),
+            {shownName()}});
     const QString second = now.toUTC().toString(QStringLiteral("yyyyMMdd'T'HHmmss"));
     constexpr int kMostRefusals = 10;
     int refusals = 0;

@@ -29,6 +29,10 @@ struct StudyHead {
     std::string appVersion;
     std::string stimulusSetSha256; ///< stimulusSetSha256() of the protocol when the study was made
     StimulusSet stimuli;           ///< as the store has them; create() reads those that the protocol names
+
+    /// The patterns of this program are not those with which the study was made; empty: nobody knows, since
+    /// the first programs did not keep that.
+    [[nodiscard]] std::optional<bool> stimuliChanged() const;
 };
 
 struct Participant {

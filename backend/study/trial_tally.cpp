@@ -36,7 +36,8 @@ void TrialTally::addFrames(std::optional<double> longestWrite_ms, std::optional<
     if (!longestWrite_ms && !missed)
         return;
     ++m_frames.trials;
-    m_frames.longestWrite_ms = std::max(m_frames.longestWrite_ms, longestWrite_ms.value_or(0.0));
+    if (longestWrite_ms)
+        m_frames.longestWrite_ms = std::max(m_frames.longestWrite_ms.value_or(0.0), *longestWrite_ms);
     m_frames.missed += missed.value_or(0);
     m_frames.trialsWithMisses += missed.value_or(0) > 0 ? 1 : 0;
 }

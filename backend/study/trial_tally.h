@@ -54,8 +54,8 @@ public:
 
     /// How the stimuli came to the bracelet, where it is known.
     struct Frames {
-        std::size_t trials = 0; ///< of which it is known
-        double longestWrite_ms = 0.0;
+        std::size_t trials = 0;                ///< of which it is known
+        std::optional<double> longestWrite_ms; ///< empty: no write of a frame was timed
         std::size_t missed = 0;
         std::size_t trialsWithMisses = 0;
     };

@@ -50,16 +50,22 @@ void AnswerButton::describe() {
 }
 
 void AnswerButton::setDiagramShown(bool shown) {
+    if (shown == m_diagramShown)
+        return;
     m_diagramShown = shown;
     update();
 }
 
 void AnswerButton::setOpen(bool open) {
+    if (open == m_open)
+        return;
     m_open = open;
     update();
 }
 
 void AnswerButton::setLook(Look look) {
+    if (look == m_look)
+        return;
     m_look = look;
     describe();
     update();
@@ -133,10 +139,12 @@ void AnswerButton::paintEvent(QPaintEvent* /*event*/) {
 
     if (m_diagramShown) {
         painter.setOpacity(faint);
-        paintDiagram(painter,
-                     QRectF(inside.left(), inside.top() + 0.6 * head, inside.width(),
-                            name.top() - inside.top() - 0.6 * head),
-                     m_choice.diagram, colours);
+        m_diagram.draw(painter,
+                       QRectF(inside.left(), inside.top() + 0.6 * head, inside.width(),
+                              name.top() - inside.top() - 0.6 * head),
+                       *this, [&](QPainter& to, const QRectF& rect) {
+                           paintDiagram(to, rect, m_choice.diagram, colours);
+                       });
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/base/kept_picture.h"
 #include "widgets/study/participant_scene.h"
 
 #include <QWidget>
@@ -38,6 +39,7 @@ private:
     void describe();
 
     AnswerChoice m_choice;
+    base::KeptPicture m_diagram;
     std::size_t m_digit;
     bool m_diagramShown = true;
     bool m_open = false;

@@ -24,6 +24,7 @@ struct ConfusionContent {
     study::Mode mode = study::Mode::run;
     bool percent = false;                                    ///< shares of the rows instead of counts
     std::optional<std::pair<std::size_t, std::size_t>> last; ///< cell of the newest trial
+    friend bool operator==(const ConfusionContent&, const ConfusionContent&) = default;
 };
 
 /// Where the cells lie. Thread: any (pure).

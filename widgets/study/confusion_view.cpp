@@ -27,6 +27,8 @@ ConfusionView::ConfusionView(QWidget* parent)
 
 void ConfusionView::setContent(ConfusionContent content) {
     content.percent = m_content.percent;
+    if (content == m_content)
+        return;
     m_content = std::move(content);
     describe();
     update();

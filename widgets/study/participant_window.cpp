@@ -8,6 +8,7 @@
 #include "widgets/study/watermark.h"
 
 #include <QCloseEvent>
+#include <QCoreApplication>
 #include <QFontMetrics>
 #include <QGridLayout>
 #include <QKeyEvent>
@@ -100,8 +101,15 @@ void ParticipantWindow::setScene(const ParticipantScene& scene) {
         return;
     const bool wasQuestionnaire = m_scene.state == State::questionnaire;
     const bool wasLocked = m_scene.questionnaireLocked;
+    const bool newGround =
+        scene.mode != m_scene.mode || (scene.state == State::stopped) != (m_scene.state == State::stopped);
     m_scene = scene;
     refresh();
+    // The parts of the window know by themselves what changed.
+    if (newGround) {
+        m_watermark.forget();
+        update();
+    }
     if (m_scene.state == State::questionnaire && !wasQuestionnaire) {
         // Releases would go to the questions.
         releaseAll();
@@ -187,7 +195,12 @@ void ParticipantWindow::refresh() {
                               : wasAnswered && m_scene.state == State::ready ? AnswerButton::Look::chosen
                                                                              : AnswerButton::Look::plain);
     }
-    update();
+}
+
+void ParticipantWindow::paintNow() {
+    layout()->activate();
+    QEvent update(QEvent::UpdateRequest);
+    QCoreApplication::sendEvent(this, &update);
 }
 
 void ParticipantWindow::paintEvent(QPaintEvent* /*event*/) {
@@ -198,7 +211,10 @@ void ParticipantWindow::paintEvent(QPaintEvent* /*event*/) {
         painter.setBrush(base::mixed(palette().color(QPalette::Window), stop, 0.15));
         painter.drawRect(rect());
     }
-    paintWatermark(painter, rect(), m_scene.mode, palette());
+    if (!modeMark(m_scene.mode).isEmpty())
+        m_watermark.draw(painter, rect(), *this, [this](QPainter& to, const QRectF& rect) {
+            paintWatermark(to, rect, m_scene.mode, palette());
+        });
 }
 
 bool ParticipantWindow::event(QEvent* event) {
@@ -341,8 +357,11 @@ void ParticipantWindow::closeEvent(QCloseEvent* event) {
 
 void ParticipantWindow::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::FontChange)
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::FontChange) {
+        m_watermark.forget();
+        update();
         refresh();
+    }
     if (event->type() == QEvent::ActivationChange && !isActiveWindow())
         releaseAll();
 }

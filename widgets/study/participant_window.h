@@ -3,6 +3,7 @@
 
 #include "backend/study/questionnaire.h"
 #include "backend/study/session.h"
+#include "widgets/base/kept_picture.h"
 #include "widgets/study/event_clock.h"
 #include "widgets/study/participant_scene.h"
 
@@ -42,6 +43,8 @@ public:
     void setQuestionnaire(const study::Questionnaire& questionnaire,
                           const std::vector<study::ItemAnswer>& answers = {});
     void setScene(const ParticipantScene& scene);
+    /// Paints what changed at once, not after whatever else waits to be painted.
+    void paintNow();
     [[nodiscard]] const ParticipantScene& scene() const { return m_scene; }
     /// The sentence that says what to do.
     [[nodiscard]] QString instruction() const;
@@ -81,6 +84,7 @@ private:
     EventClock m_eventClock;
     std::vector<AnswerChoice> m_choices;
     ParticipantScene m_scene;
+    base::KeptPicture m_watermark; ///< of the scene's mode
     QLabel* m_title;
     QLabel* m_instruction;
     QGridLayout* m_grid;

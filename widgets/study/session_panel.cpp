@@ -21,6 +21,9 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <utility>
+
 namespace teleta::studyview {
 
 namespace {
@@ -183,11 +186,11 @@ void SessionPanel::setScene(const SessionScene& scene) {
         for (auto* box : findChildren<QMessageBox*>(QStringLiteral("confirmSkip")))
             box->close();
     }
-    m_scene = scene;
+    const std::vector<OutcomeLine> before = std::exchange(m_scene, scene).outcomes;
     if (newChecks)
         showChecks();
     if (newOutcomes)
-        showOutcomes();
+        showNewOutcomes(before);
     refresh();
 }
 
@@ -250,19 +253,36 @@ void SessionPanel::showChecks() {
 
 void SessionPanel::showOutcomes() {
     m_outcomes->setRowCount(static_cast<int>(m_scene.outcomes.size()));
-    for (int row = 0; row < m_outcomes->rowCount(); ++row) {
-        const OutcomeLine& line = m_scene.outcomes[static_cast<std::size_t>(row)];
-        const QString time = line.responseTime_s
-                                 ? base::withUnit(base::threeDigits(line.responseTime_s), QStringLiteral("s"))
-                                 : QString();
-        const QStringList texts{line.trial, line.presented, line.answered, line.outcome, time};
-        for (int column = 0; column < columns; ++column) {
-            auto* item = new QTableWidgetItem(texts[column]);
-            item->setTextAlignment(Qt::AlignCenter);
-            if (column == outcomeColumn)
-                item->setForeground(toneColour(line.tone, palette()));
-            m_outcomes->setItem(row, column, item);
-        }
+    for (int row = 0; row < m_outcomes->rowCount(); ++row)
+        showOutcome(row);
+}
+
+/// After a trial only the newest line is another.
+void SessionPanel::showNewOutcomes(const std::vector<OutcomeLine>& before) {
+    const std::vector<OutcomeLine>& now = m_scene.outcomes;
+    const bool oneMore = !now.empty() && !before.empty() && now.size() <= before.size() + 1 &&
+                         std::equal(now.begin() + 1, now.end(), before.begin());
+    if (!oneMore) {
+        showOutcomes();
+        return;
+    }
+    m_outcomes->insertRow(0);
+    showOutcome(0);
+    m_outcomes->setRowCount(static_cast<int>(now.size()));
+}
+
+void SessionPanel::showOutcome(int row) {
+    const OutcomeLine& line = m_scene.outcomes[static_cast<std::size_t>(row)];
+    const QString time = line.responseTime_s
+                             ? base::withUnit(base::threeDigits(line.responseTime_s), QStringLiteral("s"))
+                             : QString();
+    const QStringList texts{line.trial, line.presented, line.answered, line.outcome, time};
+    for (int column = 0; column < columns; ++column) {
+        auto* item = new QTableWidgetItem(texts[column]);
+        item->setTextAlignment(Qt::AlignCenter);
+        if (column == outcomeColumn)
+            item->setForeground(toneColour(line.tone, palette()));
+        m_outcomes->setItem(row, column, item);
     }
 }
 

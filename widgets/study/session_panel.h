@@ -49,6 +49,8 @@ private:
     void refresh();
     void showChecks();
     void showOutcomes();
+    void showNewOutcomes(const std::vector<OutcomeLine>& before);
+    void showOutcome(int row);
     void askForAbort();
     void askForSkip();
 

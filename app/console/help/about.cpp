@@ -105,6 +105,7 @@ void openShortcuts(QWidget* parent) {
         {AboutText::tr("F2, Ctrl+D, Delete, Ctrl+Z"),
          AboutText::tr("Rename, duplicate, delete, undo, in the library of patterns")},
         {AboutText::tr("F11"), AboutText::tr("Full screen")},
+        {AboutText::tr("F1"), AboutText::tr("Handbook: the page on what is shown")},
         {AboutText::tr("Shift+F1"), AboutText::tr("What's This")},
     };
     auto* table = new QTableWidget(static_cast<int>(shortcuts.size()), 2);

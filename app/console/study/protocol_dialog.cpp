@@ -228,7 +228,9 @@ void ProtocolDialog::addTask(const study::StudyTask& task) {
                       new QLineEdit(QString::fromStdString(task.name), box),
                       new QLineEdit(conditions.join(QStringLiteral(", ")), box),
                       new QPlainTextEdit(patterns.join(QLatin1Char('\n')), box),
-                      new QPlainTextEdit(files.join(QLatin1Char('\n')), box)};
+                      new QPlainTextEdit(files.join(QLatin1Char('\n')), box),
+                      new QPushButton(tr("Choose a pattern file\u2026"), box)};
+    row.choose->setObjectName(QStringLiteral("choosePattern"));
     row.id->setObjectName(QStringLiteral("taskId"));
     row.patterns->setObjectName(QStringLiteral("taskPatterns"));
     row.patterns->setTabChangesFocus(true);
@@ -248,11 +250,10 @@ void ProtocolDialog::addTask(const study::StudyTask& task) {
     form->addRow(tr("Conditions"), row.conditions);
     form->addRow(tr("Patterns"), row.patterns);
     form->addRow(tr("Of your own"), row.files);
-    auto* choose = new QPushButton(tr("Choose a pattern file\u2026"), box);
-    connect(choose, &QPushButton::clicked, this, [this, row] { askForPattern(row); });
+    connect(row.choose, &QPushButton::clicked, this, [this, row] { askForPattern(row); });
     auto* remove = new QPushButton(tr("Remove this task"), box);
     auto* buttons = new QHBoxLayout;
-    buttons->addWidget(choose);
+    buttons->addWidget(row.choose);
     buttons->addWidget(remove);
     buttons->addStretch(1);
     form->addRow(buttons);
@@ -313,24 +314,29 @@ core::Expected<study::StudyTask> ProtocolDialog::taskOf(const TaskRow& row) {
     return task;
 }
 
-/// The first stimulus without a pattern gets it; when there is none, the first one that has no file.
-void ProtocolDialog::askForPattern(const TaskRow& row) {
+/// The first stimulus without a pattern; when there is none, the first one that has no file. Empty: each has
+/// one, or the task is not whole.
+QString ProtocolDialog::placeForPattern(const TaskRow& row) {
     const core::Expected<study::StudyTask> task = taskOf(row);
     if (!task)
-        return;
+        return {};
     study::Protocol alone;
     alone.tasks = {*task};
     const std::vector<std::string> missing = study::missingStimuli(alone);
-    QString place;
     for (const std::string& condition : task->conditions) {
         for (const study::StudyPattern& pattern : task->patterns) {
             const bool isNext = missing.empty()
                                     ? !pattern.files.contains(condition)
                                     : study::stimulusId(*task, pattern, condition) == missing.front();
-            if (place.isEmpty() && isNext)
-                place = QString::fromStdString(pattern.letter + ' ' + condition);
+            if (isNext)
+                return QString::fromStdString(pattern.letter + ' ' + condition);
         }
     }
+    return {};
+}
+
+void ProtocolDialog::askForPattern(const TaskRow& row) {
+    const QString place = placeForPattern(row);
     if (place.isEmpty())
         return;
     auto* dialog = new QFileDialog(this, tr("Pattern file for %1", "a letter and a condition").arg(place));
@@ -378,6 +384,8 @@ void ProtocolDialog::check() {
     m_level_dBA.box->setEnabled(m_noise->currentIndex() == 0);
     m_rest_s.box->setEnabled(m_restEvery->value() > 0);
     m_save->setEnabled(valid.has_value());
+    for (const TaskRow& row : m_tasks)
+        row.choose->setEnabled(!placeForPattern(row).isEmpty());
     const std::vector<std::string> missing =
         valid ? study::missingStimuli(*valid) : std::vector<std::string>();
     m_make->setEnabled(valid.has_value() && missing.empty());

@@ -52,6 +52,7 @@ private:
         QLineEdit* conditions;    ///< with commas between them
         QPlainTextEdit* patterns; ///< one a line: "A circle"
         QPlainTextEdit* files;    ///< one a line: "A static /home/me/mine.json"
+        QPushButton* choose;      ///< a file for the next place that needs one
     };
     /// A number that stays as it was read, with all its digits, until somebody changes it.
     struct NumberField {
@@ -68,6 +69,7 @@ private:
     void removeTask(QWidget* box);
     void addQuestionnaire(const study::Questionnaire& questionnaire);
     [[nodiscard]] static core::Expected<study::StudyTask> taskOf(const TaskRow& row);
+    [[nodiscard]] static QString placeForPattern(const TaskRow& row);
     void askForPattern(const TaskRow& row);
     void check();
     void save();

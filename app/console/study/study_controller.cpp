@@ -317,7 +317,7 @@ std::vector<study::RunCheck> StudyController::checks() const {
         now.mode = m_overview->head.mode;
         now.protocol = &m_overview->head.protocol;
         now.missingStimuli = m_overview->head.stimuli.missing();
-        now.stimuliChanged = m_overview->stimuliChanged;
+        now.stimuliChanged = m_overview->head.stimuliChanged();
         now.madeBy = m_overview->head.appVersion;
     }
     const ParticipantOverview* participant = chosenParticipant();

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/study/study_overview.h"
 
-#include <QCoreApplication>
-
 #include <algorithm>
 
 namespace teleta::console {
@@ -39,11 +37,6 @@ core::Expected<void> findDue(const study::StudyStore& store, const study::Partic
     return {};
 }
 
-/// Studies of the first programs do not say with which stimuli they were made.
-bool stimuliChanged(const study::StudyHead& head) {
-    return !head.stimulusSetSha256.empty() && head.stimulusSetSha256 != head.stimuli.sha256();
-}
-
 } // namespace
 
 std::optional<std::size_t> ParticipantOverview::nextSession() const {
@@ -54,8 +47,7 @@ std::optional<std::size_t> ParticipantOverview::nextSession() const {
 }
 
 core::Expected<StudyOverview> overviewOf(const study::StudyStore& store) {
-    StudyOverview overview{store.location(),   store.shownName(),           store.head(), {},
-                           store.isReadOnly(), stimuliChanged(store.head())};
+    StudyOverview overview{store.location(), store.shownName(), store.head(), {}, store.isReadOnly()};
     const auto participants = store.participants();
     if (!participants)
         return core::Unexpected(participants.error());
@@ -88,16 +80,6 @@ core::Expected<StudyOverview> overviewOf(const study::StudyStore& store) {
 core::Expected<OpenedSession> openSession(study::StudyStore& store, const study::Participant& participant,
                                           std::size_t planIndex, const study::PlannedSession& plan,
                                           const QDateTime& now) {
-    if (stimuliChanged(store.head()))
-        return core::Unexpected(core::Error{
-            core::ErrorKind::refused,
-            QCoreApplication::translate("StudyOverview",
-                                        "the patterns are not those with which this study was begun")
-                .toStdString(),
-            QCoreApplication::translate("StudyOverview", "version %1 of the program, or a new study")
-                .arg(QString::fromStdString(store.head().appVersion))
-                .toStdString(),
-            {store.shownName()}});
     auto claim = store.claim(participant);
     if (!claim)
         return core::Unexpected(claim.error());

@@ -36,8 +36,7 @@ struct StudyOverview {
     std::string store; ///< the file, or the server without any password
     study::StudyHead head;
     std::vector<ParticipantOverview> participants;
-    bool isReadOnly = false;     ///< it can only be looked at
-    bool stimuliChanged = false; ///< since the study was made
+    bool isReadOnly = false; ///< it can only be looked at
 };
 
 /// Thread: that of the store. Error: what the store reports.

@@ -411,11 +411,16 @@ void StudyPage::refresh() {
     m_stack->setCurrentWidget(m_controller.overview() ? static_cast<QWidget*>(m_tabs) : m_empty);
     if (!m_controller.overview())
         return;
+    // The participant waits for an answer to the key; the experimenter's panels come after it.
+    showParticipant();
     m_study->setScene(StudyScenes::study(m_controller));
     showSession();
     m_matrix->setContent(StudyScenes::matrix(m_controller));
     m_speedRow->setVisible(m_controller.overview()->head.mode == study::Mode::simulated);
     m_speed->setEnabled(!m_controller.isActive());
+}
+
+void StudyPage::showParticipant() {
     // Choices change with the session only; their pictures are not cheap.
     QString session;
     if (const study::PlannedSession* plan = m_controller.plan())
@@ -433,6 +438,7 @@ void StudyPage::refresh() {
         m_participant->setQuestionnaire(*round.current(), round.filledIn());
     }
     m_participant->setScene(StudyScenes::participant(m_controller));
+    m_participant->paintNow();
 }
 
 void StudyPage::showSession() {

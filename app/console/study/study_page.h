@@ -80,6 +80,7 @@ private:
     void connectViews();
     void retranslate();
     void refresh();
+    void showParticipant();
     void showSession();
     void doNextStep();
     void askForNewStudy(const study::Protocol& protocol, study::Mode mode);

@@ -300,9 +300,9 @@ void StudyRunner::keep(const study::TrialResult& result) {
 }
 
 void StudyRunner::pause() {
-    if (!m_session || m_hold != Hold::none || m_concluded)
+    if (!m_session || waitsForExperimenter() || m_concluded)
         return;
-    if (m_session->stage() == Stage::ready)
+    if (m_session->stage() == Stage::ready || m_hold == Hold::rest)
         hold(Hold::paused);
     else
         m_pauseWanted = true;
@@ -323,6 +323,8 @@ void StudyRunner::goOn() {
     m_hold = Hold::none;
     m_reason.clear();
     m_session->goOn();
+    // Whoever had to wait has rested.
+    m_rested = progress();
     // Whatever held it there, the experimenter has let the test begin.
     m_testBegun = m_session->stage() == Stage::ready && isPracticeOver();
     emit changed();

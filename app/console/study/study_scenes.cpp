@@ -332,7 +332,7 @@ void StudyScenes::describeRunning(const StudyController& controller, studyview::
     scene.total = planned(*controller.plan(), phase);
     const bool over = isOver(runner);
     scene.canAbort = !over;
-    scene.canPause = !over && runner.hold() == Hold::none && !runner.pauseWanted();
+    scene.canPause = !over && !runner.waitsForExperimenter() && !runner.pauseWanted();
     scene.canNote = true;
 
     scene.outcomes = outcomeLines(runner.results(), task);
@@ -348,7 +348,7 @@ void StudyScenes::describeRunning(const StudyController& controller, studyview::
         break;
     case Hold::rest: {
         const int left_s = static_cast<int>(std::ceil(runner.restLeft_s()));
-        scene.next = step == NextStep::stopRehearsal ? QString() : tr("End the rest");
+        scene.next = tr("End the rest");
         scene.state = left_s > 0 ? tr("Rest. The participant may go on in %1 s.").arg(left_s)
                                  : tr("Rest. The participant goes on with Space.");
         scene.tone = Tone::calm;

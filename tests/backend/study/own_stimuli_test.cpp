@@ -182,6 +182,32 @@ TEST_F(OwnStimuliTest, aCopyThatIsGoneIsNamedAndADamagedOneIsTold) {
     EXPECT_NE(store.error().where.file.find("buzz0.json"), std::string::npos);
 }
 
+TEST_F(OwnStimuliTest, noSessionGoesOnWithOtherPatternsThanTheStudyWasBegunWith) {
+    ASSERT_TRUE(StudyStore::create(study(), head()));
+    runSql(QStringLiteral("UPDATE study SET stimulus_set_sha256 = 'other', app_version = '0.7.1'"));
+    std::optional<StudyStore> store = std::move(StudyStore::open(study()).value());
+    EXPECT_EQ(store->head().stimuliChanged(), true);
+    const auto refused = rehearse(*store, [](std::size_t) { return true; });
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().kind, core::ErrorKind::refused);
+    EXPECT_NE(core::describe(refused.error()).find("0.7.1"), std::string::npos);
+    store.reset();
+    // The first programs did not keep it.
+    runSql(QStringLiteral("UPDATE study SET stimulus_set_sha256 = ''"));
+    store = std::move(StudyStore::open(study()).value());
+    EXPECT_EQ(store->head().stimuliChanged(), std::nullopt);
+    EXPECT_TRUE(rehearse(*store, [](std::size_t) { return true; }));
+}
+
+TEST_F(OwnStimuliTest, whatIsKeptOfAProtocolNamesItsFilesWholeToo) {
+    const auto protocol = readProtocol(protocolFile());
+    ASSERT_TRUE(protocol) << core::describe(protocol.error());
+    const auto again = parseProtocol(protocol->source, "kept");
+    ASSERT_TRUE(again) << core::describe(again.error());
+    EXPECT_EQ(again->tasks[0].patterns[0].files, protocol->tasks[0].patterns[0].files);
+    EXPECT_EQ(again->tasks[0].patterns[0].files.at("sweet"), patternFile(0));
+}
+
 TEST_F(OwnStimuliTest, aRehearsalPlaysThemAndTheExportHasThem) {
     StudyStore store = std::move(StudyStore::create(study(), head()).value());
     ASSERT_TRUE(rehearse(store, [](std::size_t) { return true; }));

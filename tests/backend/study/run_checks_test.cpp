@@ -64,6 +64,13 @@ TEST_F(RunChecksTest, refusesStimuliThatAreMissingOrNotThoseOfTheBeginning) {
     m_now.madeBy = "0.7.1";
     EXPECT_EQ(onlyFailure().kind, RunCheckKind::stimuli);
     EXPECT_NE(onlyFailure().remedy.find("0.7.1"), std::string::npos);
+    m_now.stimuliChanged.reset();
+    const auto checks = preRunChecks(m_now);
+    EXPECT_TRUE(allPassed(checks));
+    EXPECT_NE(std::find_if(checks.begin(), checks.end(),
+                           [](const RunCheck& check) { return check.kind == RunCheckKind::stimuli; })
+                  ->finding.find("not known"),
+              std::string::npos);
     m_now.missingStimuli = {"taste.A.static"};
     EXPECT_NE(onlyFailure().finding.find("taste.A.static"), std::string::npos);
     EXPECT_EQ(missingStimuli(*paperProtocol()), std::vector<std::string>());

@@ -116,9 +116,17 @@ TEST(StudyReport, saysHowTheStimuliWerePlayedWhereThatIsKnown) {
     EXPECT_FALSE(has(reportHtml(results(), heading()), "were played on a bracelet"));
     ReportHeading played = heading();
     played.frames = {.trials = 110, .longestWrite_ms = 0.754, .missed = 7, .trialsWithMisses = 3};
-    EXPECT_TRUE(has(reportHtml(results(), played),
-                    "110 trials were played on a bracelet; the longest write of a frame took 0.75 ms. Frames "
-                    "were missed in 3 of them, 7 in all."));
+    EXPECT_TRUE(
+        has(reportHtml(results(), played),
+            "110 trial(s) were played on a bracelet; the longest write of a frame took 0.75 ms. Frames "
+            "were missed in 3 of them, 7 in all."));
+    // Nothing was written to a bracelet where no write was timed.
+    played.frames.longestWrite_ms.reset();
+    const std::string html = reportHtml(results(), played);
+    EXPECT_TRUE(
+        has(html, "the frames of 110 trial(s) were counted. Frames were missed in 3 of them, 7 in all."));
+    EXPECT_FALSE(has(html, "bracelet;"));
+    EXPECT_FALSE(has(html, "longest write"));
 }
 
 TEST(StudyReport, isWrittenIntoTheFolder) {

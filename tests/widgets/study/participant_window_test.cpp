@@ -30,6 +30,17 @@ QPointingDevice* touchScreen() {
     return device;
 }
 
+/// How often a widget is painted.
+class PaintCount : public QObject {
+public:
+    explicit PaintCount(QWidget& widget) { widget.installEventFilter(this); }
+    bool eventFilter(QObject* /*watched*/, QEvent* event) override {
+        count += event->type() == QEvent::Paint ? 1 : 0;
+        return false;
+    }
+    int count = 0;
+};
+
 } // namespace
 
 class ParticipantWindowTest : public QObject {
@@ -180,6 +191,69 @@ private slots:
         const QImage real = m_window->grab().toImage();
         m_window->setScene({.state = State::ready, .mode = study::Mode::pilot});
         QVERIFY(m_window->grab().toImage() != real);
+    }
+
+    void whatAnAnswerChangesIsPaintedBeforeTheNextEvent() {
+        m_window->setScene({.state = State::answering, .trials = 4, .answersOpen = true, .diagrams = true});
+        QCoreApplication::processEvents();
+        PaintCount window(*m_window);
+        PaintCount right(*m_window->buttons()[1]);
+        m_window->setScene(
+            {.state = State::feedback, .trials = 4, .diagrams = true, .answered = 1, .presented = 1});
+        QCOMPARE(right.count, 0);
+        m_window->paintNow();
+        QCOMPARE(right.count, 1);
+        // It is not painted a second time later, nor when nothing changed.
+        QCoreApplication::processEvents();
+        m_window->paintNow();
+        QCOMPARE(right.count, 1);
+        QCOMPARE(window.count, 1);
+    }
+
+    void picturesThatAreKeptFollowSizePaletteAndMode() {
+        const auto choices = [] {
+            return std::vector<studyview::AnswerChoice>{
+                {"A", "a", studyview::diagramOf(*pattern::findBuiltIn("shape.A.dynamic"), 2.0)},
+                {"B", "b", studyview::diagramOf(*pattern::findBuiltIn("shape.B.dynamic"), 2.0)}};
+        };
+        const auto show = [](ParticipantWindow& window, QSize size, study::Mode mode) {
+            window.setScene({.state = State::answering, .mode = mode, .answersOpen = true, .diagrams = true});
+            window.resize(size);
+            return window.grab().toImage();
+        };
+        const auto fresh = [&](QSize size, study::Mode mode) {
+            ParticipantWindow window([] { return std::int64_t{0}; });
+            window.setChoices(choices());
+            return show(window, size, mode);
+        };
+        m_window->setChoices(choices());
+        const QSize small(800, 600);
+        const QSize large(1000, 700);
+        // The edges of large letters are rounded a little otherwise in a window that was shown.
+        const auto differing = [](const QImage& a, const QImage& b) {
+            if (a.size() != b.size())
+                return 1.0;
+            int count = 0;
+            for (int y = 0; y < a.height(); ++y)
+                for (int x = 0; x < a.width(); ++x)
+                    count += a.pixel(x, y) != b.pixel(x, y) ? 1 : 0;
+            return count / (1.0 * a.width() * a.height());
+        };
+        constexpr double kRounding = 0.0005;
+        const auto follows = [&](QSize size, study::Mode mode) {
+            return differing(show(*m_window, size, mode), fresh(size, mode)) < kRounding;
+        };
+        QVERIFY(follows(small, study::Mode::pilot));
+        QVERIFY(follows(large, study::Mode::pilot));
+        QVERIFY(follows(large, study::Mode::simulated));
+        QVERIFY(follows(large, study::Mode::run));
+        QVERIFY(differing(fresh(large, study::Mode::simulated), fresh(large, study::Mode::pilot)) >
+                kRounding);
+        base::applyTheme(base::ThemeChoice::dark);
+        QCoreApplication::processEvents(); // the windows are told
+        const bool followsTheme = follows(large, study::Mode::pilot);
+        base::applyTheme(base::ThemeChoice::light);
+        QVERIFY(followsTheme);
     }
 
     void aDiagramIsThatOfThePattern() {

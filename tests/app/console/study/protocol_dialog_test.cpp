@@ -92,6 +92,14 @@ private slots:
         files->setPlainText("Z static /z.json\nZ static /patterns/z.json");
         QVERIFY2(verdict->text().contains("two files"), qPrintable(verdict->text()));
         QVERIFY(!make->isEnabled());
+        // A file is asked for only where there is a place for it.
+        auto* choose = dialog.findChild<QPushButton*>("choosePattern");
+        QVERIFY(!choose->isEnabled());
+        files->setPlainText("Z static /z.json");
+        QVERIFY(choose->isEnabled());
+        patterns->setPlainText("Z zigzag");
+        files->setPlainText("Z static /z.json\nZ dynamic /patterns/z.json");
+        QVERIFY(!choose->isEnabled());
     }
 
     void questionnairesAreMadeChangedAndRemoved() {

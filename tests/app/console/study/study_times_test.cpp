@@ -185,6 +185,33 @@ private slots:
         startTrial();
     }
 
+    void aRestCanBePausedAndAPauseWhereOneIsDueTakesItsPlace() {
+        make("[pause]\nevery_trials = 2\nat_least_s = 30.0\n");
+        finishPractice();
+        doTrial();
+        doTrial();
+        QCOMPARE(m_runner->hold(), Hold::rest);
+        m_runner->pause(); // as when the participant's screen is lost
+        QCOMPARE(m_runner->hold(), Hold::paused);
+        pass(31 * kS);
+        space();
+        QCOMPARE(m_runner->hold(), Hold::paused);
+        m_runner->goOn();
+        QCOMPARE(m_runner->hold(), Hold::none);
+        startTrial();
+
+        make("[pause]\nevery_trials = 2\nat_least_s = 30.0\n");
+        finishPractice();
+        doTrial();
+        startTrial();
+        m_runner->pause();
+        endStimulus();
+        digit(1);
+        QCOMPARE(m_runner->hold(), Hold::paused);
+        m_runner->goOn();
+        startTrial(); // without a rest after the pause
+    }
+
     void anAnswerBeforeTheEndOfAShortStimulusIsTimedFromItsOwnEnd() {
         make();
         space();
