@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <utility>
 
 namespace teleta::console {
@@ -62,7 +63,7 @@ void BraceletStation::letGo() {
         return;
     if (m_keepSoon.isActive())
         keepLimits();
-    close(std::exchange(m_session, nullptr));
+    close(m_choice, std::exchange(m_session, nullptr));
     m_calibration = {};
     m_limits = {};
     emit sessionChanged();
@@ -70,10 +71,20 @@ void BraceletStation::letGo() {
     emit strongestChanged(m_limits.strongest);
 }
 
-void BraceletStation::close(std::shared_ptr<BraceletSession> session) {
+void BraceletStation::close(BraceletChoice choice, std::shared_ptr<BraceletSession> session) {
     // Its end waits for the device's last frame.
-    m_closings.push_back(
-        std::async(std::launch::async, [session = std::move(session)]() mutable { session.reset(); }));
+    m_closings.push_back({choice, std::async(std::launch::async,
+                                             [session = std::move(session)]() mutable { session.reset(); })});
+}
+
+/// A bracelet has one owner at a time: those of this kind that end, or are not wanted any more, go first.
+template <typename Ending>
+std::vector<Ending> BraceletStation::takeAll(std::vector<Ending>& endings, BraceletChoice choice) {
+    const auto others = std::stable_partition(
+        endings.begin(), endings.end(), [choice](const Ending& ending) { return ending.choice != choice; });
+    std::vector<Ending> taken(std::make_move_iterator(others), std::make_move_iterator(endings.end()));
+    endings.erase(others, endings.end());
+    return taken;
 }
 
 void BraceletStation::choose(BraceletChoice choice, const QString& deviceFile) {
@@ -84,26 +95,30 @@ void BraceletStation::choose(BraceletChoice choice, const QString& deviceFile) {
     emit chosen(choice);
     if (choice == BraceletChoice::none)
         return;
-    m_openings.push_back({m_chosen, std::async(std::launch::async, [choice, file = m_deviceFile.toStdString(),
-                                                                    &stop = m_stop, player = m_player] {
-                              return BraceletSession::open(choice, file, stop, player);
-                          })});
+    auto open = [choice, file = m_deviceFile.toStdString(), &stop = m_stop, player = m_player,
+                 openings = takeAll(m_openings, choice), closings = takeAll(m_closings, choice)]() mutable {
+        openings.clear();
+        closings.clear();
+        return BraceletSession::open(choice, file, stop, player);
+    };
+    m_openings.push_back({choice, m_chosen, std::async(std::launch::async, std::move(open))});
 }
 
 void BraceletStation::takeOpened() {
     const auto isReady = [](const auto& future) {
         return future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
     };
-    std::erase_if(m_closings, isReady);
+    std::erase_if(m_closings, [&](const Closing& closing) { return isReady(closing.done); });
     const auto ready = std::find_if(m_openings.begin(), m_openings.end(),
                                     [&](const Opening& opening) { return isReady(opening.result); });
     if (ready == m_openings.end())
         return;
     const bool wanted = ready->number == m_chosen;
+    const BraceletChoice choice = ready->choice;
     core::Expected<std::shared_ptr<BraceletSession>> session = ready->result.get();
     m_openings.erase(ready);
     if (session && !wanted) {
-        close(std::move(*session));
+        close(choice, std::move(*session));
     } else if (session) {
         m_session = std::move(*session);
         m_slot->set(m_reserved ? nullptr : m_session);

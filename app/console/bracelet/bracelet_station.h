@@ -132,8 +132,14 @@ signals:
     void felt(const FeedbackEvent& event);
 
 private:
-    /// A bracelet that is being opened on a thread of its own; its end waits for that thread.
+    /// A bracelet that is being closed on a thread of its own; its end waits for that thread.
+    struct Closing {
+        BraceletChoice choice = BraceletChoice::none;
+        std::future<void> done;
+    };
+    /// A bracelet that is being opened, likewise.
     struct Opening {
+        BraceletChoice choice = BraceletChoice::none;
         std::uint64_t number = 0;
         std::future<core::Expected<std::shared_ptr<BraceletSession>>> result;
     };
@@ -141,7 +147,9 @@ private:
     /// Of the bracelet that is connected, as it is seen from here.
     [[nodiscard]] core::DeviceState stateNow() const;
     void letGo();
-    void close(std::shared_ptr<BraceletSession> session);
+    void close(BraceletChoice choice, std::shared_ptr<BraceletSession> session);
+    template <typename Ending>
+    static std::vector<Ending> takeAll(std::vector<Ending>& endings, BraceletChoice choice);
     void takeOpened();
     void applyCalibration();
     void keepLimits();
@@ -156,7 +164,7 @@ private:
     QTimer m_keepSoon;     ///< a slider that moves is not kept at each step
     QThreadPool m_keeping; ///< of one thread: the last limits are the ones that stay
     std::vector<Opening> m_openings;
-    std::vector<std::future<void>> m_closings;
+    std::vector<Closing> m_closings;
     std::uint64_t m_chosen = 0;                 ///< number of the newest choice
     std::shared_ptr<BraceletSession> m_session; ///< null while it is being opened
     /// The same for the pipeline's thread.
