@@ -11,7 +11,7 @@ namespace teleta::scene_run {
 
 namespace {
 
-constexpr std::array<std::string_view, 45> kColumns{"time_s",
+constexpr std::array<std::string_view, 49> kColumns{"time_s",
                                                     "phase",
                                                     "contact",
                                                     "type",
@@ -55,7 +55,11 @@ constexpr std::array<std::string_view, 45> kColumns{"time_s",
                                                     "limits",
                                                     "coc_x_desired_m",
                                                     "dzmp_y_desired_m",
-                                                    "mass_x_true_m"};
+                                                    "mass_x_true_m",
+                                                    "qw_commanded",
+                                                    "qx_commanded",
+                                                    "qy_commanded",
+                                                    "qz_commanded"};
 
 } // namespace
 
@@ -111,6 +115,9 @@ void ServoLog::add(const simulation::ServoLoop& loop, const std::string& phase, 
     m_csv->number(output.desiredCocX_m());
     m_csv->number(output.desiredDzmpY_m());
     m_csv->number(arm.object().turns ? truth.massPlace_m : kNone);
+    const Eigen::Quaterniond commanded(arm.X_Base_Reference().linear());
+    for (const double value : {commanded.w(), commanded.x(), commanded.y(), commanded.z()})
+        m_csv->number(value);
     m_csv->endRow();
 }
 

@@ -4,7 +4,7 @@
 #include "backend/servo/active_limits.h"
 #include "backend/servo/servo_task.h"
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <cstdint>
 #include <limits>
@@ -34,6 +34,8 @@ struct ServoStep {
     double massX_m = kNone; ///< of a weight on a tray, along the bar; what is true
     ActiveLimits limits;    ///< that acted on the command
     Eigen::Vector3d p_Base_Sensor = Eigen::Vector3d::Zero();
+    Eigen::Quaterniond q_Base_Sensor{kNone, kNone, kNone, kNone};    ///< how it is turned
+    Eigen::Quaterniond q_Base_Reference{kNone, kNone, kNone, kNone}; ///< how it is commanded to be turned
     /// Centre of contact of a step that explores an edge; NaN otherwise.
     Eigen::Vector3d p_Base_Contact = Eigen::Vector3d::Constant(kNone);
 };

@@ -3,6 +3,7 @@
 
 #include "backend/core/csv_number.h"
 #include "backend/core/csv_reader.h"
+#include "backend/servo/rigid_motion.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -28,7 +29,8 @@ constexpr std::array kVectors{&ServoCurves::time_s,        &ServoCurves::force_N
                               &ServoCurves::alphaZ_rad,    &ServoCurves::alphaZDesired_rad,
                               &ServoCurves::x_m,           &ServoCurves::y_m,
                               &ServoCurves::z_m,           &ServoCurves::way_m,
-                              &ServoCurves::cocXDesired_m, &ServoCurves::dzmpYDesired_m};
+                              &ServoCurves::cocXDesired_m, &ServoCurves::dzmpYDesired_m,
+                              &ServoCurves::turnZ_rad,     &ServoCurves::turnZCommanded_rad};
 
 constexpr std::array<std::string_view, 15> kNames{"time_s",
                                                   "force_true_N",
@@ -48,12 +50,19 @@ constexpr std::array<std::string_view, 15> kNames{"time_s",
 constexpr std::size_t kNumbers = 13;
 
 /// Columns that files of older versions lack.
-constexpr std::array<std::string_view, 3> kLaterNumbers{"coc_x_desired_m", "dzmp_y_desired_m",
-                                                        "mass_x_true_m"};
+constexpr std::array<std::string_view, 11> kLaterNumbers{
+    "coc_x_desired_m", "dzmp_y_desired_m", "mass_x_true_m", "qw",          "qx", "qy", "qz",
+    "qw_commanded",    "qx_commanded",     "qy_commanded",  "qz_commanded"};
 constexpr std::string_view kLimitsName = "limits";
 
 /// Beyond this, SI units, nothing is a place, a force or a time of a run.
 constexpr double kLargest = 1e12;
+
+/// Neither NaN nor of another length than 1.
+bool isRotation(const Eigen::Quaterniond& q) {
+    constexpr double kTolerance = 1e-3;
+    return std::abs(q.norm() - 1.0) < kTolerance;
+}
 
 core::Unexpected badField(const core::CsvReader& csv, std::size_t column, const QString& message,
                           const QString& expected) {
@@ -85,12 +94,22 @@ void ServoCurves::note(const ServoStep& step) {
     m_noted_s = step.time_s;
 }
 
+/// The z component of the rotation vector that leads from the start to it.
+double ServoCurves::turnSinceStart_rad(const Eigen::Quaterniond& q_Base_Sensor) const {
+    if (!m_start_m || !isRotation(m_q_Base_Start) || !isRotation(q_Base_Sensor))
+        return ServoStep::kNone;
+    const Eigen::Quaterniond turn = m_q_Base_Start.normalized().conjugate() * q_Base_Sensor.normalized();
+    return logSO3(turn.toRotationMatrix()).z();
+}
+
 void ServoCurves::add(const ServoStep& step, std::string_view phase) {
     note(step);
     if (phases.empty() || phases.back().second != phase)
         phases.emplace_back(step.time_s, std::string(phase));
-    if (!m_start_m && step.touching)
+    if (!m_start_m && step.touching) {
         m_start_m = step.p_Base_Sensor;
+        m_q_Base_Start = step.q_Base_Sensor;
+    }
     const Eigen::Vector3d way = m_start_m ? Eigen::Vector3d(step.p_Base_Sensor - *m_start_m)
                                           : Eigen::Vector3d::Constant(ServoStep::kNone);
     const std::array<double, kVectors.size()> values{step.time_s,
@@ -108,7 +127,9 @@ void ServoCurves::add(const ServoStep& step, std::string_view phase) {
                                                      way.z(),
                                                      way.norm(),
                                                      step.cocXDesired_m,
-                                                     step.dzmpYDesired_m};
+                                                     step.dzmpYDesired_m,
+                                                     turnSinceStart_rad(step.q_Base_Sensor),
+                                                     turnSinceStart_rad(step.q_Base_Reference)};
     for (std::size_t i = 0; i < kVectors.size(); ++i)
         (this->*kVectors[i]).push_back(values[i]);
 }
@@ -165,7 +186,11 @@ core::Expected<ServoCurves> readServoCurves(const std::string& path) {
                             CurvesText::tr("times in order"));
         before_s = row[0];
         ServoStep step;
-        const std::array laterValues{&step.cocXDesired_m, &step.dzmpYDesired_m, &step.massX_m};
+        const std::array laterValues{
+            &step.cocXDesired_m,        &step.dzmpYDesired_m,       &step.massX_m,
+            &step.q_Base_Sensor.w(),    &step.q_Base_Sensor.x(),    &step.q_Base_Sensor.y(),
+            &step.q_Base_Sensor.z(),    &step.q_Base_Reference.w(), &step.q_Base_Reference.x(),
+            &step.q_Base_Reference.y(), &step.q_Base_Reference.z()};
         for (std::size_t i = 0; i < laterColumns.size(); ++i) {
             if (laterColumns[i] >= fields.size())
                 continue;

@@ -32,7 +32,9 @@ struct ServoCurves {
     std::vector<double> alphaZDesired_rad;
     /// Of the array in the base, from where it was first in contact; NaN before.
     std::vector<double> x_m, y_m, z_m;
-    std::vector<double> way_m;                          ///< the length of that
+    std::vector<double> way_m; ///< the length of that
+    /// Turn of the array about its own z since the same moment, and where it was commanded to be.
+    std::vector<double> turnZ_rad, turnZCommanded_rad;
     std::vector<std::pair<double, std::string>> phases; ///< when each one began
 
     struct Span {
@@ -54,7 +56,10 @@ struct ServoCurves {
 private:
     static void lengthen(std::vector<Span>& spans, double now_s, const ActiveLimits& acting, bool goesOn);
 
+    [[nodiscard]] double turnSinceStart_rad(const Eigen::Quaterniond& q_Base_Sensor) const;
+
     std::optional<Eigen::Vector3d> m_start_m;
+    Eigen::Quaterniond m_q_Base_Start = Eigen::Quaterniond::Identity();
     bool m_touching = false; ///< in the last step
     bool m_limited = false;
     double m_mass_m = ServoStep::kNone;

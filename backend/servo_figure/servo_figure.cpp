@@ -77,6 +77,11 @@ std::vector<Lane> lanesFor(bool alone) {
          &ServoCurves::alphaZDesired_rad}};
     if (alone) {
         lanes[3].truth = &ServoCurves::dzmpYTrue_m;
+        lanes.push_back({FigureText::tr("Turn z, \u00b0"),
+                         180.0 / std::numbers::pi,
+                         2.0,
+                         {{&ServoCurves::turnZ_rad, {}}},
+                         &ServoCurves::turnZCommanded_rad});
         lanes.push_back({FigureText::tr("Way, mm"),
                          1e3,
                          1.0,

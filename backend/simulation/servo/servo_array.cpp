@@ -133,6 +133,8 @@ private:
         step.alphaZDesired_rad = output.desired[servo::kWz];
         step.limits = output.limits;
         step.p_Base_Sensor = X_Base_Sensor.translation();
+        step.q_Base_Sensor = X_Base_Sensor.linear();
+        step.q_Base_Reference = m_loop->world().arm().X_Base_Reference().linear();
         if (!stopped && output.kind == servo::TaskKind::explore && features.active > 0)
             step.p_Base_Contact = X_Base_Sensor * Eigen::Vector3d(*features.cocX_m, *features.cocY_m, 0.0);
         return step;

@@ -180,6 +180,49 @@ TEST_F(ServoFigure, whatIsDesiredOfTheContactIsDashedAndEventsHaveTheirRow) {
     EXPECT_EQ(count(servoFigure(runs).standalone(), "class=\"hollow series1\""), 2 * 2) << "never settled";
 }
 
+TEST_F(ServoFigure, theTurnAboutTheArraysOwnZIsThatSinceTheFirstContact) {
+    // Turned by 40 degrees about the base's x before it touches, then by 3 degrees about its own z.
+    const Eigen::Quaterniond before(Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitX()));
+    const auto turned = [&](double angle_rad) {
+        return before * Eigen::Quaterniond(Eigen::AngleAxisd(angle_rad, Eigen::Vector3d::UnitZ()));
+    };
+    ServoCurves run;
+    ServoStep step;
+    step.q_Base_Sensor = turned(0.5);
+    run.add(step, "free_motion");
+    step.touching = true;
+    run.add(step, "align");
+    step.time_s = 1.0;
+    step.q_Base_Sensor = turned(0.5 + 0.05);
+    step.q_Base_Reference = turned(0.5 - 0.02);
+    run.add(step, "align");
+    step.time_s = 2.0;
+    step.q_Base_Sensor.coeffs() *= 2.0; // no rotation
+    run.add(step, "align");
+    EXPECT_TRUE(std::isnan(run.turnZ_rad[0])) << "before it touched";
+    EXPECT_NEAR(run.turnZ_rad[1], 0.0, 1e-12);
+    EXPECT_TRUE(std::isnan(run.turnZCommanded_rad[1])) << "not known";
+    EXPECT_NEAR(run.turnZ_rad[2], 0.05, 1e-12);
+    EXPECT_NEAR(run.turnZCommanded_rad[2], -0.02, 1e-12);
+    EXPECT_TRUE(std::isnan(run.turnZ_rad[3]));
+    EXPECT_TRUE(std::isnan(run.turnZCommanded_rad[0]));
+    const std::array runs{run};
+    EXPECT_NE(servoFigure(runs).standalone().find("Turn z"), std::string::npos);
+    const std::array two{run, run};
+    EXPECT_EQ(servoFigure(two).standalone().find("Turn z"), std::string::npos) << "of one run alone";
+    // A file of a run is read as it was written; one of an older version has no turn.
+    const std::string older = std::string(kHeader);
+    const auto read =
+        readServoCurves(written(older.substr(0, older.size() - 1) +
+                                ",qw,qx,qy,qz,qw_commanded,qx_commanded,qy_commanded,"
+                                "qz_commanded\n"
+                                "0.02,align,touching,4,5,0,0,0,0,0,0,0,1,2,3,1,0,0,0,1,0,0,0\n"
+                                "0.03,align,touching,4,5,0,0,0,0,0,0,0,1,2,3,0.8,0,0,0.6,NA,0,0,0\n"));
+    ASSERT_TRUE(read) << describe(read.error());
+    EXPECT_NEAR(read->turnZ_rad[1], 2.0 * std::atan2(0.6, 0.8), 1e-12);
+    EXPECT_TRUE(std::isnan(read->turnZCommanded_rad[1]));
+}
+
 TEST_F(ServoFigure, limitsThatFlickerForHoursAreBounded) {
     ServoCurves run;
     ServoStep step;
