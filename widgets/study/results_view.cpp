@@ -75,6 +75,7 @@ ResultsView::ResultsView(QWidget* parent)
     m_who->setObjectName(QStringLiteral("resultParticipant"));
     m_beside->setObjectName(QStringLiteral("resultBeside"));
     m_counts->setObjectName(QStringLiteral("resultCounts"));
+    m_export->setObjectName(QStringLiteral("resultExport"));
     m_counts->addItems({QString(), QString()});
     for (QComboBox* box : {m_task, m_counts})
         box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
