@@ -151,12 +151,13 @@ MeasureChange numberChange(const std::string& name, const Runs& with, const Runs
             ++change.differing;
     }
     change.mean = mean(all);
-    change.spread = standardDeviation(all);
+    // What one seed only has cannot be told from chance.
+    change.spread = all.size() > 1 ? standardDeviation(all) : std::numeric_limits<double>::quiet_NaN();
     change.meanWithout = mean(others);
     change.change = mean(differences);
     const double size = std::max(std::abs(change.mean), std::abs(change.meanWithout));
     change.moves = 2 * change.differing > with.measures.size() ||
-                   std::abs(change.change) > std::max(change.spread, kRounding * size);
+                   (all.size() > 1 && std::abs(change.change) > std::max(change.spread, kRounding * size));
     return change;
 }
 

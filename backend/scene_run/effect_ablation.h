@@ -26,7 +26,7 @@ struct AblationOptions {
 struct MeasureChange {
     std::string measure; ///< a list has one for each entry: "phases.align", "contact_error_m[2]"
     double mean = 0.0;   ///< of the scene as it is; NaN: not a number, or in no run
-    double spread = 0.0; ///< its standard deviation over the seeds
+    double spread = 0.0; ///< its standard deviation over the seeds; NaN: fewer than two have it
     double meanWithout = 0.0;
     /// Mean difference, seed by seed, of the runs that have the number with and without the effect.
     double change = 0.0;
