@@ -144,8 +144,7 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
     const auto page =
         option("page", tr("Page to show: %1.").arg(pageNames().join(QStringLiteral(", "))), tr("NAME"));
     const auto bracelet =
-        option("bracelet",
-               tr("Bracelet to drive: simulated, usb, none, or a file that describes a Modbus motor driver."),
+        option("bracelet", tr("Bracelet to drive: simulated, usb, none, or a file that describes one."),
                tr("WHICH"));
     const auto theme = option("theme", tr("light, dark or system."), tr("NAME"));
     const auto language = option("language", tr("Language, for example en, ja, fr, zh_CN."), tr("CODE"));

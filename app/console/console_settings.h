@@ -37,7 +37,7 @@ public:
     [[nodiscard]] QByteArray layout(const QString& page) const { return bytes("layout/" + page); }
     void setLayout(const QString& page, const QByteArray& layout) { set("layout/" + page, layout); }
 
-    /// "simulated", "hid", "none", "modbus:FILE".
+    /// "simulated", "hid", "none", "file:FILE"; of the first versions "modbus:FILE".
     [[nodiscard]] QString bracelet() const { return text("bracelet", QStringLiteral("simulated")); }
     void setBracelet(const QString& bracelet) { set("bracelet", bracelet); }
     /// Motor drivers that were opened, the newest first.

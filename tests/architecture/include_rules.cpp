@@ -74,7 +74,10 @@ const std::vector<Rule> kRules = {
     {"devices/replay", {"backend/core", "backend/recording"}, {"QtCore", "posix", "expected"}},
     {"devices/simulated", {"backend/core"}, {"QtCore", "posix", "expected"}},
     {"devices/wts", {"backend/core"}, {"QtCore", "posix", "expected"}},
-    {"devices/bracelet", {"backend/core"}, {"QtCore", "posix", "expected", "hidapi"}},
+    {"devices/bracelet", {"backend/core", "backend/scene"}, {"QtCore", "posix", "expected", "hidapi"}},
+    {"devices/described",
+     {"backend/core", "backend/scene", "devices/bracelet", "devices/modbus"},
+     {"expected"}},
 
     {"widgets/base", {"backend"}, {"QtCore", "QtGui", "QtWidgets", "QtSvg", "QtPrintSupport"}},
     {"widgets/plot", {"widgets/base"}, {"QtCore", "QtGui", "QCustomPlot"}},

@@ -7,6 +7,7 @@
 #include "backend/scene/toml_table.h"
 #include "backend/vision/camera_model.h"
 #include "devices/bracelet/hid_bracelet.h"
+#include "devices/bracelet/hid_bracelet_file.h"
 #include "devices/camera/camera_list.h"
 #include "devices/modbus/libmodbus_link.h"
 #include "devices/modbus/modbus_probe.h"
@@ -34,17 +35,21 @@ std::optional<core::Error> errorOf(const core::Expected<T>& result) {
     return result ? std::nullopt : std::optional(result.error());
 }
 
-FoundDevice describeBracelet(const bracelet::HidDeviceInfo& info) {
-    FoundDevice found{.kind = "hid_bracelet", .name = info.product, .where = info.path};
+void open(FoundDevice& found, const bracelet::HidBraceletConfig& config) {
     const core::StopSwitch stopSwitch;
-    bracelet::HidBraceletConfig config;
-    config.serial = info.serial;
     const auto opened = bracelet::openHidBracelet(config, stopSwitch);
     found.error = errorOf(opened);
     if (opened) {
         found.name = (*opened)->description().name;
         found.frameRate_Hz = (*opened)->description().maximumRate_Hz;
     }
+}
+
+FoundDevice describeBracelet(const bracelet::HidDeviceInfo& info) {
+    FoundDevice found{.kind = "hid_bracelet", .name = info.product, .where = info.path};
+    bracelet::HidBraceletConfig config;
+    config.serial = info.serial;
+    open(found, config);
     return found;
 }
 
@@ -79,6 +84,18 @@ core::Expected<FoundDevice> probeRegisters(const std::string& path) {
         for (std::size_t i = 0; i < probe->values.size(); ++i)
             found.values.push_back({map->inputs[i].name, probe->values[i], map->inputs[i].unit});
     }
+    return found;
+}
+
+core::Expected<FoundDevice> probeBracelet(const std::string& path) {
+    const auto file = bracelet::readHidBracelet(path);
+    if (!file)
+        return core::Unexpected(file.error());
+    const auto plugged = bracelet::listHidBracelets(file->config);
+    FoundDevice found{.kind = "hid_bracelet",
+                      .name = file->name,
+                      .where = plugged.empty() ? std::string("USB") : plugged.front().path};
+    open(found, file->config);
     return found;
 }
 
@@ -133,20 +150,22 @@ core::Expected<FoundDevice> probeFile(const std::string& path) {
     if (!document)
         return core::Unexpected(document.error());
     scene::TomlTable root = document->root();
-    const std::size_t kind = root.choice("kind", {"modbus", "wts", "camera"});
+    const std::size_t kind = root.choice("kind", {"modbus", "wts", "camera", "hid_bracelet"});
     if (document->firstError())
         return core::Unexpected(*document->firstError());
     // Without a kind the other keys say nothing either.
     if (!root.has("kind")) {
         root.finish();
-        return core::Unexpected(
-            core::Error{core::ErrorKind::badInput,
-                        DevicesText::tr("\"kind\" is missing").toStdString(),
-                        DevicesText::tr("kind = \"modbus\", \"wts\" or \"camera\"").toStdString(),
-                        {path, 1, 1}});
+        return core::Unexpected(core::Error{
+            core::ErrorKind::badInput,
+            DevicesText::tr("\"kind\" is missing").toStdString(),
+            DevicesText::tr("kind = \"modbus\", \"wts\", \"camera\" or \"hid_bracelet\"").toStdString(),
+            {path, 1, 1}});
     }
     if (kind == 0)
         return probeRegisters(path);
+    if (kind == 3)
+        return probeBracelet(path);
     return kind == 1 ? probeArray(*document, root) : probeCamera(*document, root);
 }
 

@@ -205,9 +205,9 @@ void PatternCommand::declare(CLI::App& app) {
     m_play = part("play", QT_TRANSLATE_NOOP("PatternCommand", "Play a pattern on a bracelet"));
     takesPattern(m_play);
     m_play
-        ->add_option("--device", m_device,
-                     help(QT_TRANSLATE_NOOP(
-                         "PatternCommand", "usb, simulated, or a file that describes a Modbus motor driver")))
+        ->add_option(
+            "--device", m_device,
+            help(QT_TRANSLATE_NOOP("PatternCommand", "usb, simulated, or a file that describes a bracelet")))
         ->type_name("WHICH")
         ->capture_default_str();
     takesMotors(m_play);

@@ -11,7 +11,7 @@
 #include "backend/playback/pattern_program.h"
 #include "backend/playback/player.h"
 #include "devices/bracelet/hid_bracelet.h"
-#include "devices/modbus/modbus_bracelet.h"
+#include "devices/described/described_bracelet.h"
 #include "devices/simulated/simulated_bracelet.h"
 
 #include <QCoreApplication>
@@ -47,10 +47,7 @@ core::Expected<std::unique_ptr<core::BraceletSource>> openBracelet(const std::st
         return std::make_unique<simulated::SimulatedBracelet>(stop);
     if (device == "usb")
         return bracelet::openHidBracelet({}, stop).map(asSource);
-    const auto map = modbus::readRegisterMap(device);
-    if (!map)
-        return core::Unexpected(map.error());
-    return modbus::openModbusBracelet(*map, stop).map(asSource);
+    return described::openBracelet(device, stop).map(asSource);
 }
 
 core::Expected<pattern::MotorProfiles> motorsOf(const std::string& path, const std::string& serial) {

@@ -19,7 +19,8 @@ struct BraceletName {
 constexpr std::array kBracelets{
     BraceletName{BraceletChoice::simulated, "simulated"}, BraceletName{BraceletChoice::hid, "hid"},
     BraceletName{BraceletChoice::hid, "usb"}, BraceletName{BraceletChoice::none, "none"}};
-constexpr char kModbus[] = "modbus:";
+/// Before the path of a device file; the first programs, which knew Modbus files only, wrote the other one.
+constexpr std::array<QLatin1String, 2> kFilePrefixes{QLatin1String("file:"), QLatin1String("modbus:")};
 
 } // namespace
 
@@ -46,9 +47,10 @@ void BraceletMenu::fill(QMenu& menu) {
     add(tr("&Simulated"), BraceletChoice::simulated);
     add(tr("&USB"), BraceletChoice::hid);
     for (const QString& file : m_settings.deviceFiles())
-        add(tr("Modbus: %1", "a device file").arg(QFileInfo(file).fileName()), BraceletChoice::modbus, file);
-    QAction* open = menu.addAction(tr("&Modbus\u2026"), this, &BraceletMenu::askForFile);
-    open->setToolTip(tr("A file that describes the registers of a motor driver"));
+        add(tr("File: %1", "a device file").arg(QFileInfo(file).fileName()), BraceletChoice::file, file);
+    QAction* open = menu.addAction(tr("&Device file\u2026"), this, &BraceletMenu::askForFile);
+    open->setToolTip(
+        tr("A file that describes the registers of a Modbus motor driver, or the ids of a USB bracelet"));
     add(tr("&None"), BraceletChoice::none);
 }
 
@@ -60,16 +62,22 @@ void BraceletMenu::restore(const QString& option) {
             return;
         }
     }
-    if (!option.isEmpty())
-        m_station.choose(BraceletChoice::modbus, option);
-    else if (wanted.startsWith(QLatin1String(kModbus)))
-        m_station.choose(BraceletChoice::modbus, wanted.mid(static_cast<int>(sizeof kModbus) - 1));
+    if (!option.isEmpty()) {
+        m_station.choose(BraceletChoice::file, option);
+        return;
+    }
+    for (const QLatin1String& prefix : kFilePrefixes) {
+        if (wanted.startsWith(prefix)) {
+            m_station.choose(BraceletChoice::file, wanted.mid(prefix.size()));
+            return;
+        }
+    }
 }
 
 void BraceletMenu::choose(BraceletChoice choice, const QString& deviceFile) {
-    if (choice == BraceletChoice::modbus) {
+    if (choice == BraceletChoice::file) {
         m_settings.addDeviceFile(deviceFile);
-        m_settings.setBracelet(QLatin1String(kModbus) + deviceFile);
+        m_settings.setBracelet(kFilePrefixes.front() + deviceFile);
     } else {
         for (const BraceletName& known : kBracelets) {
             if (known.choice == choice) {
@@ -83,11 +91,11 @@ void BraceletMenu::choose(BraceletChoice choice, const QString& deviceFile) {
 
 void BraceletMenu::askForFile() {
     auto* dialog =
-        new QFileDialog(m_window, tr("Open a Modbus motor driver"), QString(), tr("Devices (*.toml)"));
+        new QFileDialog(m_window, tr("Open the file of a bracelet"), QString(), tr("Devices (*.toml)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this,
-            [this](const QString& path) { choose(BraceletChoice::modbus, path); });
+            [this](const QString& path) { choose(BraceletChoice::file, path); });
     dialog->open();
 }
 

@@ -3,7 +3,7 @@
 
 #include "backend/playback/pattern_program.h"
 #include "devices/bracelet/hid_bracelet.h"
-#include "devices/modbus/modbus_bracelet.h"
+#include "devices/described/described_bracelet.h"
 #include "devices/simulated/simulated_bracelet.h"
 
 #include <utility>
@@ -26,10 +26,7 @@ openSource(BraceletChoice choice, const std::string& deviceFile, const core::Sto
                                                      .speedNoise_Hz = kSpeedNoise_Hz});
     if (choice == BraceletChoice::hid)
         return bracelet::openHidBracelet({}, stop).map(asSource);
-    const auto map = modbus::readRegisterMap(deviceFile);
-    if (!map)
-        return core::Unexpected(map.error());
-    return modbus::openModbusBracelet(*map, stop).map(asSource);
+    return described::openBracelet(deviceFile, stop).map(asSource);
 }
 
 } // namespace

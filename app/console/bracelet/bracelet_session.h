@@ -21,8 +21,8 @@ namespace teleta::console {
 enum class BraceletChoice {
     none,
     simulated,
-    hid,    ///< the first bracelet that is plugged in
-    modbus, ///< the motors that a file describes
+    hid,  ///< the first bracelet that is plugged in
+    file, ///< that of a device file, described::openBracelet
 };
 
 /// A connected bracelet with its player. Making one and letting it go may wait for the device: off the GUI's
@@ -30,8 +30,8 @@ enum class BraceletChoice {
 class BraceletSession {
 public:
     /// Opens the bracelet and reads the profile of its motors. stop must outlive the session. choice: not
-    /// none. deviceFile: of a Modbus bracelet. player: its limits and ranges are taken from the files of the
-    /// bracelet. Error: of the device or its file.
+    /// none. deviceFile: that describes the bracelet. player: its limits and ranges are taken from the files
+    /// of the bracelet. Error: of the device or its file.
     [[nodiscard]] static core::Expected<std::shared_ptr<BraceletSession>>
     open(BraceletChoice choice, const std::string& deviceFile, const core::StopSwitch& stop,
          playback::PlayerConfig player = {});

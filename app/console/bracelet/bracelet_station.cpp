@@ -90,7 +90,7 @@ std::vector<Ending> BraceletStation::takeAll(std::vector<Ending>& endings, Brace
 void BraceletStation::choose(BraceletChoice choice, const QString& deviceFile) {
     letGo();
     m_choice = choice;
-    m_deviceFile = choice == BraceletChoice::modbus ? deviceFile : QString();
+    m_deviceFile = choice == BraceletChoice::file ? deviceFile : QString();
     ++m_chosen;
     emit chosen(choice);
     if (choice == BraceletChoice::none)

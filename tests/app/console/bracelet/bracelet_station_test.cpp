@@ -81,7 +81,7 @@ private slots:
     void showsAModbusBraceletLiveLostAndLiveAgain() {
         const QString port = serve();
         QVERIFY(!port.isEmpty());
-        m_station->choose(BraceletChoice::modbus, deviceFile(port));
+        m_station->choose(BraceletChoice::file, deviceFile(port));
         QTRY_COMPARE_WITH_TIMEOUT(state(), DeviceState::live, 20'000);
         QVERIFY(m_station->isReady());
         QVERIFY(!m_station->isSimulated());
@@ -96,7 +96,7 @@ private slots:
 
     void playsOnItAndStopZeroesItsMotors() {
         const QString port = serve();
-        m_station->choose(BraceletChoice::modbus, deviceFile(port));
+        m_station->choose(BraceletChoice::file, deviceFile(port));
         QTRY_VERIFY_WITH_TIMEOUT(m_station->isReady(), 20'000);
         // On the playback thread alone: while the test waits for the server no tick comes.
         m_station->play(playback::programOf(*pattern::findBuiltIn("stiffness.E.static")), true);
@@ -107,10 +107,10 @@ private slots:
 
     void saysWhyADriverCannotBeOpened() {
         QSignalSpy failures(m_station.get(), &BraceletStation::failed);
-        m_station->choose(BraceletChoice::modbus, m_folder.filePath(QStringLiteral("none.toml")));
+        m_station->choose(BraceletChoice::file, m_folder.filePath(QStringLiteral("none.toml")));
         QTRY_COMPARE_WITH_TIMEOUT(failures.size(), 1, 20'000);
         QCOMPARE(m_station->choice(), BraceletChoice::none);
-        m_station->choose(BraceletChoice::modbus, deviceFile(QStringLiteral("9")));
+        m_station->choose(BraceletChoice::file, deviceFile(QStringLiteral("9")));
         QTRY_COMPARE_WITH_TIMEOUT(failures.size(), 2, 20'000);
     }
 
@@ -123,14 +123,21 @@ private slots:
         QStringList texts;
         for (const QAction* action : shown.actions())
             texts.append(action->text().remove(QLatin1Char('&')));
-        QVERIFY(texts.contains(QStringLiteral("Modbus\u2026")));
+        QVERIFY(texts.contains(QStringLiteral("Device file\u2026")));
         menu.restore(QStringLiteral("none"));
         QCOMPARE(m_station->choice(), BraceletChoice::none);
         menu.restore({});
         QVERIFY2(m_station->choice() == BraceletChoice::simulated, "the default");
         menu.restore(m_folder.filePath(QStringLiteral("my.toml")));
-        QCOMPARE(m_station->choice(), BraceletChoice::modbus);
+        QCOMPARE(m_station->choice(), BraceletChoice::file);
         QCOMPARE(m_station->deviceFile(), m_folder.filePath(QStringLiteral("my.toml")));
+        for (const char* kept : {"file:/kept.toml", "modbus:/kept.toml"}) {
+            menu.restore(QStringLiteral("none"));
+            settings.setBracelet(QLatin1String(kept));
+            menu.restore({});
+            QCOMPARE(m_station->choice(), BraceletChoice::file);
+            QCOMPARE(m_station->deviceFile(), QStringLiteral("/kept.toml"));
+        }
     }
 };
 

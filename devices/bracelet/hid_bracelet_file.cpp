@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/bracelet/hid_bracelet_file.h"
+
+#include "backend/scene/toml_table.h"
+
+namespace teleta::bracelet {
+
+core::Expected<HidBraceletFile> readHidBracelet(const std::string& path) {
+    const auto document = scene::TomlDocument::open(path);
+    if (!document)
+        return core::Unexpected(document.error());
+    constexpr long long kLargestId = 0xFFFF;
+    scene::TomlTable root = document->root();
+    (void)root.choice("kind", {"hid_bracelet"});
+    HidBraceletFile file;
+    file.name = root.text("name");
+    file.config.vendorId = static_cast<std::uint16_t>(root.integer("vendor_id", 1, kLargestId));
+    file.config.productId = static_cast<std::uint16_t>(root.integer("product_id", 1, kLargestId));
+    if (root.has("serial"))
+        file.config.serial = root.text("serial");
+    root.finish();
+    if (document->firstError())
+        return core::Unexpected(*document->firstError());
+    return file;
+}
+
+} // namespace teleta::bracelet

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/error.h"
+#include "devices/bracelet/hid_bracelet_config.h"
+
+#include <string>
+
+namespace teleta::bracelet {
+
+/// A bracelet over USB HID as its TOML file describes it.
+struct HidBraceletFile {
+    std::string name;
+    HidBraceletConfig config;
+};
+
+/// kind = "hid_bracelet", name, vendor_id and product_id (1 .. 65535), serial (without it: the first board
+/// with these ids). Error: notFound, ioFailed, badInput with file, line and column. Thread: any.
+[[nodiscard]] core::Expected<HidBraceletFile> readHidBracelet(const std::string& path);
+
+} // namespace teleta::bracelet

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/described/described_bracelet.h"
+
+#include "backend/scene/toml_table.h"
+#include "devices/bracelet/hid_bracelet.h"
+#include "devices/bracelet/hid_bracelet_file.h"
+#include "devices/modbus/modbus_bracelet.h"
+
+namespace teleta::described {
+
+core::Expected<std::unique_ptr<core::BraceletLink>> openBracelet(const std::string& path,
+                                                                 const core::StopSwitch& stop) {
+    const auto document = scene::TomlDocument::open(path);
+    if (!document)
+        return core::Unexpected(document.error());
+    scene::TomlTable root = document->root();
+    const bool named = root.has("kind");
+    const std::size_t kind = named ? root.choice("kind", {"modbus", "hid_bracelet"}) : 0;
+    if (document->firstError())
+        return core::Unexpected(*document->firstError());
+    if (kind == 1) {
+        const auto file = bracelet::readHidBracelet(path);
+        if (!file)
+            return core::Unexpected(file.error());
+        return bracelet::openHidBracelet(file->config, stop);
+    }
+    const auto map = modbus::readRegisterMap(path);
+    if (!map)
+        return core::Unexpected(map.error());
+    return modbus::openModbusBracelet(*map, stop);
+}
+
+} // namespace teleta::described

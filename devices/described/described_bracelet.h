@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/bracelet_link.h"
+#include "backend/core/error.h"
+#include "backend/core/stop_switch.h"
+
+#include <memory>
+#include <string>
+
+namespace teleta::described {
+
+/// Opens the bracelet that a TOML file describes, by its kind: "modbus" (modbus::RegisterMap with motors) or
+/// "hid_bracelet" (bracelet::readHidBracelet). stop must outlive it. Error: badInput with file, line and
+/// column, or why the device cannot be reached. Thread: any; it may wait for the device.
+[[nodiscard]] core::Expected<std::unique_ptr<core::BraceletLink>> openBracelet(const std::string& path,
+                                                                               const core::StopSwitch& stop);
+
+} // namespace teleta::described
