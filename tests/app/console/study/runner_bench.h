@@ -3,6 +3,7 @@
 
 #include "app/console/study/study_runner.h"
 #include "backend/study/protocol.h"
+#include "tests/app/console/study/running_session.h"
 #include "widgets/study/answer_button.h"
 #include "widgets/study/participant_window.h"
 
@@ -128,18 +129,8 @@ protected:
         QVERIFY2(begun.has_value(), begun ? "" : core::describe(begun.error()).c_str());
     }
 
-    const study::Session& session() {
-        const study::Session* active = m_runner->session();
-        if (active == nullptr)
-            qFatal("there is no session");
-        return *active;
-    }
-    const study::PlannedTrial& current() {
-        const study::PlannedTrial* trial = session().current();
-        if (trial == nullptr)
-            qFatal("there is no trial");
-        return *trial;
-    }
+    const study::Session& session() { return sessionOf(*m_runner); }
+    const study::PlannedTrial& current() { return trialOf(*m_runner); }
     Stage stage() { return session().stage(); }
     void pass(std::int64_t time_ns) { m_now += time_ns; }
     void space() { QTest::keyClick(m_window.get(), Qt::Key_Space); }

@@ -6,6 +6,7 @@
 #include "backend/study/study_store.h"
 #include "devices/simulated/simulated_bracelet.h"
 #include "tests/app/console/bracelet/patient_station.h"
+#include "tests/app/console/study/running_session.h"
 #include "widgets/study/participant_window.h"
 #include "widgets/study/session_panel.h"
 
@@ -122,18 +123,8 @@ protected:
 
     [[nodiscard]] console::StudyController& controller() { return m_page->controller(); }
     [[nodiscard]] console::StudyRunner& runner() { return controller().runner(); }
-    const study::Session& session() {
-        const study::Session* active = runner().session();
-        if (active == nullptr)
-            qFatal("there is no session");
-        return *active;
-    }
-    const study::PlannedTrial& current() {
-        const study::PlannedTrial* trial = session().current();
-        if (trial == nullptr)
-            qFatal("there is no trial");
-        return *trial;
-    }
+    const study::Session& session() { return sessionOf(runner()); }
+    const study::PlannedTrial& current() { return trialOf(runner()); }
     [[nodiscard]] Stage stage() { return session().stage(); }
     [[nodiscard]] QPushButton* nextButton() { return m_page->sessionPanel().nextButton(); }
     [[nodiscard]] studyview::ParticipantWindow* window() { return &m_page->participantWindow(); }
