@@ -63,6 +63,23 @@
     </message>
 </context>
 <context>
+    <name>StudyReport</name>
+    <message numerus="yes">
+        <source>Stimuli: %n trial(s) were played on a bracelet; the longest write of a frame took %1 ms.</source>
+        <translation>
+            <numerusform>Stimuli: %n trial was played on a bracelet; the longest write of a frame took %1 ms.</numerusform>
+            <numerusform>Stimuli: %n trials were played on a bracelet; the longest write of a frame took %1 ms.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Stimuli: the frames of %n trial(s) were counted.</source>
+        <translation>
+            <numerusform>Stimuli: the frames of %n trial were counted.</numerusform>
+            <numerusform>Stimuli: the frames of %n trials were counted.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>StudyScenes</name>
     <message numerus="yes">
         <source>%1: %n pattern(s); %2</source>

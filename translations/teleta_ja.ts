@@ -238,6 +238,14 @@
         <source>Undo, redo: marks on the page Operate, edits on the page Patterns</source>
         <translation>元に戻す、やり直す: 操作ページではマーク、パターンページでは編集</translation>
     </message>
+    <message>
+        <source>F1</source>
+        <translation>F1</translation>
+    </message>
+    <message>
+        <source>Handbook: the page on what is shown</source>
+        <translation>ハンドブック: 表示中の画面についてのページ</translation>
+    </message>
 </context>
 <context>
     <name>Age</name>
@@ -880,10 +888,6 @@
         <translation>シミュレーション参加者に実験を行わせます。必要なら実験を作成します。</translation>
     </message>
     <message>
-        <source>Bracelet to drive: simulated, usb, none, or a file that describes a Modbus motor driver.</source>
-        <translation>駆動するブレスレット: simulated、usb、none、またはModbusモータードライバーを記述したファイル。</translation>
-    </message>
-    <message>
         <source>WHICH</source>
         <translation>WHICH</translation>
     </message>
@@ -920,6 +924,10 @@ Examples:
     <message>
         <source>Record all sources and the bracelet into a new file.</source>
         <translation>すべてのソースとブレスレットを新しいファイルに記録します。</translation>
+    </message>
+    <message>
+        <source>Bracelet to drive: simulated, usb, none, or a file that describes one.</source>
+        <translation>駆動するブレスレット: simulated、usb、none、またはブレスレットを記述したファイル。</translation>
     </message>
 </context>
 <context>
@@ -1580,12 +1588,12 @@ Examples:
         <translation>この記述のデバイスに接続して読み取ります。モーターはゼロに設定されます</translation>
     </message>
     <message>
-        <source>kind = &quot;modbus&quot;, &quot;wts&quot; or &quot;camera&quot;</source>
-        <translation>kind = &quot;modbus&quot;、&quot;wts&quot; または &quot;camera&quot;</translation>
-    </message>
-    <message>
         <source>Camera</source>
         <translation>カメラ</translation>
+    </message>
+    <message>
+        <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot; or &quot;hid_bracelet&quot;</source>
+        <translation>kind = &quot;modbus&quot;、&quot;wts&quot;、&quot;camera&quot; または &quot;hid_bracelet&quot;</translation>
     </message>
 </context>
 <context>
@@ -2901,16 +2909,16 @@ x %4, y %5
         <translation>ブレスレットでパターンを再生します</translation>
     </message>
     <message>
-        <source>usb, simulated, or a file that describes a Modbus motor driver</source>
-        <translation>usb、simulated、またはModbusモータードライバーを記述したファイル</translation>
-    </message>
-    <message>
         <source>Play it over and over for so long, then live setpoints for as long again, and print how punctual the frames were</source>
         <translation>この時間だけ繰り返し再生し、続けて同じ時間ライブ設定値を送り、フレームの時間精度を表示する</translation>
     </message>
     <message>
         <source>%1 holds no samples: --rate and --predicted are for .csv and .wav files</source>
         <translation>%1 はサンプルを持ちません: --rateと--predictedは.csvと.wavファイル用です</translation>
+    </message>
+    <message>
+        <source>usb, simulated, or a file that describes a bracelet</source>
+        <translation>usb、simulated、またはブレスレットを記述したファイル</translation>
     </message>
 </context>
 <context>
@@ -4304,6 +4312,10 @@ x %4, y %5
         <source>weight is moved; its moment is gone</source>
         <translation>おもりの移動、モーメントの消失</translation>
     </message>
+    <message>
+        <source>Turn z, °</source>
+        <translation>z軸回りの回転、°</translation>
+    </message>
 </context>
 <context>
     <name>ServoTexts</name>
@@ -5081,6 +5093,10 @@ x %4, y %5
         <source>Make a study whose protocol names a file for each pattern that does not come with the program.</source>
         <translation>プログラムに付属していない各パターンのファイルを指定したプロトコルで、スタディを作成してください。</translation>
     </message>
+    <message>
+        <source>all there; whether the study was begun with others is not known</source>
+        <translation>すべてあります。スタディを始めたときのものと同じかどうかは不明です</translation>
+    </message>
 </context>
 <context>
     <name>StudyCommand</name>
@@ -5347,17 +5363,6 @@ x %4, y %5
     <message>
         <source>at most 4 GiB of samples</source>
         <translation>サンプル4 GiB以下</translation>
-    </message>
-</context>
-<context>
-    <name>StudyOverview</name>
-    <message>
-        <source>the patterns are not those with which this study was begun</source>
-        <translation>パターンが、このスタディを始めたときのものと異なります</translation>
-    </message>
-    <message>
-        <source>version %1 of the program, or a new study</source>
-        <translation>バージョン %1 のプログラム、または新しいスタディ</translation>
     </message>
 </context>
 <context>
@@ -5663,9 +5668,22 @@ x %4, y %5
         <source>cannot make the folder</source>
         <translation>フォルダーを作成できません</translation>
     </message>
+    <message numerus="yes">
+        <source>Stimuli: %n trial(s) were played on a bracelet; the longest write of a frame took %1 ms.</source>
+        <translation>
+            <numerusform>刺激: %n 試行がブレスレットで再生されました。フレームの書き込みは最長 %1 msでした。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Stimuli: the frames of %n trial(s) were counted.</source>
+        <translation>
+            <numerusform>刺激: %n 試行のフレームを数えました。</numerusform>
+        </translation>
+    </message>
     <message>
-        <source>Stimuli: %1 trials were played on a bracelet; the longest write of a frame took %2 ms. Frames were missed in %3 of them, %4 in all.</source>
-        <translation>刺激: %1 試行がブレスレットで再生されました。フレームの書き込みは最長 %2 msでした。%3 試行でフレームが欠け、合計は %4 です。</translation>
+        <source>%1 Frames were missed in %2 of them, %3 in all.</source>
+        <comment>the sentence before, numbers</comment>
+        <translation>%1%2 試行でフレームが欠け、合計は %3 です。</translation>
     </message>
 </context>
 <context>
@@ -6247,6 +6265,14 @@ x %4, y %5
     <message>
         <source>it cannot be written here, only be looked at</source>
         <translation>ここでは書き込めません。見ることだけができます</translation>
+    </message>
+    <message>
+        <source>the patterns are not those with which this study was begun</source>
+        <translation>パターンが、このスタディを始めたときのものと異なります</translation>
+    </message>
+    <message>
+        <source>version %1 of the program, or a new study</source>
+        <translation>バージョン %1 のプログラム、または新しいスタディ</translation>
     </message>
 </context>
 <context>
@@ -8479,29 +8505,29 @@ x %4, y %5
         <translation>USB(&amp;U)</translation>
     </message>
     <message>
-        <source>Modbus: %1</source>
-        <comment>a device file</comment>
-        <translation>Modbus: %1</translation>
-    </message>
-    <message>
-        <source>&amp;Modbus…</source>
-        <translation>Modbus(&amp;M)…</translation>
-    </message>
-    <message>
-        <source>A file that describes the registers of a motor driver</source>
-        <translation>モータードライバーのレジスターを記述したファイル</translation>
-    </message>
-    <message>
         <source>&amp;None</source>
         <translation>なし(&amp;N)</translation>
     </message>
     <message>
-        <source>Open a Modbus motor driver</source>
-        <translation>Modbusモータードライバーを開く</translation>
-    </message>
-    <message>
         <source>Devices (*.toml)</source>
         <translation>デバイス (*.toml)</translation>
+    </message>
+    <message>
+        <source>File: %1</source>
+        <comment>a device file</comment>
+        <translation>ファイル: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Device file…</source>
+        <translation>デバイスファイル(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>A file that describes the registers of a Modbus motor driver, or the ids of a USB bracelet</source>
+        <translation>Modbusモータードライバーのレジスター、またはUSBブレスレットのIDを記述したファイル</translation>
+    </message>
+    <message>
+        <source>Open the file of a bracelet</source>
+        <translation>ブレスレットのファイルを開く</translation>
     </message>
 </context>
 <context>
@@ -8804,10 +8830,6 @@ x %4, y %5
         <translation>カメラを開く</translation>
     </message>
     <message>
-        <source>The number of a connected camera (0 is /dev/video0), or a video file</source>
-        <translation>接続されたカメラの番号 (0は/dev/video0) または動画ファイル</translation>
-    </message>
-    <message>
         <source>The camera file that the page Calibrate or teleta calibrate has written</source>
         <translation>キャリブレーションページまたはteleta calibrateが書き込んだカメラファイル</translation>
     </message>
@@ -8818,18 +8840,6 @@ x %4, y %5
     <message>
         <source>&amp;Camera or video:</source>
         <translation>カメラまたは動画(&amp;C):</translation>
-    </message>
-    <message>
-        <source>Choose a video</source>
-        <translation>動画を選択</translation>
-    </message>
-    <message>
-        <source>Video of a camera</source>
-        <translation>カメラの動画</translation>
-    </message>
-    <message>
-        <source>Videos and pictures (*)</source>
-        <translation>動画と画像 (*)</translation>
     </message>
     <message>
         <source>Ca&amp;libration:</source>
@@ -8846,6 +8856,29 @@ x %4, y %5
     <message>
         <source>Camera files (*.json)</source>
         <translation>カメラファイル (*.json)</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::CameraSourceField</name>
+    <message>
+        <source>The number of a connected camera (0 is /dev/video0), or a video file</source>
+        <translation>接続されたカメラの番号 (0は/dev/video0) または動画ファイル</translation>
+    </message>
+    <message>
+        <source>…</source>
+        <translation>…</translation>
+    </message>
+    <message>
+        <source>Choose a video</source>
+        <translation>動画を選択</translation>
+    </message>
+    <message>
+        <source>Video of a camera</source>
+        <translation>カメラの動画</translation>
+    </message>
+    <message>
+        <source>Videos and pictures (*)</source>
+        <translation>動画と画像 (*)</translation>
     </message>
 </context>
 <context>
@@ -9213,28 +9246,8 @@ x %4, y %5
         <translation>カメラでプロービング</translation>
     </message>
     <message>
-        <source>The number of a connected camera (0 is /dev/video0), or a video file</source>
-        <translation>接続されたカメラの番号 (0は/dev/video0) または動画ファイル</translation>
-    </message>
-    <message>
         <source>Of the first hole of each ring, from the x axis towards y</source>
         <translation>各リングの最初の穴の角度。x 軸から y に向かって測ります</translation>
-    </message>
-    <message>
-        <source>…</source>
-        <translation>…</translation>
-    </message>
-    <message>
-        <source>Choose a video</source>
-        <translation>動画を選択</translation>
-    </message>
-    <message>
-        <source>Video of a probing</source>
-        <translation>プロービングの動画</translation>
-    </message>
-    <message>
-        <source>Videos and pictures (*)</source>
-        <translation>動画と画像 (*)</translation>
     </message>
     <message>
         <source>&amp;Camera or video:</source>
@@ -9280,8 +9293,8 @@ x %4, y %5
         <translation>すべての穴をプロービング済み</translation>
     </message>
     <message>
-        <source>Hole %1 of %2: ring %3, %4&#xa0;mm, %5°</source>
-        <translation>穴 %1 / %2: リング %3、%4&#xa0;mm、%5°</translation>
+        <source>Hole %1 of %2: ring %3, %4 mm, %5°</source>
+        <translation>穴 %1 / %2: リング %3、%4 mm、%5°</translation>
     </message>
     <message>
         <source>The camera is awaited: %1</source>
@@ -9350,6 +9363,10 @@ x %4, y %5
     <message>
         <source>Keep what was collected until now</source>
         <translation>これまでに収集した分を残します</translation>
+    </message>
+    <message>
+        <source>Lift the stick first: this touch does not count.</source>
+        <translation>先に棒を離してください。この接触は数えません。</translation>
     </message>
 </context>
 <context>
@@ -10605,6 +10622,10 @@ x %4, y %5
         <source>Cancel</source>
         <translation>キャンセル</translation>
     </message>
+    <message>
+        <source>another export is running</source>
+        <translation>別のエクスポートを実行中です</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::RecordingStation</name>
@@ -11000,6 +11021,18 @@ x %4, y %5
     <message>
         <source>Length of the surface, from z = 0 of the sensor&apos;s frame</source>
         <translation>表面の長さ (センサー座標系の z = 0 から)</translation>
+    </message>
+    <message>
+        <source>&amp;Hole factor:</source>
+        <translation>穴の係数(&amp;H):</translation>
+    </message>
+    <message>
+        <source>From the holes of a shell to the tactile cylinder</source>
+        <translation>シェルの穴から触覚円筒への係数</translation>
+    </message>
+    <message>
+        <source>The points are holes of a shell: their x and y times this factor are on the elastomer (the paper&apos;s shell: 0.97)</source>
+        <translation>点はシェルの穴です。そのxとyにこの係数を掛けるとエラストマー上の点になります (論文のシェル: 0.97)</translation>
     </message>
 </context>
 <context>
@@ -12797,6 +12830,14 @@ Double-click to type the upper end.</source>
         <source>Hold Shift: each press of D A (x), W S (y), E Q (z) is a step.</source>
         <translation>Shiftを押し続けてください: D A (x)、W S (y)、E Q (z) を1回押すごとに1ステップ動きます。</translation>
     </message>
+    <message>
+        <source>&lt;p&gt;Leads the tip of the arm by hand. Each press of a direction is a step. The arm moves only while you hold Shift, or the wide button; let go of it and it stands still.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;アームの先端を手動で動かします。方向を1回押すごとに1ステップ進みます。アームはShiftまたは幅の広いボタンを押している間だけ動き、離すと停止します。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>A step, while Shift is held; key Shift+%1</source>
+        <translation>Shiftを押している間の1ステップ。キー Shift+%1</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::JointRange</name>
@@ -12935,10 +12976,6 @@ Double-click to type the upper end.</source>
 <context>
     <name>teleta::touch::RunSheet</name>
     <message>
-        <source>run sheet</source>
-        <translation>探索シート</translation>
-    </message>
-    <message>
         <source>Run sheet</source>
         <translation>探索シート</translation>
     </message>
@@ -12971,6 +13008,11 @@ Double-click to type the upper end.</source>
         <translation>
             <numerusform>見つかった物体%n個</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>run-sheet</source>
+        <comment>name of a file</comment>
+        <translation>探索シート</translation>
     </message>
 </context>
 <context>

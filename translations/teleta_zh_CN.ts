@@ -238,6 +238,14 @@
         <source>Undo, redo: marks on the page Operate, edits on the page Patterns</source>
         <translation>撤销、重做：“操作”页上的标记，“图案”页上的编辑</translation>
     </message>
+    <message>
+        <source>F1</source>
+        <translation>F1</translation>
+    </message>
+    <message>
+        <source>Handbook: the page on what is shown</source>
+        <translation>手册：有关当前画面的页面</translation>
+    </message>
 </context>
 <context>
     <name>Age</name>
@@ -880,10 +888,6 @@
         <translation>让模拟被试完成研究；必要时先创建研究。</translation>
     </message>
     <message>
-        <source>Bracelet to drive: simulated, usb, none, or a file that describes a Modbus motor driver.</source>
-        <translation>要驱动的手环：simulated、usb、none，或描述 Modbus 电机驱动器的文件。</translation>
-    </message>
-    <message>
         <source>WHICH</source>
         <translation>哪一个</translation>
     </message>
@@ -920,6 +924,10 @@ Examples:
     <message>
         <source>Record all sources and the bracelet into a new file.</source>
         <translation>将所有数据源和手环记录到新文件中。</translation>
+    </message>
+    <message>
+        <source>Bracelet to drive: simulated, usb, none, or a file that describes one.</source>
+        <translation>要驱动的手环：simulated、usb、none，或描述手环的文件。</translation>
     </message>
 </context>
 <context>
@@ -1580,12 +1588,12 @@ Examples:
         <translation>连接此描述文件所述的设备并读取；其电机置零</translation>
     </message>
     <message>
-        <source>kind = &quot;modbus&quot;, &quot;wts&quot; or &quot;camera&quot;</source>
-        <translation>kind = &quot;modbus&quot;、&quot;wts&quot; 或 &quot;camera&quot;</translation>
-    </message>
-    <message>
         <source>Camera</source>
         <translation>相机</translation>
+    </message>
+    <message>
+        <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot; or &quot;hid_bracelet&quot;</source>
+        <translation>kind = &quot;modbus&quot;、&quot;wts&quot;、&quot;camera&quot; 或 &quot;hid_bracelet&quot;</translation>
     </message>
 </context>
 <context>
@@ -2901,16 +2909,16 @@ x %4，y %5
         <translation>在手环上播放图案</translation>
     </message>
     <message>
-        <source>usb, simulated, or a file that describes a Modbus motor driver</source>
-        <translation>usb、simulated，或描述 Modbus 电机驱动器的文件</translation>
-    </message>
-    <message>
         <source>Play it over and over for so long, then live setpoints for as long again, and print how punctual the frames were</source>
         <translation>反复播放指定时长，再以实时设定值运行同样时长，并输出各帧的准时程度</translation>
     </message>
     <message>
         <source>%1 holds no samples: --rate and --predicted are for .csv and .wav files</source>
         <translation>%1 不含样本：--rate 和 --predicted 用于 .csv 和 .wav 文件</translation>
+    </message>
+    <message>
+        <source>usb, simulated, or a file that describes a bracelet</source>
+        <translation>usb、simulated，或描述手环的文件</translation>
     </message>
 </context>
 <context>
@@ -4304,6 +4312,10 @@ x %4，y %5
         <source>weight is moved; its moment is gone</source>
         <translation>砝码移动；其力矩消失</translation>
     </message>
+    <message>
+        <source>Turn z, °</source>
+        <translation>绕 z 转动，°</translation>
+    </message>
 </context>
 <context>
     <name>ServoTexts</name>
@@ -5081,6 +5093,10 @@ x %4，y %5
         <source>Make a study whose protocol names a file for each pattern that does not come with the program.</source>
         <translation>请用为每个未随程序提供的图案指定了文件的方案建立研究。</translation>
     </message>
+    <message>
+        <source>all there; whether the study was begun with others is not known</source>
+        <translation>全部存在；是否与研究开始时所用的相同，不得而知</translation>
+    </message>
 </context>
 <context>
     <name>StudyCommand</name>
@@ -5347,17 +5363,6 @@ x %4，y %5
     <message>
         <source>at most 4 GiB of samples</source>
         <translation>至多 4 GiB 的样本</translation>
-    </message>
-</context>
-<context>
-    <name>StudyOverview</name>
-    <message>
-        <source>the patterns are not those with which this study was begun</source>
-        <translation>图案不是本研究开始时所用的图案</translation>
-    </message>
-    <message>
-        <source>version %1 of the program, or a new study</source>
-        <translation>%1 版程序，或新的研究</translation>
     </message>
 </context>
 <context>
@@ -5663,9 +5668,22 @@ x %4，y %5
         <source>cannot make the folder</source>
         <translation>无法创建文件夹</translation>
     </message>
+    <message numerus="yes">
+        <source>Stimuli: %n trial(s) were played on a bracelet; the longest write of a frame took %1 ms.</source>
+        <translation>
+            <numerusform>刺激：有 %n 个试次在手环上播放；写入一帧最长用时 %1 ms。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Stimuli: the frames of %n trial(s) were counted.</source>
+        <translation>
+            <numerusform>刺激：已统计 %n 个试次的帧。</numerusform>
+        </translation>
+    </message>
     <message>
-        <source>Stimuli: %1 trials were played on a bracelet; the longest write of a frame took %2 ms. Frames were missed in %3 of them, %4 in all.</source>
-        <translation>刺激：有 %1 个试次在手环上播放；写入一帧最长用时 %2 ms。其中 %3 个试次有丢帧，共 %4 帧。</translation>
+        <source>%1 Frames were missed in %2 of them, %3 in all.</source>
+        <comment>the sentence before, numbers</comment>
+        <translation>%1其中 %2 个试次有丢帧，共 %3 帧。</translation>
     </message>
 </context>
 <context>
@@ -6247,6 +6265,14 @@ x %4，y %5
     <message>
         <source>it cannot be written here, only be looked at</source>
         <translation>此处不能写入，只能查看</translation>
+    </message>
+    <message>
+        <source>the patterns are not those with which this study was begun</source>
+        <translation>图案不是本研究开始时所用的图案</translation>
+    </message>
+    <message>
+        <source>version %1 of the program, or a new study</source>
+        <translation>%1 版程序，或新的研究</translation>
     </message>
 </context>
 <context>
@@ -8479,29 +8505,29 @@ x %4，y %5
         <translation>USB(&amp;U)</translation>
     </message>
     <message>
-        <source>Modbus: %1</source>
-        <comment>a device file</comment>
-        <translation>Modbus：%1</translation>
-    </message>
-    <message>
-        <source>&amp;Modbus…</source>
-        <translation>Modbus(&amp;M)…</translation>
-    </message>
-    <message>
-        <source>A file that describes the registers of a motor driver</source>
-        <translation>描述电机驱动器寄存器的文件</translation>
-    </message>
-    <message>
         <source>&amp;None</source>
         <translation>无(&amp;N)</translation>
     </message>
     <message>
-        <source>Open a Modbus motor driver</source>
-        <translation>打开 Modbus 电机驱动器</translation>
-    </message>
-    <message>
         <source>Devices (*.toml)</source>
         <translation>设备 (*.toml)</translation>
+    </message>
+    <message>
+        <source>File: %1</source>
+        <comment>a device file</comment>
+        <translation>文件：%1</translation>
+    </message>
+    <message>
+        <source>&amp;Device file…</source>
+        <translation>设备文件(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>A file that describes the registers of a Modbus motor driver, or the ids of a USB bracelet</source>
+        <translation>描述 Modbus 电机驱动器的寄存器或 USB 手环标识号的文件</translation>
+    </message>
+    <message>
+        <source>Open the file of a bracelet</source>
+        <translation>打开手环的文件</translation>
     </message>
 </context>
 <context>
@@ -8804,10 +8830,6 @@ x %4，y %5
         <translation>打开相机</translation>
     </message>
     <message>
-        <source>The number of a connected camera (0 is /dev/video0), or a video file</source>
-        <translation>所连相机的编号（0 为 /dev/video0），或视频文件</translation>
-    </message>
-    <message>
         <source>The camera file that the page Calibrate or teleta calibrate has written</source>
         <translation>“标定”页或 teleta calibrate 写出的相机文件</translation>
     </message>
@@ -8818,18 +8840,6 @@ x %4，y %5
     <message>
         <source>&amp;Camera or video:</source>
         <translation>相机或视频(&amp;C)：</translation>
-    </message>
-    <message>
-        <source>Choose a video</source>
-        <translation>选择视频</translation>
-    </message>
-    <message>
-        <source>Video of a camera</source>
-        <translation>相机的视频</translation>
-    </message>
-    <message>
-        <source>Videos and pictures (*)</source>
-        <translation>视频和图片 (*)</translation>
     </message>
     <message>
         <source>Ca&amp;libration:</source>
@@ -8846,6 +8856,29 @@ x %4，y %5
     <message>
         <source>Camera files (*.json)</source>
         <translation>相机文件 (*.json)</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::CameraSourceField</name>
+    <message>
+        <source>The number of a connected camera (0 is /dev/video0), or a video file</source>
+        <translation>所连相机的编号（0 为 /dev/video0），或视频文件</translation>
+    </message>
+    <message>
+        <source>…</source>
+        <translation>…</translation>
+    </message>
+    <message>
+        <source>Choose a video</source>
+        <translation>选择视频</translation>
+    </message>
+    <message>
+        <source>Video of a camera</source>
+        <translation>相机的视频</translation>
+    </message>
+    <message>
+        <source>Videos and pictures (*)</source>
+        <translation>视频和图片 (*)</translation>
     </message>
 </context>
 <context>
@@ -9213,28 +9246,8 @@ x %4，y %5
         <translation>用相机探测</translation>
     </message>
     <message>
-        <source>The number of a connected camera (0 is /dev/video0), or a video file</source>
-        <translation>所连相机的编号（0 为 /dev/video0），或视频文件</translation>
-    </message>
-    <message>
         <source>Of the first hole of each ring, from the x axis towards y</source>
         <translation>每一圈第一个孔的角度，从 x 轴转向 y</translation>
-    </message>
-    <message>
-        <source>…</source>
-        <translation>…</translation>
-    </message>
-    <message>
-        <source>Choose a video</source>
-        <translation>选择视频</translation>
-    </message>
-    <message>
-        <source>Video of a probing</source>
-        <translation>探测过程的视频</translation>
-    </message>
-    <message>
-        <source>Videos and pictures (*)</source>
-        <translation>视频和图片 (*)</translation>
     </message>
     <message>
         <source>&amp;Camera or video:</source>
@@ -9280,8 +9293,8 @@ x %4，y %5
         <translation>所有孔均已探测</translation>
     </message>
     <message>
-        <source>Hole %1 of %2: ring %3, %4&#xa0;mm, %5°</source>
-        <translation>第 %1 孔，共 %2 孔：第 %3 圈，%4&#xa0;mm，%5°</translation>
+        <source>Hole %1 of %2: ring %3, %4 mm, %5°</source>
+        <translation>第 %1 孔，共 %2 孔：第 %3 圈，%4 mm，%5°</translation>
     </message>
     <message>
         <source>The camera is awaited: %1</source>
@@ -9350,6 +9363,10 @@ x %4，y %5
     <message>
         <source>Keep what was collected until now</source>
         <translation>保留目前采集的内容</translation>
+    </message>
+    <message>
+        <source>Lift the stick first: this touch does not count.</source>
+        <translation>请先抬起探棒：这次触碰不计。</translation>
     </message>
 </context>
 <context>
@@ -10605,6 +10622,10 @@ x %4，y %5
         <source>Cancel</source>
         <translation>取消</translation>
     </message>
+    <message>
+        <source>another export is running</source>
+        <translation>另一个导出正在进行</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::RecordingStation</name>
@@ -11000,6 +11021,18 @@ x %4，y %5
     <message>
         <source>Length of the surface, from z = 0 of the sensor&apos;s frame</source>
         <translation>表面的长度，自传感器坐标系 z = 0 起</translation>
+    </message>
+    <message>
+        <source>&amp;Hole factor:</source>
+        <translation>孔系数(&amp;H)：</translation>
+    </message>
+    <message>
+        <source>From the holes of a shell to the tactile cylinder</source>
+        <translation>由外壳的孔到触觉圆柱的系数</translation>
+    </message>
+    <message>
+        <source>The points are holes of a shell: their x and y times this factor are on the elastomer (the paper&apos;s shell: 0.97)</source>
+        <translation>这些点是外壳的孔：其 x 和 y 乘以该系数即位于弹性体上（论文的外壳：0.97）</translation>
     </message>
 </context>
 <context>
@@ -12797,6 +12830,14 @@ Double-click to type the upper end.</source>
         <source>Hold Shift: each press of D A (x), W S (y), E Q (z) is a step.</source>
         <translation>按住 Shift：每按一次 D A (x)、W S (y)、E Q (z) 移动一步。</translation>
     </message>
+    <message>
+        <source>&lt;p&gt;Leads the tip of the arm by hand. Each press of a direction is a step. The arm moves only while you hold Shift, or the wide button; let go of it and it stands still.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;用手引导机械臂的末端。每按一次方向走一步。只有按住 Shift 或宽按钮时机械臂才会移动；松开即停止。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>A step, while Shift is held; key Shift+%1</source>
+        <translation>按住 Shift 时走一步；按键 Shift+%1</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::JointRange</name>
@@ -12935,10 +12976,6 @@ Double-click to type the upper end.</source>
 <context>
     <name>teleta::touch::RunSheet</name>
     <message>
-        <source>run sheet</source>
-        <translation>物体清单</translation>
-    </message>
-    <message>
         <source>Run sheet</source>
         <translation>物体清单</translation>
     </message>
@@ -12971,6 +13008,11 @@ Double-click to type the upper end.</source>
         <translation>
             <numerusform>已发现 %n 个物体</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>run-sheet</source>
+        <comment>name of a file</comment>
+        <translation>物体清单</translation>
     </message>
 </context>
 <context>
