@@ -9293,8 +9293,8 @@ x %4，y %5
         <translation>所有孔均已探测</translation>
     </message>
     <message>
-        <source>Hole %1 of %2: ring %3, %4 mm, %5°</source>
-        <translation>第 %1 孔，共 %2 孔：第 %3 圈，%4 mm，%5°</translation>
+        <source>Hole %1 of %2: ring %3, %4&#xa0;mm, %5°</source>
+        <translation>第 %1 孔，共 %2 孔：第 %3 圈，%4&#xa0;mm，%5°</translation>
     </message>
     <message>
         <source>The camera is awaited: %1</source>
