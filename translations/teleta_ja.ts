@@ -2690,14 +2690,6 @@ x %4, y %5
         <translation>有限の画素座標とメートル値</translation>
     </message>
     <message>
-        <source>the image or the cylinder has no size</source>
-        <translation>画像または円筒にサイズがありません</translation>
-    </message>
-    <message>
-        <source>positive width, height and radius</source>
-        <translation>正の幅、高さ、半径</translation>
-    </message>
-    <message>
         <source>there are too few pairs: %1</source>
         <translation>ペアが少なすぎます: %1</translation>
     </message>
@@ -2748,6 +2740,14 @@ x %4, y %5
     <message>
         <source>more pairs near the lens, where the distortion is strongest</source>
         <translation>歪みが最も強いレンズ付近の、より多くのペア</translation>
+    </message>
+    <message>
+        <source>the image or the cylinder has no size that can be used</source>
+        <translation>画像または円筒に使用できるサイズがありません</translation>
+    </message>
+    <message>
+        <source>a positive radius, width and height of 1 to %1 pixels</source>
+        <translation>正の半径と、1～%1 ピクセルの幅と高さ</translation>
     </message>
 </context>
 <context>
@@ -8880,6 +8880,10 @@ x %4, y %5
         <source>Videos and pictures (*)</source>
         <translation>動画と画像 (*)</translation>
     </message>
+    <message>
+        <source>Camera or video</source>
+        <translation>カメラまたは動画</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::CostMeasuring</name>
@@ -9293,8 +9297,8 @@ x %4, y %5
         <translation>すべての穴をプロービング済み</translation>
     </message>
     <message>
-        <source>Hole %1 of %2: ring %3, %4&#xa0;mm, %5°</source>
-        <translation>穴 %1 / %2: リング %3、%4&#xa0;mm、%5°</translation>
+        <source>Hole %1 of %2: ring %3, %4 mm, %5°</source>
+        <translation>穴 %1 / %2: リング %3、%4 mm、%5°</translation>
     </message>
     <message>
         <source>The camera is awaited: %1</source>
@@ -9365,8 +9369,8 @@ x %4, y %5
         <translation>これまでに収集した分を残します</translation>
     </message>
     <message>
-        <source>Lift the stick first: this touch does not count.</source>
-        <translation>先に棒を離してください。この接触は数えません。</translation>
+        <source>Lift the stick first.</source>
+        <translation>先に棒を離してください。</translation>
     </message>
 </context>
 <context>

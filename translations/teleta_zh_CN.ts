@@ -2690,14 +2690,6 @@ x %4，y %5
         <translation>有限的像素和米值</translation>
     </message>
     <message>
-        <source>the image or the cylinder has no size</source>
-        <translation>图像或圆柱没有尺寸</translation>
-    </message>
-    <message>
-        <source>positive width, height and radius</source>
-        <translation>为正的宽度、高度和半径</translation>
-    </message>
-    <message>
         <source>there are too few pairs: %1</source>
         <translation>点对过少：%1</translation>
     </message>
@@ -2748,6 +2740,14 @@ x %4，y %5
     <message>
         <source>more pairs near the lens, where the distortion is strongest</source>
         <translation>在畸变最强的镜头附近采集更多点对</translation>
+    </message>
+    <message>
+        <source>the image or the cylinder has no size that can be used</source>
+        <translation>图像或圆柱没有可用的尺寸</translation>
+    </message>
+    <message>
+        <source>a positive radius, width and height of 1 to %1 pixels</source>
+        <translation>为正的半径，以及 1 至 %1 像素的宽度和高度</translation>
     </message>
 </context>
 <context>
@@ -8880,6 +8880,10 @@ x %4，y %5
         <source>Videos and pictures (*)</source>
         <translation>视频和图片 (*)</translation>
     </message>
+    <message>
+        <source>Camera or video</source>
+        <translation>相机或视频</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::CostMeasuring</name>
@@ -9293,8 +9297,8 @@ x %4，y %5
         <translation>所有孔均已探测</translation>
     </message>
     <message>
-        <source>Hole %1 of %2: ring %3, %4&#xa0;mm, %5°</source>
-        <translation>第 %1 孔，共 %2 孔：第 %3 圈，%4&#xa0;mm，%5°</translation>
+        <source>Hole %1 of %2: ring %3, %4 mm, %5°</source>
+        <translation>第 %1 孔，共 %2 孔：第 %3 圈，%4 mm，%5°</translation>
     </message>
     <message>
         <source>The camera is awaited: %1</source>
@@ -9365,8 +9369,8 @@ x %4，y %5
         <translation>保留目前采集的内容</translation>
     </message>
     <message>
-        <source>Lift the stick first: this touch does not count.</source>
-        <translation>请先抬起探棒：这次触碰不计。</translation>
+        <source>Lift the stick first.</source>
+        <translation>请先抬起探棒。</translation>
     </message>
 </context>
 <context>

@@ -105,8 +105,8 @@ core::Error describe(CalibrationRefusal refusal, std::size_t pairs) {
             PairText::tr("finite pixels and metres"));
         break;
     case CalibrationRefusal::badSettings:
-        say(PairText::tr("the image or the cylinder has no size"),
-            PairText::tr("positive width, height and radius"));
+        say(PairText::tr("the image or the cylinder has no size that can be used"),
+            PairText::tr("a positive radius, width and height of 1 to %1 pixels").arg(kLargestSide_px));
         break;
     case CalibrationRefusal::tooFewPairs:
         say(PairText::tr("there are too few pairs: %1").arg(pairs),

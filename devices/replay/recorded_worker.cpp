@@ -163,7 +163,11 @@ void RecordedWorker::play(RecordedTrack& frames, RecordedTrack* joints, const st
             done = seekTo(frames, joints, 0.0, commanded_ns(), stop);
         else if (previous.playing != m_active.playing || previous.speed != m_active.speed) {
             const std::int64_t at_ns = previous.playing ? now_ns() : commanded_ns();
-            anchorAt(reached_ns(previous, at_ns), at_ns);
+            const std::int64_t reached = reached_ns(previous, at_ns);
+            anchorAt(reached, at_ns);
+            // What is played together stands at one time, whenever the last frame of each was.
+            if (m_config.span)
+                m_shown_ns.set(std::min(reached, m_span.last_ns));
             // As fast as possible, frames run ahead of the clock.
             if (std::isinf(previous.speed))
                 m_jumped = m_jointsJumped = true;

@@ -164,7 +164,7 @@ BENCHMARK(answerUntilItIsPainted)->Iterations(kTrials)->UseManualTime()->Unit(be
 int main(int argc, char** argv) {
     if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
         qputenv("QT_QPA_PLATFORM", "offscreen");
-    const Application application(argc, argv);
+    Application application(argc, argv);
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv))
         return 1;

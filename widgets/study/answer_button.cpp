@@ -3,6 +3,7 @@
 
 #include "widgets/base/theme.h"
 
+#include <QEvent>
 #include <QFontMetricsF>
 #include <QPainter>
 
@@ -146,6 +147,12 @@ void AnswerButton::paintEvent(QPaintEvent* /*event*/) {
                            paintDiagram(to, rect, m_choice.diagram, colours);
                        });
     }
+}
+
+void AnswerButton::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        describe();
 }
 
 } // namespace teleta::studyview

@@ -355,8 +355,7 @@ void JogPanel::setMode(Mode mode) {
 void JogPanel::setWay(Way way) {
     if (way == m_way)
         return;
-    m_handReady = false;
-    releaseAll();
+    letGo();
     m_way = way;
     m_wayBox->setCurrentIndex(way == Way::position ? 1 : 0);
     retranslate();
@@ -411,6 +410,8 @@ void JogPanel::stepBy(std::size_t axis, bool up) {
         return;
     // The dead man may have come with this press: the tip is taken hold of where it is.
     take();
+    if (m_leader != Leader::keys)
+        return;
     Eigen::Vector3d by_m = Eigen::Vector3d::Zero();
     by_m[static_cast<Eigen::Index>(axis)] = (up ? 0.01 : -0.01) * m_speed->value() * kFullStep_m;
     m_guide.step(by_m);
@@ -450,6 +451,11 @@ void JogPanel::take() {
     else if (!m_timer.isActive())
         m_timer.start();
     emit jogRequested(m_rate);
+}
+
+void JogPanel::letGo() {
+    m_handReady = false;
+    releaseAll();
 }
 
 void JogPanel::releaseAll() {

@@ -70,6 +70,10 @@ public:
     /// Its state, in a line; empty: not shown.
     void setHandText(const QString& text);
 
+    /// Ends what moves the arm here; keys, buttons and the mouse's dead man count again once they were let
+    /// go.
+    void letGo();
+
     void setMode(Mode mode);
     [[nodiscard]] Mode mode() const { return m_mode; }
     void setWay(Way way);

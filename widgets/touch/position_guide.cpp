@@ -15,16 +15,22 @@ Vector3d PositionGuide::velocity_mPerS(bool held, bool clutch, const Vector3d& h
     }
     if (!m_anchor_m)
         m_anchor_m = tip_m - hand_m;
-    const Vector3d way_m = *m_anchor_m + hand_m - tip_m;
-    const double distance_m = way_m.norm();
+    m_way_m = *m_anchor_m + hand_m - tip_m;
+    const double distance_m = m_way_m.norm();
     if (distance_m < kArrived_m)
         return Vector3d::Zero();
-    return way_m / distance_m * std::min(kGain_perS * distance_m, fastest_mPerS);
+    return m_way_m / distance_m * std::min(kGain_perS * distance_m, fastest_mPerS);
 }
 
 void PositionGuide::step(const Vector3d& by_m) {
-    if (m_anchor_m && by_m.allFinite())
-        *m_anchor_m += by_m;
+    if (!m_anchor_m || !by_m.allFinite())
+        return;
+    const Vector3d wanted_m = m_way_m + by_m;
+    const double lead_m = wanted_m.norm();
+    const Vector3d way_m =
+        lead_m > kLongestLead_m ? Vector3d(wanted_m * (kLongestLead_m / lead_m)) : wanted_m;
+    *m_anchor_m += way_m - m_way_m;
+    m_way_m = way_m;
 }
 
 } // namespace teleta::touch

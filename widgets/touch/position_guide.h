@@ -15,6 +15,8 @@ namespace teleta::touch {
 class PositionGuide {
 public:
     static constexpr double kGain_perS = 4.0;
+    /// Steps lead the tip by no more: one that cannot follow does not race off when it can.
+    static constexpr double kLongestLead_m = 0.1;
     /// Nearer than this the tip has arrived.
     static constexpr double kArrived_m = 2e-4;
 
@@ -29,6 +31,7 @@ public:
 
 private:
     std::optional<Eigen::Vector3d> m_anchor_m;
+    Eigen::Vector3d m_way_m = Eigen::Vector3d::Zero(); ///< that was left at the last look
 };
 
 } // namespace teleta::touch

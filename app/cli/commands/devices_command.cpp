@@ -91,10 +91,13 @@ core::Expected<FoundDevice> probeBracelet(const std::string& path) {
     const auto file = bracelet::readHidBracelet(path);
     if (!file)
         return core::Unexpected(file.error());
-    const auto plugged = bracelet::listHidBracelets(file->config);
-    FoundDevice found{.kind = "hid_bracelet",
-                      .name = file->name,
-                      .where = plugged.empty() ? std::string("USB") : plugged.front().path};
+    FoundDevice found{.kind = "hid_bracelet", .name = file->name, .where = "USB"};
+    for (const bracelet::HidDeviceInfo& info : bracelet::listHidBracelets(file->config)) {
+        if (file->config.serial.empty() || info.serial == file->config.serial) {
+            found.where = info.path;
+            break;
+        }
+    }
     open(found, file->config);
     return found;
 }

@@ -77,11 +77,13 @@ void BraceletStation::close(BraceletChoice choice, std::shared_ptr<BraceletSessi
                                              [session = std::move(session)]() mutable { session.reset(); })});
 }
 
-/// A bracelet has one owner at a time: those of this kind that end, or are not wanted any more, go first.
+/// A bracelet has one owner at a time: those that end, or are not wanted any more, go first. A file may
+/// describe the very board that is found over USB; a simulated one is nobody else's.
 template <typename Ending>
 std::vector<Ending> BraceletStation::takeAll(std::vector<Ending>& endings, BraceletChoice choice) {
-    const auto others = std::stable_partition(
-        endings.begin(), endings.end(), [choice](const Ending& ending) { return ending.choice != choice; });
+    const auto others = std::stable_partition(endings.begin(), endings.end(), [choice](const Ending& ending) {
+        return (ending.choice == BraceletChoice::simulated) != (choice == BraceletChoice::simulated);
+    });
     std::vector<Ending> taken(std::make_move_iterator(others), std::make_move_iterator(endings.end()));
     endings.erase(others, endings.end());
     return taken;

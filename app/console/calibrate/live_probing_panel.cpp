@@ -208,7 +208,7 @@ QString LiveProbingPanel::stateText() const {
     case Phase::taken:
         return tr("Taken. Lift the stick.");
     case Phase::refused:
-        return tr("Lift the stick first: this touch does not count.");
+        return tr("Lift the stick first.");
     }
     return {};
 }

@@ -216,13 +216,18 @@ void ArmViews::showContour(const pipeline::ExploredContour& contour) {
 }
 
 void ArmViews::setProgramRunning(bool running) {
-    if (m_arm)
-        m_arm->device().setProgramRunning(running);
+    if (!m_arm)
+        return;
+    // Whatever held the tip was elsewhere when the program has moved it.
+    if (running)
+        m_jog->letGo();
+    m_arm->device().setProgramRunning(running);
 }
 
 void ArmViews::restartProgram() {
     if (!m_arm)
         return;
+    m_jog->letGo();
     m_arm->device().restartProgram();
     forgetContour();
 }

@@ -20,7 +20,10 @@ CameraSourceField::CameraSourceField(const QString& last, const Lister& list, QW
     m_box->setCurrentText(last);
     m_box->setToolTip(tr("The number of a connected camera (0 is /dev/video0), or a video file"));
     m_box->setMinimumWidth(base::em(this, 12));
+    m_box->setAccessibleName(tr("Camera or video"));
     setFocusProxy(m_box);
+    // A label's letter leads only to what takes the focus itself.
+    setFocusPolicy(m_box->focusPolicy());
     connect(m_box, &QComboBox::currentTextChanged, this, &CameraSourceField::changed);
     auto* choose = new QToolButton;
     choose->setText(tr("\u2026"));

@@ -368,6 +368,8 @@ void OperatePage::startPlayback() {
     // What is played together begins together; single steps of one source moved no other.
     const core::PlaybackPosition position = control->position();
     const bool atEnd = position.time_s >= position.duration_s;
+    if (atEnd)
+        control->seek(0.0);
     control->play();
     withOthers([&](core::PlaybackControl& other) {
         other.seek(atEnd ? 0.0 : position.time_s);

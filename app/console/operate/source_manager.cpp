@@ -107,9 +107,22 @@ void SourceManager::beginPlaybacks() {
         if (std::ranges::any_of(m_items,
                                 [&](const Item& item) { return isOf(item, path) && !item.isOpen(); }))
             continue;
-        for (Item& item : m_items)
-            if (isOf(item, path) && std::exchange(item.waits, false))
-                item.playback()->play();
+        // What was done to one of them meanwhile holds for all: where it is, how fast, again and again.
+        const Item& leader = *std::ranges::max_element(m_items, {}, [&](const Item& item) {
+            const bool counts = isOf(item, path);
+            return std::pair(counts ? item.playback()->position().time_s : -1.0,
+                             counts && item.key == m_active);
+        });
+        const core::PlaybackPosition there = leader.playback()->position();
+        for (Item& item : m_items) {
+            if (!isOf(item, path) || !std::exchange(item.waits, false))
+                continue;
+            item.playback()->setSpeed(there.speed);
+            item.playback()->setLoop(there.loop);
+            if (there.time_s > 0.0)
+                item.playback()->seek(there.time_s);
+            item.playback()->play();
+        }
     }
 }
 

@@ -67,27 +67,36 @@ QString BraceletStimulus::description() const {
 }
 
 void BraceletStimulus::begin(const pattern::Pattern& pattern, double atMost_s, std::int64_t now_ns) {
-    m_session = m_station.session();
+    const std::shared_ptr<BraceletSession>& session = m_station.session();
+    m_session = session;
     m_request_ns = now_ns;
-    if (!m_session)
+    if (!session)
         return;
     playback::Program program = playback::programOf(pattern);
     program.duration_s = std::min(program.duration_s, atMost_s);
-    m_session->player().play(std::move(program));
+    session->player().play(std::move(program));
 }
 
 void BraceletStimulus::stop() {
-    if (m_session)
-        m_session->player().stop();
+    if (BraceletSession* const begun = session())
+        begun->player().stop();
+}
+
+BraceletSession* BraceletStimulus::session() const {
+    const std::shared_ptr<BraceletSession>& now = m_station.session();
+    // Without lock(), which could make this thread the last owner.
+    const bool isSame = !m_session.owner_before(now) && !now.owner_before(m_session);
+    return isSame ? now.get() : nullptr;
 }
 
 StimulusState BraceletStimulus::state(std::int64_t now_ns) const {
     StimulusState state;
-    if (!m_session || m_session != m_station.session()) {
+    BraceletSession* const begun = session();
+    if (begun == nullptr) {
         state.failure = StimulusText::tr("the bracelet was lost");
         return state;
     }
-    const playback::PlayerStatus status = m_session->player().status();
+    const playback::PlayerStatus status = begun->player().status();
     if (status.begun_ns < m_request_ns) {
         if (m_stop.engaged())
             state.failure = StimulusText::tr("STOP was pressed");
@@ -95,7 +104,7 @@ StimulusState BraceletStimulus::state(std::int64_t now_ns) const {
             state.failure = StimulusText::tr("the bracelet did not begin");
         return state;
     }
-    const playback::PlayerCounters counters = m_session->player().counters();
+    const playback::PlayerCounters counters = begun->player().counters();
     // A write that succeeds does not say that anything is felt.
     state.onset_ns = counters.confirmed ? counters.onset_ns : 0;
     state.due_ns = status.begun_ns + std::llround(1e9 * status.duration_s);

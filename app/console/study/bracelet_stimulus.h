@@ -22,9 +22,12 @@ public:
     [[nodiscard]] StimulusState state(std::int64_t now_ns) const override;
 
 private:
+    /// That on which the last stimulus was begun, while the station has it; null otherwise.
+    [[nodiscard]] BraceletSession* session() const;
+    /// It ends with the station's use of it: the board would stay open for nobody.
+    std::weak_ptr<BraceletSession> m_session;
     BraceletStation& m_station;
     const core::StopSwitch& m_stop;
-    std::shared_ptr<BraceletSession> m_session; ///< on which the last stimulus was begun
     std::int64_t m_request_ns = 0;
 };
 

@@ -436,6 +436,21 @@ TEST_F(RecordedDeviceTest, whatIsPlayedTogetherStaysTogetherPassByPass) {
     }
 }
 
+TEST_F(RecordedDeviceTest, whatIsPlayedTogetherPausesAtTheTimeThatWasReached) {
+    writeTwoArrays(path());
+    m_array = std::make_unique<replay::RecordedArray>(
+        replay::RecordedPlayer::open(partOfTwo(path(), 1, m_clock)).value());
+    m_array->start(m_wakeup);
+    m_clock->settle();
+    m_clock->advance(150'000'000); // its frames are those at 0.02 s and 0.27 s
+    m_array->pause();
+    EXPECT_TRUE(eventually(m_wakeup, [&] { return std::abs(m_array->position().time_s - 0.15) < 1e-9; }))
+        << m_array->position().time_s;
+    m_clock->advance(kSpan_ns);
+    m_array->play();
+    EXPECT_TRUE(m_clock->comesToWaitFor(m_clock->now_ns() + 120'000'000));
+}
+
 TEST_F(RecordedDeviceTest, whatIsBegunTogetherIsTogetherAlthoughItsFramesAreNot) {
     writeTwoArrays(path());
     replay::RecordedConfig config = partOfTwo(path(), 1, m_clock);

@@ -126,6 +126,27 @@ private slots:
         QVERIFY(std::abs(tip.at_m.x() - start_m.x() - 0.09) < 1e-3);
     }
 
+    void stepsOfATipThatCannotFollowAreNotSavedUp() {
+        PositionGuide guide;
+        Tip tip;
+        const Vector3d start_m = tip.at_m;
+        for (int i = 0; i < 10; ++i) { // the tip leans on something
+            (void)guide.velocity_mPerS(true, false, Vector3d::Zero(), tip.at_m, kFast_mPerS);
+            guide.step(Vector3d(0.05, 0.0, 0.0));
+        }
+        guide.step(Vector3d(0.0, 0.0, 0.0));
+        tip.follow(guide, 4.0, true, false, Vector3d::Zero()); // which yields
+        QVERIFY(std::abs((tip.at_m - start_m).x() - PositionGuide::kLongestLead_m) <
+                2 * PositionGuide::kArrived_m);
+        // The first step back counts at once.
+        for (int i = 0; i < 10; ++i)
+            guide.step(Vector3d(0.05, 0.0, 0.0));
+        guide.step(Vector3d(-0.05, 0.0, 0.0));
+        tip.follow(guide, 4.0, true, false, Vector3d::Zero());
+        QVERIFY(std::abs((tip.at_m - start_m).x() - 1.5 * PositionGuide::kLongestLead_m) <
+                4 * PositionGuide::kArrived_m);
+    }
+
     void lettingGoAndNumbersThatAreNoneStandStill() {
         PositionGuide guide;
         const Vector3d tip_m = Vector3d::Zero();
@@ -260,6 +281,39 @@ private slots:
         QVERIFY(!arm.panel.isMoving());
         arm.look(still, 50);
         QVERIFY(arm.tip() == jogged_m);
+    }
+
+    void aStepNeedsTheDeadManOfTheKeysAlsoWhileTheMouseLeads() {
+        Follower arm;
+        const Vector3d there_m = arm.leadByMouse(0.0);
+        QTest::keyClick(&arm.panel, Qt::Key_D);
+        QTest::mouseClick(arm.panel.directionButton(0, true), Qt::LeftButton);
+        arm.look({{0, 0, 0}, true, false}, 50);
+        QVERIFY(arm.tip() == there_m);
+    }
+
+    void whatHeldTheTipBeforeAProgramMovedItDoesNotTakeItBack() {
+        Follower arm;
+        QTest::keyPress(&arm.panel, Qt::Key_Shift);
+        arm.look({}, 1);
+        arm.panel.letGo(); // as when a program begins
+        arm.sample.reference_rad = arm.sample.angle_rad = {0.5, -0.4, 0.6, 1.2};
+        arm.panel.setSample(arm.sample);
+        const Vector3d there_m = arm.tip();
+        arm.click(Qt::Key_D); // with Shift still held
+        arm.look({}, 200);
+        const Vector3d moved_m = arm.tip() - there_m;
+        QVERIFY(std::abs(moved_m.x() - JogPanel::kFullStep_m) < 1e-3);
+        QVERIFY(std::hypot(moved_m.y(), moved_m.z()) < 5e-3);
+        QTest::keyRelease(&arm.panel, Qt::Key_Shift);
+
+        arm.leadByMouse(0.6);
+        arm.panel.letGo();
+        arm.sample.reference_rad = arm.sample.angle_rad = {0.1, -0.2, 0.3, 1.5};
+        arm.panel.setSample(arm.sample);
+        const Vector3d again_m = arm.tip();
+        arm.look({{0, 0, 0.6}, true, false}, 50);
+        QVERIFY2(arm.tip() == again_m, "its button was not let go");
     }
 
     void anotherScaleMovesNothingByItself() {

@@ -320,7 +320,7 @@ private slots:
         QTest::mouseClick(live.skipButton(), Qt::LeftButton);
         QCOMPARE(live.hole(), std::size_t(1));
         press(0, 6);
-        QTRY_VERIFY_WITH_TIMEOUT(live.stateText().contains("does not count"), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(live.stateText().contains("Lift the stick first"), 60'000);
         shared->waitUntilDrained();
         shared->give(untouched);
         QTRY_VERIFY_WITH_TIMEOUT(live.stateText().contains("Press the stick"), 60'000);
@@ -342,7 +342,7 @@ private slots:
         QTest::keyClick(&calibrator, Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(live.hole(), std::size_t(0));
         press(1, 6);
-        QTRY_VERIFY_WITH_TIMEOUT(live.stateText().contains("does not count"), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(live.stateText().contains("Lift the stick first"), 60'000);
         shared->waitUntilDrained();
         shared->give(untouched);
         QTRY_VERIFY_WITH_TIMEOUT(live.stateText().contains("Press the stick"), 60'000);

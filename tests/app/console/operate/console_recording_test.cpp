@@ -239,6 +239,13 @@ private slots:
         QCOMPARE(item->channel->snapshot().features.force_N, first[1]);
         QTest::keyClick(bar, Qt::Key_PageDown);
         QTRY_VERIFY(std::abs(playback->position().time_s - playback->marks()[0].time_s) < 0.1);
+        // From its end it is played again.
+        playback->setSpeed(0.1);
+        QTest::keyClick(bar, Qt::Key_End);
+        QTRY_COMPARE(playback->position().time_s, playback->position().duration_s);
+        QTest::keyClick(bar, Qt::Key_Space);
+        QTRY_VERIFY(!playback->position().paused &&
+                    playback->position().time_s < playback->position().duration_s);
     }
 
     static std::int64_t firstTime(const recording::Recording& recording, const std::string& name) {
@@ -387,12 +394,20 @@ private slots:
         std::vector<bool> waited;
         connect(&sources, &console::SourceManager::opened, this, [&](pipeline::ChannelKey key) {
             waited.push_back(sources.find(key)->playback()->position().paused);
+            if (waited.size() == 1) { // the bar can be used already
+                sources.find(key)->playback()->setSpeed(0.5);
+                sources.find(key)->playback()->seek(0.5);
+            }
         });
         drop(path);
         QTRY_COMPARE_WITH_TIMEOUT(waited.size(), std::size_t(2), kPatience_ms);
         QCOMPARE(waited, (std::vector<bool>{true, true}));
         for (const console::SourceManager::Item& item : sources.items())
             QTRY_VERIFY_WITH_TIMEOUT(item.displayed > 0 || !item.playback()->position().paused, kPatience_ms);
+        for (const console::SourceManager::Item& item : sources.items()) {
+            QCOMPARE(item.playback()->position().speed, 0.5);
+            QTRY_VERIFY_WITH_TIMEOUT(item.playback()->position().time_s >= 0.5, kPatience_ms);
+        }
 
         // One that is not opened after all holds up no other.
         const auto request = std::get<console::PlaybackRequest>(sources.items().front().request);

@@ -144,6 +144,15 @@ private slots:
         QCOMPARE(trials.back().result.planned.attempt, std::size_t(2));
     }
 
+    void aBraceletThatIsLetGoAfterATrialIsFreeForOthers() {
+        openStudy();
+        beginSession();
+        doTrial();
+        const std::weak_ptr<console::BraceletSession> session = m_station->session();
+        m_station->choose(console::BraceletChoice::none);
+        QTRY_VERIFY_WITH_TIMEOUT(session.expired(), kPatience_ms);
+    }
+
     void aBraceletThatDoesNotAnswerPassesNoCheck_data() { waysNotToAnswer(); }
     void aBraceletThatDoesNotAnswerPassesNoCheck() {
         QFETCH(double, dropShare);
