@@ -5,12 +5,11 @@
 
 namespace teleta::bracelet {
 
-core::Expected<HidBraceletFile> readHidBracelet(const std::string& path) {
-    const auto document = scene::TomlDocument::open(path);
-    if (!document)
-        return core::Unexpected(document.error());
+namespace {
+
+core::Expected<HidBraceletFile> readDocument(const scene::TomlDocument& document) {
     constexpr long long kLargestId = 0xFFFF;
-    scene::TomlTable root = document->root();
+    scene::TomlTable root = document.root();
     (void)root.choice("kind", {"hid_bracelet"});
     HidBraceletFile file;
     file.name = root.text("name");
@@ -19,9 +18,19 @@ core::Expected<HidBraceletFile> readHidBracelet(const std::string& path) {
     if (root.has("serial"))
         file.config.serial = root.text("serial");
     root.finish();
-    if (document->firstError())
-        return core::Unexpected(*document->firstError());
+    if (document.firstError())
+        return core::Unexpected(*document.firstError());
     return file;
+}
+
+} // namespace
+
+core::Expected<HidBraceletFile> readHidBracelet(const std::string& path) {
+    return scene::TomlDocument::open(path).and_then(readDocument);
+}
+
+core::Expected<HidBraceletFile> parseHidBracelet(std::string_view text, const std::string& file) {
+    return scene::TomlDocument::parse(text, file).and_then(readDocument);
 }
 
 } // namespace teleta::bracelet

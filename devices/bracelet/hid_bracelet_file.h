@@ -5,6 +5,7 @@
 #include "devices/bracelet/hid_bracelet_config.h"
 
 #include <string>
+#include <string_view>
 
 namespace teleta::bracelet {
 
@@ -17,5 +18,8 @@ struct HidBraceletFile {
 /// kind = "hid_bracelet", name, vendor_id and product_id (1 .. 65535), serial (without it: the first board
 /// with these ids). Error: notFound, ioFailed, badInput with file, line and column. Thread: any.
 [[nodiscard]] core::Expected<HidBraceletFile> readHidBracelet(const std::string& path);
+/// The same of a text; file: named in errors.
+[[nodiscard]] core::Expected<HidBraceletFile> parseHidBracelet(std::string_view text,
+                                                               const std::string& file);
 
 } // namespace teleta::bracelet

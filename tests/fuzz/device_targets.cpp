@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/bracelet/bracelet_reports.h"
+#include "devices/bracelet/hid_bracelet_file.h"
 #include "devices/modbus/register_map.h"
 #include "devices/mouse3d/mouse3d_reports.h"
 #include "devices/wts/wts_codec.h"
@@ -109,6 +110,17 @@ bool hidReports(Bytes bytes) {
                  identity->maximumRate_Hz > 0 && identity->longestTimeout_ms > 0),
             "an identity makes sense");
     return kind == mouse3d::ReportKind::axes || kind == mouse3d::ReportKind::buttons || report || identity;
+}
+
+bool hidBraceletFile(Bytes bytes) {
+    const core::Expected<bracelet::HidBraceletFile> file = bracelet::parseHidBracelet(textOf(bytes), kInput);
+    if (!file) {
+        requireExplained(file.error());
+        return false;
+    }
+    require(!file->name.empty() && file->config.vendorId > 0 && file->config.productId > 0,
+            "a bracelet has a name and ids");
+    return true;
 }
 
 bool registerMap(Bytes bytes) {

@@ -47,6 +47,7 @@ bool trialJournal(Bytes bytes);
 bool cameraJson(Bytes bytes);
 bool motorProfile(Bytes bytes);
 bool registerMap(Bytes bytes);
+bool hidBraceletFile(Bytes bytes);
 
 // What devices send.
 bool wtsFrames(Bytes bytes);

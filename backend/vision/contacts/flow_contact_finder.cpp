@@ -24,8 +24,9 @@ constexpr double kLeastArea_m2 = 4e-6; ///< of a contact
 constexpr double kSmoothing_px = 2.0;  ///< at full scale, against noise
 constexpr int kDiffers = 4;            ///< grey levels that are more than noise after that smoothing
 constexpr double kFounded_px = 20.0;   ///< at full scale: from a change to what it tells of
-constexpr double kFlowNoise_px = 0.15; ///< of a contact's flow from frame to frame, in the image made small
-constexpr double kDeep = 0.9;          ///< quantile of the inward displacement that is a contact's depth
+/// Of a contact's flow from frame to frame, in the image made small: an upper bound, as that of the dots.
+constexpr double kFlowNoise_px = 0.25;
+constexpr double kDeep = 0.9; ///< quantile of the inward displacement that is a contact's depth
 
 float quantile(std::vector<float>& values, double share) {
     if (values.empty())

@@ -11,6 +11,7 @@
 #include <QAction>
 #include <QFile>
 #include <QMenu>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QStandardPaths>
 #include <QTemporaryDir>
@@ -131,10 +132,13 @@ private slots:
         menu.restore(m_folder.filePath(QStringLiteral("my.toml")));
         QCOMPARE(m_station->choice(), BraceletChoice::file);
         QCOMPARE(m_station->deviceFile(), m_folder.filePath(QStringLiteral("my.toml")));
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.path());
         for (const char* kept : {"file:/kept.toml", "modbus:/kept.toml"}) {
-            menu.restore(QStringLiteral("none"));
-            settings.setBracelet(QLatin1String(kept));
-            menu.restore({});
+            ConsoleSettings written(false);
+            written.setBracelet(QLatin1String(kept));
+            BraceletMenu again(*m_station, written, &window);
+            again.restore(QStringLiteral("none"));
+            again.restore({});
             QCOMPARE(m_station->choice(), BraceletChoice::file);
             QCOMPARE(m_station->deviceFile(), QStringLiteral("/kept.toml"));
         }

@@ -155,29 +155,42 @@ TEST_F(RenderedContacts, areNowhereButWhereTheyPressOnRungsOfTheWholeImage) {
 TEST_F(RenderedContacts, ofASkinThatRestsHaveADepthThatWavesNoMoreThanTheNoiseTheyState) {
     auto tube = simulation::SimulatedTube::make(test::cameraScene(), 5);
     cv::Mat1b frame;
-    (*tube)->untouched(frame);
-    auto finder = makeContactFinder(contactLadder().front(), (*tube)->camera());
-    ASSERT_TRUE(finder && (*finder)->setReference(frame));
-    for (const double z_m : {0.02, 0.05, 0.08}) {
-        const simulation::SkinPress press{.centre = {1.0, z_m}, .ballRadius_m = 0.01, .depth_m = 0.0012};
-        (*finder)->forget();
-        std::vector<double> depths_m;
-        double stated_m = 0.0;
-        for (int i = 0; i < 12; ++i) {
-            (*tube)->pressed({press}, frame);
-            const auto found = (*finder)->find(frame);
-            ASSERT_TRUE(found && !found->empty()) << z_m;
-            depths_m.push_back(found->front().depth_m);
-            stated_m = found->front().depthNoise_m;
+    int judged = 0;
+    cv::Mat1b untouched;
+    (*tube)->untouched(untouched);
+    for (const ContactRung& rung : contactLadder()) {
+        const bool isDots = &rung == &contactLadder().front();
+        if (!isDots && rung.name != "medium-1")
+            continue;
+        auto finder = makeContactFinder(rung, (*tube)->camera());
+        ASSERT_TRUE(finder && (*finder)->setReference(untouched));
+        for (const double z_m : {0.02, 0.05, 0.08}) {
+            const simulation::SkinPress press{.centre = {1.0, z_m}, .ballRadius_m = 0.01, .depth_m = 0.0012};
+            (*finder)->forget();
+            std::vector<double> depths_m;
+            double stated_m = 0.0;
+            for (int i = 0; i < 12; ++i) {
+                (*tube)->pressed({press}, frame);
+                const auto found = (*finder)->find(frame);
+                if (!isDots && found && found->empty())
+                    break; // it sees less than the dots do
+                ASSERT_TRUE(found && !found->empty()) << rung.name << " at " << z_m;
+                depths_m.push_back(found->front().depth_m);
+                stated_m = found->front().depthNoise_m;
+            }
+            if (depths_m.size() < 12)
+                continue;
+            double squares_m2 = 0.0;
+            for (const double depth_m : depths_m)
+                squares_m2 += std::pow(depth_m - mean(depths_m), 2);
+            const double waves_m = std::sqrt(squares_m2 / static_cast<double>(depths_m.size() - 1));
+            std::cout << rung.name << ", z " << 1e3 * z_m << " mm: depth waves by " << 1e6 * waves_m
+                      << " um, " << 1e6 * stated_m << " um stated\n";
+            EXPECT_LT(waves_m, stated_m) << rung.name << " at " << z_m;
+            ++judged;
         }
-        double squares_m2 = 0.0;
-        for (const double depth_m : depths_m)
-            squares_m2 += std::pow(depth_m - mean(depths_m), 2);
-        const double waves_m = std::sqrt(squares_m2 / static_cast<double>(depths_m.size() - 1));
-        std::cout << "z " << 1e3 * z_m << " mm: depth waves by " << 1e6 * waves_m << " um, " << 1e6 * stated_m
-                  << " um stated\n";
-        EXPECT_LT(waves_m, stated_m) << z_m;
     }
+    EXPECT_GE(judged, 4) << "all three of the dots, and one of the dense rung at the least";
 }
 
 TEST_F(RenderedContacts, showNoContactInTwentyFramesOfTheUntouchedSkin) {
