@@ -61,7 +61,8 @@ constexpr double kLargest = 1e12;
 /// Neither NaN nor of another length than 1.
 bool isRotation(const Eigen::Quaterniond& q) {
     constexpr double kTolerance = 1e-3;
-    return std::abs(q.norm() - 1.0) < kTolerance;
+    const double size = q.norm();
+    return std::isfinite(size) && std::abs(size - 1.0) < kTolerance;
 }
 
 core::Unexpected badField(const core::CsvReader& csv, std::size_t column, const QString& message,
