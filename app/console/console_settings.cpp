@@ -2,6 +2,7 @@
 #include "app/console/console_settings.h"
 
 #include <QCryptographicHash>
+#include <QFile>
 #include <QFileInfo>
 
 namespace teleta::console {
@@ -13,6 +14,13 @@ QString recordingGroup(const QString& path) {
     const QByteArray hash =
         QCryptographicHash::hash(QFileInfo(path).absoluteFilePath().toUtf8(), QCryptographicHash::Sha1);
     return QStringLiteral("recordings/") + QString::fromLatin1(hash.toHex().left(16)) + QLatin1Char('/');
+}
+
+/// Before QSettings writes what it could read over it.
+void keepCopy(const QString& damaged) {
+    const QString copy = damaged + QStringLiteral(".damaged");
+    QFile::remove(copy);
+    QFile::copy(damaged, copy);
 }
 
 QStringList withNewest(QStringList files, const QString& path) {
@@ -37,6 +45,8 @@ ConsoleSettings::ConsoleSettings(bool fresh) {
         m_settings.reset();
         return;
     }
+    if (m_settings->status() == QSettings::FormatError)
+        keepCopy(m_settings->fileName());
     m_settings->setValue(QStringLiteral("version"), kVersion);
 }
 
@@ -61,6 +71,8 @@ QStringList ConsoleSettings::list(const QString& key) const {
 }
 
 void ConsoleSettings::addToList(const QString& key, const QString& path) {
+    if (m_settings)
+        m_settings->sync(); // another console may have added one
     set(key, withNewest(list(key), path));
 }
 

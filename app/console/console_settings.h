@@ -14,8 +14,10 @@
 namespace teleta::console {
 
 /// What the console remembers from one start to the next, in an INI file under the user's configuration
-/// folder. Versioned: entries of another version are left alone and the defaults used. Thread: GUI; QSettings
-/// writes the file by itself, atomically.
+/// folder. Versioned: those of older versions are taken over, a newer file is left alone and the defaults
+/// used. Of a damaged file a copy stays beside it (console.ini.damaged), and what can be read is used. Of
+/// several consoles that run each writes what it changed; where that is the same, the last one counts.
+/// Thread: GUI; QSettings writes the file by itself, atomically.
 class ConsoleSettings {
 public:
     static constexpr int kVersion = 1;

@@ -48,7 +48,8 @@ struct SourceDescription {
 
 /// Where a playback stands. Times are the recording's own, from its first frame, in s.
 struct PlaybackPosition {
-    double time_s = 0.0;
+    double time_s = 0.0;     ///< of the frame that is shown
+    double target_s = 0.0;   ///< where it goes on: time_s, or what is sought and not reached yet
     double duration_s = 0.0; ///< grows while the file is still being indexed
     std::uint64_t frame = 0;
     std::uint64_t frames = 0; ///< known so far

@@ -59,11 +59,12 @@ bool PlaybackDesk::waitForRoom(const std::stop_token& stop) {
     return true;
 }
 
-void PlaybackDesk::describe(core::PlaybackPosition& position) const {
+std::optional<double> PlaybackDesk::describe(core::PlaybackPosition& position) const {
     const std::scoped_lock lock(m_mutex);
     position.paused = !m_commands.playing;
     position.speed = m_commands.speed;
     position.loop = m_commands.loop;
+    return m_commands.seek_s ? m_commands.seek_s : m_seeking_s;
 }
 
 } // namespace teleta::replay

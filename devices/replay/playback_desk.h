@@ -56,6 +56,7 @@ public:
     [[nodiscard]] PlaybackCommands take(const Then& whileLocked) {
         const std::scoped_lock lock(m_mutex);
         PlaybackCommands commands = m_commands;
+        m_seeking_s = commands.steps == 0 ? commands.seek_s : std::nullopt;
         m_commands.seek_s.reset();
         m_commands.steps = 0;
         m_commanded = false;
@@ -67,15 +68,17 @@ public:
     /// A moment, for room in a queue. False: stop was asked for.
     [[nodiscard]] bool waitForRoom(const std::stop_token& stop);
 
-    /// Fills in what is commanded.
-    void describe(core::PlaybackPosition& position) const;
+    /// Fills in what is commanded; the time that is sought and may not be reached yet. To be asked before the
+    /// time that is shown is read.
+    [[nodiscard]] std::optional<double> describe(core::PlaybackPosition& position) const;
 
 private:
     std::shared_ptr<core::PacingClock> m_clock;
     mutable std::mutex m_mutex;
     std::condition_variable m_condition;
-    PlaybackCommands m_commands; ///< guarded by m_mutex
-    bool m_commanded = false;    ///< guarded by m_mutex: there is a command that was not taken
+    PlaybackCommands m_commands;       ///< guarded by m_mutex
+    bool m_commanded = false;          ///< guarded by m_mutex: there is a command that was not taken
+    std::optional<double> m_seeking_s; ///< guarded by m_mutex: what was taken last and is under way
 };
 
 } // namespace teleta::replay

@@ -100,9 +100,10 @@ double RecordedWorker::period_ns() const {
 }
 
 core::PlaybackPosition RecordedWorker::position() const {
+    core::PlaybackPosition position;
+    const std::optional<double> sought_s = m_desk.describe(position);
     const std::int64_t shown_ns = m_shown_ns.get();
     const double since_ns = static_cast<double>(shown_ns - m_facts.extent.first_ns);
-    core::PlaybackPosition position;
     position.time_s = static_cast<double>(shown_ns - m_span.first_ns) * 1e-9;
     position.duration_s = static_cast<double>(m_span.last_ns - m_span.first_ns) * 1e-9;
     position.frames = m_facts.extent.frames;
@@ -110,7 +111,7 @@ core::PlaybackPosition RecordedWorker::position() const {
         position.frame =
             std::min(static_cast<std::uint64_t>(std::llround(since_ns / period_ns())), position.frames - 1);
     position.indexed = true;
-    m_desk.describe(position);
+    position.target_s = std::min(sought_s.value_or(position.time_s), position.duration_s);
     return position;
 }
 
@@ -211,8 +212,11 @@ core::Expected<void> RecordedWorker::seekTo(RecordedTrack& frames, RecordedTrack
         if (const auto moved = frames.back(1); !moved)
             return core::Unexpected(moved.error());
     }
-    if (frames.atEnd())
+    if (frames.atEnd()) { // nothing of it can be read
+        anchorAt(wanted_ns, at_ns);
+        m_shown_ns.set(wanted_ns);
         return {};
+    }
     m_jumped = true;
     if (!m_config.span)
         return show(frames, joints, frames.time_ns(), at_ns, stop);
@@ -282,7 +286,8 @@ core::Expected<void> RecordedWorker::playEnd(RecordedTrack& frames, RecordedTrac
         m_desk.waitUntil(end_ns, stop);
         return {};
     }
-    if (m_active.loop) {
+    // An instant would begin anew without end.
+    if (m_active.loop && m_span.last_ns > m_span.first_ns) {
         // The next pass begins when this one ended, not when that was noticed: what is played together
         // notices it at different times.
         const std::int64_t now = now_ns();

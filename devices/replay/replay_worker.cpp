@@ -119,16 +119,17 @@ void ReplayWorker::setLoop(bool loop) {
 }
 
 core::PlaybackPosition ReplayWorker::position() const {
+    core::PlaybackPosition position;
+    const std::optional<double> sought_s = m_desk.describe(position);
     const Shown shown = m_shown.get();
     const FrameIndex::Extent extent = m_index.extent();
-    core::PlaybackPosition position;
     position.time_s = shown.time_s;
     position.frame = shown.frame;
     position.frames = std::max(extent.frames, shown.frame + 1);
     position.duration_s = m_config.rate_Hz ? static_cast<double>(position.frames - 1) / *m_config.rate_Hz
                                            : std::max(extent.lastTime_s - extent.firstTime_s, shown.time_s);
     position.indexed = extent.complete;
-    m_desk.describe(position);
+    position.target_s = std::min(sought_s.value_or(position.time_s), position.duration_s);
     return position;
 }
 

@@ -55,7 +55,7 @@ endfunction()
 function(teleta_test name)
     cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "SOURCES;DEPENDS" ${ARGN})
     if(NOT ARG_TIMEOUT)
-        set(ARG_TIMEOUT 120)
+        set(ARG_TIMEOUT 300)
     endif()
     # A sanitizer takes five to fifteen times as long.
     if(TELETA_SANITIZE)
@@ -75,10 +75,12 @@ endfunction()
 
 # teleta_gui_test(NAME LABEL gui|gl SOURCES ... DEPENDS ...)
 # One Qt Test program. Label gui runs offscreen; label gl runs under Xvfb, since offscreen has no QOpenGLWidget.
+# A check that waits tells its failure after three times its patience only (QTRY_VERIFY_WITH_TIMEOUT): the default
+# leaves time for that.
 function(teleta_gui_test name)
     cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "SOURCES;DEPENDS" ${ARGN})
     if(NOT ARG_TIMEOUT)
-        set(ARG_TIMEOUT 120)
+        set(ARG_TIMEOUT 600)
     endif()
     add_executable(${name} ${ARG_SOURCES})
     set_target_properties(${name} PROPERTIES AUTOMOC ON)

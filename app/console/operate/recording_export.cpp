@@ -88,8 +88,7 @@ RecordingExport::Result RecordingExport::write(const std::string& path, const st
     const auto recording = recording::Recording::open(path);
     if (!recording)
         return core::Unexpected(recording.error());
-    const QString place = QString::fromStdString(folder);
-    const bool isNew = !QFileInfo::exists(place);
+    progress.isNewFolder = !QFileInfo::exists(QString::fromStdString(folder));
     Result files = recording::exportCsv(*recording, folder, {.goOn = [&](double frames, double all) {
         progress.share = all > 0.0 ? frames / all : 0.0;
         return !progress.cancelled;
@@ -97,11 +96,16 @@ RecordingExport::Result RecordingExport::write(const std::string& path, const st
     if (!files || !progress.cancelled)
         return files;
     // A file that is cut short would be taken for a whole one.
-    for (const recording::ExportedFile& file : *files)
-        QFile::remove(QString::fromStdString(file.path));
-    if (isNew)
-        QDir().rmdir(place);
+    discard(*files, folder, progress.isNewFolder);
     return Result();
+}
+
+void RecordingExport::discard(const std::vector<recording::ExportedFile>& files, const std::string& folder,
+                              bool isNewFolder) {
+    for (const recording::ExportedFile& file : files)
+        QFile::remove(QString::fromStdString(file.path));
+    if (isNewFolder)
+        QDir().rmdir(QString::fromStdString(folder));
 }
 
 void RecordingExport::look() {
@@ -110,9 +114,18 @@ void RecordingExport::look() {
             m_dialog->setValue(std::clamp(static_cast<int>(m_progress->share * kPermille), 0, kPermille - 1));
         return;
     }
+    const Result result = m_result.get();
+    if (m_progress->cancelled && result && !result->empty()) {
+        // It was whole before that was seen.
+        m_result = std::async(std::launch::async, [files = *result, folder = m_folder.toStdString(),
+                                                   isNewFolder = m_progress->isNewFolder] {
+            discard(files, folder, isNewFolder);
+            return Result();
+        });
+        return;
+    }
     m_timer.stop();
     std::exchange(m_dialog, nullptr)->deleteLater();
-    const Result result = m_result.get();
     emit busyChanged(false);
     if (!result) {
         emit failed(QFileInfo(m_path).fileName(), result.error());

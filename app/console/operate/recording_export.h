@@ -47,9 +47,13 @@ private:
     struct Progress {
         std::atomic<double> share{0.0};
         std::atomic<bool> cancelled{false};
+        bool isNewFolder = false; ///< once it has ended
     };
     void askForFolder(const QString& path);
     [[nodiscard]] static Result write(const std::string& path, const std::string& folder, Progress& progress);
+    /// Removes what was written.
+    static void discard(const std::vector<recording::ExportedFile>& files, const std::string& folder,
+                        bool isNewFolder);
     void look();
 
     QWidget* m_window;

@@ -107,20 +107,17 @@ void SourceManager::beginPlaybacks() {
         if (std::ranges::any_of(m_items,
                                 [&](const Item& item) { return isOf(item, path) && !item.isOpen(); }))
             continue;
-        // What was done to one of them meanwhile holds for all: where it is, how fast, again and again.
-        const Item& leader = *std::ranges::max_element(m_items, {}, [&](const Item& item) {
-            const bool counts = isOf(item, path);
-            return std::pair(counts ? item.playback()->position().time_s : -1.0,
-                             counts && item.key == m_active);
-        });
-        const core::PlaybackPosition there = leader.playback()->position();
+        // What was asked of them meanwhile holds for all: where, how fast, again and again. The first one was
+        // opened first, so it has heard all of it.
+        const auto leader = std::ranges::find_if(m_items, [&](const Item& item) { return isOf(item, path); });
+        const core::PlaybackPosition there = leader->playback()->position();
         for (Item& item : m_items) {
             if (!isOf(item, path) || !std::exchange(item.waits, false))
                 continue;
             item.playback()->setSpeed(there.speed);
             item.playback()->setLoop(there.loop);
-            if (there.time_s > 0.0)
-                item.playback()->seek(there.time_s);
+            if (there.target_s > 0.0)
+                item.playback()->seek(there.target_s);
             item.playback()->play();
         }
     }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/console_settings.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
+#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -11,6 +13,21 @@
 using teleta::console::ConsoleSettings;
 using teleta::console::RecordingRequest;
 
+namespace {
+
+constexpr char kOtherConsole[] = "--other-console";
+
+/// Another console with the settings of a folder: chooses a page and opens a file.
+int runOtherConsole(const QString& folder) {
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder);
+    ConsoleSettings settings(false);
+    settings.setPage("study");
+    settings.addRecentFile("/somewhere/b.csv");
+    return 0;
+}
+
+} // namespace
+
 /// What the console remembers.
 class ConsoleSettingsTest : public QObject {
     Q_OBJECT
@@ -18,6 +35,15 @@ class ConsoleSettingsTest : public QObject {
     std::unique_ptr<QTemporaryDir> m_folder;
 
     [[nodiscard]] QString file() const { return m_folder->filePath("teleta/console.ini"); }
+    void write(const QByteArray& content) const {
+        QVERIFY(QDir(m_folder->path()).mkpath("teleta"));
+        QFile written(file());
+        QVERIFY(written.open(QIODevice::WriteOnly) && written.write(content) == content.size());
+    }
+    static QByteArray read(const QString& path) {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
 
 private slots:
     void init() {
@@ -70,35 +96,71 @@ private slots:
     }
 
     void leavesTheFileOfANewerVersionAlone() {
-        QVERIFY(QDir(m_folder->path()).mkpath("teleta"));
         const QByteArray newer = "[General]\nversion=99\ntheme=purple\n";
-        {
-            QFile written(file());
-            QVERIFY(written.open(QIODevice::WriteOnly) && written.write(newer) == newer.size());
-        }
+        write(newer);
         {
             ConsoleSettings settings(false);
             QCOMPARE(settings.theme(), QString("system"));
             settings.setTheme("dark");
         }
-        QFile read(file());
-        QVERIFY(read.open(QIODevice::ReadOnly));
-        QCOMPARE(read.readAll(), newer);
+        QCOMPARE(read(file()), newer);
     }
 
-    void startsWithDefaultsFromADamagedFile() {
-        QVERIFY(QDir(m_folder->path()).mkpath("teleta"));
+    /// The oldest files had no version; the first bracelets with a file were Modbus ones.
+    void takesOverTheFileOfAnOlderVersion() {
+        write("[General]\ntheme=dark\nlanguage=fr\nbracelet=modbus:/somewhere/driver.toml\n"
+              "recent=/somewhere/a.csv\n[layout]\noperate=abc\n");
         {
-            QFile written(file());
-            QVERIFY(written.open(QIODevice::WriteOnly));
-            written.write("\x00\xff[[[garbage\nrecent=@Variant(nonsense)\n");
+            const ConsoleSettings settings(false);
+            QCOMPARE(settings.theme(), QString("dark"));
+            QCOMPARE(settings.language(), QString("fr"));
+            QCOMPARE(settings.bracelet(), QString("modbus:/somewhere/driver.toml"));
+            QCOMPARE(settings.recentFiles(), QStringList("/somewhere/a.csv"));
+            QCOMPARE(settings.layout("operate"), QByteArray("abc"));
         }
+        QVERIFY(read(file()).contains("version=1"));
+        QVERIFY(read(file()).contains("theme=dark"));
+        QVERIFY2(!QFile::exists(file() + ".damaged"), "nothing is wrong with it");
+    }
+
+    void readsWhatItCanOfADamagedFileAndKeepsACopyOfIt() {
+        const QByteArray damaged("[General]\ntheme=dark\n\x00\xff[[[garbage\nrecent=@Variant(nonsense)\n",
+                                 59);
+        write(damaged);
+        {
+            ConsoleSettings settings(false);
+            QCOMPARE(settings.theme(), QString("dark"));
+            QCOMPARE(settings.language(), QString());
+            settings.setLanguage("ja");
+        }
+        QCOMPARE(read(file() + ".damaged"), damaged);
+        const ConsoleSettings next(false);
+        QCOMPARE(next.theme(), QString("dark"));
+        QCOMPARE(next.language(), QString("ja"));
+    }
+
+    void twoConsolesLoseNothingOfEachOther() {
         ConsoleSettings settings(false);
-        QCOMPARE(settings.theme(), QString("system"));
-        settings.setTheme("light");
-        QCOMPARE(settings.theme(), QString("light"));
+        settings.setTheme("dark");
+        settings.addRecentFile("/somewhere/a.csv");
+        QProcess other;
+        other.start(QCoreApplication::applicationFilePath(), {kOtherConsole, m_folder->path()});
+        QVERIFY(other.waitForFinished(60'000));
+        QCOMPARE(other.exitCode(), 0);
+        settings.addRecentFile("/somewhere/c.csv");
+        QCOMPARE(settings.recentFiles(),
+                 QStringList({"/somewhere/c.csv", "/somewhere/b.csv", "/somewhere/a.csv"}));
+        QCOMPARE(settings.page(), QString("study"));
+        QCOMPARE(settings.theme(), QString("dark"));
     }
 };
 
-QTEST_GUILESS_MAIN(ConsoleSettingsTest)
+int main(int argc, char* argv[]) {
+    QCoreApplication application(argc, argv);
+    const QStringList arguments = QCoreApplication::arguments();
+    if (arguments.size() == 3 && arguments[1] == QLatin1String(kOtherConsole))
+        return runOtherConsole(arguments[2]);
+    ConsoleSettingsTest test;
+    return QTest::qExec(&test, argc, argv);
+}
 #include "console_settings_test.moc"

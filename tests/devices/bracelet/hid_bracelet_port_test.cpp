@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/core/node_claim.h"
 #include "devices/bracelet/bracelet_reports.h"
 #include "devices/bracelet/hid_bracelet.h"
 #include "devices/bracelet/hid_bracelet_port.h"
+#include "tests/backend/core/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -134,4 +136,17 @@ TEST(HidBracelet, saysThatADeviceCannotBeOpened) {
     ASSERT_FALSE(missing);
     EXPECT_EQ(missing.error().kind, teleta::core::ErrorKind::unavailable);
     EXPECT_NE(missing.error().message.find("/dev/hidraw-that-is-not-there"), std::string::npos);
+}
+
+TEST(HidBracelet, ofAnotherProgramIsNotOpenedAndSaysSo) {
+    const teleta::test::TemporaryFolder folder;
+    const std::string node = folder.write("hidraw", "");
+    const auto other = teleta::core::NodeClaim::take(node);
+    ASSERT_TRUE(other && *other);
+    const auto taken = openHidTransport(node);
+    ASSERT_FALSE(taken);
+    EXPECT_EQ(taken.error().kind, teleta::core::ErrorKind::unavailable);
+    EXPECT_NE(taken.error().message.find("Another program uses the bracelet at " + node), std::string::npos)
+        << taken.error().message;
+    EXPECT_FALSE(taken.error().expected.empty()) << "what to do";
 }

@@ -121,6 +121,32 @@ using Values = std::vector<float>;
 
 } // namespace
 
+TEST_F(RecordedDeviceTest, ASingleFrameThatIsToBeRepeatedEnds) {
+    writeAt({1.0});
+    open();
+    EXPECT_EQ(take(1), Values{0});
+    EXPECT_TRUE(comesTo(core::DeviceState::finished));
+    m_array->setLoop(true);
+    m_array->play();
+    EXPECT_EQ(take(1), Values{0});
+    EXPECT_TRUE(comesTo(core::DeviceState::finished));
+}
+
+TEST_F(RecordedDeviceTest, WhereItGoesOnIsKnownBeforeTheSeekIsCarriedOut) {
+    write(11);
+    open();
+    m_array->pause();
+    m_array->seek(0.3);
+    EXPECT_EQ(m_array->position().target_s, 0.3);
+    EXPECT_TRUE(eventually(m_wakeup, [&] { return m_array->position().time_s == 0.3; }));
+    EXPECT_EQ(m_array->position().target_s, 0.3);
+    m_array->seek(70.0);
+    EXPECT_EQ(m_array->position().target_s, m_array->position().duration_s);
+    m_array->step(-2);
+    EXPECT_TRUE(eventually(m_wakeup, [&] { return m_array->position().target_s < 0.9; }));
+    EXPECT_EQ(m_array->position().target_s, m_array->position().time_s);
+}
+
 TEST_F(RecordedDeviceTest, framesComeWhenTheyAreDueAndTheEndIsTold) {
     write(4);
     open();

@@ -12,7 +12,7 @@ using namespace teleta::recording;
 
 namespace {
 
-constexpr int kPatience_ms = 120'000;
+constexpr int kPatience_ms = 60'000;
 
 /// The times of the frames of the first array; empty while there is no recording.
 std::vector<std::int64_t> timesOf(const QString& path) {

@@ -27,11 +27,12 @@ class RecordingExportTest : public QObject {
     void cancel() { m_window.findChild<QProgressDialog*>()->findChild<QPushButton*>()->click(); }
 
 private slots:
-    /// So long that an export is far from its end when it is cancelled.
+    /// So long that an export is usually far from its end when it is cancelled.
     void initTestCase() {
         recording::RecordingHead head;
         head.start_ns = 1;
-        auto recorder = recording::Recorder::start(recording().toStdString(), head, {.simulatedTime = true});
+        auto recorder = recording::Recorder::start(recording().toStdString(), head,
+                                                   {.simulatedTime = true, .queueBlocks = 10'000});
         QVERIFY(recorder);
         recording::StreamInfo info;
         info.name = "frames";
@@ -40,7 +41,7 @@ private slots:
         info.shape = {16, 16};
         const auto tap = (*recorder)->addStream(info);
         const std::array<float, 256> values{0.1F, 0.2F, 0.3F};
-        for (int i = 0; i < 40'000; ++i)
+        for (int i = 0; i < 10'000; ++i)
             tap->append(1 + i * 1'000'000LL, 0.001 * i, std::span<const float>(values));
         QVERIFY((*recorder)->stop());
     }
@@ -65,6 +66,21 @@ private slots:
         exporter.start(recording(), csv());
         cancel();
         QTRY_VERIFY_WITH_TIMEOUT(!exporter.isBusy(), 60'000);
+        QCOMPARE(QDir(csv()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot), QStringList("mine"));
+    }
+
+    void anExportThatWasWholeWhenItWasCancelledLeavesNoFilesEither() {
+        RecordingExport exporter(&m_window);
+        QSignalSpy finished(&exporter, &RecordingExport::finished);
+        exporter.start(recording(), csv());
+        // No event is handled meanwhile: the window has not seen that it is done.
+        const QFileInfo events(csv() + "/events.csv");
+        for (int wait = 0; wait < 6000 && !QFileInfo::exists(events.filePath()); ++wait)
+            QThread::msleep(10);
+        QVERIFY(QFileInfo::exists(events.filePath()));
+        cancel();
+        QTRY_VERIFY_WITH_TIMEOUT(!exporter.isBusy(), 60'000);
+        QCOMPARE(finished.size(), 0);
         QCOMPARE(QDir(csv()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot), QStringList("mine"));
     }
 

@@ -84,7 +84,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(controller().isRehearsing(), kPatience_ms);
         studyview::ResultsView& results = m_page->resultsView();
         QTRY_VERIFY_WITH_TIMEOUT(!controller().isRehearsing() && results.anovaTable()->rowCount() >= 3,
-                                 60'000);
+                                 120'000);
         QVERIFY(practised);
         QTRY_COMPARE_WITH_TIMEOUT(results.groupTable()->rowCount(), 2, kPatience_ms);
 
@@ -94,7 +94,7 @@ private slots:
         QProcess inR;
         inR.start(QStringLiteral("Rscript"), {QStringLiteral("--vanilla"),
                                               studyFolder() + QStringLiteral("/analysis.R"), studyFolder()});
-        QVERIFY(inR.waitForFinished(60'000));
+        QVERIFY(inR.waitForFinished(120'000));
         QVERIFY2(inR.exitCode() == 0, inR.readAllStandardError().constData());
 
         const auto groupsInR = writtenByR(QStringLiteral("group_r.csv"));
