@@ -4,6 +4,7 @@
 #include "backend/pattern/bake.h"
 #include "backend/pattern/built_in_patterns.h"
 #include "backend/pattern/edit.h"
+#include "backend/pattern/overdriven.h"
 #include "backend/pattern/pattern_folder.h"
 
 #include <QStringList>
@@ -395,6 +396,14 @@ void PatternDocument::bakeAll() {
         apply(std::move(*baked), tr("Bake All"), {});
     else
         emit refused(QString::fromStdString(core::describe(baked.error())));
+}
+
+void PatternDocument::overdrive() {
+    auto helped = overdriven(m_pattern, m_motors);
+    if (helped)
+        apply(std::move(*helped), tr("Overdrive"), {});
+    else
+        emit refused(QString::fromStdString(core::describe(helped.error())));
 }
 
 void PatternDocument::fix(const Finding& finding) {

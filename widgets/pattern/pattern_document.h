@@ -109,6 +109,8 @@ public:
     /// Error text by refused().
     void bakeObject(std::size_t index);
     void bakeAll();
+    /// Helps motors() up, pattern::overdriven. Error text by refused().
+    void overdrive();
     void fix(const pattern::Finding& finding);
 
     void setName(const QString& name);

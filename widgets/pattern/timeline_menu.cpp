@@ -84,6 +84,8 @@ void fillTimelineMenu(QMenu& menu, PatternDocument& document, double playhead_s)
     add(QT_TRANSLATE_NOOP("Timeline", "De&lete"), QKeySequence(Qt::Key_Delete), some,
         [&document] { document.deleteSelection(); });
     menu.addSeparator();
+    add(QT_TRANSLATE_NOOP("Timeline", "O&verdrive: Help the Motors up"), {}, true,
+        [&document] { document.overdrive(); });
     if (!selection.points.empty()) {
         QMenu* curve = menu.addMenu(tr(QT_TRANSLATE_NOOP("Timeline", "C&urve from Here")));
         for (const Easing easing : kEasings)

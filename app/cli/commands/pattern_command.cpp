@@ -10,6 +10,7 @@
 #include "backend/pattern/built_in_patterns.h"
 #include "backend/pattern/law_checker.h"
 #include "backend/pattern/motor_model.h"
+#include "backend/pattern/overdriven.h"
 #include "backend/pattern/pattern_file.h"
 #include "backend/pattern/pattern_format.h"
 #include "backend/pattern/pattern_json.h"
@@ -148,6 +149,12 @@ void PatternCommand::declare(CLI::App& app) {
                                        "Profile of the bracelet's motors, as the page Calibrate saves it")))
             ->type_name("FILE");
     };
+    const auto takesOverdrive = [&](CLI::App* command) {
+        command->add_flag("--overdrive", m_overdrive,
+                          help(QT_TRANSLATE_NOOP("PatternCommand",
+                                                 "Help the motors up: full intensity while they speed up, as "
+                                                 "long as their profile allows")));
+    };
     app.require_subcommand(1);
 
     m_list = part("list", QT_TRANSLATE_NOOP("PatternCommand", "List the built-in patterns"));
@@ -173,6 +180,7 @@ void PatternCommand::declare(CLI::App& app) {
         "--predicted", m_predicted,
         help(QT_TRANSLATE_NOOP("PatternCommand", "What the motors will do; without --motors with an assumed "
                                                  "motor: lag, start and speed are not measured")));
+    takesOverdrive(m_render);
     takesMotors(m_render);
     declareJson(*m_render, m_json);
 
@@ -210,6 +218,7 @@ void PatternCommand::declare(CLI::App& app) {
             help(QT_TRANSLATE_NOOP("PatternCommand", "usb, simulated, or a file that describes a bracelet")))
         ->type_name("WHICH")
         ->capture_default_str();
+    takesOverdrive(m_play);
     takesMotors(m_play);
     m_play
         ->add_option(
@@ -276,13 +285,18 @@ core::Expected<void> PatternCommand::show() const {
     return output.finish();
 }
 
+core::Expected<Pattern> PatternCommand::helped(const pattern::MotorProfiles& profiles) const {
+    core::Expected<Pattern> pattern = pattern::findPattern(m_pattern);
+    return pattern && m_overdrive ? pattern::overdriven(*pattern, profiles) : pattern;
+}
+
 core::Expected<void> PatternCommand::render() const {
-    const core::Expected<Pattern> pattern = pattern::findPattern(m_pattern);
-    if (!pattern)
-        return core::Unexpected(pattern.error());
     const core::Expected<pattern::MotorProfiles> profiles = motors();
     if (!profiles)
         return core::Unexpected(profiles.error());
+    const core::Expected<Pattern> pattern = helped(*profiles);
+    if (!pattern)
+        return core::Unexpected(pattern.error());
     constexpr std::array<std::string_view, 7> kColumns{"time_s", "t1", "t2", "t3", "t4", "t5", "t6"};
     core::Expected<RowOutput> rows = RowOutput::open(kColumns, {m_json, m_outPath});
     if (!rows)
@@ -316,8 +330,11 @@ core::Expected<void> PatternCommand::play() const {
     const core::Expected<Pattern> pattern = pattern::findPattern(m_pattern);
     if (!pattern)
         return core::Unexpected(pattern.error());
-    return playPattern(
-        *pattern, {.device = m_device, .motorsPath = m_motorsPath, .measure_s = m_measure_s, .json = m_json});
+    return playPattern(*pattern, {.device = m_device,
+                                  .motorsPath = m_motorsPath,
+                                  .overdrive = m_overdrive,
+                                  .measure_s = m_measure_s,
+                                  .json = m_json});
 }
 
 core::Expected<void> PatternCommand::convert() const {

@@ -35,6 +35,9 @@ private:
     /// Of --motors; assumed ones without it.
     [[nodiscard]] core::Expected<pattern::MotorProfiles> motors() const;
 
+    /// What m_pattern names, with its motors helped up if that is asked.
+    [[nodiscard]] core::Expected<pattern::Pattern> helped(const pattern::MotorProfiles& profiles) const;
+
     std::string m_pattern;
     std::string m_outPath;
     std::string m_motorsPath;
@@ -43,6 +46,7 @@ private:
     double m_rate_Hz = 200.0;
     std::optional<double> m_convertRate_Hz;
     bool m_predicted = false;
+    bool m_overdrive = false;
     bool m_json = false;
 };
 

@@ -8,6 +8,7 @@
 #include "backend/core/wakeup.h"
 #include "backend/motors/motor_file.h"
 #include "backend/motors/wearer_limits.h"
+#include "backend/pattern/overdriven.h"
 #include "backend/playback/pattern_program.h"
 #include "backend/playback/player.h"
 #include "devices/bracelet/hid_bracelet.h"
@@ -201,7 +202,7 @@ core::Expected<void> print(const core::BraceletSource& bracelet, const playback:
 
 } // namespace
 
-core::Expected<void> playPattern(const pattern::Pattern& pattern, const PlayOptions& options) {
+core::Expected<void> playPattern(const pattern::Pattern& drawn, const PlayOptions& options) {
     core::StopSwitch stop;
     core::Wakeup wakeup;
     auto opened = openBracelet(options.device, stop);
@@ -214,6 +215,9 @@ core::Expected<void> playPattern(const pattern::Pattern& pattern, const PlayOpti
     const auto limits = motors::findLimits(bracelet.description().serial);
     if (!limits)
         return core::Unexpected(limits.error());
+    const auto pattern = options.overdrive ? pattern::overdriven(drawn, *motors) : drawn;
+    if (!pattern)
+        return core::Unexpected(pattern.error());
     bracelet.start(wakeup);
     const std::int64_t begin_ns = core::steadyNow_ns();
     while (bracelet.connection() == 0 && !interrupted() &&
@@ -230,7 +234,7 @@ core::Expected<void> playPattern(const pattern::Pattern& pattern, const PlayOpti
 
     playback::Player player(
         bracelet, stop, {.limits = {.userLimit = limits->strongest}, .ranges = playback::rangesOf(*motors)});
-    player.play(playback::programOf(pattern), options.measure_s.has_value());
+    player.play(playback::programOf(*pattern), options.measure_s.has_value());
     waitFor(player, options.measure_s);
     const Measured program = measuredBy(player);
     if (auto well = endedWell(player.status()); !well)

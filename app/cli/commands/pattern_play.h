@@ -12,6 +12,7 @@ namespace teleta::cli {
 struct PlayOptions {
     std::string device = "usb"; ///< "usb", "simulated", or the file of a Modbus motor driver
     std::string motorsPath;     ///< profile of its motors; empty: that of the bracelet, if there is one
+    bool overdrive = false;     ///< pattern::overdriven by that profile
     std::optional<double> measure_s;
     bool json = false;
 };

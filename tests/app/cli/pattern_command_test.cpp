@@ -127,6 +127,25 @@ TEST(PatternCommand, predictedRowsLagBehindTheCommandedOnes) {
     EXPECT_EQ(rows[100][2], "0");
 }
 
+TEST(PatternCommand, overdriveHelpsTheMotorsUpOnlyWhenItIsAskedFor) {
+    const auto rendered = [](const std::vector<std::string>& more) {
+        std::vector<std::string> words{"pattern", "render", "stiffness.A.static", "--rate", "100"};
+        words.insert(words.end(), more.begin(), more.end());
+        const ProgramResult result = run(words);
+        EXPECT_EQ(result.exitCode, 0) << result.err;
+        return splitCsv(result.out);
+    };
+    const auto plain = rendered({});
+    const auto helped = rendered({"--overdrive"});
+    ASSERT_EQ(plain.size(), helped.size());
+    EXPECT_NE(plain[1][1], "1");
+    EXPECT_EQ(helped[1][1], "1");
+    EXPECT_NEAR(std::stod(helped[100][1]), std::stod(plain[100][1]), 1e-3);
+    // 20 ms after the onset the motors are predicted to be further.
+    EXPECT_GT(std::stod(rendered({"--overdrive", "--predicted"})[3][1]),
+              std::stod(rendered({"--predicted"})[3][1]) + 0.05);
+}
+
 TEST(PatternCommand, convertsBetweenAllFormatsByTheEnding) {
     const TemporaryFolder folder;
     const std::string original = run({"pattern", "render", "shape.E.dynamic", "--rate", "50"}).out;
@@ -204,6 +223,13 @@ TEST(PatternCommand, playsOnASimulatedBraceletAndTellsHowPunctualItWas) {
     EXPECT_LE(document["lateness"]["median_s"], document["lateness"]["longest_s"]);
     EXPECT_GT(document["live"]["setpoints"], 0);
     EXPECT_GT(document["live"]["snapshot_to_frame"]["median_s"], 0.0);
+}
+
+TEST(PatternCommand, playsWithOverdriveOnASimulatedBracelet) {
+    const ProgramResult result = run({"pattern", "play", "stiffness.A.static", "--device", "simulated",
+                                      "--overdrive", "--measure", "0.3", "--json"});
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_GT(ordered_json::parse(result.out, nullptr, false)["frames"], 1);
 }
 
 TEST(PatternCommand, doesNotPlayWithTheMotorsOfAnotherBraceletOrOnNone) {

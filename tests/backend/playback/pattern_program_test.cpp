@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/pattern/overdriven.h"
 #include "backend/playback/pattern_program.h"
 #include "backend/playback/playback_cycle.h"
 #include "tests/backend/playback/scripted_bracelet.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
 
 using namespace teleta;
 
@@ -46,4 +50,37 @@ TEST(PatternProgram, mapsOnlyMotorsThatSomebodyHasMeasured) {
     playback::DriveRanges expected{};
     expected[2] = {0.3, 0.9};
     EXPECT_EQ(playback::rangesOf(motors), expected);
+}
+
+// Help for the motors is asked above the limits like everything else.
+TEST(PatternProgram, anOverdrivenOneStaysBelowTheSafetyLimits) {
+    pattern::Pattern drawn;
+    drawn.duration_s = 2.0;
+    for (pattern::Track& track : drawn.tracks)
+        track = {{0.1, 0.3}, {1.9, 0.3}};
+    const auto helped = pattern::overdriven(drawn, pattern::assumedMotors());
+    ASSERT_TRUE(helped);
+    ASSERT_EQ(pattern::evaluate(*helped, 0.101)[0], 1.0);
+    const auto clock = std::make_shared<test::SetClock>();
+    test::ScriptedBracelet bracelet(clock);
+    core::StopSwitch stop;
+    playback::SafetyLimits limits{.rise_perS = 50.0};
+    limits.userLimit.fill(0.6);
+    playback::PlaybackCycle cycle(bracelet, stop, {.limits = limits, .clock = clock});
+    playback::PlayerCommands commands;
+    commands.start = playback::ProgramRequest{playback::programOf(*helped)};
+    for (std::int64_t next_ns = cycle.run(std::move(commands)); next_ns != core::PacingClock::kNever_ns;
+         next_ns = cycle.run({}))
+        clock->add(next_ns - clock->now_ns());
+    int before = 0;
+    int most = 0;
+    for (const auto& frame : bracelet.written()) {
+        const int now = frame.frame.drive[0];
+        EXPECT_LE(now - before, static_cast<int>(std::ceil(50.0 * 0.005 * 4095.0)));
+        before = now;
+        most = std::max(most, now);
+    }
+    EXPECT_LE(most, static_cast<int>(0.6 * 4095.0));
+    EXPECT_GT(most, static_cast<int>(0.3 * 4095.0)) << "the help arrives";
+    EXPECT_EQ(before, 0);
 }

@@ -69,6 +69,7 @@ private slots:
              }},
             {"bake one", [](auto& d) { d.bakeObject(1); }},
             {"bake all", [](auto& d) { d.bakeAll(); }},
+            {"overdrive", [](auto& d) { d.overdrive(); }},
             {"name", [](auto& d) { d.setName("Other"); }},
             {"notes", [](auto& d) { d.setNotes("n"); }},
             {"tags",
