@@ -7,10 +7,12 @@
 #include "widgets/calibrate/felt_panel.h"
 #include "widgets/calibrate/motor_table.h"
 
+#include <QCoreApplication>
 #include <QEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QShortcut>
@@ -21,6 +23,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -31,6 +34,27 @@ namespace {
 enum Page { kSteps, kFelt, kMeasuring };
 
 using Origin = motors::CalibratedMotor::Origin;
+
+/// Which motors may not be as strong as they can, in the words of the panel that sets it; empty: none.
+QString limitsText(const core::Intensities& strongest) {
+    const auto say = [](const char* words) {
+        return QCoreApplication::translate("teleta::bracelet::StrengthPanel", words);
+    };
+    const auto line = [&](const QString& who, double share) {
+        return who + QStringLiteral(": ") +
+               say("%1 %").arg(QLocale().toString(static_cast<int>(std::lround(100.0 * share))));
+    };
+    const auto [lowest, highest] = std::ranges::minmax(strongest);
+    if (!(lowest < 1.0))
+        return {};
+    if (lowest == highest)
+        return line(say("Strongest, all motors"), lowest);
+    QStringList lines;
+    for (std::size_t i = 0; i < strongest.size(); ++i)
+        if (strongest[i] < 1.0)
+            lines << line(say("Strongest, motor %1").arg(i + 1), strongest[i]);
+    return lines.join(QStringLiteral(", "));
+}
 
 } // namespace
 
@@ -350,14 +374,17 @@ void MotorsView::refresh() {
                                              : tr("calibrated, not saved");
     if (m_facts.reserved)
         state += QStringLiteral(" \u00b7 ") + tr("a study uses the bracelet: its motors stay as they are");
+    if (const QString limits = limitsText(m_facts.strongest); !limits.isEmpty())
+        state += QStringLiteral(" \u00b7 ") + limits;
     if (m_facts.simulated)
         state = tr("SIMULATED") + QStringLiteral(" \u00b7 ") + state;
     m_state->setText(state);
     QPalette colours = palette();
     const base::StatusColours& status = base::statusColours(palette());
     colours.setColor(QPalette::WindowText, m_facts.simulated ? status.simulated
-                                           : measured        ? status.live
-                                                             : status.stale);
+                                           : measured && std::ranges::min(m_facts.strongest) >= 1.0
+                                               ? status.live
+                                               : status.stale);
     m_state->setPalette(colours);
     m_heading->setText(tr("Motor %1").arg(motor + 1));
     const bool idle = !m_measuring && m_felt->task() == nullptr;

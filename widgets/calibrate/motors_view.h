@@ -35,6 +35,8 @@ struct BraceletFacts {
     bool simulated = false;
     bool hasSensor = false;
     std::optional<core::Intensities> speeds_Hz; ///< by its sensor, now
+    /// How strong each motor may be at most: less than 1 weakens what it is measured with.
+    core::Intensities strongest{1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
 
     bool operator==(const BraceletFacts&) const = default;
 };

@@ -88,6 +88,7 @@ void MotorCalibrator::tick() {
         facts.reserved = m_station.isReserved();
         const auto speeds = session->source().motorSpeeds();
         facts.hasSensor = speeds.has_value();
+        facts.strongest = m_station.strongest();
         if (speeds && m_view->isVisible())
             facts.speeds_Hz = speeds->speeds_Hz;
     }

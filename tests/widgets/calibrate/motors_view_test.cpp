@@ -81,6 +81,22 @@ private slots:
         QVERIFY(desk.says("No bracelet"));
     }
 
+    void saysThatTheMotorsMayNotBeAsStrongAsTheyCan() {
+        Desk desk;
+        QVERIFY(!desk.says("Strongest"));
+        BraceletFacts weak = simulatedOne();
+        weak.strongest.fill(0.6);
+        desk.view.setFacts(weak);
+        QVERIFY(desk.says("Strongest, all motors: 60 %"));
+        weak.strongest.fill(1.0);
+        weak.strongest[3] = 0.25;
+        desk.view.setFacts(weak);
+        QVERIFY(desk.says("Strongest, motor 4: 25 %"));
+        QVERIFY(!desk.says("all motors: "));
+        desk.view.setFacts(simulatedOne());
+        QVERIFY(!desk.says("Strongest"));
+    }
+
     void takesAMeasurementShowsItAndUndoesIt() {
         Desk desk;
         QVERIFY(desk.active);
