@@ -256,19 +256,26 @@ void PatternsPage::load(const QString& idOrPath, std::function<void(std::shared_
 }
 
 void PatternsPage::open(const QString& idOrPath) {
-    whenSettled([this, idOrPath] { openNow(idOrPath); });
+    // Until it is read the edits stay what they are: it may turn out that there is nothing to show.
+    settle([this, idOrPath] { openNow(idOrPath); },
+           [this, idOrPath] { openNow(idOrPath, m_editor->document()->revision()); });
 }
 
-void PatternsPage::openNow(const QString& idOrPath) {
+void PatternsPage::openNow(const QString& idOrPath, std::optional<quint64> discarded) {
     // A file takes its time: only what was asked for last is shown, and not over edits made meanwhile.
-    load(idOrPath, [this, idOrPath, number = ++m_asked](const std::shared_ptr<const Pattern>& pattern) {
-        if (number != m_asked)
-            return;
-        whenSettled([this, idOrPath, number, pattern] {
-            if (number == m_asked)
-                showOpened(*pattern, idOrPath);
-        });
-    });
+    load(idOrPath,
+         [this, idOrPath, discarded, number = ++m_asked](const std::shared_ptr<const Pattern>& pattern) {
+             if (number != m_asked)
+                 return;
+             if (discarded == m_editor->document()->revision()) {
+                 showOpened(*pattern, idOrPath);
+                 return;
+             }
+             whenSettled([this, idOrPath, number, pattern] {
+                 if (number == m_asked)
+                     showOpened(*pattern, idOrPath);
+             });
+         });
 }
 
 void PatternsPage::showOpened(const Pattern& pattern, const QString& idOrPath) {
@@ -379,6 +386,14 @@ bool PatternsPage::hasUnsaved() const {
 }
 
 void PatternsPage::whenSettled(std::function<void()> goOn) {
+    settle(goOn, [this, goOn] {
+        m_keeper->forget();
+        m_editor->document()->markSaved(m_editor->document()->path());
+        goOn();
+    });
+}
+
+void PatternsPage::settle(std::function<void()> goOn, std::function<void()> discard) {
     if (!hasUnsaved()) {
         goOn();
         return;
@@ -389,16 +404,15 @@ void PatternsPage::whenSettled(std::function<void()> goOn) {
                                 QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
     ask->setAttribute(Qt::WA_DeleteOnClose);
     ask->setDefaultButton(QMessageBox::Save);
-    connect(ask, &QMessageBox::finished, this, [this, goOn = std::move(goOn)](int answer) {
-        if (answer == QMessageBox::Discard) {
-            m_keeper->forget();
-            m_editor->document()->markSaved(m_editor->document()->path());
-            goOn();
-        } else if (answer == QMessageBox::Save) {
-            m_afterSaving = goOn;
-            save();
-        }
-    });
+    connect(ask, &QMessageBox::finished, this,
+            [this, goOn = std::move(goOn), discard = std::move(discard)](int answer) {
+                if (answer == QMessageBox::Discard) {
+                    discard();
+                } else if (answer == QMessageBox::Save) {
+                    m_afterSaving = goOn;
+                    save();
+                }
+            });
     ask->open();
 }
 

@@ -13,6 +13,7 @@
 #include <QWidget>
 
 #include <functional>
+#include <optional>
 
 class QFileDialog;
 class QLabel;
@@ -76,7 +77,10 @@ private:
     void connectEditor();
     void connectCollection();
     void connectStrength();
-    void openNow(const QString& idOrPath);
+    /// discarded: revision of the edits that may be lost when it has been read.
+    void openNow(const QString& idOrPath, std::optional<quint64> discarded = std::nullopt);
+    /// discard: what is done when the edits may be dropped, in place of dropping them and going on.
+    void settle(std::function<void()> goOn, std::function<void()> discard);
     void showOpened(const pattern::Pattern& pattern, const QString& idOrPath);
     void takeAdded(const QString& path, quint64 revision);
     void showPattern(pattern::Pattern pattern, const QString& path, bool unsaved = false);

@@ -342,6 +342,23 @@ private slots:
         QTRY_COMPARE(document().pattern().id, std::string("mine.edited"));
     }
 
+    void editsThatAreDiscardedForAFileThatCannotBeOpenedAreStillThere() {
+        document().addPoint(0, {0.5, 0.7});
+        document().setName("Mine");
+        QVERIFY(m_page->hasUnsaved());
+        QTRY_VERIFY_WITH_TIMEOUT(!QDir(recovery()).entryList({"*.json"}).isEmpty(), 60'000);
+        QSignalSpy opened(&document(), &editor::PatternDocument::patternOpened);
+        m_page->open(m_folder->filePath("missing.json"));
+        auto* box = m_page->findChild<QMessageBox*>();
+        QVERIFY(box);
+        QTest::mouseClick(box->button(QMessageBox::Discard), Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(m_page->messages().count(), 1, 60'000);
+        QVERIFY(opened.isEmpty());
+        QVERIFY(m_page->hasUnsaved());
+        QCOMPARE(document().pattern().name, std::string("Mine"));
+        QVERIFY(!QDir(recovery()).entryList({"*.json"}).isEmpty());
+    }
+
     void theFileThatWasAskedForLastIsTheOneThatIsShown() {
         const QString slow = m_folder->filePath("slow.json");
         QCOMPARE(mkfifo(qPrintable(slow), 0600), 0);
