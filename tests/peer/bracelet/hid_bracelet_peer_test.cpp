@@ -170,7 +170,7 @@ TEST_F(HidBraceletPeer, isLostWhenItIsUnpluggedWhilePlayingAndZeroWhenItComesBac
     ASSERT_TRUE(eventually([&] { return player.status().ending == playback::PlayerEnding::deviceLost; }));
     ASSERT_TRUE(eventually([&] { return m_bracelet->status().state == core::DeviceState::reconnecting; }));
     EXPECT_FALSE(m_bracelet->status().message.empty());
-    m_board.forgetFrames();
+    ASSERT_TRUE(m_board.forgetWhatWasWritten());
     m_board.plugIn();
     ASSERT_TRUE(eventually([&] { return m_bracelet->status().state == core::DeviceState::live; }));
     EXPECT_EQ(m_bracelet->connection(), 2U);

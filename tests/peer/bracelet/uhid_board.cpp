@@ -27,8 +27,9 @@ std::int64_t now_ns() {
 
 } // namespace
 
-UhidBoard::UhidBoard(std::string serial)
-    : m_serial(std::move(serial)) {
+UhidBoard::UhidBoard(std::string serial, std::uint16_t productId)
+    : m_serial(std::move(serial))
+    , m_productId(productId) {
     if (::pipe2(m_wake.data(), O_CLOEXEC | O_NONBLOCK) != 0)
         throw std::system_error(errno, std::generic_category(), "pipe");
     m_thread = std::jthread([this](const std::stop_token& stop) { run(stop); });
@@ -43,11 +44,22 @@ UhidBoard::~UhidBoard() {
 }
 
 void UhidBoard::plugIn() {
-    m_device.plugIn({"Bracelet of tactors", m_serial, 0x0001, kDescriptor});
+    const std::scoped_lock lock(m_plugMutex);
+    m_device.plugIn({"Bracelet of tactors", m_serial, m_productId, kDescriptor});
+    m_pluggedIn = true;
 }
 
 void UhidBoard::unplug() {
+    const std::scoped_lock lock(m_plugMutex);
+    m_pluggedIn = false;
     m_device.unplug();
+}
+
+template <typename Send>
+void UhidBoard::whilePluggedIn(const Send& send) {
+    const std::scoped_lock lock(m_plugMutex);
+    if (m_pluggedIn)
+        send();
 }
 
 void UhidBoard::setAwake(bool awake) {
@@ -63,6 +75,15 @@ UhidBoard::State UhidBoard::state() const {
 void UhidBoard::forgetFrames() {
     const std::scoped_lock lock(m_mutex);
     m_state.frames.clear();
+}
+
+bool UhidBoard::forgetWhatWasWritten() {
+    // The first one may have begun before.
+    const int before = state().drains;
+    if (!waitFor([&](const State& state) { return state.drains >= before + 2; }))
+        return false;
+    forgetFrames();
+    return true;
 }
 
 void UhidBoard::run(const std::stop_token& stop) {
@@ -92,6 +113,9 @@ void UhidBoard::serve() {
         case UHID_CLOSE: {
             const std::scoped_lock lock(m_mutex);
             m_state.opened = event.type == UHID_OPEN;
+            ++(m_state.opened ? m_state.openings : m_state.closings);
+            if (!m_state.opened && turns(m_state))
+                ++m_state.closedWhileTurning;
             m_changed.notify_all();
             break;
         }
@@ -106,13 +130,16 @@ void UhidBoard::serve() {
             reply.type = UHID_SET_REPORT_REPLY;
             reply.u.set_report_reply.id = event.u.set_report.id;
             reply.u.set_report_reply.err = EIO;
-            m_device.send(reply);
+            whilePluggedIn([&] { m_device.send(reply); });
             break;
         }
         default:
             break;
         }
     }
+    const std::scoped_lock lock(m_mutex);
+    m_state.drains += m_awake ? 1 : 0;
+    m_changed.notify_all();
 }
 
 void UhidBoard::takeFrame(const std::uint8_t* bytes, std::size_t size) {
@@ -146,7 +173,7 @@ void UhidBoard::answer(const Frame& frame, bool timedOut) {
         0x13,
         0x37, // 31.1 degrees
         0x01};
-    m_device.sendInput(report);
+    whilePluggedIn([&] { m_device.sendInput(report); });
 }
 
 void UhidBoard::answerFeature(std::uint32_t request, std::uint8_t report) {
@@ -164,7 +191,7 @@ void UhidBoard::answerFeature(std::uint32_t request, std::uint8_t report) {
     } else {
         reply.err = EIO;
     }
-    m_device.send(event);
+    whilePluggedIn([&] { m_device.send(event); });
 }
 
 void UhidBoard::checkTimeout() {

@@ -1,14 +1,17 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Runs test programs in a small virtual machine that has the kernel's HID stack, or a camera. See README.md.
-#   run_in_vm.sh [--camera] CACHE_FOLDER TEST_PROGRAM... [-- FILES...]
+# Runs test programs in a small virtual machine that has the kernel's HID stack, a camera, or both. See README.md.
+#   run_in_vm.sh [--camera|--console] CACHE_FOLDER TEST_PROGRAM... [-- FILES...]
 set -euo pipefail
 here=$(cd "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
 modules=(hid hid-generic uhid evdev)
 share_usr=
-if [[ ${1:-} == --camera ]]; then
-    modules=(virtio_pci 9pnet_virtio 9p vivid)
-    share_usr=1
+case ${1:-} in
+    --camera) modules=() share_usr=1 ;;
+    --console) share_usr=1 ;;
+esac
+if [[ -n $share_usr ]]; then
+    modules+=(virtio_pci 9pnet_virtio 9p vivid)
     shift
 fi
 # One camera and nothing else of what the driver can play.
@@ -21,7 +24,7 @@ skip() {
 }
 
 if (($# < 2)) || [[ $2 == -- ]]; then
-    printf 'usage: run_in_vm.sh [--camera] CACHE_FOLDER TEST_PROGRAM... [-- FILES...]\n' >&2
+    printf 'usage: run_in_vm.sh [--camera|--console] CACHE_FOLDER TEST_PROGRAM... [-- FILES...]\n' >&2
     exit 2
 fi
 mkdir -p "$1"
