@@ -45,6 +45,7 @@ using pattern::Pattern;
 
 namespace {
 
+constexpr int kPatience_ms = 60'000;
 constexpr char kKeepArgument[] = "--keep-edits-in";
 
 Pattern edited() {
@@ -120,7 +121,7 @@ class PatternsPageTest : public QObject {
         m_page = std::make_unique<PatternsPage>(*m_station, *m_collection, recovery());
         m_page->resize(1500, 900);
         m_page->show();
-        QTRY_VERIFY(m_collection->isRead());
+        QTRY_VERIFY_WITH_TIMEOUT(m_collection->isRead(), kPatience_ms);
     }
 
 private slots:
@@ -146,7 +147,7 @@ private slots:
 
     void aStrokeIsDrawnMendedFeltExportedToHjifAndReadBack() {
         m_station->choose(BraceletChoice::simulated);
-        QTRY_VERIFY(m_station->isReady());
+        QTRY_VERIFY_WITH_TIMEOUT(m_station->isReady(), kPatience_ms);
         editor::PatternEditor& editor = m_page->editor();
         editor::StrokePad& pad = *editor.strokePad();
         m_page->openNew();
@@ -155,11 +156,11 @@ private slots:
         draw(pad, pad.placeOf(3.0, 1.0), pad.placeOf(0.5, 0.0));
         QCOMPARE(document().pattern().objects.size(), std::size_t(2));
         editor::LawList& laws = *editor.laws();
-        QTRY_VERIFY(laws.isChecked() && !laws.findings().empty());
+        QTRY_VERIFY_WITH_TIMEOUT(laws.isChecked() && !laws.findings().empty(), kPatience_ms);
         QVERIFY(laws.findings()[0].law == pattern::Law::sharedPhantoms);
         QVERIFY(laws.fixButton()->isEnabled());
         QTest::mouseClick(laws.fixButton(), Qt::LeftButton);
-        QTRY_VERIFY(laws.isChecked());
+        QTRY_VERIFY_WITH_TIMEOUT(laws.isChecked(), kPatience_ms);
         QVERIFY(std::ranges::none_of(laws.findings(), [](const pattern::Finding& finding) {
             return finding.law == pattern::Law::sharedPhantoms;
         }));
@@ -172,9 +173,9 @@ private slots:
                 strongest = std::max(strongest, intensity);
         });
         QTest::keyClick(editor.timeline(), Qt::Key_Space);
-        QTRY_VERIFY(editor.isPlaying());
-        QTRY_VERIFY(strongest > 0.3);
-        QTRY_VERIFY_WITH_TIMEOUT(!editor.isPlaying(), 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(editor.isPlaying(), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(strongest > 0.3, kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(!editor.isPlaying(), kPatience_ms);
         for (const double intensity : m_station->given())
             QCOMPARE(intensity, 0.0);
 
@@ -187,19 +188,19 @@ private slots:
         for (QAbstractButton* button : buttons->buttons())
             if (buttons->buttonRole(button) == QDialogButtonBox::AcceptRole)
                 QTest::mouseClick(button, Qt::LeftButton);
-        QTRY_VERIFY(m_page->findChild<QFileDialog*>());
+        QTRY_VERIFY_WITH_TIMEOUT(m_page->findChild<QFileDialog*>(), kPatience_ms);
         QVERIFY(typeInto(*m_page, path));
-        QTRY_VERIFY(QFile::exists(path));
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), kPatience_ms);
 
-        QTRY_VERIFY(!m_page->findChild<QDialog*>());
+        QTRY_VERIFY_WITH_TIMEOUT(!m_page->findChild<QDialog*>(), kPatience_ms);
         m_page->activateWindow();
-        QTRY_VERIFY(m_page->isActiveWindow());
+        QTRY_VERIFY_WITH_TIMEOUT(m_page->isActiveWindow(), kPatience_ms);
         QTest::keyClick(editor.timeline(), Qt::Key_S, Qt::ControlModifier);
-        QTRY_VERIFY(!m_page->hasUnsaved());
+        QTRY_VERIFY_WITH_TIMEOUT(!m_page->hasUnsaved(), kPatience_ms);
         QVERIFY(document().path().startsWith(m_folder->filePath("patterns")));
         QSignalSpy opened(&document(), &editor::PatternDocument::patternOpened);
         m_page->open(path);
-        QTRY_COMPARE(opened.size(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, kPatience_ms);
         QVERIFY(document().path().isEmpty()); // edits do not go back into a format that holds less
         for (double t_s = 0.0125; t_s < drawn.duration_s; t_s += 0.025) {
             const core::Intensities before = pattern::evaluate(drawn, t_s);
@@ -215,27 +216,30 @@ private slots:
         m_page->openNew();
         document().setName("Slow wave");
         m_page->save();
-        QTRY_COMPARE(document().path(), m_folder->filePath("patterns/slow-wave.json"));
-        QTRY_VERIFY(mine()->childCount() == 1 && mine()->child(0)->text(0) == "Slow wave");
+        QTRY_COMPARE_WITH_TIMEOUT(document().path(), m_folder->filePath("patterns/slow-wave.json"),
+                                  kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(mine()->childCount() == 1 && mine()->child(0)->text(0) == "Slow wave",
+                                 kPatience_ms);
         const QString path = document().path();
         emit m_page->editor().library()->deleteRequested(path);
-        QTRY_VERIFY(!QFile::exists(path));
-        QTRY_VERIFY(document().path().isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(!QFile::exists(path), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(document().path().isEmpty(), kPatience_ms);
         QVERIFY(m_page->hasUnsaved()); // what is open lives on
-        QTRY_VERIFY(m_collection->patterns().empty());
-        QTRY_VERIFY(m_page->editor().library()->undoButton()->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(m_collection->patterns().empty(), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(m_page->editor().library()->undoButton()->isVisible(), kPatience_ms);
         QTest::mouseClick(m_page->editor().library()->undoButton(), Qt::LeftButton);
-        QTRY_VERIFY(QFile::exists(path));
-        QTRY_COMPARE(m_collection->patterns().size(), std::size_t(1));
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(m_collection->patterns().size(), std::size_t(1), kPatience_ms);
         emit m_page->editor().library()->renameRequested(path, "Fast wave");
-        QTRY_VERIFY(m_collection->atPath(path) && m_collection->atPath(path)->name == "Fast wave");
+        QTRY_VERIFY_WITH_TIMEOUT(
+            m_collection->atPath(path) && m_collection->atPath(path)->name == "Fast wave", kPatience_ms);
         m_collection->undo();
-        QTRY_VERIFY(m_collection->atPath(path)->name == "Slow wave");
+        QTRY_VERIFY_WITH_TIMEOUT(m_collection->atPath(path)->name == "Slow wave", kPatience_ms);
     }
 
     void filesThatAppearAreSeenAndDamagedOnesSayWhy() {
         QVERIFY(pattern::savePattern(edited(), m_folder->filePath("patterns/other.json").toStdString()));
-        QTRY_COMPARE(m_collection->patterns().size(), std::size_t(1));
+        QTRY_COMPARE_WITH_TIMEOUT(m_collection->patterns().size(), std::size_t(1), kPatience_ms);
         QVERIFY(m_collection->program("mine.edited").evaluate);
         QVERIFY(!m_collection->program("nobody").evaluate);
         QVERIFY(m_collection->program("shape.A.static").evaluate);
@@ -243,8 +247,9 @@ private slots:
         QVERIFY(damaged.open(QIODevice::WriteOnly));
         damaged.write("{");
         damaged.close();
-        QTRY_VERIFY(m_collection->patterns().size() == 1 && m_collection->patterns()[0].error);
-        QTRY_VERIFY(mine()->child(0)->toolTip(0).contains("other.json"));
+        QTRY_VERIFY_WITH_TIMEOUT(m_collection->patterns().size() == 1 && m_collection->patterns()[0].error,
+                                 kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(mine()->child(0)->toolTip(0).contains("other.json"), kPatience_ms);
         QVERIFY(!m_collection->program("mine.edited").evaluate);
         QVERIFY(QFile::exists(damaged.fileName()));
     }
@@ -253,33 +258,34 @@ private slots:
         m_page.reset();
         QProcess console;
         console.start(QCoreApplication::applicationFilePath(), {kKeepArgument, recovery()});
-        QTRY_VERIFY_WITH_TIMEOUT(!QDir(recovery()).entryList({"*.json"}).isEmpty(), 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!QDir(recovery()).entryList({"*.json"}).isEmpty(), kPatience_ms);
         openPage();
         // While it runs, its edits are its own.
         QSignalSpy found(&m_page->recovery(), &RecoveryKeeper::found);
         m_page->recovery().look();
-        QTest::qWait(0);
+        m_page.reset(); // which ends its search: later it would take what is to be found below
+        QVERIFY(found.isEmpty());
         console.kill();
         QVERIFY(console.waitForFinished());
         QCOMPARE(console.exitStatus(), QProcess::CrashExit);
         openPage();
         auto* recover = m_page->findChild<QPushButton*>("recover");
-        QTRY_VERIFY(recover->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(recover->isVisible(), kPatience_ms);
         QTest::mouseClick(recover, Qt::LeftButton);
         QVERIFY(document().pattern() == edited());
         QCOMPARE(document().path(), QString("/home/somebody/wave.json"));
         QVERIFY(m_page->hasUnsaved());
         QVERIFY(!recover->isVisible());
         // The old file has gone when the edits are kept anew.
-        QTRY_COMPARE(QDir(recovery()).entryList({"*.json"}).size(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(QDir(recovery()).entryList({"*.json"}).size(), 1, kPatience_ms);
         document().markSaved("x.json");
-        QTRY_VERIFY(QDir(recovery()).entryList({"*.json"}).isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(QDir(recovery()).entryList({"*.json"}).isEmpty(), kPatience_ms);
     }
 
     void editsOfAConsoleThatRunsAreNotOffered() {
         RecoveryKeeper running(recovery());
         running.keep({edited(), "", 1});
-        QTRY_VERIFY(!QDir(recovery()).entryList({"*.json"}).isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(!QDir(recovery()).entryList({"*.json"}).isEmpty(), kPatience_ms);
         RecoveryKeeper other(recovery());
         QSignalSpy found(&other, &RecoveryKeeper::found);
         other.look();
@@ -295,22 +301,22 @@ private slots:
             auto* box = m_page->findChild<QMessageBox*>();
             QVERIFY(box);
             QTest::mouseClick(box->button(button), Qt::LeftButton);
-            QTRY_VERIFY(!m_page->findChild<QMessageBox*>());
+            QTRY_VERIFY_WITH_TIMEOUT(!m_page->findChild<QMessageBox*>(), kPatience_ms);
         };
         m_page->whenSettled([&went] { went = true; });
         answer(QMessageBox::Cancel);
         QVERIFY(!went && m_page->hasUnsaved());
         m_page->whenSettled([&went] { went = true; });
         answer(QMessageBox::Save);
-        QTRY_VERIFY(went);
+        QTRY_VERIFY_WITH_TIMEOUT(went, kPatience_ms);
         QVERIFY(!m_page->hasUnsaved());
-        QTRY_COMPARE(m_collection->patterns().size(), std::size_t(1));
+        QTRY_COMPARE_WITH_TIMEOUT(m_collection->patterns().size(), std::size_t(1), kPatience_ms);
         went = false;
         document().setName("Edited again");
         m_page->whenSettled([&went] { went = true; });
         answer(QMessageBox::Discard);
         QVERIFY(went);
-        QTRY_VERIFY(QDir(recovery()).entryList({"*.json"}).isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(QDir(recovery()).entryList({"*.json"}).isEmpty(), kPatience_ms);
     }
 
     void aFileThatIsReadForLongDoesNotReplaceEditsMadeMeanwhile() {
@@ -325,34 +331,34 @@ private slots:
         document().setName("Mine");
         QVERIFY(m_page->hasUnsaved());
         writeTo(slow, *text);
-        QTRY_VERIFY(m_page->findChild<QMessageBox*>());
+        QTRY_VERIFY_WITH_TIMEOUT(m_page->findChild<QMessageBox*>(), kPatience_ms);
         QVERIFY(opened.isEmpty());
         auto* box = m_page->findChild<QMessageBox*>();
         QTest::mouseClick(box->button(QMessageBox::Cancel), Qt::LeftButton);
-        QTRY_VERIFY(!m_page->findChild<QMessageBox*>());
+        QTRY_VERIFY_WITH_TIMEOUT(!m_page->findChild<QMessageBox*>(), kPatience_ms);
         QVERIFY(opened.isEmpty());
         QCOMPARE(document().pattern().name, std::string("Mine"));
         QVERIFY(m_page->hasUnsaved());
         QVERIFY(document().undoStack()->canUndo());
         m_page->open(slow);
-        QTRY_VERIFY(m_page->findChild<QMessageBox*>());
+        QTRY_VERIFY_WITH_TIMEOUT(m_page->findChild<QMessageBox*>(), kPatience_ms);
         box = m_page->findChild<QMessageBox*>();
         QTest::mouseClick(box->button(QMessageBox::Discard), Qt::LeftButton);
         writeTo(slow, *text);
-        QTRY_COMPARE(document().pattern().id, std::string("mine.edited"));
+        QTRY_COMPARE_WITH_TIMEOUT(document().pattern().id, std::string("mine.edited"), kPatience_ms);
     }
 
     void editsThatAreDiscardedForAFileThatCannotBeOpenedAreStillThere() {
         document().addPoint(0, {0.5, 0.7});
         document().setName("Mine");
         QVERIFY(m_page->hasUnsaved());
-        QTRY_VERIFY_WITH_TIMEOUT(!QDir(recovery()).entryList({"*.json"}).isEmpty(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!QDir(recovery()).entryList({"*.json"}).isEmpty(), kPatience_ms);
         QSignalSpy opened(&document(), &editor::PatternDocument::patternOpened);
         m_page->open(m_folder->filePath("missing.json"));
         auto* box = m_page->findChild<QMessageBox*>();
         QVERIFY(box);
         QTest::mouseClick(box->button(QMessageBox::Discard), Qt::LeftButton);
-        QTRY_COMPARE_WITH_TIMEOUT(m_page->messages().count(), 1, 60'000);
+        QTRY_COMPARE_WITH_TIMEOUT(m_page->messages().count(), 1, kPatience_ms);
         QVERIFY(opened.isEmpty());
         QVERIFY(m_page->hasUnsaved());
         QCOMPARE(document().pattern().name, std::string("Mine"));
@@ -370,7 +376,7 @@ private slots:
         QVERIFY(pattern::savePattern(other, quick.toStdString()));
         m_page->open(slow);
         m_page->open(quick);
-        QTRY_COMPARE(document().pattern().id, std::string("mine.other"));
+        QTRY_COMPARE_WITH_TIMEOUT(document().pattern().id, std::string("mine.other"), kPatience_ms);
         QSignalSpy opened(&document(), &editor::PatternDocument::patternOpened);
         writeTo(slow, *text);
         // On the same pool and from the same thread: when this has come, that has.
@@ -386,8 +392,8 @@ private slots:
         m_page->save();
         document().addPoint(2, {0.5, 0.25});
         m_page->save();
-        QTRY_VERIFY(!m_page->hasUnsaved());
-        QTRY_COMPARE(document().path(), m_folder->filePath("patterns/twice.json"));
+        QTRY_VERIFY_WITH_TIMEOUT(!m_page->hasUnsaved(), kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(document().path(), m_folder->filePath("patterns/twice.json"), kPatience_ms);
         QCOMPARE(QDir(m_folder->filePath("patterns")).entryList({"*.json"}), QStringList("twice.json"));
         const auto saved = pattern::loadPattern(document().path().toStdString());
         QVERIFY(saved);
@@ -404,7 +410,7 @@ private slots:
         QVERIFY(enter.isAccepted());
         QDropEvent drop(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, {});
         QApplication::sendEvent(m_page.get(), &drop);
-        QTRY_COMPARE(pattern::evaluate(document().pattern(), 0.5)[1], 0.5);
+        QTRY_COMPARE_WITH_TIMEOUT(pattern::evaluate(document().pattern(), 0.5)[1], 0.5, kPatience_ms);
         QMimeData other;
         other.setUrls({QUrl::fromLocalFile("/tmp/frames.csv")});
         QDragEnterEvent recording(QPoint(10, 10), Qt::CopyAction, &other, Qt::LeftButton, {});
@@ -425,7 +431,7 @@ private slots:
         QVERIFY(dialog.samples().motors);
         const QString path = m_folder->filePath("a.csv");
         m_page->exportTo(path, dialog.samples());
-        QTRY_VERIFY(QFile::exists(path));
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), kPatience_ms);
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadOnly));
         QCOMPARE(file.readAll().count('\n'), 101); // 2 s at 50 Hz and the header
