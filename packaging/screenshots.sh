@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Makes the pictures of the README from the running console: touches and a contour of a simulated arm, a recorded pressure mat, a
-# simulated array, a simulated camera, a rehearsed study, light and dark. The contour takes four minutes: it is explored in real time.
+# simulated array, a simulated camera and its calibration, a pattern, a rehearsed study, light and dark. The contour takes four minutes:
+# it is explored in real time.
 #   screenshots.sh [FOLDER [WIDTHxHEIGHT]]      default: resources/screenshots 1600x1000
 set -euo pipefail
 source "$(dirname -- "${BASH_SOURCE[0]}")/build_environment.sh"
@@ -31,6 +32,16 @@ trap 'rm -rf -- "$studies"' EXIT
 session=(--study "$studies/session" --rehearse --page study --after 45)
 participant=(--study "$studies/participant" --rehearse --page study --dock participant --after 8)
 results=(--study "$studies/whole" --page study --dock results --after 8)
+"$root/build/release/app/cli/teleta" simulate "$root/resources/scenes/vtacarm-calibration.toml" --out "$studies/camera"
+cat >"$studies/pattern.json" <<'END'
+{"format": "teleta-pattern", "version": 1, "id": "example.edge", "name": "Edge, then around", "task": "shape", "condition": "dynamic",
+ "notes": "A stroke along the edge, around it, two pulses to confirm.", "tags": ["edge", "example"], "duration_s": 4.0,
+ "tracks": [[[3.0, 0], [3.2, 0.6, "ease-in-out"], [3.8, 0]], [], [], [[3.0, 0], [3.2, 0.6, "ease-in-out"], [3.8, 0]], [], []],
+ "objects": [
+  {"type": "stroke", "name": "edge", "start_s": 0.1, "points": [[0, 0, 0.3], [1.1, 4.6, 0.9]], "intensity": 0.9},
+  {"type": "ring", "name": "around", "start_s": 1.3, "duration_s": 1.4, "turns": 4, "first_tactor": 1, "counter_clockwise": true, "intensity": 0.8},
+  {"type": "pulses", "name": "confirm", "start_s": 2.9, "duration_s": 0.9, "period_s": 0.45, "width_s": 0.12, "tactors": [5], "intensity": 0.7}]}
+END
 
 # take NAME ARGUMENTS...
 take() {
@@ -46,7 +57,9 @@ take operate-contour-light "${contour[@]}" --dock contour --theme light
 take operate-camera-dark "${camera[@]}" --theme dark
 take operate-servo-light "${servo[@]}" --theme light
 take operate-touches-dark "${touches[@]}" --dock touches --theme dark
-take patterns-light --page patterns --after 4 --theme light
+take patterns-light --page patterns --pattern "$studies/pattern.json" --after 6 --theme light
+take calibrate-camera-dark --page calibrate --camera-pairs "$studies/camera/pairs.csv" --after 12 --theme dark
+take calibrate-motors-light --page calibrate --after 4 --theme light
 take study-session-light "${session[@]}" --theme light
 take study-participant-light "${participant[@]}" --theme light
 take study-results-dark "${results[@]}" --theme dark
