@@ -137,9 +137,9 @@ TEST_F(RecordedDeviceTest, WhereItGoesOnIsKnownBeforeTheSeekIsCarriedOut) {
     open();
     m_array->pause();
     m_array->seek(0.3);
-    EXPECT_EQ(m_array->position().target_s, 0.3);
-    EXPECT_TRUE(eventually(m_wakeup, [&] { return m_array->position().time_s == 0.3; }));
-    EXPECT_EQ(m_array->position().target_s, 0.3);
+    EXPECT_DOUBLE_EQ(m_array->position().target_s, 0.3);
+    EXPECT_TRUE(eventually(m_wakeup, [&] { return std::abs(m_array->position().time_s - 0.3) < 1e-9; }));
+    EXPECT_DOUBLE_EQ(m_array->position().target_s, 0.3);
     m_array->seek(70.0);
     EXPECT_EQ(m_array->position().target_s, m_array->position().duration_s);
     m_array->step(-2);
