@@ -51,7 +51,6 @@ MarkList::MarkList(QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_hint, 1);
     layout->addWidget(m_table, 1);
-    setFocusProxy(m_table);
     connect(m_table, &QTableWidget::itemChanged, this, [this](QTableWidgetItem* item) {
         const auto row = static_cast<std::size_t>(item->row());
         if (!m_building && item->column() == textColumn && row < m_rows.size())
@@ -111,7 +110,11 @@ void MarkList::rebuild() {
             text->setFlags(flags);
     }
     m_table->setCurrentCell(std::min(current, m_table->rowCount() - 1), textColumn);
+    // Tab ends at a stand-in for a table that is hidden, which takes no focus.
+    setFocusProxy(nullptr);
     m_table->setVisible(!m_rows.empty());
+    if (!m_rows.empty())
+        setFocusProxy(m_table);
     m_hint->setVisible(m_rows.empty());
 }
 

@@ -4,6 +4,7 @@
 #include "widgets/base/theme.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QDataStream>
 #include <QDockWidget>
 #include <QIODevice>
@@ -31,6 +32,18 @@ OperateDocks::OperateDocks(QWidget* parent)
     setDockNestingEnabled(true);
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    connect(qApp, &QApplication::focusChanged, this, &OperateDocks::showFocus);
+}
+
+void OperateDocks::showFocus(const QWidget* before, const QWidget* now) {
+    // Tab also goes into docks behind others. A focus that was driven out of what went is not followed:
+    // nothing comes forward by itself.
+    const bool wasLeft = before != nullptr && before->isEnabled() && before->isVisibleTo(before->window());
+    if (now == nullptr || !wasLeft)
+        return;
+    for (QDockWidget* dock : m_docks)
+        if (dock != nullptr && dock->isAncestorOf(now) && !tabifiedDockWidgets(dock).isEmpty())
+            dock->raise();
 }
 
 void OperateDocks::add(Dock dock, QWidget* view) {

@@ -81,6 +81,7 @@ private:
     void arrange();
     void shareSpace();
     void enableActions();
+    void showFocus(const QWidget* before, const QWidget* now);
 
     std::array<QDockWidget*, kDocks> m_docks{};
     Kind m_kind = Kind::array;

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/main_window.h"
+#include "app/console/operate/operate_page.h"
 #include "widgets/base/theme.h"
 #include "widgets/chrome/page_rail.h"
 
 #include <QAbstractButton>
 #include <QAccessible>
 #include <QApplication>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLineEdit>
 #include <QMainWindow>
 #include <QMenuBar>
 #include <QSet>
@@ -69,6 +73,49 @@ class FocusChainTest : public QObject {
         return found;
     }
 
+    static void checkNames(const std::set<QWidget*>& wanted) {
+        QStringList nameless;
+        for (QWidget* widget : wanted)
+            if (nameOf(widget).isEmpty())
+                nameless << describe(widget);
+        QVERIFY2(nameless.isEmpty(), qPrintable("no accessible name: " + nameless.join("; ")));
+    }
+
+    /// Whether it lies in the window: what is in a dock behind another one is far outside.
+    bool isShown(const QWidget* widget) const {
+        return QRect(QPoint(), m_window->size())
+            .intersects(QRect(widget->mapTo(m_window.get(), QPoint()), widget->size()));
+    }
+
+    /// Tab goes from the first of these to all of them and back to it, and each that it goes to is seen.
+    void walk(const std::set<QWidget*>& wanted) const {
+        (*wanted.begin())->setFocus(Qt::TabFocusReason);
+        std::set<QWidget*> reached;
+        QWidget* last = nullptr;
+        constexpr int kMostStops = 400;
+        for (int i = 0; i < kMostStops; ++i) {
+            QWidget* focus = QApplication::focusWidget();
+            QVERIFY(focus != nullptr);
+            if (focus == last) {
+                // An editor or table may keep Tab for itself: Ctrl+Tab leaves it.
+                QTest::keyClick(focus, Qt::Key_Tab, Qt::ControlModifier);
+                QVERIFY2(QApplication::focusWidget() != focus, qPrintable("a trap: " + describe(focus)));
+                focus = QApplication::focusWidget();
+            }
+            if (reached.contains(focus) && focus == *wanted.begin())
+                break;
+            QTRY_VERIFY2_WITH_TIMEOUT(isShown(focus), qPrintable("not seen: " + describe(focus)), 15'000);
+            reached.insert(focus);
+            last = focus;
+            QTest::keyClick(focus, Qt::Key_Tab);
+        }
+        QStringList missed;
+        for (QWidget* widget : wanted)
+            if (!reached.contains(widget) && widget->isVisible() && widget->isEnabled())
+                missed << describe(widget);
+        QVERIFY2(missed.isEmpty(), qPrintable("not reached by Tab: " + missed.join("; ")));
+    }
+
 private slots:
     void initTestCase() {
         base::applyTheme(base::ThemeChoice::light);
@@ -88,55 +135,67 @@ private slots:
 
     void everythingIsNamedAndTabGoesThere_data() {
         QTest::addColumn<int>("key");
-        QTest::addColumn<bool>("walks");
-        // In Operate, Tab does not leave the last row of the table in the dock Feedback (Shift+Tab does).
-        QTest::newRow("operate") << int(Qt::Key_1) << false;
-        QTest::newRow("patterns") << int(Qt::Key_2) << true;
-        QTest::newRow("study") << int(Qt::Key_3) << true;
-        QTest::newRow("calibrate") << int(Qt::Key_4) << true;
-        QTest::newRow("cost") << int(Qt::Key_5) << true;
+        QTest::newRow("operate") << int(Qt::Key_1);
+        QTest::newRow("patterns") << int(Qt::Key_2);
+        QTest::newRow("study") << int(Qt::Key_3);
+        QTest::newRow("calibrate") << int(Qt::Key_4);
+        QTest::newRow("cost") << int(Qt::Key_5);
     }
     void everythingIsNamedAndTabGoesThere() {
         QFETCH(int, key);
-        QFETCH(bool, walks);
         QTest::keyClick(m_window.get(), static_cast<Qt::Key>(key), Qt::ControlModifier);
         auto* rail = m_window->findChild<chrome::PageRail*>();
         QCOMPARE(rail->currentPage(), QString::fromLatin1(QTest::currentDataTag()));
         QWidget* page = m_window->findChild<QStackedWidget*>()->currentWidget();
         const std::set<QWidget*> wanted = stops(page);
         QVERIFY(wanted.size() > 3);
-        QStringList nameless;
-        for (QWidget* widget : wanted)
-            if (nameOf(widget).isEmpty())
-                nameless << describe(widget);
-        QVERIFY2(nameless.isEmpty(), qPrintable("no accessible name: " + nameless.join("; ")));
-        if (!walks)
+        checkNames(wanted);
+        if (QTest::currentTestFailed())
             return;
+        walk(wanted);
+    }
 
-        (*wanted.begin())->setFocus(Qt::TabFocusReason);
-        std::set<QWidget*> reached;
-        QWidget* last = nullptr;
-        constexpr int kMostStops = 400;
-        for (int i = 0; i < kMostStops; ++i) {
-            QWidget* focus = QApplication::focusWidget();
-            QVERIFY(focus != nullptr);
-            if (focus == last) {
-                // An editor or table may keep Tab for itself: Ctrl+Tab leaves it.
-                QTest::keyClick(focus, Qt::Key_Tab, Qt::ControlModifier);
-                QVERIFY2(QApplication::focusWidget() != focus, qPrintable("a trap: " + describe(focus)));
-                focus = QApplication::focusWidget();
-            }
-            if (reached.contains(focus) && focus == *wanted.begin())
-                break;
-            reached.insert(focus);
-            last = focus;
-            QTest::keyClick(focus, Qt::Key_Tab);
+    void everyDockOfOperateIsNamedAndTabGoesThereAndBringsItForward() {
+        QTest::keyClick(m_window.get(), Qt::Key_1, Qt::ControlModifier);
+        int docks = 0;
+        for (auto* dock : m_window->operatePage().docks().findChildren<QDockWidget*>()) {
+            if (!dock->toggleViewAction()->isEnabled()) // of another kind of source
+                continue;
+            dock->show();
+            dock->raise();
+            ++docks;
+            const std::set<QWidget*> wanted = stops(dock);
+            checkNames(wanted);
+            if (!wanted.empty())
+                walk(wanted);
+            if (QTest::currentTestFailed())
+                return;
         }
-        QStringList missed;
-        for (QWidget* widget : wanted)
-            if (!reached.contains(widget) && widget->isVisible() && widget->isEnabled())
-                missed << describe(widget);
-        QVERIFY2(missed.isEmpty(), qPrintable("not reached by Tab: " + missed.join("; ")));
+        QVERIFY(docks > 5);
+    }
+
+    void aFocusThatIsDrivenOutBringsNothingForward() {
+        QTest::keyClick(m_window.get(), Qt::Key_1, Qt::ControlModifier);
+        auto& docks = m_window->operatePage().docks();
+        auto* front = docks.findChild<QDockWidget*>("jog");
+        auto* behind = docks.findChild<QDockWidget*>("feedback");
+        front->raise();
+        QTRY_VERIFY_WITH_TIMEOUT(isShown(front) && !isShown(behind), 30'000);
+        auto* field = new QLineEdit(front->widget());
+        auto* next = behind->findChild<QComboBox*>();
+        QWidget::setTabOrder(field, next);
+        field->show();
+        field->setFocus(Qt::TabFocusReason);
+        QVERIFY(field->hasFocus());
+        field->setEnabled(false);
+        QVERIFY(next->hasFocus());
+        QVERIFY(isShown(front) && !isShown(behind));
+        field->setEnabled(true);
+        field->setFocus(Qt::TabFocusReason);
+        QTest::keyClick(field, Qt::Key_Tab);
+        QVERIFY(next->hasFocus());
+        QTRY_VERIFY_WITH_TIMEOUT(isShown(behind) && !isShown(front), 30'000);
+        delete field;
     }
 
     void everyMenuOpensByItsLetter() {
