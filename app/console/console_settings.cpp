@@ -71,9 +71,12 @@ QStringList ConsoleSettings::list(const QString& key) const {
 }
 
 void ConsoleSettings::addToList(const QString& key, const QString& path) {
-    if (m_settings)
-        m_settings->sync(); // another console may have added one
+    if (!m_settings)
+        return;
+    // Another console may have added one, and is to find this one.
+    m_settings->sync();
     set(key, withNewest(list(key), path));
+    m_settings->sync();
 }
 
 QStringList ConsoleSettings::deviceFiles() const {

@@ -237,7 +237,10 @@ void MainWindow::onTick() {
 }
 
 void MainWindow::openRequested(const ConsoleOptions& options) {
-    openScenes(options.scenes, options.study);
+    if (options.scenes.isEmpty())
+        openStudy(options.study, options.rehearse);
+    else
+        openScenes(options.scenes, options.study, options.rehearse);
     for (const QString& path : options.files)
         openFile(path);
     for (const ConsoleOptions::Recording& recording : options.recordings)
@@ -248,10 +251,6 @@ void MainWindow::openRequested(const ConsoleOptions& options) {
         openList(options.sourceList);
     if (!options.pattern.isEmpty())
         m_patterns->open(options.pattern);
-    if (options.rehearse)
-        m_study->watchRehearsal(options.study);
-    else if (!options.study.isEmpty() && options.scenes.isEmpty())
-        m_study->open(options.study);
     if (!options.record.isEmpty())
         m_recording->station().start(options.record);
     if (!options.cameraPairs.isEmpty())
@@ -263,12 +262,19 @@ void MainWindow::openDemo() {
 }
 
 void MainWindow::openScene(const QString& path) {
-    openScenes({path}, {});
+    openScenes({path}, {}, false);
 }
 
-/// A scene of a study goes to its page, in a folder of its own or the one that is named; all others are
-/// sources.
-void MainWindow::openScenes(const QStringList& scenes, const QString& studyFolder) {
+void MainWindow::openStudy(const QString& study, bool rehearse) {
+    if (rehearse)
+        m_study->watchRehearsal(study);
+    else if (!study.isEmpty())
+        m_study->open(study);
+}
+
+/// A scene of a study goes to its page, in a folder of its own or the one that is named, and is a rehearsal
+/// already; all others are sources, beside which the study is opened as it would be without them.
+void MainWindow::openScenes(const QStringList& scenes, const QString& study, bool rehearse) {
     const auto read = [scenes] {
         std::vector<std::optional<study::StudyScene>> studies;
         for (const QString& scene : scenes) {
@@ -279,16 +285,20 @@ void MainWindow::openScenes(const QStringList& scenes, const QString& studyFolde
         }
         return studies;
     };
-    runInBackground(this, read, [this, scenes, studyFolder](const auto& studies) {
+    runInBackground(this, read, [this, scenes, study, rehearse](const auto& studies) {
+        bool isOpen = false;
         for (qsizetype i = 0; i < scenes.size(); ++i) {
-            const auto& study = studies[static_cast<std::size_t>(i)];
-            if (!study) {
+            const auto& scene = studies[static_cast<std::size_t>(i)];
+            if (!scene) {
                 m_sources.open(SceneRequest{scenes[i].toStdString(), m_seed});
                 continue;
             }
             showPage(QLatin1String(kStudy));
-            m_study->watchScene(*study, m_seed, studyFolder);
+            m_study->watchScene(*scene, m_seed, study);
+            isOpen = true;
         }
+        if (!isOpen)
+            openStudy(study, rehearse);
     });
 }
 

@@ -82,7 +82,8 @@ private:
     void addRecent(const QString& path);
     void askForFile(const QString& title, const QString& filter, void (MainWindow::*open)(const QString&));
     void openScene(const QString& path);
-    void openScenes(const QStringList& scenes, const QString& studyFolder);
+    void openScenes(const QStringList& scenes, const QString& study, bool rehearse);
+    void openStudy(const QString& study, bool rehearse);
     void openCamera();
     void saveState();
     void showPage(const QString& name);

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <set>
 #include <string_view>
+#include <utility>
 
 namespace teleta::recording {
 
@@ -76,7 +77,13 @@ void writeFrame(core::CsvWriter& csv, const StreamInfo& stream, const core::Tapp
     csv.endRow();
 }
 
-core::Expected<ExportedFile> exportEvents(const Recording& recording, const std::string& path) {
+/// All rows are written; finish() gives the file its name.
+struct WrittenFile {
+    ExportedFile file;
+    core::CsvWriter csv;
+};
+
+core::Expected<WrittenFile> exportEvents(const Recording& recording, const std::string& path) {
     constexpr std::array<std::string_view, 5> kColumns{"time_s", "utc", "event", "text", "value"};
     auto csv = core::CsvWriter::create(path, kColumns);
     if (!csv)
@@ -89,9 +96,7 @@ core::Expected<ExportedFile> exportEvents(const Recording& recording, const std:
         csv->number(event.value);
         csv->endRow();
     }
-    if (const core::Expected<void> done = csv->finish(); !done)
-        return core::Unexpected(done.error());
-    return ExportedFile{path, recording.events().size(), 0};
+    return WrittenFile{{path, recording.events().size(), 0}, std::move(*csv)};
 }
 
 /// Counts frames over all streams.
@@ -117,8 +122,8 @@ private:
     bool m_stopped = false;
 };
 
-core::Expected<ExportedFile> exportStream(const Recording& recording, std::size_t index,
-                                          const std::string& path, Progress& progress) {
+core::Expected<WrittenFile> exportStream(const Recording& recording, std::size_t index,
+                                         const std::string& path, Progress& progress) {
     const StreamInfo& stream = recording.streams()[index];
     const std::vector<std::string> names = columnNames(stream);
     const std::vector<std::string_view> columns(names.begin(), names.end());
@@ -148,9 +153,9 @@ core::Expected<ExportedFile> exportStream(const Recording& recording, std::size_
         file.rows += block.frames();
         progress.add(block.frames());
     }
-    if (const core::Expected<void> done = csv->finish(); !done)
-        return core::Unexpected(done.error());
-    return file;
+    if (csv->failed())
+        return core::Unexpected(csv->finish().error());
+    return WrittenFile{std::move(file), std::move(*csv)};
 }
 
 /// The name of a stream as that of a file.
@@ -179,11 +184,35 @@ std::vector<std::string> filePaths(const Recording& recording, const std::string
     return paths;
 }
 
+core::Expected<std::vector<WrittenFile>>
+writeAll(const Recording& recording, const std::vector<std::string>& paths, const ExportOptions& options) {
+    std::vector<WrittenFile> files;
+    Progress progress(recording, options);
+    for (std::size_t i = 0; i < recording.streams().size(); ++i) {
+        auto file = exportStream(recording, i, paths[i], progress);
+        if (!file)
+            return core::Unexpected(file.error());
+        if (progress.stopped())
+            return core::Unexpected(
+                core::Error{core::ErrorKind::cancelled,
+                            CsvExportText::tr("interrupted; nothing was written").toStdString(),
+                            {},
+                            {recording.path()}});
+        files.push_back(std::move(*file));
+    }
+    auto events = exportEvents(recording, paths.back());
+    if (!events)
+        return core::Unexpected(events.error());
+    files.push_back(std::move(*events));
+    return files;
+}
+
 } // namespace
 
 core::Expected<std::vector<ExportedFile>> exportCsv(const Recording& recording, const std::string& folder,
                                                     const ExportOptions& options) {
     const QString path = QString::fromStdString(folder);
+    const bool isNew = !QFileInfo::exists(path);
     if (!QDir().mkpath(path) || !QFileInfo(path).isWritable())
         return core::Unexpected(
             core::Error{core::ErrorKind::ioFailed,
@@ -199,18 +228,18 @@ core::Expected<std::vector<ExportedFile>> exportCsv(const Recording& recording, 
                         CsvExportText::tr("there is a file of this name already").toStdString(),
                         CsvExportText::tr("another folder").toStdString(),
                         {*there}});
-    std::vector<ExportedFile> files;
-    Progress progress(recording, options);
-    for (std::size_t i = 0; i < recording.streams().size() && !progress.stopped(); ++i) {
-        auto file = exportStream(recording, i, paths[i], progress);
-        if (!file)
-            return core::Unexpected(file.error());
-        files.push_back(std::move(*file));
+    auto written = writeAll(recording, paths, options);
+    if (!written) {
+        if (isNew)
+            QDir().rmdir(path);
+        return core::Unexpected(written.error());
     }
-    auto events = exportEvents(recording, paths.back());
-    if (!events)
-        return core::Unexpected(events.error());
-    files.push_back(std::move(*events));
+    std::vector<ExportedFile> files;
+    for (WrittenFile& each : *written) {
+        if (const core::Expected<void> done = each.csv.finish(); !done)
+            return core::Unexpected(done.error());
+        files.push_back(std::move(each.file));
+    }
     return files;
 }
 

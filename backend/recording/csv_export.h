@@ -19,7 +19,7 @@ struct ExportedFile {
 };
 
 struct ExportOptions {
-    /// Called now and then with the frames so far and of all streams; false ends the export early.
+    /// Called now and then with the frames so far and of all streams; false ends the export.
     std::function<bool(double frames, double allFrames)> goOn = {};
     /// Files that are there already are written over.
     bool overwrite = false;
@@ -33,9 +33,10 @@ struct ExportOptions {
 /// - camera: time_s,frame_time_s,width_px,height_px, the pictures' times
 /// - others: time_s and the stream's own columns; NA where there is no value
 /// - events: time_s,utc,event,text,value
-/// Damaged blocks are left out and counted. Files appear when they are complete. An export that goOn
-/// ended has the rows so far of the stream at hand, no files of those after it, and the events.
-/// Error: ioFailed; refused when there is a file already, and then nothing is written.
+/// Damaged blocks are left out and counted. The files appear together at the end: a file that is cut short,
+/// or the first of several, would be taken for a whole export.
+/// Error: ioFailed; cancelled by goOn; refused when there is a file already. Then nothing is written, and
+/// files that were there stay as they were.
 [[nodiscard]] core::Expected<std::vector<ExportedFile>>
 exportCsv(const Recording& recording, const std::string& folder, const ExportOptions& options = {});
 

@@ -82,11 +82,9 @@ core::Expected<void> ExportCommand::run() {
     ProgressBar progress(ProgressBar::Unit::frames, false);
     recording::ExportOptions options;
     options.overwrite = m_force;
-    bool stopped = false;
     options.goOn = [&](double done, double all) {
         progress.update(done, all);
-        stopped = interrupted();
-        return !stopped;
+        return !interrupted();
     };
     const auto exported = recording::exportCsv(*recording, m_folder, options);
     progress.erase();
@@ -96,11 +94,7 @@ core::Expected<void> ExportCommand::run() {
             error.expected = ExportText::tr("another folder, or --force").toStdString();
         return core::Unexpected(std::move(error));
     }
-    const core::Expected<void> printed =
-        m_json ? printJson(*recording, *exported) : printFiles(*recording, *exported);
-    if (printed && stopped)
-        return core::Unexpected(interruption());
-    return printed;
+    return m_json ? printJson(*recording, *exported) : printFiles(*recording, *exported);
 }
 
 } // namespace teleta::cli

@@ -8,6 +8,7 @@
 #include <QDataStream>
 #include <QDockWidget>
 #include <QIODevice>
+#include <QScreen>
 
 #include <algorithm>
 #include <utility>
@@ -33,6 +34,37 @@ OperateDocks::OperateDocks(QWidget* parent)
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     connect(qApp, &QApplication::focusChanged, this, &OperateDocks::showFocus);
+    // Queued: the window system may place the windows anew itself.
+    connect(qApp, &QGuiApplication::screenRemoved, this, &OperateDocks::bringBack, Qt::QueuedConnection);
+}
+
+QRect OperateDocks::reachablePlace(const QRect& window, const QList<QRect>& screens, const QRect& home,
+                                   QSize grip) {
+    const QRect title(window.topLeft(), QSize(window.width(), grip.height()));
+    const auto isReachable = [&](const QRect& screen) {
+        const QRect seen = screen.intersected(title);
+        return seen.height() >= grip.height() && seen.width() >= std::min(grip.width(), title.width());
+    };
+    if (std::ranges::any_of(screens, isReachable))
+        return window;
+    QRect place(QPoint(), window.size().boundedTo(home.size()));
+    place.moveCenter(home.center());
+    return place;
+}
+
+void OperateDocks::bringBack() {
+    QList<QRect> screens;
+    for (const QScreen* screen : QGuiApplication::screens())
+        screens << screen->availableGeometry();
+    const QSize grip(base::em(this, 6), base::em(this, 1.5));
+    for (QDockWidget* dock : m_docks) {
+        if (dock == nullptr || !dock->isFloating() || !dock->isVisible())
+            continue;
+        const QRect place =
+            reachablePlace(dock->geometry(), screens, window()->screen()->availableGeometry(), grip);
+        if (place != dock->geometry())
+            dock->setGeometry(place);
+    }
 }
 
 void OperateDocks::showFocus(const QWidget* before, const QWidget* now) {
@@ -52,6 +84,8 @@ void OperateDocks::add(Dock dock, QWidget* view) {
     frame->setWidget(view);
     addDockWidget(Qt::LeftDockWidgetArea, frame);
     m_docks[dock] = frame;
+    // One that was closed is opened where it was, which may be nowhere by now.
+    connect(frame, &QDockWidget::visibilityChanged, this, &OperateDocks::bringBack, Qt::QueuedConnection);
 }
 
 void OperateDocks::begin() {

@@ -4,6 +4,8 @@
 #include <QByteArray>
 #include <QList>
 #include <QMainWindow>
+#include <QRect>
+#include <QSize>
 #include <QString>
 #include <QStringList>
 
@@ -47,6 +49,12 @@ public:
     /// Whether a kind of source shows a dock.
     [[nodiscard]] static bool belongs(Kind kind, std::size_t dock);
 
+    /// Where a floating window goes when a screen is gone: where it is as long as its title bar can be
+    /// reached on a screen, else into the middle of `home`, no larger than that. grip: what is enough of a
+    /// title bar.
+    [[nodiscard]] static QRect reachablePlace(const QRect& window, const QList<QRect>& screens,
+                                              const QRect& home, QSize grip);
+
     explicit OperateDocks(QWidget* parent = nullptr);
 
     /// Puts a view into its dock, which owns it; once for each dock, before anything is shown.
@@ -81,6 +89,7 @@ private:
     void arrange();
     void shareSpace();
     void enableActions();
+    void bringBack();
     void showFocus(const QWidget* before, const QWidget* now);
 
     std::array<QDockWidget*, kDocks> m_docks{};

@@ -93,11 +93,9 @@ RecordingExport::Result RecordingExport::write(const std::string& path, const st
         progress.share = all > 0.0 ? frames / all : 0.0;
         return !progress.cancelled;
     }});
-    if (!files || !progress.cancelled)
-        return files;
-    // A file that is cut short would be taken for a whole one.
-    discard(*files, folder, progress.isNewFolder);
-    return Result();
+    // What was cancelled in time has left nothing.
+    const bool isStopped = !files && files.error().kind == core::ErrorKind::cancelled;
+    return isStopped ? Result() : files;
 }
 
 void RecordingExport::discard(const std::vector<recording::ExportedFile>& files, const std::string& folder,

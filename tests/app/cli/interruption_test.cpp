@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <atomic>
 #include <csignal>
 #include <fcntl.h>
@@ -159,4 +160,32 @@ TEST_F(Interruption, leavesNoProgressBarOnTheTerminal) {
     ASSERT_NE(erased, std::string::npos);
     EXPECT_EQ(all.find("MB/s", erased), std::string::npos) << "the message stands on a clean line";
     EXPECT_NE(all.find("teleta: interrupted", erased), std::string::npos) << all;
+}
+
+/// One of its files is a pipe, so that the export cannot come to its end by itself.
+TEST(ExportInterruption, leavesNoFilesOfAnExport) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(teleta::test::run({"simulate", "teleta-touch", "--duration", "3", "--out", folder.path("run")})
+                  .exitCode,
+              0);
+    std::filesystem::create_directory(folder.path("csv"));
+    const std::string pipe = folder.path("csv/frames.csv");
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    const int reader = ::open(pipe.c_str(), O_RDWR | O_CLOEXEC);
+    ASSERT_GE(reader, 0);
+    RunningProgram program(
+        {"export", folder.path("run/recording.teleta"), "--csv", folder.path("csv"), "--force"});
+    std::array<char, 4096> text{};
+    ASSERT_GT(::read(reader, text.data(), text.size()), 0) << "it is in the middle of the frames";
+    program.send(SIGINT);
+    fcntl(reader, F_SETFL, O_NONBLOCK);
+    while (!program.ended())
+        if (::read(reader, text.data(), text.size()) < 0)
+            std::this_thread::yield();
+    ::close(reader);
+    const ProgramResult result = program.wait();
+    EXPECT_EQ(result.exitCode, 1);
+    EXPECT_NE(result.err.find("interrupted"), std::string::npos) << result.err;
+    std::filesystem::remove(pipe);
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path("csv"))) << "also no events.csv";
 }

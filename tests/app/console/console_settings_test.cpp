@@ -124,8 +124,8 @@ private slots:
     }
 
     void readsWhatItCanOfADamagedFileAndKeepsACopyOfIt() {
-        const QByteArray damaged("[General]\ntheme=dark\n\x00\xff[[[garbage\nrecent=@Variant(nonsense)\n",
-                                 59);
+        const QByteArray damaged = QByteArray("[General]\ntheme=dark\n") + '\0' +
+                                   QByteArray("\xff[[[garbage\nrecent=@Variant(nonsense)\n");
         write(damaged);
         {
             ConsoleSettings settings(false);

@@ -2,6 +2,8 @@
 #include "app/console/help/handbook_window.h"
 #include "app/console/main_window.h"
 #include "app/console/operate/operate_page.h"
+#include "app/console/study/study_page.h"
+#include "backend/study/study_store.h"
 #include "widgets/base/theme.h"
 #include "widgets/chrome/device_strip.h"
 #include "widgets/chrome/page_rail.h"
@@ -17,6 +19,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -285,6 +288,47 @@ private slots:
         m_window->sources().close(first);
         QVERIFY(m_window->sources().active() == nullptr);
         QVERIFY(m_window->findChild<QPushButton*>("openDemo")->isVisible());
+    }
+
+    void aStudyIsOpenedOnceWhateverIsAskedForWithIt_data() {
+        QTest::addColumn<QStringList>("scenes");
+        QTest::addColumn<bool>("rehearse");
+        QTest::addColumn<bool>("isOfScene");
+        const QString study = QStringLiteral("study-rehearsal");
+        const QString touch = QStringLiteral("tactile-two-contacts");
+        QTest::newRow("a scene of a study is a rehearsal already") << QStringList(study) << true << true;
+        QTest::newRow("the same beside a source") << QStringList{touch, study} << true << true;
+        QTest::newRow("a rehearsal beside a source") << QStringList(touch) << true << false;
+        QTest::newRow("a study beside a source") << QStringList(touch) << false << false;
+    }
+    void aStudyIsOpenedOnceWhateverIsAskedForWithIt() {
+        QFETCH(QStringList, scenes);
+        QFETCH(bool, rehearse);
+        QFETCH(bool, isOfScene);
+        ConsoleOptions options;
+        options.scenes = scenes;
+        options.rehearse = rehearse;
+        options.study = m_folder.filePath(QTest::currentDataTag());
+        if (!rehearse) {
+            study::StudyHead head;
+            head.protocol = *study::paperProtocol();
+            head.created = QDateTime::currentDateTimeUtc();
+            QVERIFY(study::StudyStore::create(options.study.toStdString(), head));
+        }
+        openWindow(options);
+        auto& page = m_window->studyPage();
+        QSignalSpy opened(&page.controller(), &console::StudyController::opened);
+        QTRY_VERIFY_WITH_TIMEOUT(page.controller().overview().has_value(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(rehearse == page.controller().isRehearsing(), 60'000);
+        const auto& head = page.controller().overview()->head;
+        QCOMPARE(head.plannedParticipants == 1, isOfScene); // as the scene has it
+        QCOMPARE(head.mode, rehearse ? study::Mode::simulated : study::Mode::run);
+        QTRY_COMPARE_WITH_TIMEOUT(m_window->sources().items().size(),
+                                  std::size_t(scenes.contains("tactile-two-contacts") ? 1 : 0), 60'000);
+        QCOMPARE(opened.size(), 1);
+        QCOMPARE(page.messages().count(), 0);
+        QVERIFY(!m_window->anyFailure());
+        page.controller().stopRehearsal();
     }
 
     void closingTheWindowStopsWhateverMoves() {

@@ -118,7 +118,7 @@ TEST_F(CsvExportTest, featuresHaveTheirWordsAndDamagedBlocksAreLeftOutAndCounted
                                                                       "3,NA,1.5\n");
 }
 
-TEST_F(CsvExportTest, anExportThatIsStoppedCompletesItsFileAndBeginsNoOther) {
+TEST_F(CsvExportTest, anExportThatIsStoppedLeavesNoFileAndThoseThatWereThereAsTheyWere) {
     {
         auto recorder = start();
         const auto tap = recorder->addStream(arrayInfo());
@@ -130,15 +130,21 @@ TEST_F(CsvExportTest, anExportThatIsStoppedCompletesItsFileAndBeginsNoOther) {
         ASSERT_TRUE(recorder->stop());
     }
     const auto recording = Recording::open(m_folder.path("run.teleta"));
-    const auto done = exportCsv(*recording, m_folder.path("csv"),
-                                {.goOn = [](double frames, double) { return frames < 2.0; }});
-    ASSERT_TRUE(done) << core::describe(done.error());
-    ASSERT_EQ(done->size(), 2U);
-    EXPECT_EQ(done->at(0).rows, 2U);
-    EXPECT_EQ(readAll(m_folder.path("csv/frames.csv")), "time_s,t0,t1,t2,t3,t4,t5\n0,0,0,0,0,0,0\n"
-                                                        "1e-09,1,0,0,0,0,0\n");
-    EXPECT_TRUE(std::filesystem::exists(m_folder.path("csv/events.csv")));
+    // In the middle of the first stream, at its end, and with the last frame of all.
+    for (const double last : {2.0, 3.0, 4.0}) {
+        const auto done = exportCsv(*recording, m_folder.path("csv"),
+                                    {.goOn = [last](double frames, double) { return frames < last; }});
+        ASSERT_FALSE(done);
+        EXPECT_EQ(done.error().kind, core::ErrorKind::cancelled);
+        EXPECT_FALSE(std::filesystem::exists(m_folder.path("csv"))) << "the folder was made for it";
+    }
+    std::filesystem::create_directory(m_folder.path("csv"));
+    m_folder.write("csv/frames.csv", "of before");
+    EXPECT_FALSE(exportCsv(*recording, m_folder.path("csv"),
+                           {.goOn = [](double frames, double) { return frames < 4.0; }, .overwrite = true}));
+    EXPECT_EQ(readAll(m_folder.path("csv/frames.csv")), "of before");
     EXPECT_FALSE(std::filesystem::exists(m_folder.path("csv/later.csv")));
+    EXPECT_FALSE(std::filesystem::exists(m_folder.path("csv/events.csv")));
 }
 
 TEST_F(CsvExportTest, streamsWhoseFilesWouldHaveOneNameGetNumbers) {

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/operate/operate_docks.h"
+
+#include <QApplication>
+#include <QDataStream>
+#include <QDockWidget>
+#include <QIODevice>
+#include <QScreen>
+#include <QTest>
+
+using teleta::console::OperateDocks;
+
+namespace {
+
+constexpr int kPatience_ms = 15'000;
+
+struct Docks {
+    Docks() {
+        for (std::size_t i = 0; i < OperateDocks::kDocks; ++i)
+            docks.add(static_cast<OperateDocks::Dock>(i), new QWidget);
+        docks.begin();
+        docks.resize(600, 400);
+    }
+    [[nodiscard]] QDockWidget* charts() const { return docks.findChild<QDockWidget*>("charts"); }
+
+    OperateDocks docks;
+};
+
+bool isOnAScreen(const QWidget* window) {
+    for (const QScreen* screen : QGuiApplication::screens())
+        if (screen->geometry().contains(window->geometry().topLeft()))
+            return true;
+    return false;
+}
+
+} // namespace
+
+/// Where docks are.
+class OperateDocksTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aFloatingWindowStaysWhereItsTitleCanBeReached_data() {
+        QTest::addColumn<QRect>("window");
+        QTest::addColumn<QList<QRect>>("screens");
+        QTest::addColumn<QRect>("wanted");
+        const QRect home(0, 0, 1000, 800);
+        const QRect right(1000, 0, 1000, 800);
+        const QRect beside(1200, 100, 400, 300);
+        QTest::newRow("on the other screen") << beside << QList{home, right} << beside;
+        QTest::newRow("the other screen is gone") << beside << QList{home} << QRect(300, 250, 400, 300);
+        const QRect corner(940, 790, 400, 300);
+        QTest::newRow("a corner of its title") << corner << QList{home} << QRect(300, 250, 400, 300);
+        const QRect mostlyOutside(940, 700, 400, 300);
+        QTest::newRow("enough of its title") << mostlyOutside << QList{home} << mostlyOutside;
+        QTest::newRow("its title above the screen")
+            << QRect(100, -50, 400, 300) << QList{home} << QRect(300, 250, 400, 300);
+        QTest::newRow("larger than the screen")
+            << QRect(5000, 0, 1200, 900) << QList{home} << QRect(0, 0, 1000, 800);
+        QTest::newRow("narrower than what is enough")
+            << QRect(10, 10, 30, 300) << QList{home} << QRect(10, 10, 30, 300);
+        QTest::newRow("across two screens")
+            << QRect(900, 10, 300, 300) << QList{home, right} << QRect(900, 10, 300, 300);
+        QTest::newRow("no screen is left") << beside << QList<QRect>() << QRect(300, 250, 400, 300);
+    }
+    void aFloatingWindowStaysWhereItsTitleCanBeReached() {
+        QFETCH(QRect, window);
+        QFETCH(QList<QRect>, screens);
+        QFETCH(QRect, wanted);
+        const QRect place =
+            OperateDocks::reachablePlace(window, screens, QRect(0, 0, 1000, 800), QSize(60, 20));
+        QCOMPARE(place, wanted);
+        // Where it came to it can be reached.
+        if (!screens.isEmpty())
+            QCOMPARE(OperateDocks::reachablePlace(place, screens, QRect(), QSize(60, 20)), place);
+    }
+
+    void aFloatingDockComesBackWhenItsScreenIsGone_data() {
+        QTest::addColumn<bool>("closed");
+        QTest::newRow("shown") << false;
+        QTest::newRow("closed") << true;
+    }
+    void aFloatingDockComesBackWhenItsScreenIsGone() {
+        QFETCH(bool, closed);
+        Docks d;
+        d.docks.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&d.docks));
+        d.charts()->setFloating(true);
+        d.charts()->setGeometry(20'000, 15'000, 300, 200);
+        d.charts()->setVisible(!closed);
+        QVERIFY(!isOnAScreen(d.charts()));
+        // What showing it did is over: the screen goes later.
+        QCoreApplication::sendPostedEvents();
+        d.charts()->setGeometry(20'000, 15'000, 300, 200);
+        emit qGuiApp->screenRemoved(QGuiApplication::primaryScreen());
+        d.charts()->show();
+        QTRY_VERIFY_WITH_TIMEOUT(isOnAScreen(d.charts()), kPatience_ms);
+        QVERIFY(d.charts()->isFloating());
+        QCOMPARE(d.charts()->size(), QSize(300, 200));
+        QVERIFY2(!d.docks.findChild<QDockWidget*>("heatmap")->isFloating(), "the others stay");
+    }
+
+    void aDockThatFloatedOnAScreenThatIsNotThereComesOntoOne() {
+        QByteArray layouts;
+        {
+            Docks before;
+            before.docks.show();
+            before.charts()->setFloating(true);
+            before.charts()->setGeometry(20'000, 15'000, 300, 200);
+            layouts = before.docks.saveLayouts();
+        }
+        Docks d;
+        QVERIFY(d.docks.restoreLayouts(layouts));
+        d.docks.show();
+        QVERIFY(d.charts()->isFloating());
+        QTRY_VERIFY_WITH_TIMEOUT(isOnAScreen(d.charts()), kPatience_ms);
+    }
+
+    void layoutsOfAnotherVersionAreNotRestored_data() {
+        QTest::addColumn<qint32>("difference");
+        QTest::newRow("older") << qint32(-1);
+        QTest::newRow("newer") << qint32(1);
+    }
+    void layoutsOfAnotherVersionAreNotRestored() {
+        QFETCH(qint32, difference);
+        Docks d;
+        d.charts()->close();
+        QByteArray layouts = d.docks.saveLayouts();
+        qint32 version = 0;
+        QDataStream(layouts) >> version;
+        QDataStream(&layouts, QIODevice::ReadWrite) << version + difference;
+        QVERIFY(!d.docks.restoreLayouts(layouts));
+        QVERIFY2(!d.charts()->isHidden(), "the default layout");
+        QDataStream(&layouts, QIODevice::ReadWrite) << version;
+        QVERIFY(d.docks.restoreLayouts(layouts));
+        QVERIFY(d.charts()->isHidden());
+    }
+};
+
+QTEST_MAIN(OperateDocksTest)
+#include "operate_docks_test.moc"
