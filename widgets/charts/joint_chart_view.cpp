@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace teleta::charts {
 
@@ -74,6 +75,18 @@ bool JointChartView::addTouch(const pipeline::TouchRecord& touch) {
 void JointChartView::clear() {
     m_history.clear();
     m_touches.clear();
+    reset();
+}
+
+JointChartView::Content JointChartView::takeContent() {
+    Content taken{std::exchange(m_history, SampleHistory(kJointColumns)), std::exchange(m_touches, {})};
+    reset();
+    return taken;
+}
+
+void JointChartView::setContent(Content content) {
+    m_history = std::move(content.history);
+    m_touches = std::move(content.touches);
     reset();
 }
 

@@ -21,6 +21,16 @@ class JointChartView : public TimeChartView {
 public:
     static constexpr double kShortestSpan_s = 0.05; ///< a quick touch fills the picture
 
+    struct Touch {
+        std::uint64_t number = 0;
+        double from_s = 0.0, to_s = 0.0; ///< chart times
+    };
+    /// Samples and touches of an arm.
+    struct Content {
+        SampleHistory history;
+        std::vector<Touch> touches;
+    };
+
     explicit JointChartView(QWidget* parent = nullptr);
 
     /// Keeps samples; nothing is drawn before refresh().
@@ -29,6 +39,10 @@ public:
     bool addTouch(const pipeline::TouchRecord& touch);
     /// Forgets samples and touches, and goes live.
     void clear();
+    /// Gives away what is shown, to be shown again another time, and goes live.
+    [[nodiscard]] Content takeContent();
+    /// Goes on with what takeContent() gave.
+    void setContent(Content content);
 
     void setWindow(const stiffness::TorqueWindow& window);
     [[nodiscard]] QAction* anglesAction() const { return m_angles; }
@@ -51,11 +65,6 @@ protected:
     [[nodiscard]] QString csv(std::size_t first, std::size_t last) const override;
 
 private:
-    struct Touch {
-        std::uint64_t number = 0;
-        double from_s = 0.0, to_s = 0.0; ///< chart times
-    };
-
     JointChartView(JointPlot* plot, QWidget* parent);
 
     SampleHistory m_history;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace teleta::charts {
 
@@ -106,6 +107,18 @@ void StripChartView::append(std::span<const pipeline::FeatureSample> samples) {
 
 void StripChartView::clear() {
     m_history.clear();
+    m_marks.clear();
+    reset();
+}
+
+FeatureHistory StripChartView::takeHistory() {
+    FeatureHistory taken = std::exchange(m_history, FeatureHistory());
+    clear();
+    return taken;
+}
+
+void StripChartView::setHistory(FeatureHistory history) {
+    m_history = std::move(history);
     m_marks.clear();
     reset();
 }

@@ -30,6 +30,10 @@ public:
     void append(std::span<const pipeline::FeatureSample> samples);
     /// Forgets samples and marks, and goes live.
     void clear();
+    /// Gives away the samples, to be shown again another time. Forgets marks, and goes live.
+    [[nodiscard]] FeatureHistory takeHistory();
+    /// Goes on with samples that takeHistory() gave.
+    void setHistory(FeatureHistory history);
 
     void setLoadUnit(const QString& unit);
 

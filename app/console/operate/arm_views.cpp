@@ -4,7 +4,6 @@
 #include "backend/core/device_state.h"
 #include "backend/core/steady_time.h"
 #include "widgets/bracelet/bracelet_view.h"
-#include "widgets/charts/joint_chart_view.h"
 #include "widgets/touch/contour_view.h"
 #include "widgets/touch/jog_panel.h"
 #include "widgets/touch/run_sheet.h"
@@ -87,11 +86,12 @@ void ArmViews::addTo(OperateDocks& docks) {
 void ArmViews::setArm(std::shared_ptr<pipeline::ArmChannel> arm, base::Provenance provenance) {
     if (m_arm) {
         m_arm->setFeedback(nullptr);
-        m_notes[m_arm] = m_sheet->model().takeNotes();
+        m_kept.insert_or_assign(m_arm, Kept{m_sheet->model().takeNotes(), m_joints->takeContent(),
+                                            std::exchange(m_shownTouches, {})});
     }
     clear();
     m_arm = std::move(arm);
-    std::erase_if(m_notes, [](const auto& entry) { return entry.first.expired(); });
+    std::erase_if(m_kept, [](const auto& entry) { return entry.first.expired(); });
     if (!m_arm) {
         m_jog->setArm(std::nullopt);
         return;
@@ -109,14 +109,22 @@ void ArmViews::setArm(std::shared_ptr<pipeline::ArmChannel> arm, base::Provenanc
     const core::ArrayLayout& skin = m_arm->skin().description().layout;
     m_scene.setSurface(view3d::Surface::cylinder);
     m_scene.setCylinder({.radius_m = description.skin.radius_m, .length_m = skin.columns * skin.pitch_m});
-    if (auto kept = m_notes.extract(m_arm))
-        m_sheet->model().setNotes(std::move(kept.mapped()));
+    // Nothing new may come: a recording that is paused stands as it was left.
+    if (auto kept = m_kept.extract(m_arm)) {
+        m_sheet->model().setNotes(std::move(kept.mapped().notes));
+        m_joints->setContent(std::move(kept.mapped().joints));
+        for (const pipeline::TouchRecord& record : kept.mapped().touches)
+            showTouch(record);
+    }
+    if (m_arm->generation() > 0)
+        show(m_arm->snapshot());
     m_arm->setFeedback(m_bracelet.feedback());
 }
 
 void ArmViews::clear() {
     m_gauge->setTouch(std::nullopt);
     m_touches->clear();
+    m_shownTouches.clear();
     m_sheet->clear();
     m_joints->clear();
     m_contour->clear();
@@ -156,33 +164,43 @@ void ArmViews::tick() {
     while (m_arm->popSample(sample))
         m_samples.push_back(sample);
     m_joints->append(m_samples);
-    showTouches();
+    takeTouches();
     if (m_arm->update()) {
-        const pipeline::ArmSnapshot& snapshot = m_arm->snapshot();
-        m_latency_s = static_cast<double>(core::steadyNow_ns() - snapshot.newest.time_ns) * 1e-9;
-        m_jog->setSample(snapshot.newest);
-        m_jog->setDrive(snapshot.drive);
-        showArm(snapshot);
-        if (snapshot.contour.revision != m_contourRevision)
-            showContour(snapshot.contour);
-        if (snapshot.objectsRevision != m_objectsRevision) {
-            m_objectsRevision = snapshot.objectsRevision;
-            m_sheet->setObjects(snapshot.objects);
-        }
+        m_latency_s = static_cast<double>(core::steadyNow_ns() - m_arm->snapshot().newest.time_ns) * 1e-9;
+        show(m_arm->snapshot());
     }
     m_joints->refresh();
 }
 
-void ArmViews::showTouches() {
+void ArmViews::show(const pipeline::ArmSnapshot& snapshot) {
+    m_jog->setSample(snapshot.newest);
+    m_jog->setDrive(snapshot.drive);
+    showArm(snapshot);
+    if (snapshot.contour.revision != m_contourRevision)
+        showContour(snapshot.contour);
+    if (snapshot.objectsRevision != m_objectsRevision) {
+        m_objectsRevision = snapshot.objectsRevision;
+        m_sheet->setObjects(snapshot.objects);
+    }
+}
+
+void ArmViews::takeTouches() {
     pipeline::TouchRecord record;
     while (m_arm->popTouch(record)) {
-        m_touches->append(record);
         m_joints->addTouch(record);
-        if (record.stiffness)
-            m_gauge->setTouch(record.stiffness);
-        else if (record.refusal)
-            m_gauge->setRefusal(*record.refusal);
+        showTouch(record);
     }
+}
+
+void ArmViews::showTouch(const pipeline::TouchRecord& record) {
+    m_touches->append(record);
+    if (m_shownTouches.size() >= touch::TouchTable::kCapacity)
+        m_shownTouches.erase(m_shownTouches.begin());
+    m_shownTouches.push_back(record);
+    if (record.stiffness)
+        m_gauge->setTouch(record.stiffness);
+    else if (record.refusal)
+        m_gauge->setRefusal(*record.refusal);
 }
 
 void ArmViews::showArm(const pipeline::ArmSnapshot& snapshot) {

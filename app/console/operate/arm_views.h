@@ -8,6 +8,7 @@
 #include "backend/core/stop_switch.h"
 #include "backend/pipeline/arm_channel.h"
 #include "widgets/base/badge.h"
+#include "widgets/charts/joint_chart_view.h"
 #include "widgets/touch/run_sheet_model.h"
 #include "widgets/view3d/scene_types.h"
 
@@ -69,7 +70,16 @@ signals:
     void exportFailed(const QString& message);
 
 private:
-    void showTouches();
+    /// What is kept of an arm that is not looked at.
+    struct Kept {
+        touch::RunSheetModel::Notes notes;
+        charts::JointChartView::Content joints;
+        std::vector<pipeline::TouchRecord> touches;
+    };
+
+    void takeTouches();
+    void showTouch(const pipeline::TouchRecord& record);
+    void show(const pipeline::ArmSnapshot& snapshot);
     void showContour(const pipeline::ExploredContour& contour);
     void showArm(const pipeline::ArmSnapshot& snapshot);
     void clear();
@@ -88,7 +98,8 @@ private:
 
     std::shared_ptr<pipeline::ArmChannel> m_arm;
     /// Of the other open arms, for when they are looked at again.
-    std::map<std::weak_ptr<pipeline::ArmChannel>, touch::RunSheetModel::Notes, std::owner_less<>> m_notes;
+    std::map<std::weak_ptr<pipeline::ArmChannel>, Kept, std::owner_less<>> m_kept;
+    std::vector<pipeline::TouchRecord> m_shownTouches; ///< of this arm, the oldest first
     arm::Arm4Kinematics m_kinematics;
     std::vector<core::JointSample> m_samples; ///< of a tick
     std::uint64_t m_contourRevision = 0;

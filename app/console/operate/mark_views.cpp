@@ -20,7 +20,11 @@ MarkViews::MarkViews(charts::StripChartView& charts, QWidget* parent)
 
 void MarkViews::setSource(const core::PlaybackControl* playback) {
     m_played = playback != nullptr ? playback->marks() : std::vector<core::PlaybackMark>();
-    m_passed.assign(m_played.size(), false);
+    // Those that the charts came by before the source was left are there again.
+    m_charts.clearMarks();
+    m_passed.clear();
+    for (const core::PlaybackMark& mark : m_played)
+        m_passed.push_back(m_charts.addMark(mark.sourceTime_s, QString::fromStdString(mark.text)));
     m_newest.reset();
     m_stale = true;
     showList();

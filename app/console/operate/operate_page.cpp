@@ -20,6 +20,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 #include <variant>
 
 namespace teleta::console {
@@ -269,9 +270,9 @@ std::vector<chrome::DeviceReading> OperatePage::readings() const {
 
 void OperatePage::onActiveChanged() {
     m_latency_s.reset();
-    m_charts->clear();
-    m_marks->setSource(playback());
     SourceManager::Item* item = m_sources.active();
+    changeCharts(item != nullptr ? item->key : 0);
+    m_marks->setSource(playback());
     showArray(item != nullptr && item->channel ? item : nullptr);
     const std::shared_ptr<pipeline::CameraChannel> camera = item != nullptr ? item->camera : nullptr;
     if (camera != m_camera->camera())
@@ -291,6 +292,15 @@ void OperatePage::onActiveChanged() {
                              : OperateDocks::Kind::array);
     m_settings->setEnabled(item != nullptr && item->channel);
     onSourcesChanged();
+}
+
+void OperatePage::changeCharts(pipeline::ChannelKey shown) {
+    if (shown == m_shown)
+        return;
+    m_keptCharts.insert_or_assign(std::exchange(m_shown, shown), m_charts->takeHistory());
+    std::erase_if(m_keptCharts, [this](const auto& kept) { return m_sources.find(kept.first) == nullptr; });
+    if (auto kept = m_keptCharts.extract(shown))
+        m_charts->setHistory(std::move(kept.mapped()));
 }
 
 void OperatePage::showArray(SourceManager::Item* item) {

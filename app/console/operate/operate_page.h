@@ -8,12 +8,14 @@
 #include "app/console/operate/operate_docks.h"
 #include "app/console/operate/servo_views.h"
 #include "app/console/operate/source_manager.h"
+#include "widgets/charts/feature_history.h"
 #include "widgets/chrome/device_strip.h"
 #include "widgets/chrome/message_bar.h"
 #include "widgets/chrome/source_chooser.h"
 
 #include <QWidget>
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -74,6 +76,8 @@ protected:
 
 private:
     void onActiveChanged();
+    /// Charts that were left stay as they were until they are looked at again.
+    void changeCharts(pipeline::ChannelKey shown);
     void onSourcesChanged();
     void onBraceletFailed(const core::Error& error);
     void connectPlayback();
@@ -108,6 +112,8 @@ private:
     std::uint64_t m_settingsRevision = 0;
     std::optional<double> m_latency_s;
     std::vector<pipeline::ChannelKey> m_reportedLost;
+    pipeline::ChannelKey m_shown = 0; ///< whose samples the charts have
+    std::map<pipeline::ChannelKey, charts::FeatureHistory> m_keptCharts;
 };
 
 } // namespace teleta::console

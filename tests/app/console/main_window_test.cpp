@@ -5,6 +5,7 @@
 #include "app/console/study/study_page.h"
 #include "backend/study/study_store.h"
 #include "widgets/base/theme.h"
+#include "widgets/charts/strip_chart_view.h"
 #include "widgets/chrome/device_strip.h"
 #include "widgets/chrome/page_rail.h"
 #include "widgets/chrome/playback_bar.h"
@@ -288,6 +289,32 @@ private slots:
         m_window->sources().close(first);
         QVERIFY(m_window->sources().active() == nullptr);
         QVERIFY(m_window->findChild<QPushButton*>("openDemo")->isVisible());
+    }
+
+    void aPausedRecordingIsAsItWasLeftAfterALookAtAnotherSource() {
+        ConsoleOptions options = replay(writeRecording("paused.csv"));
+        options.scenes << QStringLiteral(":/scenes/tactile-two-contacts.toml");
+        openWindow(options);
+        const auto& items = m_window->sources().items();
+        QTRY_VERIFY_WITH_TIMEOUT(items.size() == 2 && items[0].isOpen() && items[1].isOpen(), 60'000);
+        const std::size_t played = items[0].playback() != nullptr ? 0 : 1;
+        const auto recording = items[played].key;
+        const auto other = items[1 - played].key;
+        m_window->sources().activate(recording);
+        auto* playback = items[played].playback();
+        playback->setLoop(true);
+        playback->play();
+        const charts::FeatureHistory& history = child<charts::StripChartView>()->history();
+        QTRY_VERIFY_WITH_TIMEOUT(history.size() > 3, 60'000);
+        playback->pause();
+        QTRY_VERIFY_WITH_TIMEOUT(playback->position().paused, 60'000);
+        const auto before = history.size();
+        m_window->sources().activate(other);
+        QVERIFY(history.empty());
+        QTRY_VERIFY_WITH_TIMEOUT(!history.empty(), 60'000);
+        m_window->sources().activate(recording);
+        QVERIFY(history.size() >= before);
+        QVERIFY(items[played].channel->generation() > 0);
     }
 
     void aStudyIsOpenedOnceWhateverIsAskedForWithIt_data() {

@@ -182,14 +182,22 @@ private slots:
         const auto& sheet = child<touch::RunSheet>()->model();
         QTRY_COMPARE_WITH_TIMEOUT(sheet.rowCount(), 1, 30'000);
         child<touch::RunSheet>()->model().rename(sheet.object(0).number, QStringLiteral("post"));
+        const int touches = child<touch::TouchTable>()->touches();
+        const auto samples = child<charts::JointChartView>()->history().size();
+        QVERIFY(touches > 0 && samples > 0);
         const auto armKey = m_window->sources().items().front().key;
         ConsoleOptions other;
         other.scenes = {QStringLiteral(":/scenes/tactile-indenter.toml")};
         m_window->openRequested(other);
         QTRY_COMPARE_WITH_TIMEOUT(sheet.rowCount(), 0, 20'000);
         QVERIFY(!child<touch::RunSheet>()->model().undoStack().canUndo());
+        QCOMPARE(child<touch::TouchTable>()->touches(), 0);
+        QVERIFY(child<charts::JointChartView>()->history().empty());
+        // At once: of a recording that is paused nothing new comes.
         m_window->sources().activate(armKey);
-        QTRY_COMPARE_WITH_TIMEOUT(sheet.rowCount(), 1, 20'000);
+        QCOMPARE(child<touch::TouchTable>()->touches(), touches);
+        QVERIFY(child<charts::JointChartView>()->history().size() >= samples);
+        QCOMPARE(sheet.rowCount(), 1);
         QCOMPARE(sheet.nameOf(sheet.object(0).number), QStringLiteral("post"));
         QVERIFY(child<touch::RunSheet>()->model().undoStack().canUndo());
     }
