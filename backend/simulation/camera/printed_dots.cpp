@@ -33,26 +33,36 @@ void PrintedDots::misprint(const scene::MarkerPrintErrorSpec& error, RandomStrea
 
 PrintedDots::Rim PrintedDots::nearest(const SkinPlace& place) const {
     // A misprint is small against the pitch, so the nearest dot is one of the two nearest of the nearest
-    // rings.
-    const int ring = static_cast<int>(std::floor((place.z_m - m_firstRing_m) / m_ringStep_m));
+    // rings. Several times a pixel: neither a division nor a call of the library.
+    const int ring = static_cast<int>((place.z_m - m_firstRing_m) / m_ringStep_m + 1.0) - 1;
+    const double angle_rad = wrapped_rad(place.angle_rad);
+    const double steps = angle_rad / m_step_rad + m_around;
     Rim best{.distance_m = 1.0};
+    double bestAround_m = 1.0;
+    double bestAlong_m = 0.0;
+    double bestCentre_m = 1.0;
     for (int r = std::max(ring, 0); r <= std::min(ring + 1, m_rings - 1); ++r) {
-        const int i = static_cast<int>(std::floor(place.angle_rad / m_step_rad - 0.5 * (r % 2)));
-        for (int k = i; k <= i + 1; ++k) {
-            const int wrapped = ((k % m_around) + m_around) % m_around;
-            const Dot& dot = m_dots[static_cast<std::size_t>(r * m_around + wrapped)];
-            double turn_rad = place.angle_rad - dot.place.angle_rad;
-            turn_rad -= 2.0 * std::numbers::pi * std::floor(turn_rad / (2.0 * std::numbers::pi) + 0.5);
-            const double around_m = m_tubeRadius_m * turn_rad;
+        int i = static_cast<int>(steps - 0.5 * (r % 2));
+        if (i >= m_around)
+            i -= m_around;
+        const Dot* dots = &m_dots[static_cast<std::size_t>(r * m_around)];
+        for (int k = 0; k < 2; ++k) {
+            const Dot& dot = dots[i];
+            if (++i == m_around)
+                i = 0;
+            const double around_m = m_tubeRadius_m * wrapped_rad(angle_rad - dot.place.angle_rad);
             const double along_m = place.z_m - dot.place.z_m;
-            const double distance_m = std::sqrt(around_m * around_m + along_m * along_m);
-            if (distance_m - dot.radius_m < best.distance_m) {
-                best.distance_m = distance_m - dot.radius_m;
-                best.aroundDirection = distance_m > 0.0 ? around_m / distance_m : 1.0;
-                best.alongDirection = distance_m > 0.0 ? along_m / distance_m : 0.0;
+            const double centre_m = std::sqrt(around_m * around_m + along_m * along_m);
+            if (centre_m - dot.radius_m < best.distance_m) {
+                best.distance_m = centre_m - dot.radius_m;
+                bestAround_m = around_m;
+                bestAlong_m = along_m;
+                bestCentre_m = centre_m;
             }
         }
     }
+    best.aroundDirection = bestCentre_m > 0.0 ? bestAround_m / bestCentre_m : 1.0;
+    best.alongDirection = bestCentre_m > 0.0 ? bestAlong_m / bestCentre_m : 0.0;
     return best;
 }
 

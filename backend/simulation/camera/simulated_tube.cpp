@@ -43,6 +43,20 @@ vision::CameraParameters ideal(const scene::TubeCamera& camera) {
     return parameters;
 }
 
+/// Parts that overlap become one, so that nothing is drawn twice.
+void addPart(std::vector<cv::Rect>& parts, cv::Rect part) {
+    for (auto other = parts.begin(); other != parts.end();) {
+        if ((*other & part).empty()) {
+            ++other;
+            continue;
+        }
+        part |= *other;
+        parts.erase(other);
+        other = parts.begin();
+    }
+    parts.push_back(part);
+}
+
 class Stopwatch {
 public:
     explicit Stopwatch(double& total_s)
@@ -130,10 +144,10 @@ FingerTruth SimulatedTube::fingerAt(std::size_t finger, double time_s) const {
     truth.press.centre = {
         std::remainder(std::atan2(ball_m.y(), ball_m.x()) - tube.turn_rad, 2.0 * std::numbers::pi),
         pose.x_m - tube.along_m};
-    const SphereImprint imprint(spec.radius_m, truth.press.depth_m, m_world.skin.reach_m);
-    truth.touches = imprint.deepest_m() > 0.0 && truth.press.centre.z_m >= m_world.skin.begin_m &&
+    truth.contactRadius_m =
+        SphereImprint::contactRadius_m(spec.radius_m, truth.press.depth_m, m_world.skin.reach_m);
+    truth.touches = truth.contactRadius_m > 0.0 && truth.press.centre.z_m >= m_world.skin.begin_m &&
                     truth.press.centre.z_m <= m_world.skin.begin_m + m_world.skin.length_m;
-    truth.contactRadius_m = imprint.contactRadius_m();
     truth.p_Sensor_Centre_m = {radius_m * std::cos(truth.press.centre.angle_rad),
                                radius_m * std::sin(truth.press.centre.angle_rad), truth.press.centre.z_m};
     return truth;
@@ -199,45 +213,60 @@ void SimulatedTube::pressed(const std::vector<SkinPress>& presses, cv::Mat1b& fr
 }
 
 void SimulatedTube::expose(const std::vector<std::vector<SkinPress>>& moments, cv::Mat1b& frame) {
-    if (!m_drawn.empty())
-        m_renderer->atRest()(m_drawn).copyTo(m_image(m_drawn));
+    for (const cv::Rect& part : m_drawn)
+        m_renderer->atRest()(part).copyTo(m_image(part));
     std::vector<SkinDeformation> deformations;
-    m_drawn = {};
+    m_drawn.clear();
     for (const std::vector<SkinPress>& presses : moments) {
         deformations.emplace_back(m_world.skin.radius_m, m_world.skin.reach_m);
         deformations.back().set(presses);
-        const cv::Rect reach = m_renderer->reach(deformations.back());
-        m_drawn = m_drawn.empty() ? reach : m_drawn | reach;
+        for (const cv::Rect& part : m_renderer->reach(deformations.back()))
+            addPart(m_drawn, part);
     }
-    if (!m_drawn.empty() && moments.size() == 1) {
-        m_renderer->draw(deformations.front(), m_drawn, m_image);
-    } else if (!m_drawn.empty()) {
+    for (const cv::Rect& part : m_drawn) {
+        if (moments.size() == 1) {
+            m_renderer->draw(deformations.front(), part, m_image);
+            continue;
+        }
         for (TimedEffect& timed : m_effects) {
             if (timed.effect->moments() <= 1)
                 continue;
             const Stopwatch stopwatch(timed.time_s);
             m_part.create(m_image.size());
-            m_sum.create(m_drawn.size());
+            m_sum.create(part.size());
             m_sum.setTo(0.0F);
             for (const SkinDeformation& deformation : deformations) {
-                m_renderer->draw(deformation, m_drawn, m_part);
-                m_sum += m_part(m_drawn);
+                m_renderer->draw(deformation, part, m_part);
+                m_sum += m_part(part);
             }
             m_sum *= 1.0 / static_cast<double>(deformations.size());
-            m_sum.copyTo(m_image(m_drawn));
+            m_sum.copyTo(m_image(part));
         }
     }
-    cv::Mat1f* finished = &m_image;
-    for (TimedEffect& timed : m_effects) {
-        const Stopwatch stopwatch(timed.time_s);
-        if (timed.effect->changesFrame() && finished == &m_image) {
-            m_image.copyTo(m_part);
-            finished = &m_part;
-        }
-        if (timed.effect->changesFrame())
-            timed.effect->changeFrame(*finished);
+    finish(frame);
+}
+
+void SimulatedTube::finish(cv::Mat1b& frame) {
+    const auto changes = [](const TimedEffect& timed) { return timed.effect->changesRows(); };
+    if (std::ranges::none_of(m_effects, changes)) {
+        m_image.convertTo(frame, CV_8U);
+        return;
     }
-    finished->convertTo(frame, CV_8U);
+    // A few rows at a time stay in the processor's cache from one step to the next.
+    constexpr int kRows = 16;
+    frame.create(m_image.size());
+    for (int v = 0; v < m_image.rows; v += kRows) {
+        const cv::Range rows(v, std::min(v + kRows, m_image.rows));
+        m_image.rowRange(rows).copyTo(m_rows);
+        for (TimedEffect& timed : m_effects) {
+            if (!changes(timed))
+                continue;
+            const Stopwatch stopwatch(timed.time_s);
+            timed.effect->changeRows(m_rows);
+        }
+        cv::Mat1b finished = frame.rowRange(rows);
+        m_rows.convertTo(finished, CV_8U);
+    }
 }
 
 std::vector<EffectTime> SimulatedTube::effectTimes() const {

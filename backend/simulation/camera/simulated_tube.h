@@ -68,6 +68,8 @@ private:
     void drag(FingerTruth& now, const FingerTruth& before) const;
     /// moments[i]: the presses at the i-th moment of the exposure.
     void expose(const std::vector<std::vector<SkinPress>>& moments, cv::Mat1b& frame);
+    /// The image as the sensor gives it.
+    void finish(cv::Mat1b& frame);
 
     scene::CameraWorld m_world;
     double m_rate_Hz;
@@ -78,8 +80,8 @@ private:
     CarrierArm m_arm;
     std::vector<FingerTruth> m_truth;
     std::uint64_t m_frame = 0;
-    cv::Mat1f m_image, m_part, m_sum;
-    cv::Rect m_drawn; ///< part of m_image that is not at rest
+    cv::Mat1f m_image, m_part, m_sum, m_rows;
+    std::vector<cv::Rect> m_drawn; ///< parts of m_image that are not at rest
 };
 
 } // namespace teleta::simulation

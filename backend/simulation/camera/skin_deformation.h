@@ -25,6 +25,14 @@ struct SkinPress {
     double dragAlong_m = 0.0; ///< and along z
 };
 
+/// The same angle in -pi .. pi, of one within three half turns.
+[[nodiscard]] inline double wrapped_rad(double angle_rad) {
+    constexpr double kPi = std::numbers::pi;
+    if (angle_rad > kPi)
+        return angle_rad - 2.0 * kPi;
+    return angle_rad < -kPi ? angle_rad + 2.0 * kPi : angle_rad;
+}
+
 /// The skin under all presses, in closed form. Depths and drags of several presses add up.
 /// Thread: any (const).
 class SkinDeformation {

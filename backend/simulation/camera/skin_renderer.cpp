@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/simulation/camera/skin_renderer.h"
 
+#include "backend/simulation/camera/skin_rays.h"
+
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 namespace teleta::simulation {
@@ -12,7 +14,6 @@ namespace teleta::simulation {
 namespace {
 
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
-constexpr double kTurn_rad = 2.0 * std::numbers::pi;
 
 // Grey levels of the tube's ends, the painted skin and the dots.
 constexpr float kHousing = 24.0F;
@@ -22,12 +23,9 @@ constexpr float kInk = 45.0F;
 constexpr double kSample_m = 0.00025; ///< a pixel that sees more of the skin is sampled more than once
 constexpr double kBeyondEnds_m = 0.03;
 constexpr int kMostSamples = 8;
-constexpr int kMarchSteps = 8;
-constexpr int kSecantSteps = 5;
-
-double wrapped(double angle_rad) {
-    return angle_rad - kTurn_rad * std::floor(angle_rad / kTurn_rad + 0.5);
-}
+constexpr double kLongestStep_m = 0.004; ///< across the rim of what is hidden there is no footprint
+constexpr std::uint8_t kAtRest = 0;
+constexpr std::uint8_t kMoved = 1;
 
 } // namespace
 
@@ -54,17 +52,17 @@ SkinRenderer::SkinRenderer(const vision::CylinderCamera& camera, const scene::Ca
                 place = {static_cast<float>(std::atan2(hit->y(), hit->x())), static_cast<float>(hit->z())};
         }
     }
-    draw(SkinDeformation(skin.radius_m, skin.reach_m), {0, 0, m_place.cols, m_place.rows}, m_atRest);
+    drawAtRest();
 }
 
 void SkinRenderer::setLight(const cv::Mat1f& light) {
     m_light = light.clone();
-    draw(SkinDeformation(m_skin.radius_m, m_skin.reach_m), {0, 0, m_place.cols, m_place.rows}, m_atRest);
+    drawAtRest();
 }
 
-cv::Rect SkinRenderer::reach(const SkinDeformation& deformation) const {
+std::vector<cv::Rect> SkinRenderer::reach(const SkinDeformation& deformation) const {
     constexpr int kSteps = 24;
-    cv::Rect all;
+    std::vector<cv::Rect> all;
     for (const SkinDeformation::Press& press : deformation.presses()) {
         // The surface stands into the tube, where it hides what is further away.
         const double influence_m = press.imprint.influence_m();
@@ -98,145 +96,113 @@ cv::Rect SkinRenderer::reach(const SkinDeformation& deformation) const {
                            static_cast<int>(std::floor(top)) - kMargin,
                            static_cast<int>(std::ceil(right - left)) + 2 * kMargin + 1,
                            static_cast<int>(std::ceil(bottom - top)) + 2 * kMargin + 1);
-        all = all.empty() ? box : all | box;
+        if (const cv::Rect inside = box & cv::Rect(0, 0, m_place.cols, m_place.rows); !inside.empty())
+            all.push_back(inside);
     }
-    return all & cv::Rect(0, 0, m_place.cols, m_place.rows);
-}
-
-SkinPlace SkinRenderer::seen(const SkinDeformation& deformation, float angle_rad, float z_m) const {
-    const double deepest_m = deformation.deepest_m();
-    if (deepest_m == 0.0)
-        return {static_cast<double>(angle_rad), static_cast<double>(z_m)};
-    const double radius_m = m_skin.radius_m;
-    const Eigen::Vector3d hit(radius_m * std::cos(static_cast<double>(angle_rad)),
-                              radius_m * std::sin(static_cast<double>(angle_rad)), static_cast<double>(z_m));
-    const Eigen::Vector3d way = hit - m_lens_m;
-    // Where the ray enters the shell in which the surface can be: |lens + t way| = radius - deepest.
-    const double a = way.head<2>().squaredNorm();
-    const double b = m_lens_m.head<2>().dot(way.head<2>());
-    const double inner_m = radius_m - deepest_m;
-    const double c = m_lens_m.head<2>().squaredNorm() - inner_m * inner_m;
-    const double enters = c >= 0.0 ? 0.0 : -c / (b + std::sqrt(b * b - a * c));
-    const Eigen::Vector3d entry = m_lens_m + enters * way;
-    const double entryTurn_rad = wrapped(std::atan2(entry.y(), entry.x()) - static_cast<double>(angle_rad));
-    // Over the last stretch the angle hardly changes: linear in between.
-    struct Point {
-        double angle_rad, z_m, above_m;
-    };
-    const auto at = [&](double t) {
-        const double share = (1.0 - t) / (1.0 - enters);
-        Point point{static_cast<double>(angle_rad) + share * entryTurn_rad, m_lens_m.z() + t * way.z(), 0.0};
-        const double rho_m = std::sqrt((m_lens_m.head<2>() + t * way.head<2>()).squaredNorm());
-        point.above_m = radius_m - deformation.depth_m(point.angle_rad, point.z_m) - rho_m;
-        return point;
-    };
-    double before = enters;
-    double heightBefore_m = at(before).above_m;
-    double after = 1.0;
-    Point last = at(heightBefore_m > 0.0 ? after : before);
-    for (int i = 1; i <= kMarchSteps && heightBefore_m > 0.0; ++i) {
-        const double t = enters + (1.0 - enters) * i / kMarchSteps;
-        const Point point = at(t);
-        if (point.above_m <= 0.0 || i == kMarchSteps) {
-            after = t;
-            last = point;
-            break;
-        }
-        before = t;
-        heightBefore_m = point.above_m;
-    }
-    for (int i = 0; i < kSecantSteps && heightBefore_m > 1e-9 && last.above_m < -1e-9; ++i) {
-        const double t = before + (after - before) * heightBefore_m / (heightBefore_m - last.above_m);
-        const Point point = at(t);
-        if (point.above_m > 0.0) {
-            before = t;
-            heightBefore_m = point.above_m;
-        } else {
-            after = t;
-            last = point;
-            heightBefore_m *= 0.5; // Illinois: keeps the other end from standing still
-        }
-    }
-    return deformation.atRest(last.angle_rad, last.z_m);
+    return all;
 }
 
 float SkinRenderer::brightness(const SkinPlace& place, const Eigen::Vector2d& right_m,
                                const Eigen::Vector2d& down_m) const {
     if (place.z_m < m_skin.begin_m || place.z_m > m_skin.begin_m + m_skin.length_m)
         return kHousing;
-    // right, down: how the place (around, along) changes to the next pixel.
-    const auto samples = [](const Eigen::Vector2d& step_m) {
-        return std::clamp(static_cast<int>(std::ceil(step_m.norm() / kSample_m)), 1, kMostSamples);
+    // right, down: how the place (around, along) changes to the next pixel. No sample reaches further.
+    const double right = right_m.norm();
+    const double down = down_m.norm();
+    const double reaches_m = 0.5 * (right + down);
+    PrintedDots::Rim rim = m_dots.nearest(place);
+    if (std::abs(rim.distance_m) >= reaches_m && reaches_m > 0.0)
+        return rim.distance_m > 0.0 ? kPaint : kInk;
+    const auto samples = [](double step_m) {
+        return std::clamp(static_cast<int>(std::ceil(step_m / kSample_m)), 1, kMostSamples);
     };
-    const int columns = samples(right_m);
-    const int rows = samples(down_m);
+    const int columns = samples(right);
+    const int rows = samples(down);
     double covered = 0.0;
     for (int row = 0; row < rows; ++row) {
         for (int column = 0; column < columns; ++column) {
             const Eigen::Vector2d offset_m =
                 ((column + 0.5) / columns - 0.5) * right_m + ((row + 0.5) / rows - 0.5) * down_m;
-            const PrintedDots::Rim rim =
-                m_dots.nearest({place.angle_rad + offset_m.x() / m_skin.radius_m, place.z_m + offset_m.y()});
-            const Eigen::Vector2d outward(rim.aroundDirection, rim.alongDirection);
+            if (columns * rows > 1)
+                rim = m_dots.nearest(
+                    {place.angle_rad + offset_m.x() / m_skin.radius_m, place.z_m + offset_m.y()});
             const double width_m =
-                std::abs(outward.dot(right_m)) / columns + std::abs(outward.dot(down_m)) / rows;
+                std::abs(rim.aroundDirection * right_m.x() + rim.alongDirection * right_m.y()) / columns +
+                std::abs(rim.aroundDirection * down_m.x() + rim.alongDirection * down_m.y()) / rows;
             covered += std::clamp(0.5 - rim.distance_m / std::max(width_m, 1e-9), 0.0, 1.0);
         }
     }
     return kPaint + (kInk - kPaint) * static_cast<float>(covered / (rows * columns));
 }
 
-void SkinRenderer::draw(const SkinDeformation& deformation, const cv::Rect& part, cv::Mat1f& image) const {
+float SkinRenderer::shade(const cv::Mat2f& seen, int v, int u) const {
+    const auto at = [&](int dv, int du) -> const cv::Vec2f& {
+        return seen(std::clamp(v + dv, 0, seen.rows - 1), std::clamp(u + du, 0, seen.cols - 1));
+    };
+    const cv::Vec2f& here = at(0, 0);
+    if (std::isnan(here[0]))
+        return kHousing;
+    const auto step = [this](const cv::Vec2f& from, const cv::Vec2f& to) {
+        const double around_m =
+            m_skin.radius_m * wrapped_rad(static_cast<double>(to[0]) - static_cast<double>(from[0]));
+        const double along_m = static_cast<double>(to[1]) - static_cast<double>(from[1]);
+        return Eigen::Vector2d(std::clamp(around_m, -kLongestStep_m, kLongestStep_m),
+                               std::clamp(along_m, -kLongestStep_m, kLongestStep_m));
+    };
+    const auto between = [&](const cv::Vec2f& low, const cv::Vec2f& high) {
+        const bool hasLow = !std::isnan(low[0]);
+        const bool hasHigh = !std::isnan(high[0]);
+        if (hasLow && hasHigh)
+            return Eigen::Vector2d(0.5 * step(low, high));
+        if (hasLow)
+            return step(low, here);
+        return hasHigh ? step(here, high) : Eigen::Vector2d(Eigen::Vector2d::Zero());
+    };
+    return brightness({static_cast<double>(here[0]), static_cast<double>(here[1])},
+                      between(at(0, -1), at(0, 1)), between(at(-1, 0), at(1, 0)));
+}
+
+void SkinRenderer::drawAtRest() {
+    for (int v = 0; v < m_place.rows; ++v)
+        for (int u = 0; u < m_place.cols; ++u)
+            m_atRest(v, u) = shade(m_place, v, u) * m_light(v, u);
+}
+
+void SkinRenderer::draw(const SkinDeformation& deformation, const cv::Rect& part, cv::Mat1f& image) {
     if (part.empty())
         return;
+    m_atRest(part).copyTo(image(part));
     // One pixel more on every side, for the differences to the neighbours.
     const cv::Rect wide = cv::Rect(part.x - 1, part.y - 1, part.width + 2, part.height + 2) &
                           cv::Rect(0, 0, m_place.cols, m_place.rows);
-    cv::Mat2f seenPlace(wide.size());
+    m_seen.create(wide.size());
+    m_moved.create(wide.size());
+    SkinRays rays(deformation, m_lens_m);
+    SkinPlace rest;
     for (int v = 0; v < wide.height; ++v) {
+        const cv::Vec2f* places = m_place[wide.y + v] + wide.x;
+        cv::Vec2f* seen = m_seen[v];
+        std::uint8_t* moved = m_moved[v];
         for (int u = 0; u < wide.width; ++u) {
-            const cv::Vec2f& place = m_place(wide.y + v, wide.x + u);
-            if (std::isnan(place[0])) {
-                seenPlace(v, u) = {kNone, kNone};
+            seen[u] = places[u];
+            moved[u] = kAtRest;
+            if (std::isnan(places[u][0]) ||
+                !rays.follow({static_cast<double>(places[u][0]), static_cast<double>(places[u][1])}, rest))
                 continue;
-            }
-            const SkinPlace rest = seen(deformation, place[0], place[1]);
-            seenPlace(v, u) = {static_cast<float>(rest.angle_rad), static_cast<float>(rest.z_m)};
+            seen[u] = {static_cast<float>(rest.angle_rad), static_cast<float>(rest.z_m)};
+            moved[u] = kMoved;
         }
     }
-    const auto step = [&](const cv::Vec2f& from, const cv::Vec2f& to) {
-        constexpr double kLongest_m = 0.004; // across the rim of what is hidden there is no footprint
-        const double around_m =
-            m_skin.radius_m * wrapped(static_cast<double>(to[0]) - static_cast<double>(from[0]));
-        const double along_m = static_cast<double>(to[1]) - static_cast<double>(from[1]);
-        return Eigen::Vector2d(std::clamp(around_m, -kLongest_m, kLongest_m),
-                               std::clamp(along_m, -kLongest_m, kLongest_m));
-    };
     for (int v = part.y; v < part.y + part.height; ++v) {
+        const int row = v - wide.y;
+        const std::uint8_t* here = m_moved[row];
+        const std::uint8_t* above = m_moved[std::max(row - 1, 0)];
+        const std::uint8_t* below = m_moved[std::min(row + 1, wide.height - 1)];
         for (int u = part.x; u < part.x + part.width; ++u) {
-            const auto at = [&](int dv, int du) {
-                const int row = std::clamp(v + dv, wide.y, wide.y + wide.height - 1) - wide.y;
-                const int column = std::clamp(u + du, wide.x, wide.x + wide.width - 1) - wide.x;
-                return seenPlace(row, column);
-            };
-            const cv::Vec2f here = at(0, 0);
-            float& pixel = image(v, u);
-            if (std::isnan(here[0])) {
-                pixel = kHousing * m_light(v, u);
-                continue;
-            }
-            const auto between = [&](const cv::Vec2f& low, const cv::Vec2f& high) {
-                const bool hasLow = !std::isnan(low[0]);
-                const bool hasHigh = !std::isnan(high[0]);
-                if (hasLow && hasHigh)
-                    return Eigen::Vector2d(0.5 * step(low, high));
-                if (hasLow)
-                    return step(low, here);
-                return hasHigh ? step(here, high) : Eigen::Vector2d(Eigen::Vector2d::Zero());
-            };
-            pixel = brightness({static_cast<double>(here[0]), static_cast<double>(here[1])},
-                               between(at(0, -1), at(0, 1)), between(at(-1, 0), at(1, 0))) *
-                    m_light(v, u);
+            const int column = u - wide.x;
+            if ((here[column] | above[column] | below[column] | here[std::max(column - 1, 0)] |
+                 here[std::min(column + 1, wide.width - 1)]) != kAtRest)
+                image(v, u) = shade(m_seen, row, column) * m_light(v, u);
         }
     }
 }

@@ -29,9 +29,9 @@ public:
     [[nodiscard]] virtual int moments() const { return 1; }
     [[nodiscard]] virtual double before_s(int /*moment*/) const { return 0.0; }
 
-    /// Each frame, in grey levels, for an effect that says so.
-    [[nodiscard]] virtual bool changesFrame() const { return false; }
-    virtual void changeFrame(cv::Mat1f& /*frame*/) {}
+    /// Each frame from top to bottom, a few rows a call, in grey levels, for an effect that says so.
+    [[nodiscard]] virtual bool changesRows() const { return false; }
+    virtual void changeRows(cv::Mat1f& /*rows*/) {}
 
     [[nodiscard]] std::string_view name() const { return m_name; }
 

@@ -11,7 +11,7 @@ namespace teleta::simulation {
 namespace {
 
 constexpr std::size_t kNormals = 1U << 18U;
-constexpr int kGreyLevels = 256;
+constexpr float kBrightest = 255.0F;
 
 } // namespace
 
@@ -19,21 +19,29 @@ SensorNoise::SensorNoise(std::string_view name, const scene::SensorNoiseSpec& sp
     : CameraEffect(name)
     , m_random(std::move(random))
     , m_normal(kNormals)
-    , m_sd(kGreyLevels) {
-    for (std::size_t i = 0; i < m_sd.size(); ++i)
-        m_sd[i] = static_cast<float>(std::sqrt(
-            spec.read * spec.read + spec.shot * spec.shot * static_cast<double>(i) / (kGreyLevels - 1)));
+    , m_read2(static_cast<float>(spec.read * spec.read))
+    , m_shot2PerLevel(static_cast<float>(spec.shot * spec.shot) / kBrightest) {
     std::ranges::generate(m_normal, [this] { return static_cast<float>(m_random.normal()); });
 }
 
-void SensorNoise::changeFrame(cv::Mat1f& frame) {
-    for (int v = 0; v < frame.rows; ++v) {
-        float* row = frame[v];
+void SensorNoise::changeRows(cv::Mat1f& rows) {
+    for (int v = 0; v < rows.rows; ++v) {
+        float* pixel = rows[v];
+        int left = rows.cols;
         std::size_t place = m_random.below(kNormals);
-        for (int u = 0; u < frame.cols; ++u) {
-            const int level = std::clamp(static_cast<int>(row[u]), 0, kGreyLevels - 1);
-            row[u] += m_sd[static_cast<std::size_t>(level)] * m_normal[place];
-            place = (place + 1) & (kNormals - 1);
+        while (left > 0) {
+            // Without a branch in the loop, so that the compiler takes several pixels at a time.
+            const int run = std::min(left, static_cast<int>(kNormals - place));
+            const float* normal = m_normal.data() + place;
+            for (int i = 0; i < run; ++i) {
+                const float above = pixel[i] > 0.0F ? pixel[i] : 0.0F;
+                const auto level =
+                    static_cast<float>(static_cast<int>(above < kBrightest ? above : kBrightest));
+                pixel[i] += std::sqrt(m_read2 + m_shot2PerLevel * level) * normal[i];
+            }
+            pixel += run;
+            left -= run;
+            place = 0;
         }
     }
 }

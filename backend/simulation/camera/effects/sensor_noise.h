@@ -15,13 +15,14 @@ class SensorNoise : public CameraEffect {
 public:
     SensorNoise(std::string_view name, const scene::SensorNoiseSpec& spec, RandomStream random);
 
-    [[nodiscard]] bool changesFrame() const override { return true; }
-    void changeFrame(cv::Mat1f& frame) override;
+    [[nodiscard]] bool changesRows() const override { return true; }
+    void changeRows(cv::Mat1f& rows) override;
 
 private:
     RandomStream m_random;
     std::vector<float> m_normal;
-    std::vector<float> m_sd; ///< at each grey level
+    float m_read2;
+    float m_shot2PerLevel;
 };
 
 } // namespace teleta::simulation
