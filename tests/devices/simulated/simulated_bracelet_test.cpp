@@ -27,6 +27,8 @@ namespace {
 
 constexpr std::int64_t kMs_ns = 1'000'000;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Plays on where a busy machine pauses, so that nothing but what is tested ends the playing.
+const playback::PlayerConfig kPatient{.boardTimeout_ms = 10'000, .longestSilence_ns = 10'000 * kMs_ns};
 constexpr Drive kFull{kFullDrive, kFullDrive, kFullDrive, kFullDrive, kFullDrive, kFullDrive};
 
 SimulatedMotors allAlike(const SimulatedMotor& motor) {
@@ -151,7 +153,7 @@ TEST(SimulatedBracelet, isPlayedOnAndZeroedWhenThePlayerGoes) {
     bracelet.start(wakeup);
     ASSERT_TRUE(eventually(wakeup, [&] { return bracelet.connection() != 0; }));
     {
-        playback::Player player(bracelet, stop);
+        playback::Player player(bracelet, stop, kPatient);
         player.play({[](double) { return core::Intensities{1, 1, 1, 1, 1, 1}; }, kInfinity});
         ASSERT_TRUE(eventually(wakeup, [&] { return bracelet.drive() == kFull; }));
         ASSERT_TRUE(eventually(wakeup, [&] { return player.counters().framesWritten >= 50; }));
@@ -167,7 +169,7 @@ TEST(SimulatedBracelet, isZeroedAfterItWasUnpluggedWhilePlayingAndPlaysOnlyWhenA
     SimulatedBracelet bracelet(stop, {.link = {.firstRetry_ns = 1 * kMs_ns, .longestRetry_ns = 2 * kMs_ns}});
     bracelet.start(wakeup);
     ASSERT_TRUE(eventually(wakeup, [&] { return bracelet.connection() != 0; }));
-    playback::Player player(bracelet, stop);
+    playback::Player player(bracelet, stop, kPatient);
     player.play({[](double) { return core::Intensities{1, 1, 1, 1, 1, 1}; }, kInfinity});
     ASSERT_TRUE(eventually(wakeup, [&] { return !isOff(bracelet.drive()); }));
     bracelet.setFaults({.unplugged = true});
@@ -188,7 +190,8 @@ TEST(SimulatedBracelet, endsThePlayingWhenItAnswersNoMoreAndPlaysOnlyWhenAskedAf
     SimulatedBracelet bracelet(stop);
     bracelet.start(wakeup);
     ASSERT_TRUE(eventually(wakeup, [&] { return bracelet.connection() != 0; }));
-    playback::Player player(bracelet, stop, {.boardTimeout_ms = 2000, .longestSilence_ns = 200 * kMs_ns});
+    // A pause of the machine is a silence too: the shortest one that this does not mistake for the fault.
+    playback::Player player(bracelet, stop, {.boardTimeout_ms = 10'000, .longestSilence_ns = 3000 * kMs_ns});
     player.play({[](double) { return core::Intensities{1, 1, 1, 1, 1, 1}; }, kInfinity});
     ASSERT_TRUE(eventually(wakeup, [&] { return !isOff(bracelet.drive()); }));
     bracelet.setFaults({.mute = true});
@@ -213,7 +216,7 @@ TEST(SimulatedBracelet, isZeroedWhileAProgramHangs) {
     std::atomic<bool> hangs{true};
     std::atomic<bool> entered{false};
     // The board alone would go on for 10 s.
-    playback::Player player(bracelet, stop, {.boardTimeout_ms = 10'000});
+    playback::Player player(bracelet, stop, kPatient);
     player.play({[&](double t_s) {
                      if (t_s > 0.02) {
                          entered = true;
@@ -234,7 +237,7 @@ TEST(SimulatedBracelet, isZeroedBySTOPWhilePlaying) {
     SimulatedBracelet bracelet(stop);
     bracelet.start(wakeup);
     ASSERT_TRUE(eventually(wakeup, [&] { return bracelet.connection() != 0; }));
-    playback::Player player(bracelet, stop);
+    playback::Player player(bracelet, stop, kPatient);
     player.startLive();
     ASSERT_TRUE(eventually(wakeup, [&] {
         player.post({1, 1, 1, 1, 1, 1}, core::steadyNow_ns());
