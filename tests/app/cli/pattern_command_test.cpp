@@ -232,8 +232,12 @@ TEST(PatternCommand, playsOnASimulatedBraceletAndTellsHowPunctualItWas) {
 }
 
 TEST(PatternCommand, playsWithOverdriveOnASimulatedBracelet) {
-    const ProgramResult result = run({"pattern", "play", "stiffness.A.static", "--device", "simulated",
-                                      "--overdrive", "--measure", "0.3", "--json"});
+    ProgramResult result;
+    // As above: a machine that pauses ends it.
+    for (int tries = 0;
+         tries == 0 || (tries < 20 && result.err.find("A frame was so late") != std::string::npos); ++tries)
+        result = run({"pattern", "play", "stiffness.A.static", "--device", "simulated", "--overdrive",
+                      "--measure", "0.3", "--json"});
     ASSERT_EQ(result.exitCode, 0) << result.err;
     EXPECT_GT(ordered_json::parse(result.out, nullptr, false)["frames"], 1);
 }
