@@ -32,7 +32,7 @@
     </message>
     <message>
         <source>STOP: whatever moves stops at once</source>
-        <translation>STOP : tout ce qui bouge s’arrête aussitôt</translation>
+        <translation>STOP&#xa0;: tout ce qui bouge s’arrête aussitôt</translation>
     </message>
     <message>
         <source>Ctrl+1</source>
@@ -112,7 +112,7 @@
     </message>
     <message>
         <source>What&apos;s This</source>
-        <translation>Qu’est-ce que c’est ?</translation>
+        <translation>Qu’est-ce que c’est&#xa0;?</translation>
     </message>
     <message>
         <source>Keys</source>
@@ -132,7 +132,7 @@
     </message>
     <message>
         <source>Play or pause; pen; in the timeline of a pattern</source>
-        <translation>Lecture ou pause ; crayon ; dans la chronologie d’un motif</translation>
+        <translation>Lecture ou pause&#xa0;; crayon&#xa0;; dans la chronologie d’un motif</translation>
     </message>
     <message>
         <source>Ctrl+N, O, S, Shift+S, E</source>
@@ -236,7 +236,7 @@
     </message>
     <message>
         <source>Undo, redo: marks on the page Operate, edits on the page Patterns</source>
-        <translation>Annuler, rétablir : les marques sur la page Conduite, les modifications sur la page Motifs</translation>
+        <translation>Annuler, rétablir&#xa0;: les marques sur la page Conduite, les modifications sur la page Motifs</translation>
     </message>
     <message>
         <source>F1</source>
@@ -244,7 +244,7 @@
     </message>
     <message>
         <source>Handbook: the page on what is shown</source>
-        <translation>Manuel : la page sur ce qui est affiché</translation>
+        <translation>Manuel&#xa0;: la page sur ce qui est affiché</translation>
     </message>
 </context>
 <context>
@@ -334,7 +334,7 @@
     <message>
         <source>%1, ready; last stimulus: %2 frames, longest write %3 ms, %4 late, %5 lost</source>
         <comment>bracelet</comment>
-        <translation>%1, prêt ; dernier stimulus : %2 trames, écriture la plus longue %3 ms, %4 en retard, %5 perdues</translation>
+        <translation>%1, prêt&#xa0;; dernier stimulus&#xa0;: %2 trames, écriture la plus longue %3 ms, %4 en retard, %5 perdues</translation>
     </message>
     <message>
         <source>the bracelet was lost</source>
@@ -354,7 +354,7 @@
     </message>
     <message>
         <source>No bracelet: this rehearsal runs too fast to be played</source>
-        <translation>Pas de bracelet : cette répétition générale est trop rapide pour être jouée</translation>
+        <translation>Pas de bracelet&#xa0;: cette répétition générale est trop rapide pour être jouée</translation>
     </message>
     <message>
         <source>the bracelet does not answer</source>
@@ -445,7 +445,7 @@
     </message>
     <message>
         <source>neighbours are alike: the pairs hold something that this camera does not</source>
-        <translation>les voisins se ressemblent : les paires contiennent un effet que cette caméra ne décrit pas</translation>
+        <translation>les voisins se ressemblent&#xa0;: les paires contiennent un effet que cette caméra ne décrit pas</translation>
     </message>
     <message>
         <source>without a pattern</source>
@@ -477,7 +477,7 @@
     </message>
     <message>
         <source>robust: camera and lens, wrong pairs are left out; paper: linear, without a lens, drops pairs that are off by more than 2 mm</source>
-        <translation>robust : caméra et objectif, les paires fausses sont écartées ; paper : linéaire, sans objectif, écarte les paires à plus de 2 mm</translation>
+        <translation>robust&#xa0;: caméra et objectif, les paires fausses sont écartées&#xa0;; paper&#xa0;: linéaire, sans objectif, écarte les paires à plus de 2 mm</translation>
     </message>
     <message>
         <source>Write the camera to this file</source>
@@ -489,11 +489,11 @@
     </message>
     <message>
         <source>The points are holes of a shell: their x and y times this factor are on the elastomer (the paper&apos;s shell: 0.97)</source>
-        <translation>Les points sont les trous d’une coque : leurs x et y multipliés par ce facteur sont sur l’élastomère (coque de l’article : 0,97)</translation>
+        <translation>Les points sont les trous d’une coque&#xa0;: leurs x et y multipliés par ce facteur sont sur l’élastomère (coque de l’article&#xa0;: 0,97)</translation>
     </message>
     <message>
         <source>The camera that was written has no lens: it is off by %1 mm on average over the pairs that it kept (%2 of %3).</source>
-        <translation>La caméra écrite n’a pas d’objectif : elle s’écarte de %1 mm en moyenne sur les paires qu’elle a gardées (%2 sur %3).</translation>
+        <translation>La caméra écrite n’a pas d’objectif&#xa0;: elle s’écarte de %1 mm en moyenne sur les paires qu’elle a gardées (%2 sur %3).</translation>
     </message>
 </context>
 <context>
@@ -635,7 +635,7 @@
     </message>
     <message>
         <source>correct, %</source>
-        <translation>correctes, %</translation>
+        <translation>correctes,&#xa0;%</translation>
     </message>
     <message>
         <source>chance</source>
@@ -678,7 +678,7 @@
     <name>ConfusionPicture</name>
     <message>
         <source>answered, % of the row</source>
-        <translation>répondu, % de la ligne</translation>
+        <translation>répondu,&#xa0;% de la ligne</translation>
     </message>
     <message>
         <source>answered</source>
@@ -693,11 +693,11 @@
     <name>ConsoleOptions</name>
     <message>
         <source>--%1 %2: expected a number from %3 to %4</source>
-        <translation>--%1 %2 : nombre de %3 à %4 attendu</translation>
+        <translation>--%1 %2&#xa0;: nombre de %3 à %4 attendu</translation>
     </message>
     <message>
         <source>--%1 %2: expected a whole number from %3 to %4</source>
-        <translation>--%1 %2 : nombre entier de %3 à %4 attendu</translation>
+        <translation>--%1 %2&#xa0;: nombre entier de %3 à %4 attendu</translation>
     </message>
     <message>
         <source>FILE</source>
@@ -773,7 +773,7 @@
     </message>
     <message>
         <source>Page to show: %1.</source>
-        <translation>Page à afficher : %1.</translation>
+        <translation>Page à afficher&#xa0;: %1.</translation>
     </message>
     <message>
         <source>light, dark or system.</source>
@@ -817,27 +817,27 @@
     </message>
     <message>
         <source>unexpected argument &quot;%1&quot;</source>
-        <translation>argument inattendu « %1 »</translation>
+        <translation>argument inattendu «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>--page %1: expected one of %2</source>
-        <translation>--page %1 : valeurs possibles : %2</translation>
+        <translation>--page %1&#xa0;: valeurs possibles&#xa0;: %2</translation>
     </message>
     <message>
         <source>--theme %1: expected light, dark or system</source>
-        <translation>--theme %1 : light, dark ou system attendu</translation>
+        <translation>--theme %1&#xa0;: light, dark ou system attendu</translation>
     </message>
     <message>
         <source>--size %1: expected WIDTHxHEIGHT, from 320x240 to 16384x16384</source>
-        <translation>--size %1 : LARGEURxHAUTEUR attendu, de 320x240 à 16384x16384</translation>
+        <translation>--size %1&#xa0;: LARGEURxHAUTEUR attendu, de 320x240 à 16384x16384</translation>
     </message>
     <message>
         <source>--dock %1: expected one of %2</source>
-        <translation>--dock %1 : valeurs possibles : %2</translation>
+        <translation>--dock %1&#xa0;: valeurs possibles&#xa0;: %2</translation>
     </message>
     <message>
         <source>Open a simulated scene: a file, or the name of one that comes with the program (repeatable).</source>
-        <translation>Ouvrir une scène simulée : un fichier, ou le nom d’une scène fournie avec le programme (répétable).</translation>
+        <translation>Ouvrir une scène simulée&#xa0;: un fichier, ou le nom d’une scène fournie avec le programme (répétable).</translation>
     </message>
     <message>
         <source>SCENE</source>
@@ -861,7 +861,7 @@
     </message>
     <message>
         <source>Folder of your own patterns (default: the user&apos;s data folder).</source>
-        <translation>Dossier de vos propres motifs (par défaut : le dossier de données de l’utilisateur).</translation>
+        <translation>Dossier de vos propres motifs (par défaut&#xa0;: le dossier de données de l’utilisateur).</translation>
     </message>
     <message>
         <source>FOLDER</source>
@@ -893,7 +893,7 @@
     </message>
     <message>
         <source>--camera and --camera-model belong together: a camera is of no use without its calibration</source>
-        <translation>--camera et --camera-model vont ensemble : une caméra est inutile sans son étalonnage</translation>
+        <translation>--camera et --camera-model vont ensemble&#xa0;: une caméra est inutile sans son étalonnage</translation>
     </message>
     <message>
         <source>Shows what a remote robot arm touches: where, how hard, how stiff, what shape.
@@ -904,9 +904,9 @@ Examples:
   teleta-console session.teleta
   teleta-console --camera 0 --camera-model camera.json
   teleta-console --sources both-arrays.toml --theme dark</source>
-        <translation>Montre ce que touche un bras robotisé distant : où, avec quelle force, quelle raideur, quelle forme.
+        <translation>Montre ce que touche un bras robotisé distant&#xa0;: où, avec quelle force, quelle raideur, quelle forme.
 
-Exemples :
+Exemples&#xa0;:
   teleta-console --scene tactile-indenter
   teleta-console --replay run.csv --rows 64 --columns 27 --tare empty.csv --threshold 10
   teleta-console session.teleta
@@ -919,7 +919,7 @@ Exemples :
     </message>
     <message>
         <source>Play back a recording of this program, or recorded frames, CSV time_s,t0,t1,... (repeatable; the options below go with the recordings in their order).</source>
-        <translation>Lire un enregistrement de ce programme, ou des trames enregistrées, CSV time_s,t0,t1,... (répétable ; les options ci-dessous s’appliquent aux enregistrements dans leur ordre).</translation>
+        <translation>Lire un enregistrement de ce programme, ou des trames enregistrées, CSV time_s,t0,t1,... (répétable&#xa0;; les options ci-dessous s’appliquent aux enregistrements dans leur ordre).</translation>
     </message>
     <message>
         <source>Record all sources and the bracelet into a new file.</source>
@@ -927,7 +927,7 @@ Exemples :
     </message>
     <message>
         <source>Bracelet to drive: simulated, usb, none, or a file that describes one.</source>
-        <translation>Bracelet à piloter : simulated, usb, none, ou un fichier qui en décrit un.</translation>
+        <translation>Bracelet à piloter&#xa0;: simulated, usb, none, ou un fichier qui en décrit un.</translation>
     </message>
 </context>
 <context>
@@ -1037,11 +1037,11 @@ Exemples :
     </message>
     <message>
         <source>approximating: the points are the control points; interpolating: the curve passes through them</source>
-        <translation>approximating : les points sont les points de contrôle ; interpolating : la courbe passe par les points</translation>
+        <translation>approximating&#xa0;: les points sont les points de contrôle&#xa0;; interpolating&#xa0;: la courbe passe par les points</translation>
     </message>
     <message>
         <source>The contour comes back to its start; otherwise this is found out</source>
-        <translation>Le contour revient à son début ; sinon, c’est déterminé</translation>
+        <translation>Le contour revient à son début&#xa0;; sinon, c’est déterminé</translation>
     </message>
     <message>
         <source>Points of the curve, for the CSV and the largest curvature</source>
@@ -1076,11 +1076,11 @@ Exemples :
     </message>
     <message>
         <source>%1, confidence %2 %</source>
-        <translation>%1, confiance %2 %</translation>
+        <translation>%1, confiance %2&#xa0;%</translation>
     </message>
     <message>
         <source>Touch an object from several sides: its outline appears here.</source>
-        <translation>Touchez un objet de plusieurs côtés : son contour apparaît ici.</translation>
+        <translation>Touchez un objet de plusieurs côtés&#xa0;: son contour apparaît ici.</translation>
     </message>
     <message numerus="yes">
         <source>%n point(s)</source>
@@ -1133,11 +1133,11 @@ Exemples :
     <name>CostFigureText</name>
     <message>
         <source>Filled: no other rung is both as quick and as exact. Lines: to the 95 % error and the 99 % time.</source>
-        <translation>Pleins : aucun autre échelon n’est à la fois aussi rapide et aussi exact. Traits : jusqu’à l’erreur à 95 % et au temps à 99 %.</translation>
+        <translation>Pleins&#xa0;: aucun autre échelon n’est à la fois aussi rapide et aussi exact. Traits&#xa0;: jusqu’à l’erreur à 95&#xa0;% et au temps à 99&#xa0;%.</translation>
     </message>
     <message>
         <source>Not measured, the machine was too noisy or there is no error: %1.</source>
-        <translation>Non mesuré, machine trop perturbée ou erreur inconnue : %1.</translation>
+        <translation>Non mesuré, machine trop perturbée ou erreur inconnue&#xa0;: %1.</translation>
     </message>
 </context>
 <context>
@@ -1159,7 +1159,7 @@ Exemples :
     <name>CostFileText</name>
     <message>
         <source>&quot;%1&quot; is no value of the column %2</source>
-        <translation>« %1 » n’est pas une valeur de la colonne %2</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas une valeur de la colonne %2</translation>
     </message>
 </context>
 <context>
@@ -1170,7 +1170,7 @@ Exemples :
     </message>
     <message>
         <source>distance of located points of the tube from the true ones; where the calibration is refused the camera of the data sheet stands in</source>
-        <translation>distance entre les points localisés du tube et les vrais ; si l’étalonnage est refusé, la caméra de la fiche technique le remplace</translation>
+        <translation>distance entre les points localisés du tube et les vrais&#xa0;; si l’étalonnage est refusé, la caméra de la fiche technique le remplace</translation>
     </message>
     <message>
         <source>Contacts in a camera frame</source>
@@ -1178,7 +1178,7 @@ Exemples :
     </message>
     <message>
         <source>distance from the true contact on the tube; a contact that is missed counts with its distance from the tube&apos;s middle</source>
-        <translation>distance au vrai contact sur le tube ; un contact manqué compte avec sa distance au milieu du tube</translation>
+        <translation>distance au vrai contact sur le tube&#xa0;; un contact manqué compte avec sa distance au milieu du tube</translation>
     </message>
     <message>
         <source>Curve through contact points</source>
@@ -1190,7 +1190,7 @@ Exemples :
     </message>
     <message>
         <source>A frame of the scene &quot;tactile-indenter&quot; without one of its effects</source>
-        <translation>Une trame de la scène « tactile-indenter » sans l’un de ses effets</translation>
+        <translation>Une trame de la scène «&#xa0;tactile-indenter&#xa0;» sans l’un de ses effets</translation>
     </message>
     <message>
         <source>difference of a taxel from the scene with all effects, root mean square of a frame</source>
@@ -1210,7 +1210,7 @@ Exemples :
     </message>
     <message>
         <source>score of the 95 % interval: its width, and 40 times how far the true transfer lies outside of it</source>
-        <translation>score de l’intervalle à 95 % : sa largeur, plus 40 fois l’écart du vrai transfert hors de l’intervalle</translation>
+        <translation>score de l’intervalle à 95&#xa0;%&#xa0;: sa largeur, plus 40 fois l’écart du vrai transfert hors de l’intervalle</translation>
     </message>
     <message>
         <source>Stiffness of a touched object</source>
@@ -1218,7 +1218,7 @@ Exemples :
     </message>
     <message>
         <source>share of the true stiffness of the object; a bound counts as the value, a refused touch as 1</source>
-        <translation>fraction de la vraie raideur de l’objet ; une borne compte comme valeur, un toucher refusé comme 1</translation>
+        <translation>fraction de la vraie raideur de l’objet&#xa0;; une borne compte comme valeur, un toucher refusé comme 1</translation>
     </message>
     <message>
         <source>Place of a contact on a tactile array</source>
@@ -1241,15 +1241,15 @@ Exemples :
     <name>CsvReaderText</name>
     <message>
         <source>opening was interrupted: %1</source>
-        <translation>ouverture interrompue : %1</translation>
+        <translation>ouverture interrompue&#xa0;: %1</translation>
     </message>
     <message>
         <source>cannot open the file: %1</source>
-        <translation>impossible d’ouvrir le fichier : %1</translation>
+        <translation>impossible d’ouvrir le fichier&#xa0;: %1</translation>
     </message>
     <message>
         <source>cannot read the file: %1</source>
-        <translation>impossible de lire le fichier : %1</translation>
+        <translation>impossible de lire le fichier&#xa0;: %1</translation>
     </message>
     <message>
         <source>this is a folder</source>
@@ -1329,7 +1329,7 @@ Exemples :
     </message>
     <message>
         <source>missing columns: %1; the file has: %2</source>
-        <translation>colonnes manquantes : %1 ; le fichier contient : %2</translation>
+        <translation>colonnes manquantes&#xa0;: %1&#xa0;; le fichier contient&#xa0;: %2</translation>
     </message>
     <message>
         <source>the columns %1</source>
@@ -1337,15 +1337,15 @@ Exemples :
     </message>
     <message>
         <source>the row is too long: more than %1 values</source>
-        <translation>la ligne est trop longue : plus de %1 valeurs</translation>
+        <translation>la ligne est trop longue&#xa0;: plus de %1 valeurs</translation>
     </message>
     <message>
         <source>one value a column: %1</source>
-        <translation>une valeur par colonne : %1</translation>
+        <translation>une valeur par colonne&#xa0;: %1</translation>
     </message>
     <message>
         <source>the row is too short: %1 of %2 values</source>
-        <translation>la ligne est trop courte : %1 valeurs sur %2</translation>
+        <translation>la ligne est trop courte&#xa0;: %1 valeurs sur %2</translation>
     </message>
     <message>
         <source>a pipe has no positions to go to</source>
@@ -1364,23 +1364,23 @@ Exemples :
     <name>Demo</name>
     <message>
         <source>Demo: an arm touches five materials</source>
-        <translation>Démo : un bras touche cinq matériaux</translation>
+        <translation>Démo&#xa0;: un bras touche cinq matériaux</translation>
     </message>
     <message>
         <source>Sponge, rubber sponge, rubber, wood and metal: contact point, force, stiffness, bracelet</source>
-        <translation>Éponge, caoutchouc mousse, caoutchouc, bois et métal : point de contact, force, raideur, bracelet</translation>
+        <translation>Éponge, caoutchouc mousse, caoutchouc, bois et métal&#xa0;: point de contact, force, raideur, bracelet</translation>
     </message>
     <message>
         <source>Demo: an arm explores a round object</source>
-        <translation>Démo : un bras explore un objet rond</translation>
+        <translation>Démo&#xa0;: un bras explore un objet rond</translation>
     </message>
     <message>
         <source>The forearm touches it from all around: contact points, spline, recognised shape</source>
-        <translation>L’avant-bras le touche de tous côtés : points de contact, spline, forme reconnue</translation>
+        <translation>L’avant-bras le touche de tous côtés&#xa0;: points de contact, spline, forme reconnue</translation>
     </message>
     <message>
         <source>Demo: an arm explores a rectangular object</source>
-        <translation>Démo : un bras explore un objet rectangulaire</translation>
+        <translation>Démo&#xa0;: un bras explore un objet rectangulaire</translation>
     </message>
     <message>
         <source>The same with a box</source>
@@ -1388,7 +1388,7 @@ Exemples :
     </message>
     <message>
         <source>Demo: an arm explores a triangular object</source>
-        <translation>Démo : un bras explore un objet triangulaire</translation>
+        <translation>Démo&#xa0;: un bras explore un objet triangulaire</translation>
     </message>
     <message>
         <source>The same with a triangular prism</source>
@@ -1396,7 +1396,7 @@ Exemples :
     </message>
     <message>
         <source>Demo: an arm yields</source>
-        <translation>Démo : un bras cède</translation>
+        <translation>Démo&#xa0;: un bras cède</translation>
     </message>
     <message>
         <source>Somebody pushes the arm, then it meets an object, under joint admittance control</source>
@@ -1404,7 +1404,7 @@ Exemples :
     </message>
     <message>
         <source>Demo: a ball and a bar</source>
-        <translation>Démo : une bille et une barre</translation>
+        <translation>Démo&#xa0;: une bille et une barre</translation>
     </message>
     <message>
         <source>A 6 x 14 array pressed by a ball that wanders, then by a bar that turns</source>
@@ -1412,7 +1412,7 @@ Exemples :
     </message>
     <message>
         <source>Demo: two contacts that meet</source>
-        <translation>Démo : deux contacts qui se rejoignent</translation>
+        <translation>Démo&#xa0;: deux contacts qui se rejoignent</translation>
     </message>
     <message>
         <source>Two balls that approach each other until they touch, and part</source>
@@ -1420,23 +1420,23 @@ Exemples :
     </message>
     <message>
         <source>Demo: a pressure mat</source>
-        <translation>Démo : un tapis de pression</translation>
+        <translation>Démo&#xa0;: un tapis de pression</translation>
     </message>
     <message>
         <source>A 64 x 27 mat under a body: a head, a trunk that turns, two heels</source>
-        <translation>Un tapis 64 x 27 sous un corps : une tête, un tronc qui se tourne, deux talons</translation>
+        <translation>Un tapis 64 x 27 sous un corps&#xa0;: une tête, un tronc qui se tourne, deux talons</translation>
     </message>
     <message>
         <source>Demo: something pokes a soft arm</source>
-        <translation>Démo : quelque chose pique un bras souple</translation>
+        <translation>Démo&#xa0;: quelque chose pique un bras souple</translation>
     </message>
     <message>
         <source>A camera inside the soft tube sees the bump; the arm draws back</source>
-        <translation>Une caméra dans le tube souple voit le choc ; le bras se retire</translation>
+        <translation>Une caméra dans le tube souple voit le choc&#xa0;; le bras se retire</translation>
     </message>
     <message>
         <source>Demo: a finger turns a soft arm</source>
-        <translation>Démo : un doigt fait tourner un bras souple</translation>
+        <translation>Démo&#xa0;: un doigt fait tourner un bras souple</translation>
     </message>
     <message>
         <source>The arm turns after a finger that goes round it</source>
@@ -1444,7 +1444,7 @@ Exemples :
     </message>
     <message>
         <source>Demo: a finger leads a soft arm</source>
-        <translation>Démo : un doigt guide un bras souple</translation>
+        <translation>Démo&#xa0;: un doigt guide un bras souple</translation>
     </message>
     <message>
         <source>The arm follows a finger along its axis</source>
@@ -1452,7 +1452,7 @@ Exemples :
     </message>
     <message>
         <source>Demo: three fingers on a soft arm</source>
-        <translation>Démo : trois doigts sur un bras souple</translation>
+        <translation>Démo&#xa0;: trois doigts sur un bras souple</translation>
     </message>
     <message>
         <source>Contacts near the lens, in the middle and at the far end of the tube</source>
@@ -1460,7 +1460,7 @@ Exemples :
     </message>
     <message>
         <source>Demo: an array follows a bent bar</source>
-        <translation>Démo : une matrice suit une barre courbe</translation>
+        <translation>Démo&#xa0;: une matrice suit une barre courbe</translation>
     </message>
     <message>
         <source>It closes in, aligns with the bar, and slides along its bend at 5 N</source>
@@ -1468,15 +1468,15 @@ Exemples :
     </message>
     <message>
         <source>Demo: a tray is kept level</source>
-        <translation>Démo : un plateau est tenu horizontal</translation>
+        <translation>Démo&#xa0;: un plateau est tenu horizontal</translation>
     </message>
     <message>
         <source>A weight moves on the tray; the hand feels its moment and tilts against it</source>
-        <translation>Un poids se déplace sur le plateau ; la main en ressent le moment et s’incline en sens contraire</translation>
+        <translation>Un poids se déplace sur le plateau&#xa0;; la main en ressent le moment et s’incline en sens contraire</translation>
     </message>
     <message>
         <source>Demo: an array rolls on a ball</source>
-        <translation>Démo : une matrice roule sur une bille</translation>
+        <translation>Démo&#xa0;: une matrice roule sur une bille</translation>
     </message>
     <message>
         <source>The contact wanders over the array while the force stays at 4 N</source>
@@ -1484,11 +1484,11 @@ Exemples :
     </message>
     <message>
         <source>Demo: an arm among unknown objects</source>
-        <translation>Démo : un bras parmi des objets inconnus</translation>
+        <translation>Démo&#xa0;: un bras parmi des objets inconnus</translation>
     </message>
     <message>
         <source>Drive it yourself over a slow link, or watch the scripted operator: each object that is found goes on the run sheet</source>
-        <translation>Conduisez-le vous-même par une liaison lente, ou regardez l’opérateur programmé : chaque objet trouvé est inscrit au relevé</translation>
+        <translation>Conduisez-le vous-même par une liaison lente, ou regardez l’opérateur programmé&#xa0;: chaque objet trouvé est inscrit au relevé</translation>
     </message>
 </context>
 <context>
@@ -1530,7 +1530,7 @@ Exemples :
     <name>DevicesCommand</name>
     <message>
         <source>&quot;kind&quot; is missing</source>
-        <translation>« kind » manque</translation>
+        <translation>«&#xa0;kind&#xa0;» manque</translation>
     </message>
     <message>
         <source>Bracelet</source>
@@ -1558,7 +1558,7 @@ Exemples :
     </message>
     <message>
         <source>not connected: %1</source>
-        <translation>non connecté : %1</translation>
+        <translation>non connecté&#xa0;: %1</translation>
     </message>
     <message>
         <source>connected</source>
@@ -1586,7 +1586,7 @@ Exemples :
     </message>
     <message>
         <source>Connect to the device of this description and read it; its motors are set to zero</source>
-        <translation>Se connecter à l’appareil de cette description et le lire ; ses moteurs sont mis à zéro</translation>
+        <translation>Se connecter à l’appareil de cette description et le lire&#xa0;; ses moteurs sont mis à zéro</translation>
     </message>
     <message>
         <source>Camera</source>
@@ -1608,7 +1608,7 @@ Exemples :
     <name>Error</name>
     <message>
         <source> (expected %1)</source>
-        <translation> (attendu : %1)</translation>
+        <translation> (attendu&#xa0;: %1)</translation>
     </message>
 </context>
 <context>
@@ -1633,7 +1633,7 @@ Exemples :
     </message>
     <message>
         <source>The recording was cut off; what had been written is there.</source>
-        <translation>L’enregistrement a été coupé ; ce qui avait été écrit est là.</translation>
+        <translation>L’enregistrement a été coupé&#xa0;; ce qui avait été écrit est là.</translation>
     </message>
     <message>
         <source>Write the streams of a recording as CSV files</source>
@@ -1696,7 +1696,7 @@ Exemples :
     </message>
     <message>
         <source>Columns time_s, t1 to t6: a sample a row.</source>
-        <translation>Colonnes time_s, t1 à t6 : un échantillon par ligne.</translation>
+        <translation>Colonnes time_s, t1 à t6&#xa0;: un échantillon par ligne.</translation>
     </message>
     <message>
         <source>WAV, six channels</source>
@@ -1719,14 +1719,14 @@ Exemples :
     <message>
         <source>Motor %1: %2</source>
         <comment>a motor, and what is wrong with the answers</comment>
-        <translation>Moteur %1 : %2</translation>
+        <translation>Moteur %1&#xa0;: %2</translation>
     </message>
 </context>
 <context>
     <name>FeltThreshold</name>
     <message>
         <source>There are too few answers: %1.</source>
-        <translation>Il y a trop peu de réponses : %1.</translation>
+        <translation>Il y a trop peu de réponses&#xa0;: %1.</translation>
     </message>
     <message>
         <source>at least %1</source>
@@ -1758,22 +1758,22 @@ Exemples :
     </message>
     <message>
         <source>The answers contradict each other: stronger was felt less often than weaker, or as often.</source>
-        <translation>Les réponses se contredisent : le plus fort a été senti moins souvent que le plus faible, ou aussi souvent.</translation>
+        <translation>Les réponses se contredisent&#xa0;: le plus fort a été senti moins souvent que le plus faible, ou aussi souvent.</translation>
     </message>
     <message>
         <source>answers to what was felt; undo the wrong ones or begin anew</source>
-        <translation>des réponses selon ce qui est senti ; annulez les fausses ou recommencez</translation>
+        <translation>des réponses selon ce qui est senti&#xa0;; annulez les fausses ou recommencez</translation>
     </message>
 </context>
 <context>
     <name>FigureExport</name>
     <message>
         <source>The file could not be written: %1</source>
-        <translation>Le fichier n’a pas pu être écrit : %1</translation>
+        <translation>Le fichier n’a pas pu être écrit&#xa0;: %1</translation>
     </message>
     <message>
         <source>Unknown picture format &quot;%1&quot;</source>
-        <translation>Format d’image « %1 » inconnu</translation>
+        <translation>Format d’image «&#xa0;%1&#xa0;» inconnu</translation>
     </message>
 </context>
 <context>
@@ -1795,7 +1795,7 @@ Exemples :
     </message>
     <message>
         <source>cannot draw the picture: %1</source>
-        <translation>impossible de dessiner l’image : %1</translation>
+        <translation>impossible de dessiner l’image&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -1813,7 +1813,7 @@ Exemples :
     <name>FrameFileText</name>
     <message>
         <source>column %1 is &quot;%2&quot;</source>
-        <translation>la colonne %1 est « %2 »</translation>
+        <translation>la colonne %1 est «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>there are no taxel columns</source>
@@ -1864,7 +1864,7 @@ Exemples :
     </message>
     <message>
         <source>Recorded frames: time_s,t0,t1,... with one row a frame, row-major</source>
-        <translation>Trames enregistrées : time_s,t0,t1,... avec une ligne par trame, ligne par ligne</translation>
+        <translation>Trames enregistrées&#xa0;: time_s,t0,t1,... avec une ligne par trame, ligne par ligne</translation>
     </message>
     <message>
         <source>Rows of the array</source>
@@ -1884,7 +1884,7 @@ Exemples :
     </message>
     <message>
         <source>Frames of the unloaded array; their mean is subtracted</source>
-        <translation>Trames de la matrice à vide ; leur moyenne est soustraite</translation>
+        <translation>Trames de la matrice à vide&#xa0;; leur moyenne est soustraite</translation>
     </message>
     <message>
         <source>The raw values fall under load</source>
@@ -1904,7 +1904,7 @@ Exemples :
     </message>
     <message>
         <source>Find the threshold in each frame; --threshold is the least</source>
-        <translation>Trouver le seuil dans chaque trame ; --threshold en est le minimum</translation>
+        <translation>Trouver le seuil dans chaque trame&#xa0;; --threshold en est le minimum</translation>
     </message>
     <message>
         <source>Force and centre of pressure over taxels in contact, not over the whole array</source>
@@ -1954,7 +1954,7 @@ Exemples :
     </message>
     <message>
         <source>95 %: %1   %2</source>
-        <translation>95 % : %1   %2</translation>
+        <translation>95&#xa0;%&#xa0;: %1   %2</translation>
     </message>
     <message>
         <source>not told from rigid   %1</source>
@@ -1966,11 +1966,11 @@ Exemples :
     </message>
     <message>
         <source>Stiffer than the link allows: check contact distance and link stiffness.</source>
-        <translation>Plus raide que le segment ne le permet : vérifiez la distance du contact et la raideur du segment.</translation>
+        <translation>Plus raide que le segment ne le permet&#xa0;: vérifiez la distance du contact et la raideur du segment.</translation>
     </message>
     <message>
         <source>level %1, %2, the paper&apos;s object %3</source>
-        <translation>niveau %1, %2, objet de l’article : %3</translation>
+        <translation>niveau %1, %2, objet de l’article&#xa0;: %3</translation>
     </message>
     <message>
         <source>rigid</source>
@@ -1979,19 +1979,19 @@ Exemples :
     <message>
         <source>%1: from %2
 %3</source>
-        <translation>%1 : à partir de %2
+        <translation>%1&#xa0;: à partir de %2
 %3</translation>
     </message>
     <message>
         <source>%1: under %2
 %3</source>
-        <translation>%1 : moins de %2
+        <translation>%1&#xa0;: moins de %2
 %3</translation>
     </message>
     <message>
         <source>%1: %2 to %3
 %4</source>
-        <translation>%1 : %2 à %3
+        <translation>%1&#xa0;: %2 à %3
 %4</translation>
     </message>
     <message>
@@ -2007,19 +2007,19 @@ Exemples :
     <name>HandStation</name>
     <message>
         <source>3D mouse: none is plugged in.</source>
-        <translation>Souris 3D : aucune n’est branchée.</translation>
+        <translation>Souris 3D&#xa0;: aucune n’est branchée.</translation>
     </message>
     <message>
         <source>3D mouse: %1</source>
-        <translation>Souris 3D : %1</translation>
+        <translation>Souris 3D&#xa0;: %1</translation>
     </message>
     <message>
         <source>3D mouse %1: moves the tip.</source>
-        <translation>Souris 3D %1 : déplace l’extrémité.</translation>
+        <translation>Souris 3D %1&#xa0;: déplace l’extrémité.</translation>
     </message>
     <message>
         <source>3D mouse %1: hold its first button to move the tip.</source>
-        <translation>Souris 3D %1 : maintenez son premier bouton pour déplacer l’extrémité.</translation>
+        <translation>Souris 3D %1&#xa0;: maintenez son premier bouton pour déplacer l’extrémité.</translation>
     </message>
     <message>
         <source>3D mouse</source>
@@ -2116,7 +2116,7 @@ Exemples :
     <name>IdentifierText</name>
     <message>
         <source>&quot;%1&quot; cannot be part of a file name</source>
-        <translation>« %1 » ne peut pas figurer dans un nom de fichier</translation>
+        <translation>«&#xa0;%1&#xa0;» ne peut pas figurer dans un nom de fichier</translation>
     </message>
     <message>
         <source>letters, digits, - and _</source>
@@ -2124,7 +2124,7 @@ Exemples :
     </message>
     <message>
         <source>&quot;%1&quot; is there twice</source>
-        <translation>« %1 » est présent deux fois</translation>
+        <translation>«&#xa0;%1&#xa0;» est présent deux fois</translation>
     </message>
     <message>
         <source>each one once</source>
@@ -2135,7 +2135,7 @@ Exemples :
     <name>Interruption</name>
     <message>
         <source>interrupted; the output ends with what was computed until then</source>
-        <translation>interrompu ; la sortie s’arrête à ce qui avait été calculé</translation>
+        <translation>interrompu&#xa0;; la sortie s’arrête à ce qui avait été calculé</translation>
     </message>
 </context>
 <context>
@@ -2158,7 +2158,7 @@ Exemples :
     </message>
     <message>
         <source>an object has the key &quot;%1&quot; twice</source>
-        <translation>un objet a la clé « %1 » deux fois</translation>
+        <translation>un objet a la clé «&#xa0;%1&#xa0;» deux fois</translation>
     </message>
     <message>
         <source>each key once</source>
@@ -2174,7 +2174,7 @@ Exemples :
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>this is not an object</source>
@@ -2182,11 +2182,11 @@ Exemples :
     </message>
     <message>
         <source>an object with the key &quot;%1&quot;</source>
-        <translation>un objet avec la clé « %1 »</translation>
+        <translation>un objet avec la clé «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>the key &quot;%1&quot; is missing</source>
-        <translation>la clé « %1 » manque</translation>
+        <translation>la clé «&#xa0;%1&#xa0;» manque</translation>
     </message>
     <message>
         <source>an array of length %1</source>
@@ -2267,7 +2267,7 @@ Exemples :
     <name>Modbus</name>
     <message>
         <source>%1 cannot be opened: %2</source>
-        <translation>%1 ne peut pas être ouvert : %2</translation>
+        <translation>%1 ne peut pas être ouvert&#xa0;: %2</translation>
     </message>
     <message>
         <source>The device has no motors.</source>
@@ -2331,7 +2331,7 @@ Exemples :
     </message>
     <message>
         <source>The server answered with exception %1: %2.</source>
-        <translation>Le serveur a répondu par l’exception %1 : %2.</translation>
+        <translation>Le serveur a répondu par l’exception %1&#xa0;: %2.</translation>
     </message>
     <message>
         <source>The server did not answer in time.</source>
@@ -2366,11 +2366,11 @@ Exemples :
     </message>
     <message>
         <source>the profile is of the bracelet &quot;%1&quot;</source>
-        <translation>le profil est celui du bracelet « %1 »</translation>
+        <translation>le profil est celui du bracelet «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>the limits are of the bracelet &quot;%1&quot;</source>
-        <translation>les limites sont celles du bracelet « %1 »</translation>
+        <translation>les limites sont celles du bracelet «&#xa0;%1&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -2381,11 +2381,11 @@ Exemples :
     </message>
     <message>
         <source>a motor that starts at the same drive each time; look for a loose contact</source>
-        <translation>un moteur qui démarre toujours à la même commande ; cherchez un faux contact</translation>
+        <translation>un moteur qui démarre toujours à la même commande&#xa0;; cherchez un faux contact</translation>
     </message>
     <message>
         <source>There is no step: the drive is the same all the time.</source>
-        <translation>Il n’y a pas d’échelon : la commande est toujours la même.</translation>
+        <translation>Il n’y a pas d’échelon&#xa0;: la commande est toujours la même.</translation>
     </message>
     <message>
         <source>a staircase of drives from 0 to the full one</source>
@@ -2393,7 +2393,7 @@ Exemples :
     </message>
     <message>
         <source>The full drive was never commanded: the highest is %1.</source>
-        <translation>La pleine commande n’a jamais été donnée : la plus forte est %1.</translation>
+        <translation>La pleine commande n’a jamais été donnée&#xa0;: la plus forte est %1.</translation>
     </message>
     <message>
         <source>The recording does not begin at rest.</source>
@@ -2405,7 +2405,7 @@ Exemples :
     </message>
     <message>
         <source>The recording is too short: no drive was held for %1 s.</source>
-        <translation>L’enregistrement est trop court : aucune commande n’a été maintenue %1 s.</translation>
+        <translation>L’enregistrement est trop court&#xa0;: aucune commande n’a été maintenue %1 s.</translation>
     </message>
     <message>
         <source>a drive that is held until the motor has followed, 0.3 s</source>
@@ -2413,7 +2413,7 @@ Exemples :
     </message>
     <message>
         <source>The rise time cannot be told: %1 s with a standard error of %2 s.</source>
-        <translation>Le temps de montée ne peut pas être déterminé : %1 s avec une erreur type de %2 s.</translation>
+        <translation>Le temps de montée ne peut pas être déterminé&#xa0;: %1 s avec une erreur type de %2 s.</translation>
     </message>
     <message>
         <source>more samples a second, or less noise</source>
@@ -2421,11 +2421,11 @@ Exemples :
     </message>
     <message>
         <source>The fall time cannot be told: %1 s with a standard error of %2 s.</source>
-        <translation>Le temps de descente ne peut pas être déterminé : %1 s avec une erreur type de %2 s.</translation>
+        <translation>Le temps de descente ne peut pas être déterminé&#xa0;: %1 s avec une erreur type de %2 s.</translation>
     </message>
     <message>
         <source>The motor does not follow the drive as a motor with a lag: the model explains %1 of the speed.</source>
-        <translation>Le moteur ne suit pas la commande comme un moteur à retard : le modèle explique %1 de la vitesse.</translation>
+        <translation>Le moteur ne suit pas la commande comme un moteur à retard&#xa0;: le modèle explique %1 de la vitesse.</translation>
     </message>
     <message>
         <source>a recording of one motor, with the drive of the same time</source>
@@ -2433,7 +2433,7 @@ Exemples :
     </message>
     <message>
         <source>The recording is too short: %1 samples.</source>
-        <translation>L’enregistrement est trop court : %1 échantillons.</translation>
+        <translation>L’enregistrement est trop court&#xa0;: %1 échantillons.</translation>
     </message>
     <message>
         <source>at least %1</source>
@@ -2449,7 +2449,7 @@ Exemples :
     </message>
     <message>
         <source>The speed is not 0 although nothing is commanded: %1 Hz.</source>
-        <translation>La vitesse n’est pas nulle alors que rien n’est commandé : %1 Hz.</translation>
+        <translation>La vitesse n’est pas nulle alors que rien n’est commandé&#xa0;: %1 Hz.</translation>
     </message>
     <message>
         <source>a sensor without an offset, and a motor at rest at the begin</source>
@@ -2457,7 +2457,7 @@ Exemples :
     </message>
     <message>
         <source>The speed is clipped: it stays at the end of the sensor&apos;s range.</source>
-        <translation>La vitesse est écrêtée : elle reste à la limite de la plage du capteur.</translation>
+        <translation>La vitesse est écrêtée&#xa0;: elle reste à la limite de la plage du capteur.</translation>
     </message>
     <message>
         <source>a sensor with a larger range</source>
@@ -2465,11 +2465,11 @@ Exemples :
     </message>
     <message>
         <source>The motor turned at one level of the drive only: neither its start nor its curve can be told.</source>
-        <translation>Le moteur n’a tourné qu’à un seul niveau de commande : ni son démarrage ni sa courbe ne peuvent être déterminés.</translation>
+        <translation>Le moteur n’a tourné qu’à un seul niveau de commande&#xa0;: ni son démarrage ni sa courbe ne peuvent être déterminés.</translation>
     </message>
     <message>
         <source>The drive never falls while the motor turns: the fall time cannot be told.</source>
-        <translation>La commande ne descend jamais pendant que le moteur tourne : le temps de descente ne peut pas être déterminé.</translation>
+        <translation>La commande ne descend jamais pendant que le moteur tourne&#xa0;: le temps de descente ne peut pas être déterminé.</translation>
     </message>
     <message>
         <source>a step down at the end</source>
@@ -2485,7 +2485,7 @@ Exemples :
     </message>
     <message>
         <source>The speed is saturated: from %1 of the drive on it does not rise.</source>
-        <translation>La vitesse est saturée : à partir de %1 de la commande, elle n’augmente plus.</translation>
+        <translation>La vitesse est saturée&#xa0;: à partir de %1 de la commande, elle n’augmente plus.</translation>
     </message>
     <message>
         <source>a supply and a sensor that reach the full drive</source>
@@ -2493,7 +2493,7 @@ Exemples :
     </message>
     <message>
         <source>What was measured makes no motor: its speed does not rise with the drive.</source>
-        <translation>Les mesures ne décrivent pas un moteur : sa vitesse n’augmente pas avec la commande.</translation>
+        <translation>Les mesures ne décrivent pas un moteur&#xa0;: sa vitesse n’augmente pas avec la commande.</translation>
     </message>
 </context>
 <context>
@@ -2528,7 +2528,7 @@ Exemples :
     </message>
     <message>
         <source>there is neither a column &quot;speed_hz&quot; nor &quot;signal&quot;</source>
-        <translation>il n’y a ni colonne « speed_hz » ni colonne « signal »</translation>
+        <translation>il n’y a ni colonne «&#xa0;speed_hz&#xa0;» ni colonne «&#xa0;signal&#xa0;»</translation>
     </message>
     <message>
         <source>times, drives and speeds are not equally many</source>
@@ -2548,7 +2548,7 @@ Exemples :
     </message>
     <message>
         <source>The signal is clipped: it stays at the end of its range.</source>
-        <translation>Le signal est écrêté : il reste à la limite de sa plage.</translation>
+        <translation>Le signal est écrêté&#xa0;: il reste à la limite de sa plage.</translation>
     </message>
     <message>
         <source>a recording with less gain</source>
@@ -2598,7 +2598,7 @@ Exemples :
     <name>OutputFileText</name>
     <message>
         <source>cannot write: %1</source>
-        <translation>écriture impossible : %1</translation>
+        <translation>écriture impossible&#xa0;: %1</translation>
     </message>
     <message>
         <source>standard output</source>
@@ -2621,32 +2621,32 @@ Exemples :
     <message>
         <source>%1: %2</source>
         <extracomment>A contact in the 3-D view: its number and its force</extracomment>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>Each block: the largest of %1 × %1 taxels</source>
-        <translation>Chaque bloc : le maximum de %1 × %1 taxels</translation>
+        <translation>Chaque bloc&#xa0;: le maximum de %1 × %1 taxels</translation>
     </message>
     <message>
         <source>Cylinder enlarged to fit: radius %1, length %2</source>
-        <translation>Cylindre agrandi pour contenir : rayon %1, longueur %2</translation>
+        <translation>Cylindre agrandi pour contenir&#xa0;: rayon %1, longueur %2</translation>
     </message>
     <message>
         <source>Cylinder: radius %1, length %2</source>
-        <translation>Cylindre : rayon %1, longueur %2</translation>
+        <translation>Cylindre&#xa0;: rayon %1, longueur %2</translation>
     </message>
     <message>
         <source>Longest arrow: %1</source>
-        <translation>Flèche la plus longue : %1</translation>
+        <translation>Flèche la plus longue&#xa0;: %1</translation>
     </message>
     <message>
         <source>Grid: %1</source>
-        <translation>Grille : %1</translation>
+        <translation>Grille&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1: ± %2</source>
         <extracomment>A contact on the tube in the 3-D view: its number and the standard deviation of its centre</extracomment>
-        <translation>%1 : ± %2</translation>
+        <translation>%1&#xa0;: ± %2</translation>
     </message>
     <message>
         <source>BUMP</source>
@@ -2668,7 +2668,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Tube: radius %1, length %2</source>
-        <translation>Tube : rayon %1, longueur %2</translation>
+        <translation>Tube&#xa0;: rayon %1, longueur %2</translation>
     </message>
     <message>
         <source>Displacement of the skin × %1, fainter where uncertain</source>
@@ -2676,7 +2676,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Ellipses hold the centres with 95 %</source>
-        <translation>Les ellipses contiennent les centres à 95 %</translation>
+        <translation>Les ellipses contiennent les centres à 95&#xa0;%</translation>
     </message>
 </context>
 <context>
@@ -2695,7 +2695,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>there are too few pairs: %1</source>
-        <translation>il y a trop peu de paires : %1</translation>
+        <translation>il y a trop peu de paires&#xa0;: %1</translation>
     </message>
     <message>
         <source>at least 6, better 50 or more</source>
@@ -2711,15 +2711,15 @@ Aire %6</translation>
     </message>
     <message>
         <source>all points are on one line of the cylinder: the camera may turn about that line without a change in the image</source>
-        <translation>tous les points sont sur une même droite du cylindre : la caméra peut tourner autour de cette droite sans que l’image change</translation>
+        <translation>tous les points sont sur une même droite du cylindre&#xa0;: la caméra peut tourner autour de cette droite sans que l’image change</translation>
     </message>
     <message>
         <source>all points are on one ring of the cylinder: the camera&apos;s distance and its focal length cannot be told apart</source>
-        <translation>tous les points sont sur un même anneau du cylindre : la distance de la caméra et sa focale ne peuvent pas être distinguées</translation>
+        <translation>tous les points sont sur un même anneau du cylindre&#xa0;: la distance de la caméra et sa focale ne peuvent pas être distinguées</translation>
     </message>
     <message>
         <source>all points are in one plane: the camera&apos;s distance and its focal length cannot be told apart</source>
-        <translation>tous les points sont dans un même plan : la distance de la caméra et sa focale ne peuvent pas être distinguées</translation>
+        <translation>tous les points sont dans un même plan&#xa0;: la distance de la caméra et sa focale ne peuvent pas être distinguées</translation>
     </message>
     <message>
         <source>no camera agrees with enough of the pairs</source>
@@ -2727,11 +2727,11 @@ Aire %6</translation>
     </message>
     <message>
         <source>half of the pairs and at least %1 in agreement: pixels in the order of their points, the right image size and cylinder radius</source>
-        <translation>la moitié des paires et au moins %1 concordantes : pixels dans l’ordre de leurs points, bonne taille d’image et bon rayon de cylindre</translation>
+        <translation>la moitié des paires et au moins %1 concordantes&#xa0;: pixels dans l’ordre de leurs points, bonne taille d’image et bon rayon de cylindre</translation>
     </message>
     <message>
         <source>the pairs leave the camera undetermined: points on the surface would be uncertain by more than %1 mm</source>
-        <translation>les paires laissent la caméra indéterminée : les points de la surface seraient incertains de plus de %1 mm</translation>
+        <translation>les paires laissent la caméra indéterminée&#xa0;: les points de la surface seraient incertains de plus de %1 mm</translation>
     </message>
     <message>
         <source>more pairs, spread over the whole surface</source>
@@ -2814,7 +2814,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>%1 s: %2</source>
-        <translation>%1 s : %2</translation>
+        <translation>%1 s&#xa0;: %2</translation>
     </message>
     <message>
         <source>... (%1 breakpoints)</source>
@@ -2850,7 +2850,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Sample a pattern: rows time_s,t1..t6 over its duration</source>
-        <translation>Échantillonner un motif : lignes time_s,t1..t6 sur sa durée</translation>
+        <translation>Échantillonner un motif&#xa0;: lignes time_s,t1..t6 sur sa durée</translation>
     </message>
     <message>
         <source>Samples a second</source>
@@ -2878,7 +2878,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>the ending of %1 tells no format; expected one of %2</source>
-        <translation>l’extension de %1 n’indique aucun format ; attendu l’un de %2</translation>
+        <translation>l’extension de %1 n’indique aucun format&#xa0;; attendu l’un de %2</translation>
     </message>
     <message>
         <source>%1 keeps all laws.</source>
@@ -2886,7 +2886,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>%1, %2 s to %3 s: %4 %5</source>
-        <translation>%1, %2 s à %3 s : %4 %5</translation>
+        <translation>%1, %2 s à %3 s&#xa0;: %4 %5</translation>
     </message>
     <message>
         <source>List, show, sample, convert, check and play the patterns of the bracelet</source>
@@ -2898,7 +2898,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>What the motors will do; without --motors with an assumed motor: lag, start and speed are not measured</source>
-        <translation>Ce que feront les moteurs ; sans --motors, avec un moteur supposé : retard, démarrage et vitesse ne sont pas mesurés</translation>
+        <translation>Ce que feront les moteurs&#xa0;; sans --motors, avec un moteur supposé&#xa0;: retard, démarrage et vitesse ne sont pas mesurés</translation>
     </message>
     <message>
         <source>Samples a second of CSV (default 200) and WAV (default 8000)</source>
@@ -2906,7 +2906,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>CSV and WAV: what the motors will do, with an assumed motor: lag, start and speed are not measured</source>
-        <translation>CSV et WAV : ce que feront les moteurs, avec un moteur supposé : retard, démarrage et vitesse ne sont pas mesurés</translation>
+        <translation>CSV et WAV&#xa0;: ce que feront les moteurs, avec un moteur supposé&#xa0;: retard, démarrage et vitesse ne sont pas mesurés</translation>
     </message>
     <message>
         <source>Play a pattern on a bracelet</source>
@@ -2918,11 +2918,15 @@ Aire %6</translation>
     </message>
     <message>
         <source>%1 holds no samples: --rate and --predicted are for .csv and .wav files</source>
-        <translation>%1 ne contient pas d’échantillons : --rate et --predicted sont pour les fichiers .csv et .wav</translation>
+        <translation>%1 ne contient pas d’échantillons&#xa0;: --rate et --predicted sont pour les fichiers .csv et .wav</translation>
     </message>
     <message>
         <source>usb, simulated, or a file that describes a bracelet</source>
         <translation>usb, simulated, ou un fichier décrivant un bracelet</translation>
+    </message>
+    <message>
+        <source>Help the motors up: full intensity while they speed up, as long as their profile allows</source>
+        <translation>Aider les moteurs à démarrer&#xa0;: pleine intensité pendant qu’ils accélèrent, aussi longtemps que leur profil le permet</translation>
     </message>
 </context>
 <context>
@@ -2945,7 +2949,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>there is no tactor for the file &quot;%1&quot;</source>
-        <translation>il n’y a pas de tacteur pour le fichier « %1 »</translation>
+        <translation>il n’y a pas de tacteur pour le fichier «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>files tactor1.haptic to tactor6.haptic, each once</source>
@@ -3053,7 +3057,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>the key &quot;recovery&quot;</source>
-        <translation>la clé « recovery »</translation>
+        <translation>la clé «&#xa0;recovery&#xa0;»</translation>
     </message>
     <message>
         <source>the rate of the samples is out of range</source>
@@ -3075,6 +3079,22 @@ Aire %6</translation>
         <source>a whole number of samples a second</source>
         <translation>un nombre entier d’échantillons par seconde</translation>
     </message>
+    <message>
+        <source>the pattern is too long for overdrive</source>
+        <translation>le motif est trop long pour la surintensité</translation>
+    </message>
+    <message>
+        <source>at most %1 s</source>
+        <translation>au plus %1&#xa0;s</translation>
+    </message>
+    <message>
+        <source>the pattern has too many corners</source>
+        <translation>le motif a trop de coins</translation>
+    </message>
+    <message>
+        <source>at most %1 breakpoints</source>
+        <translation>au plus %1 nœuds</translation>
+    </message>
 </context>
 <context>
     <name>PatternLaws</name>
@@ -3088,11 +3108,11 @@ Aire %6</translation>
     </message>
     <message>
         <source>A turn of the ring takes %1; its direction is felt reliably from %2 on.</source>
-        <translation>Un tour de l’anneau dure %1 ; son sens est senti de façon fiable à partir de %2.</translation>
+        <translation>Un tour de l’anneau dure %1&#xa0;; son sens est senti de façon fiable à partir de %2.</translation>
     </message>
     <message>
         <source>The bursts begin %1 apart; they are felt as one motion with %2.</source>
-        <translation>Les salves débutent à %1 d’intervalle ; elles sont senties comme un seul mouvement avec %2.</translation>
+        <translation>Les salves débutent à %1 d’intervalle&#xa0;; elles sont senties comme un seul mouvement avec %2.</translation>
     </message>
     <message>
         <source>Object %1 plays on the same motor at the same time (tactors %2).</source>
@@ -3100,7 +3120,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Tactors %1 are at most %2 Hz apart in speed: they beat.</source>
-        <translation>Les tacteurs %1 diffèrent d’au plus %2 Hz en vitesse : ils battent.</translation>
+        <translation>Les tacteurs %1 diffèrent d’au plus %2 Hz en vitesse&#xa0;: ils battent.</translation>
     </message>
     <message>
         <source>It goes on until %1 s, but the pattern ends at %2 s.</source>
@@ -3136,18 +3156,18 @@ Aire %6</translation>
     </message>
     <message>
         <source>Make motor %1 weaker there, by %2 %, so that they are %3 Hz apart.</source>
-        <translation>Affaiblir là le moteur %1 de %2 % pour qu’ils soient éloignés de %3 Hz.</translation>
+        <translation>Affaiblir là le moteur&#xa0;%1 de&#xa0;%2&#xa0;% pour qu’ils soient éloignés de&#xa0;%3 Hz.</translation>
     </message>
 </context>
 <context>
     <name>PatternPlay</name>
     <message>
         <source>the profile is of the bracelet &quot;%1&quot;</source>
-        <translation>le profil est celui du bracelet « %1 »</translation>
+        <translation>le profil est celui du bracelet «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>median %1, 99 % below %2, longest %3 us</source>
-        <translation>médiane %1, 99 % sous %2, maximum %3 us</translation>
+        <translation>médiane %1, 99&#xa0;% sous %2, maximum %3 us</translation>
     </message>
     <message>
         <source>The bracelet was lost.</source>
@@ -3214,7 +3234,7 @@ Aire %6</translation>
     <name>PlaybackRequest</name>
     <message>
         <source>the recording has no stream &quot;%1&quot; to play</source>
-        <translation>l’enregistrement n’a pas de flux « %1 » à lire</translation>
+        <translation>l’enregistrement n’a pas de flux «&#xa0;%1&#xa0;» à lire</translation>
     </message>
 </context>
 <context>
@@ -3255,7 +3275,7 @@ Aire %6</translation>
         <source>teleta: %1
 %2 --help says more.
 </source>
-        <translation>teleta : %1
+        <translation>teleta&#xa0;: %1
 %2 --help en dit plus.
 </translation>
     </message>
@@ -3269,7 +3289,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Example:</source>
-        <translation>Exemple :</translation>
+        <translation>Exemple&#xa0;:</translation>
     </message>
 </context>
 <context>
@@ -3291,14 +3311,14 @@ Aire %6</translation>
     <name>RecordedCameraText</name>
     <message>
         <source>the stream &quot;%1&quot; is not described: %2</source>
-        <translation>le flux « %1 » n’est pas décrit : %2</translation>
+        <translation>le flux «&#xa0;%1&#xa0;» n’est pas décrit&#xa0;: %2</translation>
     </message>
 </context>
 <context>
     <name>RecordedStreamText</name>
     <message>
         <source>the stream &quot;%1&quot; is not described: %2</source>
-        <translation>le flux « %1 » n’est pas décrit : %2</translation>
+        <translation>le flux «&#xa0;%1&#xa0;» n’est pas décrit&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -3324,7 +3344,7 @@ Aire %6</translation>
     <name>Recording</name>
     <message>
         <source>block %1 of the stream &quot;%2&quot; is not whole</source>
-        <translation>le bloc %1 du flux « %2 » n’est pas entier</translation>
+        <translation>le bloc %1 du flux «&#xa0;%2&#xa0;» n’est pas entier</translation>
     </message>
     <message>
         <source>the recording was never begun</source>
@@ -3332,15 +3352,15 @@ Aire %6</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no time</source>
-        <translation>« %1 » n’est pas un temps</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un temps</translation>
     </message>
     <message>
         <source>the stream &quot;%1&quot; is described by &quot;%2&quot;</source>
-        <translation>le flux « %1 » est décrit par « %2 »</translation>
+        <translation>le flux «&#xa0;%1&#xa0;» est décrit par «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>the stream &quot;%1&quot; has %2 columns instead of %3</source>
-        <translation>le flux « %1 » a %2 colonnes au lieu de %3</translation>
+        <translation>le flux «&#xa0;%1&#xa0;» a %2 colonnes au lieu de %3</translation>
     </message>
     <message>
         <source>there is a file of this name already</source>
@@ -3352,7 +3372,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>the recording cannot be written: %1</source>
-        <translation>l’enregistrement ne peut pas être écrit : %1</translation>
+        <translation>l’enregistrement ne peut pas être écrit&#xa0;: %1</translation>
     </message>
     <message>
         <source>a folder that can be written to</source>
@@ -3388,7 +3408,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>a folder that can be written to: the recording was cut off and has to be completed</source>
-        <translation>un dossier où l’on peut écrire : l’enregistrement a été coupé et doit être complété</translation>
+        <translation>un dossier où l’on peut écrire&#xa0;: l’enregistrement a été coupé et doit être complété</translation>
     </message>
     <message>
         <source>the disk is full</source>
@@ -3396,7 +3416,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>the recording is damaged: %1</source>
-        <translation>l’enregistrement est endommagé : %1</translation>
+        <translation>l’enregistrement est endommagé&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -3413,12 +3433,16 @@ Aire %6</translation>
         <source>another folder</source>
         <translation>un autre dossier</translation>
     </message>
+    <message>
+        <source>interrupted; nothing was written</source>
+        <translation>interrompu&#xa0;; rien n’a été écrit</translation>
+    </message>
 </context>
 <context>
     <name>RegisterMapReader</name>
     <message>
         <source>&quot;scale&quot; is 0</source>
-        <translation>« scale » vaut 0</translation>
+        <translation>«&#xa0;scale&#xa0;» vaut 0</translation>
     </message>
     <message>
         <source>the value of one count</source>
@@ -3434,7 +3458,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>&quot;%1&quot; does not fit into the register</source>
-        <translation>« %1 » ne tient pas dans le registre</translation>
+        <translation>«&#xa0;%1&#xa0;» ne tient pas dans le registre</translation>
     </message>
     <message>
         <source>a value that type, scale and offset can express</source>
@@ -3442,7 +3466,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>&quot;full&quot; and &quot;off&quot; are the same</source>
-        <translation>« full » et « off » sont identiques</translation>
+        <translation>«&#xa0;full&#xa0;» et «&#xa0;off&#xa0;» sont identiques</translation>
     </message>
     <message>
         <source>a value at which the motor runs as fast as it can</source>
@@ -3454,11 +3478,11 @@ Aire %6</translation>
     </message>
     <message>
         <source>one of: %1</source>
-        <translation>l’un de : %1</translation>
+        <translation>l’un de&#xa0;: %1</translation>
     </message>
     <message>
         <source>there is no input &quot;%1&quot;</source>
-        <translation>il n’y a pas d’entrée « %1 »</translation>
+        <translation>il n’y a pas d’entrée «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>the name of an [[input]]</source>
@@ -3466,7 +3490,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>the unit of &quot;%1&quot; is &quot;%2&quot;</source>
-        <translation>l’unité de « %1 » est « %2 »</translation>
+        <translation>l’unité de «&#xa0;%1&#xa0;» est «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>an input in %1</source>
@@ -3474,7 +3498,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>the name &quot;%1&quot; is used twice</source>
-        <translation>le nom « %1 » est utilisé deux fois</translation>
+        <translation>le nom «&#xa0;%1&#xa0;» est utilisé deux fois</translation>
     </message>
     <message>
         <source>a name of its own for each input</source>
@@ -3482,7 +3506,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>the number of joints is wrong: %1</source>
-        <translation>le nombre d’articulations est faux : %1</translation>
+        <translation>le nombre d’articulations est faux&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1, from the shoulder on</source>
@@ -3518,7 +3542,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>&quot;start&quot; is not between &quot;off&quot; and &quot;full&quot;</source>
-        <translation>« start » n’est pas entre « off » et « full »</translation>
+        <translation>«&#xa0;start&#xa0;» n’est pas entre «&#xa0;off&#xa0;» et «&#xa0;full&#xa0;»</translation>
     </message>
     <message>
         <source>the value of the weakest intensity</source>
@@ -3534,7 +3558,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>&quot;answer_timeout_s&quot; is too long for motors: STOP may have to wait for it</source>
-        <translation>« answer_timeout_s » est trop long pour des moteurs : STOP pourrait avoir à l’attendre</translation>
+        <translation>«&#xa0;answer_timeout_s&#xa0;» est trop long pour des moteurs&#xa0;: STOP pourrait avoir à l’attendre</translation>
     </message>
     <message>
         <source>at most %1 s</source>
@@ -3563,11 +3587,11 @@ Aire %6</translation>
     </message>
     <message>
         <source>Times the recorded speed; otherwise as fast as possible</source>
-        <translation>Multiple de la vitesse enregistrée ; sinon aussi vite que possible</translation>
+        <translation>Multiple de la vitesse enregistrée&#xa0;; sinon aussi vite que possible</translation>
     </message>
     <message>
         <source>Load from which a taxel is in contact; otherwise as it was recorded</source>
-        <translation>Charge à partir de laquelle un taxel est en contact ; sinon comme enregistré</translation>
+        <translation>Charge à partir de laquelle un taxel est en contact&#xa0;; sinon comme enregistré</translation>
     </message>
     <message numerus="yes">
         <source>%n frame(s) were not printed</source>
@@ -3582,7 +3606,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Name of the stream of an array or a camera; otherwise the first one</source>
-        <translation>Nom du flux d’une matrice ou d’une caméra ; sinon le premier</translation>
+        <translation>Nom du flux d’une matrice ou d’une caméra&#xa0;; sinon le premier</translation>
     </message>
     <message>
         <source>the recording has the arrays and cameras %1</source>
@@ -3590,7 +3614,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>it is of an array, but the stream &quot;%1&quot; is of a camera</source>
-        <translation>cela concerne une matrice, mais le flux « %1 » est celui d’une caméra</translation>
+        <translation>cela concerne une matrice, mais le flux «&#xa0;%1&#xa0;» est celui d’une caméra</translation>
     </message>
 </context>
 <context>
@@ -3613,7 +3637,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Data: %1. TeleTA Console %2.</source>
-        <translation>Données : %1. TeleTA Console %2.</translation>
+        <translation>Données&#xa0;: %1. TeleTA Console %2.</translation>
     </message>
     <message>
         <source>Compute it again</source>
@@ -3621,26 +3645,26 @@ Aire %6</translation>
     </message>
     <message>
         <source>analysis.R beside this page computes its numbers again from confusion_long.csv, but the response times, which that file does not have, and the bootstrap intervals: Rscript analysis.R. In the folder of the study it computes the response times too, from the exported trials.</source>
-        <translation>analysis.R, à côté de cette page, recalcule ses nombres à partir de confusion_long.csv, sauf les temps de réponse, que ce fichier n’a pas, et les intervalles de bootstrap : Rscript analysis.R. Dans le dossier de l’étude, il calcule aussi les temps de réponse, à partir des essais exportés.</translation>
+        <translation>analysis.R, à côté de cette page, recalcule ses nombres à partir de confusion_long.csv, sauf les temps de réponse, que ce fichier n’a pas, et les intervalles de bootstrap&#xa0;: Rscript analysis.R. Dans le dossier de l’étude, il calcule aussi les temps de réponse, à partir des essais exportés.</translation>
     </message>
 </context>
 <context>
     <name>ResidualPicture</name>
     <message>
         <source>Image: no pairs yet</source>
-        <translation>Image : pas encore de paires</translation>
+        <translation>Image&#xa0;: pas encore de paires</translation>
     </message>
     <message>
         <source>Unrolled cylinder: no pairs yet</source>
-        <translation>Cylindre déroulé : pas encore de paires</translation>
+        <translation>Cylindre déroulé&#xa0;: pas encore de paires</translation>
     </message>
     <message>
         <source>Image: from the pixel to where the camera projects its point</source>
-        <translation>Image : du pixel à l’endroit où la caméra projette son point</translation>
+        <translation>Image&#xa0;: du pixel à l’endroit où la caméra projette son point</translation>
     </message>
     <message>
         <source>Unrolled cylinder: from the point to where its pixel is located</source>
-        <translation>Cylindre déroulé : du point à l’endroit où son pixel est localisé</translation>
+        <translation>Cylindre déroulé&#xa0;: du point à l’endroit où son pixel est localisé</translation>
     </message>
     <message>
         <source>u to the right, v down, px</source>
@@ -3648,7 +3672,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>angle, degrees; z upwards, mm</source>
-        <translation>angle, degrés ; z vers le haut, mm</translation>
+        <translation>angle, degrés&#xa0;; z vers le haut, mm</translation>
     </message>
     <message>
         <source>arrows %1 times</source>
@@ -3656,7 +3680,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>x: wrong pair   o: excluded   dashed: valid radius</source>
-        <translation>x : paire fausse   o : exclue   tirets : rayon valide</translation>
+        <translation>x&#xa0;: paire fausse   o&#xa0;: exclue   tirets&#xa0;: rayon valide</translation>
     </message>
     <message>
         <source>along z −%1</source>
@@ -3675,15 +3699,15 @@ Aire %6</translation>
     </message>
     <message>
         <source>Right answers, 95 % Wilson interval</source>
-        <translation>Réponses correctes, intervalle de Wilson à 95 %</translation>
+        <translation>Réponses correctes, intervalle de Wilson à 95&#xa0;%</translation>
     </message>
     <message>
         <source>Right answers, mean of participants, 95 % t interval</source>
-        <translation>Réponses correctes, moyenne des participants, intervalle t à 95 %</translation>
+        <translation>Réponses correctes, moyenne des participants, intervalle t à 95&#xa0;%</translation>
     </message>
     <message>
         <source>right, %</source>
-        <translation>correctes, %</translation>
+        <translation>correctes,&#xa0;%</translation>
     </message>
     <message>
         <source>chance</source>
@@ -3696,7 +3720,7 @@ Aire %6</translation>
     <message>
         <source>Each pattern: %1</source>
         <comment>conditions</comment>
-        <translation>Chaque motif : %1</translation>
+        <translation>Chaque motif&#xa0;: %1</translation>
     </message>
     <message>
         <source> against </source>
@@ -3721,7 +3745,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Median response times, 95 % t interval</source>
-        <translation>Temps de réponse médians, intervalle t à 95 %</translation>
+        <translation>Temps de réponse médians, intervalle t à 95&#xa0;%</translation>
     </message>
     <message>
         <source>s from the onset</source>
@@ -3741,7 +3765,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Right %</source>
-        <translation>Correctes %</translation>
+        <translation>Correctes&#xa0;%</translation>
     </message>
     <message>
         <source>SD</source>
@@ -3749,7 +3773,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>95 % t interval</source>
-        <translation>Intervalle t 95 %</translation>
+        <translation>Intervalle t 95&#xa0;%</translation>
     </message>
     <message>
         <source>Trials</source>
@@ -3769,7 +3793,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>95 % bootstrap</source>
-        <translation>Bootstrap 95 %</translation>
+        <translation>Bootstrap 95&#xa0;%</translation>
     </message>
     <message>
         <source>Mean of the participants&apos; shares of right answers</source>
@@ -3793,7 +3817,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>By how much it is too high on average: (R-1)(C-1) / (2 n ln 2)</source>
-        <translation>Excès moyen : (R-1)(C-1) / (2 n ln 2)</translation>
+        <translation>Excès moyen&#xa0;: (R-1)(C-1) / (2 n ln 2)</translation>
     </message>
     <message>
         <source>Measured less bias</source>
@@ -3817,11 +3841,11 @@ Aire %6</translation>
     </message>
     <message>
         <source>Wilson 95 %</source>
-        <translation>Wilson 95 %</translation>
+        <translation>Wilson 95&#xa0;%</translation>
     </message>
     <message>
         <source>Clopper-Pearson 95 %</source>
-        <translation>Clopper-Pearson 95 %</translation>
+        <translation>Clopper-Pearson 95&#xa0;%</translation>
     </message>
     <message>
         <source>p by chance</source>
@@ -3933,7 +3957,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>The information transfer of few trials is too high: with %1 trials, somebody who only guesses shows %2 bit on average. Read the corrected value beside it.</source>
-        <translation>Le transfert d’information de peu d’essais est trop élevé : avec %1 essais, quelqu’un qui ne fait que deviner montre %2 bit en moyenne. Lisez la valeur corrigée à côté.</translation>
+        <translation>Le transfert d’information de peu d’essais est trop élevé&#xa0;: avec %1 essais, quelqu’un qui ne fait que deviner montre %2 bit en moyenne. Lisez la valeur corrigée à côté.</translation>
     </message>
     <message>
         <source>With fewer than 5 k² trials even the corrected value is rough.</source>
@@ -3941,11 +3965,11 @@ Aire %6</translation>
     </message>
     <message>
         <source>There is one condition only, so the patterns are compared.</source>
-        <translation>Il n’y a qu’une condition : ce sont donc les motifs qui sont comparés.</translation>
+        <translation>Il n’y a qu’une condition&#xa0;: ce sont donc les motifs qui sont comparés.</translation>
     </message>
     <message>
         <source>Within participants, condition × pattern, of the shares of right answers; below, the conditions compared for each pattern.</source>
-        <translation>Intra-participants, condition × motif, des parts de réponses correctes ; en dessous, les conditions comparées pour chaque motif.</translation>
+        <translation>Intra-participants, condition × motif, des parts de réponses correctes&#xa0;; en dessous, les conditions comparées pour chaque motif.</translation>
     </message>
 </context>
 <context>
@@ -3979,7 +4003,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>The computer was too slow for the measurement: the bracelet stood still meanwhile.</source>
-        <translation>L’ordinateur était trop lent pour la mesure : le bracelet s’est arrêté entre-temps.</translation>
+        <translation>L’ordinateur était trop lent pour la mesure&#xa0;: le bracelet s’est arrêté entre-temps.</translation>
     </message>
     <message>
         <source>measure again with less other work</source>
@@ -4010,19 +4034,19 @@ Aire %6</translation>
     </message>
     <message>
         <source>the size of indenter &quot;%1&quot; is out of range</source>
-        <translation>la taille de l’indenteur « %1 » est hors limites</translation>
+        <translation>la taille de l’indenteur «&#xa0;%1&#xa0;» est hors limites</translation>
     </message>
     <message>
         <source>the motion of indenter &quot;%1&quot; is not a series of rising times</source>
-        <translation>le mouvement de l’indenteur « %1 » n’est pas une suite de temps croissants</translation>
+        <translation>le mouvement de l’indenteur «&#xa0;%1&#xa0;» n’est pas une suite de temps croissants</translation>
     </message>
     <message>
         <source>a parameter of effect &quot;%1&quot; is out of range</source>
-        <translation>un paramètre de l’effet « %1 » est hors limites</translation>
+        <translation>un paramètre de l’effet «&#xa0;%1&#xa0;» est hors limites</translation>
     </message>
     <message>
         <source>effect &quot;%1&quot; is listed twice</source>
-        <translation>l’effet « %1 » est indiqué deux fois</translation>
+        <translation>l’effet «&#xa0;%1&#xa0;» est indiqué deux fois</translation>
     </message>
     <message>
         <source>a property of the arm is out of range</source>
@@ -4038,7 +4062,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>a property of object &quot;%1&quot; is out of range</source>
-        <translation>une propriété de l’objet « %1 » est hors limites</translation>
+        <translation>une propriété de l’objet «&#xa0;%1&#xa0;» est hors limites</translation>
     </message>
     <message>
         <source>the program of the arm is out of range</source>
@@ -4046,7 +4070,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>effect &quot;%1&quot; needs an arm</source>
-        <translation>l’effet « %1 » demande un bras</translation>
+        <translation>l’effet «&#xa0;%1&#xa0;» demande un bras</translation>
     </message>
     <message>
         <source>a property of the camera is out of range</source>
@@ -4074,15 +4098,15 @@ Aire %6</translation>
     </message>
     <message>
         <source>a camera has no effect &quot;%1&quot;</source>
-        <translation>une caméra n’a pas d’effet « %1 »</translation>
+        <translation>une caméra n’a pas d’effet «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>effect &quot;%1&quot; needs a camera</source>
-        <translation>l’effet « %1 » demande une caméra</translation>
+        <translation>l’effet «&#xa0;%1&#xa0;» demande une caméra</translation>
     </message>
     <message>
         <source>effect &quot;%1&quot; needs a servoing arm</source>
-        <translation>l’effet « %1 » demande un bras asservi</translation>
+        <translation>l’effet «&#xa0;%1&#xa0;» demande un bras asservi</translation>
     </message>
     <message>
         <source>the scene is not that of a tactile array</source>
@@ -4106,7 +4130,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>effect &quot;%1&quot; needs the program of an operator</source>
-        <translation>l’effet « %1 » demande le programme d’un opérateur</translation>
+        <translation>l’effet «&#xa0;%1&#xa0;» demande le programme d’un opérateur</translation>
     </message>
     <message>
         <source>the scene is not that of an arm with an operator</source>
@@ -4137,7 +4161,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>either &quot;count&quot; or &quot;taxels&quot;</source>
-        <translation>soit « count », soit « taxels »</translation>
+        <translation>soit «&#xa0;count&#xa0;», soit «&#xa0;taxels&#xa0;»</translation>
     </message>
     <message>
         <source>the effect is listed twice</source>
@@ -4285,7 +4309,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Tactile servoing: force and features over time</source>
-        <translation>Asservissement tactile : force et caractéristiques au cours du temps</translation>
+        <translation>Asservissement tactile&#xa0;: force et caractéristiques au cours du temps</translation>
     </message>
     <message>
         <source>desired</source>
@@ -4317,7 +4341,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>weight is moved; its moment is gone</source>
-        <translation>le poids est déplacé ; son moment a disparu</translation>
+        <translation>le poids est déplacé&#xa0;; son moment a disparu</translation>
     </message>
     <message>
         <source>Turn z, °</source>
@@ -4417,7 +4441,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Simulated cycle: %1 µs, %2 times real time. Contact %3 %, kinematics %4 %, features %5 %, control %6 %, dynamics %7 %.</source>
-        <translation>Cycle simulé : %1 µs, %2 fois le temps réel. Contact %3 %, cinématique %4 %, caractéristiques %5 %, commande %6 %, dynamique %7 %.</translation>
+        <translation>Cycle simulé&#xa0;: %1 µs, %2 fois le temps réel. Contact %3&#xa0;%, cinématique %4&#xa0;%, caractéristiques %5&#xa0;%, commande %6&#xa0;%, dynamique %7&#xa0;%.</translation>
     </message>
     <message>
         <source>%1, run %2</source>
@@ -4511,7 +4535,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Simulated time in seconds; otherwise what the scene says</source>
-        <translation>Temps simulé en secondes ; sinon ce que dit la scène</translation>
+        <translation>Temps simulé en secondes&#xa0;; sinon ce que dit la scène</translation>
     </message>
     <message>
         <source>Share of %1</source>
@@ -4519,7 +4543,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>%1 %</source>
-        <translation>%1 %</translation>
+        <translation>%1&#xa0;%</translation>
     </message>
     <message>
         <source>Scene file, or the name of a scene that comes with the program</source>
@@ -4531,7 +4555,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Folder for summary.json, the recording and its data as CSV; with --ablate the CSV file</source>
-        <translation>Dossier pour summary.json, l’enregistrement et ses données en CSV ; avec --ablate, le fichier CSV</translation>
+        <translation>Dossier pour summary.json, l’enregistrement et ses données en CSV&#xa0;; avec --ablate, le fichier CSV</translation>
     </message>
     <message>
         <source>Formats of the chart of a servo run in --out, separated by commas</source>
@@ -4594,14 +4618,14 @@ Aire %6</translation>
     <name>SimulatedTube</name>
     <message>
         <source>the lens of the camera folds: no camera has it</source>
-        <translation>l’objectif de la caméra se replie : aucune caméra n’en a de tel</translation>
+        <translation>l’objectif de la caméra se replie&#xa0;: aucune caméra n’en a de tel</translation>
     </message>
 </context>
 <context>
     <name>SourceText</name>
     <message>
         <source>these are data of different modes: %1 and %2</source>
-        <translation>ces données sont de modes différents : %1 et %2</translation>
+        <translation>ces données sont de modes différents&#xa0;: %1 et %2</translation>
     </message>
     <message>
         <source>one mode, or to be told which one counts</source>
@@ -4609,11 +4633,11 @@ Aire %6</translation>
     </message>
     <message>
         <source>%1 cannot be &quot;%2&quot;</source>
-        <translation>%1 ne peut pas être « %2 »</translation>
+        <translation>%1 ne peut pas être «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>%1 has trials in %2 too: these may be two people, or the same trials twice</source>
-        <translation>%1 a aussi des essais dans %2 : ce sont peut-être deux personnes, ou deux fois les mêmes essais</translation>
+        <translation>%1 a aussi des essais dans %2&#xa0;: ce sont peut-être deux personnes, ou deux fois les mêmes essais</translation>
     </message>
     <message>
         <source>each participant in one study, under a name of their own</source>
@@ -4644,7 +4668,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>at least %1 N/m (95 %)</source>
-        <translation>au moins %1 N/m (95 %)</translation>
+        <translation>au moins %1 N/m (95&#xa0;%)</translation>
     </message>
     <message>
         <source>%1 N/m (uncertainty not available)</source>
@@ -4652,7 +4676,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>%1 N/m (95 %: %2 to %3)</source>
-        <translation>%1 N/m (95 % : %2 à %3)</translation>
+        <translation>%1 N/m (95&#xa0;%&#xa0;: %2 à %3)</translation>
     </message>
     <message>
         <source>two-point</source>
@@ -4720,7 +4744,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Half the thickness of the link, m; it cancels out of the stiffness</source>
-        <translation>Demi-épaisseur du segment, m ; elle s’élimine de la raideur</translation>
+        <translation>Demi-épaisseur du segment, m&#xa0;; elle s’élimine de la raideur</translation>
     </message>
     <message>
         <source>The link&apos;s own stiffness, N/m</source>
@@ -4728,7 +4752,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>two-point: the samples nearest to both borders of the window; regression: all samples in it</source>
-        <translation>two-point : les échantillons les plus proches des deux bornes de la fenêtre ; regression : tous ses échantillons</translation>
+        <translation>two-point&#xa0;: les échantillons les plus proches des deux bornes de la fenêtre&#xa0;; regression&#xa0;: tous ses échantillons</translation>
     </message>
     <message>
         <source>Torques between which the touch is evaluated, Nm</source>
@@ -4744,7 +4768,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>the touch is stiffer than the link allows: check contact distance and link stiffness</source>
-        <translation>le toucher est plus raide que le segment ne le permet : vérifiez la distance du contact et la raideur du segment</translation>
+        <translation>le toucher est plus raide que le segment ne le permet&#xa0;: vérifiez la distance du contact et la raideur du segment</translation>
     </message>
     <message>
         <source>the log has no samples</source>
@@ -4756,7 +4780,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>one half of the torque window has no sample; the largest torque is %1 Nm</source>
-        <translation>une moitié de la fenêtre de couple n’a pas d’échantillon ; le plus grand couple est %1 Nm</translation>
+        <translation>une moitié de la fenêtre de couple n’a pas d’échantillon&#xa0;; le plus grand couple est %1 Nm</translation>
     </message>
     <message>
         <source>samples near %1 Nm and near %2 Nm</source>
@@ -4764,7 +4788,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>no sample reaches the torque window; the largest torque is %1 Nm</source>
-        <translation>aucun échantillon n’atteint la fenêtre de couple ; le plus grand couple est %1 Nm</translation>
+        <translation>aucun échantillon n’atteint la fenêtre de couple&#xa0;; le plus grand couple est %1 Nm</translation>
     </message>
     <message>
         <source>torques from %1 to %2 Nm</source>
@@ -4792,7 +4816,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>angle and torque that rise together; the sign of one column may be turned</source>
-        <translation>un angle et un couple qui montent ensemble ; le signe d’une colonne peut être inversé</translation>
+        <translation>un angle et un couple qui montent ensemble&#xa0;; le signe d’une colonne peut être inversé</translation>
     </message>
     <message>
         <source>the numbers are too large or too small to compute with</source>
@@ -4827,7 +4851,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>the pattern could not be played: %1</source>
-        <translation>le motif n’a pas pu être joué : %1</translation>
+        <translation>le motif n’a pas pu être joué&#xa0;: %1</translation>
     </message>
     <message>
         <source>something else stopped the bracelet</source>
@@ -4982,7 +5006,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Check cable and power supply; it goes on by itself when it is back.</source>
-        <translation>Vérifiez le câble et l’alimentation ; la suite est automatique à son retour.</translation>
+        <translation>Vérifiez le câble et l’alimentation&#xa0;; la suite est automatique à son retour.</translation>
     </message>
     <message>
         <source>STOP is engaged</source>
@@ -4994,7 +5018,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>%1 is simulated: nobody can feel it</source>
-        <translation>%1 est simulé : personne ne peut le sentir</translation>
+        <translation>%1 est simulé&#xa0;: personne ne peut le sentir</translation>
     </message>
     <message>
         <source>Choose a real bracelet, or a pilot or simulated study.</source>
@@ -5014,7 +5038,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2</source>
-        <translation>impossible d’écrire dans %1 : %2</translation>
+        <translation>impossible d’écrire dans %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>Allow writing to the folder, or choose another one.</source>
@@ -5054,7 +5078,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>not needed: simulated participants hear nothing</source>
-        <translation>inutile : les participants simulés n’entendent rien</translation>
+        <translation>inutile&#xa0;: les participants simulés n’entendent rien</translation>
     </message>
     <message>
         <source>the protocol has none</source>
@@ -5102,18 +5126,18 @@ Aire %6</translation>
     </message>
     <message>
         <source>all there; whether the study was begun with others is not known</source>
-        <translation>tous présents ; on ne sait pas si l’étude a été commencée avec d’autres</translation>
+        <translation>tous présents&#xa0;; on ne sait pas si l’étude a été commencée avec d’autres</translation>
     </message>
 </context>
 <context>
     <name>StudyCommand</name>
     <message>
         <source>%1 % correct (95 %: %2 to %3, %4 participants)</source>
-        <translation>%1 % de réponses correctes (95 % : %2 à %3, %4 participants)</translation>
+        <translation>%1&#xa0;% de réponses correctes (95&#xa0;%&#xa0;: %2 à %3, %4 participants)</translation>
     </message>
     <message>
         <source>%1 % correct (one participant)</source>
-        <translation>%1 % de réponses correctes (un participant)</translation>
+        <translation>%1&#xa0;% de réponses correctes (un participant)</translation>
     </message>
     <message>
         <source>%1 bit, %2 without bias</source>
@@ -5133,7 +5157,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Protocol of the study; otherwise the paper&apos;s</source>
-        <translation>Protocole de l’étude ; sinon celui de l’article</translation>
+        <translation>Protocole de l’étude&#xa0;; sinon celui de l’article</translation>
     </message>
     <message>
         <source>How many take part</source>
@@ -5169,7 +5193,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Only data of this mode; different modes are not merged</source>
-        <translation>Seulement les données de ce mode ; des modes différents ne sont pas réunis</translation>
+        <translation>Seulement les données de ce mode&#xa0;; des modes différents ne sont pas réunis</translation>
     </message>
     <message>
         <source>Write the trials of a study as files into its folder</source>
@@ -5177,7 +5201,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>psychds: data/; bids: bids/; excel: excel/, with semicolons and the decimal sign of the locale</source>
-        <translation>psychds : data/ ; bids : bids/ ; excel : excel/, avec des points-virgules et le séparateur décimal local</translation>
+        <translation>psychds&#xa0;: data/&#xa0;; bids&#xa0;: bids/&#xa0;; excel&#xa0;: excel/, avec des points-virgules et le séparateur décimal local</translation>
     </message>
     <message>
         <source>Study</source>
@@ -5229,7 +5253,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>PostgreSQL server that has the study, postgresql://USER@HOST/DATABASE?study=NAME; the password comes from PGPASSWORD or ~/.pgpass. The folder gets the exports</source>
-        <translation>Serveur PostgreSQL qui contient l’étude, postgresql://USER@HOST/DATABASE?study=NAME ; le mot de passe vient de PGPASSWORD ou de ~/.pgpass. Le dossier reçoit les exports</translation>
+        <translation>Serveur PostgreSQL qui contient l’étude, postgresql://USER@HOST/DATABASE?study=NAME&#xa0;; le mot de passe vient de PGPASSWORD ou de ~/.pgpass. Le dossier reçoit les exports</translation>
     </message>
     <message>
         <source>Formats of the figures, separated by commas</source>
@@ -5249,7 +5273,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Root mean square against full scale, dB; how loud it is at the ear has to be measured</source>
-        <translation>Valeur efficace par rapport à la pleine échelle, dB ; le niveau à l’oreille est à mesurer</translation>
+        <translation>Valeur efficace par rapport à la pleine échelle, dB&#xa0;; le niveau à l’oreille est à mesurer</translation>
     </message>
     <message>
         <source>Seed of the noise</source>
@@ -5300,7 +5324,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>the study has no participant &quot;%1&quot;</source>
-        <translation>l’étude n’a pas de participant « %1 »</translation>
+        <translation>l’étude n’a pas de participant «&#xa0;%1&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -5311,7 +5335,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Subject response, %</source>
-        <translation>Réponse du sujet, %</translation>
+        <translation>Réponse du sujet,&#xa0;%</translation>
     </message>
     <message>
         <source>Subject response, trials</source>
@@ -5319,7 +5343,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Subject response, % and trials</source>
-        <translation>Réponse du sujet, % et essais</translation>
+        <translation>Réponse du sujet,&#xa0;% et essais</translation>
     </message>
     <message>
         <source>PILOT</source>
@@ -5376,7 +5400,7 @@ Aire %6</translation>
     <name>StudyProtocol</name>
     <message>
         <source>&quot;%1&quot; means no answer</source>
-        <translation>« %1 » signifie pas de réponse</translation>
+        <translation>«&#xa0;%1&#xa0;» signifie pas de réponse</translation>
     </message>
     <message>
         <source>another letter</source>
@@ -5384,14 +5408,14 @@ Aire %6</translation>
     </message>
     <message>
         <source>cannot open the protocol: %1</source>
-        <translation>impossible d’ouvrir le protocole : %1</translation>
+        <translation>impossible d’ouvrir le protocole&#xa0;: %1</translation>
     </message>
 </context>
 <context>
     <name>StudyQuestionnaire</name>
     <message>
         <source>&quot;%1&quot; is not answered</source>
-        <translation>« %1 » est sans réponse</translation>
+        <translation>«&#xa0;%1&#xa0;» est sans réponse</translation>
     </message>
     <message>
         <source>an answer</source>
@@ -5399,7 +5423,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>the answer to &quot;%1&quot; is too long</source>
-        <translation>la réponse à « %1 » est trop longue</translation>
+        <translation>la réponse à «&#xa0;%1&#xa0;» est trop longue</translation>
     </message>
     <message>
         <source>%1 characters at most</source>
@@ -5407,7 +5431,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be answered by &quot;%2&quot;</source>
-        <translation>« %2 » n’est pas une réponse possible à « %1 »</translation>
+        <translation>«&#xa0;%2&#xa0;» n’est pas une réponse possible à «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>a number from 1 to %1</source>
@@ -5445,7 +5469,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Correct answers of the group; the interval is that of Student&apos;s t over participants (95 %)</source>
-        <translation>Réponses correctes du groupe ; l’intervalle est celui du t de Student sur les participants (95 %)</translation>
+        <translation>Réponses correctes du groupe&#xa0;; l’intervalle est celui du t de Student sur les participants (95&#xa0;%)</translation>
     </message>
     <message>
         <source>Condition</source>
@@ -5457,15 +5481,15 @@ Aire %6</translation>
     </message>
     <message>
         <source>Mean, %</source>
-        <translation>Moyenne, %</translation>
+        <translation>Moyenne,&#xa0;%</translation>
     </message>
     <message>
         <source>SD, %</source>
-        <translation>Écart-type, %</translation>
+        <translation>Écart-type,&#xa0;%</translation>
     </message>
     <message>
         <source>Interval, %</source>
-        <translation>Intervalle, %</translation>
+        <translation>Intervalle,&#xa0;%</translation>
     </message>
     <message>
         <source>Correct answers</source>
@@ -5473,11 +5497,11 @@ Aire %6</translation>
     </message>
     <message>
         <source>Dots: participants. Marks: mean with the t interval over participants.</source>
-        <translation>Points : participants. Marques : moyenne avec l’intervalle t sur les participants.</translation>
+        <translation>Points&#xa0;: participants. Marques&#xa0;: moyenne avec l’intervalle t sur les participants.</translation>
     </message>
     <message>
         <source>Rows: presented; columns: answered. Percent of the row, all participants.</source>
-        <translation>Lignes : présenté ; colonnes : répondu. Pourcentage de la ligne, tous les participants.</translation>
+        <translation>Lignes&#xa0;: présenté&#xa0;; colonnes&#xa0;: répondu. Pourcentage de la ligne, tous les participants.</translation>
     </message>
     <message>
         <source>Presented</source>
@@ -5489,7 +5513,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>%1: trials and share of the row in percent</source>
-        <translation>%1 : essais et part de la ligne en pour cent</translation>
+        <translation>%1&#xa0;: essais et part de la ligne en pour cent</translation>
     </message>
     <message>
         <source>Confusion matrices</source>
@@ -5501,7 +5525,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>%1, %</source>
-        <translation>%1, %</translation>
+        <translation>%1,&#xa0;%</translation>
     </message>
     <message>
         <source>df</source>
@@ -5509,7 +5533,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Mean of the participants&apos; correct answers for each pattern; two conditions are compared within participants</source>
-        <translation>Moyenne des réponses correctes des participants pour chaque motif ; deux conditions sont comparées intra-participants</translation>
+        <translation>Moyenne des réponses correctes des participants pour chaque motif&#xa0;; deux conditions sont comparées intra-participants</translation>
     </message>
     <message>
         <source>Patterns and conditions</source>
@@ -5517,7 +5541,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Mean of the participants with the t interval (95 %).</source>
-        <translation>Moyenne des participants avec l’intervalle t (95 %).</translation>
+        <translation>Moyenne des participants avec l’intervalle t (95&#xa0;%).</translation>
     </message>
     <message>
         <source>Participants&apos; median response times of correct, answered test trials, from the onset of the stimulus</source>
@@ -5541,11 +5565,11 @@ Aire %6</translation>
     </message>
     <message>
         <source>Dots: medians of participants. Marks: the median of these.</source>
-        <translation>Points : médianes des participants. Marques : médiane de celles-ci.</translation>
+        <translation>Points&#xa0;: médianes des participants. Marques&#xa0;: médiane de celles-ci.</translation>
     </message>
     <message>
         <source>Information transfer of the pooled answers in bit, its bias, and the bootstrap interval over participants (95 %, of the measured value)</source>
-        <translation>Transfert d’information des réponses cumulées en bit, son biais, et l’intervalle bootstrap sur les participants (95 %, de la valeur mesurée)</translation>
+        <translation>Transfert d’information des réponses cumulées en bit, son biais, et l’intervalle bootstrap sur les participants (95&#xa0;%, de la valeur mesurée)</translation>
     </message>
     <message>
         <source>Measured</source>
@@ -5573,7 +5597,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>few trials: fewer than 5 k²</source>
-        <translation>peu d’essais : moins de 5 k²</translation>
+        <translation>peu d’essais&#xa0;: moins de 5 k²</translation>
     </message>
     <message>
         <source>Information transfer</source>
@@ -5581,15 +5605,15 @@ Aire %6</translation>
     </message>
     <message>
         <source>Filled: measured, with the bootstrap interval. Hollow: less the bias.</source>
-        <translation>Pleins : mesuré, avec l’intervalle bootstrap. Creux : moins le biais.</translation>
+        <translation>Pleins&#xa0;: mesuré, avec l’intervalle bootstrap. Creux&#xa0;: moins le biais.</translation>
     </message>
     <message>
         <source>The measured value is too high with few trials: even a participant who only guesses shows more than 0 bit. Compare it with the column of the guesser, and use the corrected value with care.</source>
-        <translation>La valeur mesurée est trop élevée avec peu d’essais : même un participant qui ne fait que deviner montre plus de 0 bit. Comparez-la à la colonne de la valeur en devinant, et utilisez la valeur corrigée avec prudence.</translation>
+        <translation>La valeur mesurée est trop élevée avec peu d’essais&#xa0;: même un participant qui ne fait que deviner montre plus de 0 bit. Comparez-la à la colonne de la valeur en devinant, et utilisez la valeur corrigée avec prudence.</translation>
     </message>
     <message>
         <source>Each participant, test trials; intervals of 95 %, p of so many correct answers by chance</source>
-        <translation>Chaque participant, essais de test ; intervalles à 95 %, p d’autant de réponses correctes au hasard</translation>
+        <translation>Chaque participant, essais de test&#xa0;; intervalles à 95&#xa0;%, p d’autant de réponses correctes au hasard</translation>
     </message>
     <message>
         <source>Participant</source>
@@ -5605,15 +5629,15 @@ Aire %6</translation>
     </message>
     <message>
         <source>Accuracy, %</source>
-        <translation>Exactitude, %</translation>
+        <translation>Exactitude,&#xa0;%</translation>
     </message>
     <message>
         <source>Wilson, %</source>
-        <translation>Wilson, %</translation>
+        <translation>Wilson,&#xa0;%</translation>
     </message>
     <message>
         <source>Clopper-Pearson, %</source>
-        <translation>Clopper-Pearson, %</translation>
+        <translation>Clopper-Pearson,&#xa0;%</translation>
     </message>
     <message>
         <source>p of chance</source>
@@ -5641,7 +5665,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Analysis of variance within participants of the shares of correct answers; p with the corrections of Greenhouse and Geisser and of Huynh and Feldt</source>
-        <translation>Analyse de variance intra-participants des parts de réponses correctes ; p avec les corrections de Greenhouse et Geisser et de Huynh et Feldt</translation>
+        <translation>Analyse de variance intra-participants des parts de réponses correctes&#xa0;; p avec les corrections de Greenhouse et Geisser et de Huynh et Feldt</translation>
     </message>
     <message>
         <source>Effect</source>
@@ -5657,7 +5681,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>%1 is left out: a cell is missing</source>
-        <translation>%1 est écarté : une cellule manque</translation>
+        <translation>%1 est écarté&#xa0;: une cellule manque</translation>
     </message>
     <message>
         <source>Analysis of variance</source>
@@ -5665,11 +5689,11 @@ Aire %6</translation>
     </message>
     <message>
         <source>PILOT: these data were taken to try the study out.</source>
-        <translation>PILOTE : ces données ont été recueillies pour mettre l’étude à l’épreuve.</translation>
+        <translation>PILOTE&#xa0;: ces données ont été recueillies pour mettre l’étude à l’épreuve.</translation>
     </message>
     <message>
         <source>SIMULATED: these answers were made by a program, not by people.</source>
-        <translation>SIMULÉ : ces réponses ont été données par un programme, non par des personnes.</translation>
+        <translation>SIMULÉ&#xa0;: ces réponses ont été données par un programme, non par des personnes.</translation>
     </message>
     <message>
         <source>cannot make the folder</source>
@@ -5678,15 +5702,15 @@ Aire %6</translation>
     <message numerus="yes">
         <source>Stimuli: %n trial(s) were played on a bracelet; the longest write of a frame took %1 ms.</source>
         <translation>
-            <numerusform>Stimuli : %n essai a été joué sur un bracelet ; l’écriture la plus longue d’une trame a pris %1 ms.</numerusform>
-            <numerusform>Stimuli : %n essais ont été joués sur un bracelet ; l’écriture la plus longue d’une trame a pris %1 ms.</numerusform>
+            <numerusform>Stimuli&#xa0;: %n essai a été joué sur un bracelet&#xa0;; l’écriture la plus longue d’une trame a pris %1 ms.</numerusform>
+            <numerusform>Stimuli&#xa0;: %n essais ont été joués sur un bracelet&#xa0;; l’écriture la plus longue d’une trame a pris %1 ms.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Stimuli: the frames of %n trial(s) were counted.</source>
         <translation>
-            <numerusform>Stimuli : les trames de %n essai ont été comptées.</numerusform>
-            <numerusform>Stimuli : les trames de %n essais ont été comptées.</numerusform>
+            <numerusform>Stimuli&#xa0;: les trames de %n essai ont été comptées.</numerusform>
+            <numerusform>Stimuli&#xa0;: les trames de %n essais ont été comptées.</numerusform>
         </translation>
     </message>
     <message>
@@ -5717,13 +5741,13 @@ Aire %6</translation>
         <source>%1: %n pattern(s); %2</source>
         <comment>task; conditions</comment>
         <translation>
-            <numerusform>%1 : %n motif ; %2</numerusform>
-            <numerusform>%1 : %n motifs ; %2</numerusform>
+            <numerusform>%1&#xa0;: %n motif&#xa0;; %2</numerusform>
+            <numerusform>%1&#xa0;: %n motifs&#xa0;; %2</numerusform>
         </translation>
     </message>
     <message>
         <source>Repetitions of each pattern: %1 in practice, %2 in the test; %3 test trials a participant</source>
-        <translation>Répétitions de chaque motif : %1 à l’entraînement, %2 au test ; %3 essais de test par participant</translation>
+        <translation>Répétitions de chaque motif&#xa0;: %1 à l’entraînement, %2 au test&#xa0;; %3 essais de test par participant</translation>
     </message>
     <message>
         <source>Stimulus %1 s, answer within %2 s %3</source>
@@ -5782,7 +5806,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>This session was interrupted after %1 of %2 trials. What was answered is kept; it goes on with the same order.</source>
-        <translation>Cette session a été interrompue après %1 essais sur %2. Les réponses données sont conservées ; elle reprend dans le même ordre.</translation>
+        <translation>Cette session a été interrompue après %1 essais sur %2. Les réponses données sont conservées&#xa0;; elle reprend dans le même ordre.</translation>
     </message>
     <message>
         <source>The session can begin when all checks have passed.</source>
@@ -5826,7 +5850,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Enrol the first participant at the left: the order of the conditions follows from the order of enrolment.</source>
-        <translation>Inscrivez le premier participant à gauche : l’ordre des conditions découle de l’ordre d’inscription.</translation>
+        <translation>Inscrivez le premier participant à gauche&#xa0;: l’ordre des conditions découle de l’ordre d’inscription.</translation>
     </message>
     <message>
         <source>Choose another participant</source>
@@ -5850,11 +5874,11 @@ Aire %6</translation>
     </message>
     <message>
         <source>The simulated participant fills in “%1”.</source>
-        <translation>Le participant simulé remplit « %1 ».</translation>
+        <translation>Le participant simulé remplit «&#xa0;%1&#xa0;».</translation>
     </message>
     <message>
         <source>Noting that “%1” is left out …</source>
-        <translation>Note de l’omission de « %1 » …</translation>
+        <translation>Note de l’omission de «&#xa0;%1&#xa0;» …</translation>
     </message>
     <message>
         <source>Keeping the answers …</source>
@@ -5862,7 +5886,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>The participant fills in “%1”.</source>
-        <translation>Le participant remplit « %1 ».</translation>
+        <translation>Le participant remplit «&#xa0;%1&#xa0;».</translation>
     </message>
     <message>
         <source>Try again to leave it out</source>
@@ -5870,7 +5894,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>“%1” could not be left out, because the note about it could not be kept. %2</source>
-        <translation>« %1 » n’a pas pu être omis, car la note à ce sujet n’a pas pu être conservée. %2</translation>
+        <translation>«&#xa0;%1&#xa0;» n’a pas pu être omis, car la note à ce sujet n’a pas pu être conservée. %2</translation>
     </message>
     <message>
         <source>Try again to keep the answers</source>
@@ -5878,7 +5902,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>The answers to “%1” could not be kept; they are still in the participant&apos;s window. %2</source>
-        <translation>Les réponses à « %1 » n’ont pas pu être conservées ; elles sont encore dans la fenêtre du participant. %2</translation>
+        <translation>Les réponses à «&#xa0;%1&#xa0;» n’ont pas pu être conservées&#xa0;; elles sont encore dans la fenêtre du participant. %2</translation>
     </message>
     <message>
         <source>Show the questionnaire</source>
@@ -5918,7 +5942,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>The stimulus was interrupted: %1. The trial will be shown again.</source>
-        <translation>Le stimulus a été interrompu : %1. L’essai sera présenté à nouveau.</translation>
+        <translation>Le stimulus a été interrompu&#xa0;: %1. L’essai sera présenté à nouveau.</translation>
     </message>
     <message>
         <source>Hold the STOP button for a second to release it.</source>
@@ -5930,7 +5954,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>The last trial could not be kept; it is still in memory. %1</source>
-        <translation>Le dernier essai n’a pas pu être conservé ; il est encore en mémoire. %1</translation>
+        <translation>Le dernier essai n’a pas pu être conservé&#xa0;; il est encore en mémoire. %1</translation>
     </message>
     <message>
         <source>Leave this session</source>
@@ -6017,11 +6041,11 @@ Aire %6</translation>
     </message>
     <message>
         <source>cannot write the study: %1</source>
-        <translation>impossible d’écrire l’étude : %1</translation>
+        <translation>impossible d’écrire l’étude&#xa0;: %1</translation>
     </message>
     <message>
         <source>cannot read the study: %1</source>
-        <translation>impossible de lire l’étude : %1</translation>
+        <translation>impossible de lire l’étude&#xa0;: %1</translation>
     </message>
     <message>
         <source>another program made this database (schema %1)</source>
@@ -6054,11 +6078,11 @@ Aire %6</translation>
     <name>StudyStore</name>
     <message>
         <source>cannot open the study: %1</source>
-        <translation>impossible d’ouvrir l’étude : %1</translation>
+        <translation>impossible d’ouvrir l’étude&#xa0;: %1</translation>
     </message>
     <message>
         <source>cannot use the study: %1</source>
-        <translation>impossible d’utiliser l’étude : %1</translation>
+        <translation>impossible d’utiliser l’étude&#xa0;: %1</translation>
     </message>
     <message>
         <source>cannot make the folder of the study</source>
@@ -6086,7 +6110,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot name a participant</source>
-        <translation>« %1 » ne peut pas désigner un participant</translation>
+        <translation>«&#xa0;%1&#xa0;» ne peut pas désigner un participant</translation>
     </message>
     <message>
         <source>a text of 1 to %1 characters</source>
@@ -6094,7 +6118,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>the participant &quot;%1&quot; is enrolled already</source>
-        <translation>le participant « %1 » est déjà inscrit</translation>
+        <translation>le participant «&#xa0;%1&#xa0;» est déjà inscrit</translation>
     </message>
     <message>
         <source>another name</source>
@@ -6118,7 +6142,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>cannot read the file: %1</source>
-        <translation>impossible de lire le fichier : %1</translation>
+        <translation>impossible de lire le fichier&#xa0;: %1</translation>
     </message>
     <message>
         <source>this folder is that of another study, on %1</source>
@@ -6138,7 +6162,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>the address has the port &quot;%1&quot;</source>
-        <translation>l’adresse a le port « %1 »</translation>
+        <translation>l’adresse a le port «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>a whole number from 1 to 65535</source>
@@ -6146,7 +6170,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>the option &quot;%1&quot; of the address has a semicolon</source>
-        <translation>l’option « %1 » de l’adresse a un point-virgule</translation>
+        <translation>l’option «&#xa0;%1&#xa0;» de l’adresse a un point-virgule</translation>
     </message>
     <message>
         <source>a value without semicolons</source>
@@ -6154,11 +6178,11 @@ Aire %6</translation>
     </message>
     <message>
         <source>the address has the unknown option &quot;%1&quot;</source>
-        <translation>l’adresse a l’option inconnue « %1 »</translation>
+        <translation>l’adresse a l’option inconnue «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot name a study on a server</source>
-        <translation>« %1 » ne peut pas désigner une étude sur un serveur</translation>
+        <translation>«&#xa0;%1&#xa0;» ne peut pas désigner une étude sur un serveur</translation>
     </message>
     <message>
         <source>small letters, digits and _, not a digit first</source>
@@ -6174,7 +6198,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>the server has no study &quot;%1&quot;</source>
-        <translation>le serveur n’a pas d’étude « %1 »</translation>
+        <translation>le serveur n’a pas d’étude «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>the name of a study that was begun there</source>
@@ -6194,7 +6218,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>the study is damaged: a session or a trial has a number that its protocol does not have</source>
-        <translation>l’étude est endommagée : une session ou un essai a un numéro que son protocole n’a pas</translation>
+        <translation>l’étude est endommagée&#xa0;: une session ou un essai a un numéro que son protocole n’a pas</translation>
     </message>
     <message>
         <source>there is a study of this name already</source>
@@ -6206,7 +6230,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>another name: files have %1 for no value or for all participants</source>
-        <translation>un autre nom : les fichiers ont %1 pour aucune valeur ou pour tous les participants</translation>
+        <translation>un autre nom&#xa0;: les fichiers ont %1 pour aucune valeur ou pour tous les participants</translation>
     </message>
     <message>
         <source>other stations enrol participants all the time</source>
@@ -6218,7 +6242,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is in a session already, at %2</source>
-        <translation>« %1 » est déjà en session, sur %2</translation>
+        <translation>«&#xa0;%1&#xa0;» est déjà en session, sur %2</translation>
     </message>
     <message>
         <source>these trials belong to another study</source>
@@ -6242,7 +6266,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>cannot write the file: %1</source>
-        <translation>impossible d’écrire le fichier : %1</translation>
+        <translation>impossible d’écrire le fichier&#xa0;: %1</translation>
     </message>
     <message>
         <source>this is no trial</source>
@@ -6254,11 +6278,11 @@ Aire %6</translation>
     </message>
     <message>
         <source>cannot remove the file: %1</source>
-        <translation>impossible de supprimer le fichier : %1</translation>
+        <translation>impossible de supprimer le fichier&#xa0;: %1</translation>
     </message>
     <message>
         <source>the program that ran this study was interrupted, and its last trials are in %1, which can only be read where something can be written</source>
-        <translation>le programme qui menait cette étude a été interrompu ; ses derniers essais sont dans %1, qui ne peut être lu que là où l’on peut écrire</translation>
+        <translation>le programme qui menait cette étude a été interrompu&#xa0;; ses derniers essais sont dans %1, qui ne peut être lu que là où l’on peut écrire</translation>
     </message>
     <message>
         <source>a copy of the whole folder in a place that can be written</source>
@@ -6266,7 +6290,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>cannot read the study: %1</source>
-        <translation>impossible de lire l’étude : %1</translation>
+        <translation>impossible de lire l’étude&#xa0;: %1</translation>
     </message>
     <message>
         <source>an older program made this study, and it cannot be brought up to date here</source>
@@ -6380,11 +6404,11 @@ Aire %6</translation>
         <source>Motor %1 at %2°
 %3 s: %4 %, %5 Hz</source>
         <translation>Moteur %1 à %2°
-%3 s : %4 %, %5 Hz</translation>
+%3 s&#xa0;: %4&#xa0;%, %5 Hz</translation>
     </message>
     <message>
         <source>%1: %2 to %3 s</source>
-        <translation>%1 : %2 à %3 s</translation>
+        <translation>%1&#xa0;: %2 à %3 s</translation>
     </message>
     <message>
         <source>Cu&amp;t</source>
@@ -6456,14 +6480,18 @@ Aire %6</translation>
     </message>
     <message>
         <source>Δ %1 %, rms %2 %</source>
-        <translation>Δ %1 %, RMS %2 %</translation>
+        <translation>Δ %1&#xa0;%, RMS %2&#xa0;%</translation>
+    </message>
+    <message>
+        <source>O&amp;verdrive: Help the Motors up</source>
+        <translation>S&amp;urintensité&#xa0;: aider les moteurs à démarrer</translation>
     </message>
 </context>
 <context>
     <name>TomlReader</name>
     <message>
         <source>one of: %1</source>
-        <translation>l’un de : %1</translation>
+        <translation>l’un de&#xa0;: %1</translation>
     </message>
     <message>
         <source>a number above %1, at most %2</source>
@@ -6495,11 +6523,11 @@ Aire %6</translation>
     </message>
     <message>
         <source>wrong type for &quot;%1&quot;</source>
-        <translation>mauvais type pour « %1 »</translation>
+        <translation>mauvais type pour «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is out of range: %2</source>
-        <translation>« %1 » est hors limites : %2</translation>
+        <translation>«&#xa0;%1&#xa0;» est hors limites&#xa0;: %2</translation>
     </message>
     <message>
         <source>a text in quotes</source>
@@ -6507,7 +6535,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is empty</source>
-        <translation>« %1 » est vide</translation>
+        <translation>«&#xa0;%1&#xa0;» est vide</translation>
     </message>
     <message>
         <source>a whole number from %1 to %2</source>
@@ -6515,19 +6543,19 @@ Aire %6</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has no unit in its name</source>
-        <translation>« %1 » n’a pas d’unité dans son nom</translation>
+        <translation>«&#xa0;%1&#xa0;» n’a pas d’unité dans son nom</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has another unit in its name</source>
-        <translation>« %1 » a une autre unité dans son nom</translation>
+        <translation>«&#xa0;%1&#xa0;» a une autre unité dans son nom</translation>
     </message>
     <message>
         <source>unknown key &quot;%1&quot;; perhaps &quot;%2&quot; is meant</source>
-        <translation>clé inconnue « %1 » ; peut-être « %2 »</translation>
+        <translation>clé inconnue «&#xa0;%1&#xa0;»&#xa0;; peut-être «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>unknown key &quot;%1&quot;</source>
-        <translation>clé inconnue « %1 »</translation>
+        <translation>clé inconnue «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>the file cannot be opened</source>
@@ -6543,7 +6571,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>not valid TOML: %1</source>
-        <translation>TOML non valide : %1</translation>
+        <translation>TOML non valide&#xa0;: %1</translation>
     </message>
     <message>
         <source>true or false</source>
@@ -6551,23 +6579,23 @@ Aire %6</translation>
     </message>
     <message>
         <source>unknown value &quot;%1&quot; of &quot;%2&quot;</source>
-        <translation>valeur inconnue « %1 » de « %2 »</translation>
+        <translation>valeur inconnue «&#xa0;%1&#xa0;» de «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>unknown value &quot;%1&quot; of &quot;%2&quot;; perhaps &quot;%3&quot; is meant</source>
-        <translation>valeur inconnue « %1 » de « %2 » ; peut-être « %3 »</translation>
+        <translation>valeur inconnue «&#xa0;%1&#xa0;» de «&#xa0;%2&#xa0;»&#xa0;; peut-être «&#xa0;%3&#xa0;»</translation>
     </message>
     <message>
         <source>a table: [%1]</source>
-        <translation>une table : [%1]</translation>
+        <translation>une table&#xa0;: [%1]</translation>
     </message>
     <message>
         <source>tables: [[%1]] or %1 = [{...}]</source>
-        <translation>des tables : [[%1]] ou %1 = [{...}]</translation>
+        <translation>des tables&#xa0;: [[%1]] ou %1 = [{...}]</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has too few entries</source>
-        <translation>« %1 » a trop peu d’éléments</translation>
+        <translation>«&#xa0;%1&#xa0;» a trop peu d’éléments</translation>
     </message>
     <message>
         <source>at least %1</source>
@@ -6575,7 +6603,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is missing</source>
-        <translation>« %1 » manque</translation>
+        <translation>«&#xa0;%1&#xa0;» manque</translation>
     </message>
 </context>
 <context>
@@ -6654,7 +6682,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>The torque window is empty: its upper end must lie above its lower end.</source>
-        <translation>La fenêtre de couple est vide : sa borne supérieure doit dépasser sa borne inférieure.</translation>
+        <translation>La fenêtre de couple est vide&#xa0;: sa borne supérieure doit dépasser sa borne inférieure.</translation>
     </message>
     <message>
         <source>No joint samples came in during the touch.</source>
@@ -6662,7 +6690,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>The touch was too quick: fewer than two samples lie in the torque window. Press slower.</source>
-        <translation>Le toucher était trop rapide : moins de deux échantillons dans la fenêtre de couple. Appuyez plus lentement.</translation>
+        <translation>Le toucher était trop rapide&#xa0;: moins de deux échantillons dans la fenêtre de couple. Appuyez plus lentement.</translation>
     </message>
     <message>
         <source>The torque did not change within the torque window. Press with rising force.</source>
@@ -6670,7 +6698,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>The joint turned against the rising torque: the object moved, or a sign is wrong.</source>
-        <translation>L’articulation a tourné contre le couple croissant : l’objet a bougé, ou un signe est faux.</translation>
+        <translation>L’articulation a tourné contre le couple croissant&#xa0;: l’objet a bougé, ou un signe est faux.</translation>
     </message>
     <message>
         <source>shoulder roll</source>
@@ -6710,7 +6738,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>at least %1 (95 %)</source>
-        <translation>au moins %1 (95 %)</translation>
+        <translation>au moins %1 (95&#xa0;%)</translation>
     </message>
     <message>
         <source>%1 … rigid</source>
@@ -6726,22 +6754,22 @@ Aire %6</translation>
     </message>
     <message>
         <source>The elbow felt too little: its torque did not reach the torque window. Press harder, or from another side.</source>
-        <translation>Le coude a senti trop peu : son couple n’a pas atteint la fenêtre de couple. Appuyez plus fort, ou d’un autre côté.</translation>
+        <translation>Le coude a senti trop peu&#xa0;: son couple n’a pas atteint la fenêtre de couple. Appuyez plus fort, ou d’un autre côté.</translation>
     </message>
     <message>
         <source>The touch was too quick: the arm&apos;s own inertia was felt with the object. Press slower.</source>
-        <translation>Le toucher était trop rapide : l’inertie propre du bras a été sentie avec l’objet. Appuyez plus lentement.</translation>
+        <translation>Le toucher était trop rapide&#xa0;: l’inertie propre du bras a été sentie avec l’objet. Appuyez plus lentement.</translation>
     </message>
 </context>
 <context>
     <name>TrackCommand</name>
     <message>
         <source>%1 of %2 frames could not be used. The last reason: %3</source>
-        <translation>%1 images sur %2 étaient inutilisables. Dernière raison : %3</translation>
+        <translation>%1 images sur %2 étaient inutilisables. Dernière raison&#xa0;: %3</translation>
     </message>
     <message>
         <source>Frames that are missing by their time stamps: %1</source>
-        <translation>Images manquantes d’après leur horodatage : %1</translation>
+        <translation>Images manquantes d’après leur horodatage&#xa0;: %1</translation>
     </message>
     <message>
         <source>Contacts on the soft tube in a video or before a camera</source>
@@ -6749,7 +6777,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Video, pattern of numbered images (frame_%04d.png) or number of a camera; nothing touches the tube in the first frame</source>
-        <translation>Vidéo, modèle d’images numérotées (frame_%04d.png) ou numéro d’une caméra ; rien ne touche le tube dans la première image</translation>
+        <translation>Vidéo, modèle d’images numérotées (frame_%04d.png) ou numéro d’une caméra&#xa0;; rien ne touche le tube dans la première image</translation>
     </message>
     <message>
         <source>Camera file, as calibrate writes it</source>
@@ -6757,7 +6785,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>How contacts are found: exact ones take longer</source>
-        <translation>Comment les contacts sont trouvés : les détecteurs exacts prennent plus de temps</translation>
+        <translation>Comment les contacts sont trouvés&#xa0;: les détecteurs exacts prennent plus de temps</translation>
     </message>
     <message>
         <source>the output would replace the input</source>
@@ -6776,7 +6804,7 @@ Aire %6</translation>
     <name>TradeoffCommand</name>
     <message>
         <source>there is no ladder &quot;%1&quot; (expected %2)</source>
-        <translation>il n’y a pas d’échelle « %1 » (attendu : %2)</translation>
+        <translation>il n’y a pas d’échelle «&#xa0;%1&#xa0;» (attendu&#xa0;: %2)</translation>
     </message>
     <message>
         <source>Measure on this machine what accuracy costs in time</source>
@@ -6784,7 +6812,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Ladders of --list; otherwise all of them</source>
-        <translation>Échelles de --list ; sinon toutes</translation>
+        <translation>Échelles de --list&#xa0;; sinon toutes</translation>
     </message>
     <message>
         <source>List the ladders</source>
@@ -6801,13 +6829,13 @@ Aire %6</translation>
     <message numerus="yes">
         <source>the machine was too busy: the times of %n rung(s) were refused</source>
         <translation>
-            <numerusform>la machine était trop occupée : les temps de %n échelon ont été refusés</numerusform>
-            <numerusform>la machine était trop occupée : les temps de %n échelons ont été refusés</numerusform>
+            <numerusform>la machine était trop occupée&#xa0;: les temps de %n échelon ont été refusés</numerusform>
+            <numerusform>la machine était trop occupée&#xa0;: les temps de %n échelons ont été refusés</numerusform>
         </translation>
     </message>
     <message>
         <source>a spread of at most %1 %; close other programs, or see --largest-spread</source>
-        <translation>une dispersion d’au plus %1 % ; fermez les autres programmes, ou voyez --largest-spread</translation>
+        <translation>une dispersion d’au plus %1&#xa0;%&#xa0;; fermez les autres programmes, ou voyez --largest-spread</translation>
     </message>
     <message>
         <source>refused</source>
@@ -6827,7 +6855,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>95 %</source>
-        <translation>95 %</translation>
+        <translation>95&#xa0;%</translation>
     </message>
     <message>
         <source>worst</source>
@@ -6839,7 +6867,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>99 %</source>
-        <translation>99 %</translation>
+        <translation>99&#xa0;%</translation>
     </message>
     <message>
         <source>samples</source>
@@ -6859,7 +6887,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Calls of a few microseconds are timed together; their 99 % is one of means.</source>
-        <translation>Les appels de quelques microsecondes sont chronométrés ensemble ; leur 99 % est celui de moyennes.</translation>
+        <translation>Les appels de quelques microsecondes sont chronométrés ensemble&#xa0;; leur 99&#xa0;% est celui de moyennes.</translation>
     </message>
 </context>
 <context>
@@ -6924,7 +6952,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>The image is too small to show printed dots: %1 x %2 pixels.</source>
-        <translation>L’image est trop petite pour montrer des points imprimés : %1 x %2 pixels.</translation>
+        <translation>L’image est trop petite pour montrer des points imprimés&#xa0;: %1 x %2 pixels.</translation>
     </message>
     <message>
         <source>at least %1 pixels on each side</source>
@@ -6944,7 +6972,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>The frame does not show the skin: %1 of %2 dots found.</source>
-        <translation>L’image ne montre pas la peau : %1 points trouvés sur %2.</translation>
+        <translation>L’image ne montre pas la peau&#xa0;: %1 points trouvés sur %2.</translation>
     </message>
     <message>
         <source>The camera sees none of the skin.</source>
@@ -6952,7 +6980,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>The image is too small for optical flow: %1 x %2 pixels.</source>
-        <translation>L’image est trop petite pour le flot optique : %1 x %2 pixels.</translation>
+        <translation>L’image est trop petite pour le flot optique&#xa0;: %1 x %2 pixels.</translation>
     </message>
     <message>
         <source>The image shows no pattern on the skin whose movement could be seen.</source>
@@ -6976,7 +7004,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>The image cannot be worked on: %1</source>
-        <translation>L’image ne peut pas être traitée : %1</translation>
+        <translation>L’image ne peut pas être traitée&#xa0;: %1</translation>
     </message>
     <message>
         <source>There is too little memory for images of this size.</source>
@@ -6995,7 +7023,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>cannot open %1: %2</source>
-        <translation>impossible d’ouvrir %1 : %2</translation>
+        <translation>impossible d’ouvrir %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1 is not a serial port</source>
@@ -7003,7 +7031,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>cannot find %1: %2</source>
-        <translation>impossible de trouver %1 : %2</translation>
+        <translation>impossible de trouver %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>connecting was cancelled</source>
@@ -7011,11 +7039,11 @@ Aire %6</translation>
     </message>
     <message>
         <source>cannot connect to %1: %2</source>
-        <translation>impossible de se connecter à %1 : %2</translation>
+        <translation>impossible de se connecter à %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>The link failed: %1.</source>
-        <translation>La liaison a échoué : %1.</translation>
+        <translation>La liaison a échoué&#xa0;: %1.</translation>
     </message>
     <message>
         <source>The sensor closed the connection.</source>
@@ -7051,7 +7079,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>the sensor sends no frames: %1</source>
-        <translation>le capteur n’envoie pas de trames : %1</translation>
+        <translation>le capteur n’envoie pas de trames&#xa0;: %1</translation>
     </message>
     <message>
         <source>the sensor does not answer</source>
@@ -7059,11 +7087,11 @@ Aire %6</translation>
     </message>
     <message>
         <source>the sensor refused a request: %1</source>
-        <translation>le capteur a refusé une requête : %1</translation>
+        <translation>le capteur a refusé une requête&#xa0;: %1</translation>
     </message>
     <message>
         <source>Another array is connected: %1 x %2 cells of %3 mm instead of %4 x %5 cells of %6 mm.</source>
-        <translation>Une autre matrice est connectée : %1 x %2 cellules de %3 mm au lieu de %4 x %5 cellules de %6 mm.</translation>
+        <translation>Une autre matrice est connectée&#xa0;: %1 x %2 cellules de %3 mm au lieu de %4 x %5 cellules de %6 mm.</translation>
     </message>
     <message>
         <source>The sensor has sent no usable frame for %1 s.</source>
@@ -7074,7 +7102,7 @@ Aire %6</translation>
     <name>WtsText</name>
     <message>
         <source>&quot;%1&quot; is not the address of a tactile array</source>
-        <translation>« %1 » n’est pas l’adresse d’une matrice tactile</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas l’adresse d’une matrice tactile</translation>
     </message>
     <message>
         <source>the path of a serial port, or tcp://HOST:PORT</source>
@@ -7207,11 +7235,11 @@ Aire %6</translation>
     </message>
     <message>
         <source>&lt;p&gt;What the six motors of the bracelet do now, on the unrolled forearm: from left to right once around the arm. The fuller a disc, the stronger the motor vibrates.&lt;/p&gt;&lt;p&gt;Where a bracelet is connected, hold a disc with the mouse, or one of the keys 1 to 6, to feel that motor alone.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Ce que font maintenant les six moteurs du bracelet, sur l’avant-bras déroulé : de gauche à droite, un tour du bras. Plus un disque est plein, plus le moteur vibre fort.&lt;/p&gt;&lt;p&gt;Si un bracelet est connecté, maintenez un disque avec la souris, ou l’une des touches 1 à 6, pour sentir ce moteur seul.&lt;/p&gt;</translation>
+        <translation>&lt;p&gt;Ce que font maintenant les six moteurs du bracelet, sur l’avant-bras déroulé&#xa0;: de gauche à droite, un tour du bras. Plus un disque est plein, plus le moteur vibre fort.&lt;/p&gt;&lt;p&gt;Si un bracelet est connecté, maintenez un disque avec la souris, ou l’une des touches 1 à 6, pour sentir ce moteur seul.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>motor %1: %2 %</source>
-        <translation>moteur %1 : %2 %</translation>
+        <translation>moteur %1&#xa0;: %2&#xa0;%</translation>
     </message>
     <message>
         <source>Nothing is played</source>
@@ -7219,18 +7247,18 @@ Aire %6</translation>
     </message>
     <message>
         <source>Motor %1 at %2°: %3 %</source>
-        <translation>Moteur %1 à %2° : %3 %</translation>
+        <translation>Moteur %1 à %2°&#xa0;: %3&#xa0;%</translation>
     </message>
 </context>
 <context>
     <name>teleta::bracelet::StrengthPanel</name>
     <message>
         <source>%1 %</source>
-        <translation>%1 %</translation>
+        <translation>%1&#xa0;%</translation>
     </message>
     <message>
         <source>to %1 %</source>
-        <translation>à %1 %</translation>
+        <translation>à&#xa0;%1&#xa0;%</translation>
     </message>
     <message>
         <source>Stron&amp;gest</source>
@@ -7238,7 +7266,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Strongest, all motors</source>
-        <translation>Plus fort, tous les moteurs</translation>
+        <translation>Intensité maximale, tous les moteurs</translation>
     </message>
     <message>
         <source>Each motor</source>
@@ -7258,7 +7286,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Strongest, motor %1</source>
-        <translation>Plus fort, moteur %1</translation>
+        <translation>Intensité maximale, moteur %1</translation>
     </message>
 </context>
 <context>
@@ -7269,7 +7297,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Motor %1 starts at %2 % of the full drive (95 %: %3 to %4 %).</source>
-        <translation>Le moteur %1 démarre à %2 % de la pleine commande (95 % : %3 à %4 %).</translation>
+        <translation>Le moteur %1 démarre à %2&#xa0;% de la pleine commande (95&#xa0;%&#xa0;: %3 à %4&#xa0;%).</translation>
     </message>
     <message>
         <source>Start of motor %1</source>
@@ -7293,15 +7321,15 @@ Aire %6</translation>
     </message>
     <message>
         <source>Did you feel it?</source>
-        <translation>L’avez-vous sentie ?</translation>
+        <translation>L’avez-vous sentie&#xa0;?</translation>
     </message>
     <message>
         <source>Was the second burst stronger?</source>
-        <translation>La seconde salve était-elle plus forte ?</translation>
+        <translation>La seconde salve était-elle plus forte&#xa0;?</translation>
     </message>
     <message>
         <source>The bracelet cannot play now: it is not connected, STOP is engaged, or a study uses it.</source>
-        <translation>Le bracelet ne peut pas jouer maintenant : il n’est pas connecté, STOP est enclenché, ou une étude l’utilise.</translation>
+        <translation>Le bracelet ne peut pas jouer maintenant&#xa0;: il n’est pas connecté, STOP est enclenché, ou une étude l’utilise.</translation>
     </message>
     <message>
         <source>Now and then nothing is played. Answer yes only when you are sure.</source>
@@ -7376,7 +7404,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Motor %1: curve and lag are assumed</source>
-        <translation>Moteur %1 : courbe et retard sont supposés</translation>
+        <translation>Moteur %1&#xa0;: courbe et retard sont supposés</translation>
     </message>
     <message>
         <source>Motor %1</source>
@@ -7384,7 +7412,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>%1 % of the variance, residual %2 Hz</source>
-        <translation>%1 % de la variance, résidu %2 Hz</translation>
+        <translation>%1&#xa0;% de la variance, résidu %2 Hz</translation>
     </message>
     <message>
         <source>time (s)</source>
@@ -7392,7 +7420,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>No recording of this motor yet: measure it, or open a recording.</source>
-        <translation>Pas encore d’enregistrement de ce moteur : mesurez-le, ou ouvrez un enregistrement.</translation>
+        <translation>Pas encore d’enregistrement de ce moteur&#xa0;: mesurez-le, ou ouvrez un enregistrement.</translation>
     </message>
     <message>
         <source>measured (simulated)</source>
@@ -7428,7 +7456,7 @@ Aire %6</translation>
     <message>
         <source>start %1, lag and curve %2</source>
         <comment>where the values come from</comment>
-        <translation>démarrage : %1, retard et courbe : %2</translation>
+        <translation>démarrage&#xa0;: %1, retard et courbe&#xa0;: %2</translation>
     </message>
     <message>
         <source>Motors of the bracelet</source>
@@ -7472,11 +7500,11 @@ Aire %6</translation>
     </message>
     <message>
         <source>From rest to 90 % of a speed</source>
-        <translation>Du repos à 90 % d’une vitesse</translation>
+        <translation>Du repos à 90&#xa0;% d’une vitesse</translation>
     </message>
     <message>
         <source>From a speed to 10 % of it</source>
-        <translation>D’une vitesse à 10 % de celle-ci</translation>
+        <translation>D’une vitesse à 10&#xa0;% de celle-ci</translation>
     </message>
     <message>
         <source>Speed at the full drive of this motor</source>
@@ -7515,7 +7543,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Measuring motor %1: stairs up to the full drive, then pulses.</source>
-        <translation>Mesure du moteur %1 : paliers jusqu’à la pleine commande, puis impulsions.</translation>
+        <translation>Mesure du moteur %1&#xa0;: paliers jusqu’à la pleine commande, puis impulsions.</translation>
     </message>
     <message>
         <source>Motor %1 was not calibrated. %2</source>
@@ -7528,7 +7556,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Motor %1: starts at %2 to %3 % of the drive, rises in %4 ± %5 ms, falls in %6 ± %7 ms, reaches %8 Hz.</source>
-        <translation>Moteur %1 : démarre entre %2 et %3 % de la commande, monte en %4 ± %5 ms, descend en %6 ± %7 ms, atteint %8 Hz.</translation>
+        <translation>Moteur %1&#xa0;: démarre entre %2 et %3&#xa0;% de la commande, monte en %4 ± %5 ms, descend en %6 ± %7 ms, atteint %8 Hz.</translation>
     </message>
     <message>
         <source>No bracelet</source>
@@ -7540,7 +7568,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>not calibrated: motors are assumed</source>
-        <translation>non étalonné : les moteurs sont supposés</translation>
+        <translation>non étalonné&#xa0;: les moteurs sont supposés</translation>
     </message>
     <message>
         <source>calibrated, saved</source>
@@ -7552,7 +7580,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>a study uses the bracelet: its motors stay as they are</source>
-        <translation>une étude utilise le bracelet : ses moteurs restent tels quels</translation>
+        <translation>une étude utilise le bracelet&#xa0;: ses moteurs restent tels quels</translation>
     </message>
     <message>
         <source>SIMULATED</source>
@@ -7568,7 +7596,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>This bracelet has no sensor: open a recording, or answer by feel</source>
-        <translation>Ce bracelet n’a pas de capteur : ouvrez un enregistrement, ou répondez au ressenti</translation>
+        <translation>Ce bracelet n’a pas de capteur&#xa0;: ouvrez un enregistrement, ou répondez au ressenti</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -7616,7 +7644,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Keep the profile for this bracelet: it is used whenever it is connected</source>
-        <translation>Conserver le profil pour ce bracelet : il est utilisé à chaque connexion</translation>
+        <translation>Conserver le profil pour ce bracelet&#xa0;: il est utilisé à chaque connexion</translation>
     </message>
     <message>
         <source>&amp;Measure this motor</source>
@@ -7644,7 +7672,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>What the motor is told during a measurement, as CSV: for a sensor of your own</source>
-        <translation>Ce qui est commandé au moteur pendant une mesure, en CSV : pour votre propre capteur</translation>
+        <translation>Ce qui est commandé au moteur pendant une mesure, en CSV&#xa0;: pour votre propre capteur</translation>
     </message>
     <message>
         <source>Find its start by &amp;feel</source>
@@ -7652,7 +7680,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Bursts that get weaker and stronger; you say what you felt</source>
-        <translation>Des salves qui faiblissent et se renforcent ; vous dites ce que vous avez senti</translation>
+        <translation>Des salves qui faiblissent et se renforcent&#xa0;; vous dites ce que vous avez senti</translation>
     </message>
     <message>
         <source>&amp;Balance by feel</source>
@@ -7695,15 +7723,15 @@ Aire %6</translation>
     </message>
     <message>
         <source>No reference yet: %1</source>
-        <translation>Pas encore de référence : %1</translation>
+        <translation>Pas encore de référence&#xa0;: %1</translation>
     </message>
     <message>
         <source>Not used: %1</source>
-        <translation>Non utilisée : %1</translation>
+        <translation>Non utilisée&#xa0;: %1</translation>
     </message>
     <message>
         <source>This finder cannot be used: %1</source>
-        <translation>Ce détecteur ne peut pas être utilisé : %1</translation>
+        <translation>Ce détecteur ne peut pas être utilisé&#xa0;: %1</translation>
     </message>
     <message>
         <source>The finder %1 is being made ready.</source>
@@ -7743,7 +7771,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>How contacts are found: the printed dots alone, or dense flow by one of OpenCV&apos;s presets; the number divides the image&apos;s size</source>
-        <translation>Comment les contacts sont trouvés : les points imprimés seuls, ou un flot dense selon l’un des préréglages d’OpenCV ; le nombre divise la taille de l’image</translation>
+        <translation>Comment les contacts sont trouvés&#xa0;: les points imprimés seuls, ou un flot dense selon l’un des préréglages d’OpenCV&#xa0;; le nombre divise la taille de l’image</translation>
     </message>
     <message>
         <source>&amp;Displacement</source>
@@ -7763,7 +7791,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Keep this picture; contacts are followed on (Space)</source>
-        <translation>Garder cette image ; le suivi des contacts continue (Espace)</translation>
+        <translation>Garder cette image&#xa0;; le suivi des contacts continue (Espace)</translation>
     </message>
     <message>
         <source>The arm may r&amp;eact</source>
@@ -7771,7 +7799,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Off: the arm stands, whatever touches it. STOP takes this away until you give it again.</source>
-        <translation>Désactivé : le bras ne bouge pas, quoi qui le touche. STOP retire cette autorisation jusqu’à ce que vous la redonniez.</translation>
+        <translation>Désactivé&#xa0;: le bras ne bouge pas, quoi qui le touche. STOP retire cette autorisation jusqu’à ce que vous la redonniez.</translation>
     </message>
 </context>
 <context>
@@ -7798,7 +7826,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>&lt;p&gt;What the camera sees inside the tube. Lines show, enlarged, how far the printed pattern has moved since nothing touched the tube; outlines are contacts, each in the colour of its number.&lt;/p&gt;&lt;p&gt;Ctrl+wheel zooms, dragging moves, a double click shows all.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Ce que la caméra voit dans le tube. Les traits montrent, agrandi, le déplacement du motif imprimé depuis que rien ne touchait le tube ; les contours sont des contacts, chacun dans la couleur de son numéro.&lt;/p&gt;&lt;p&gt;Ctrl+molette zoome, glisser déplace, un double clic affiche tout.&lt;/p&gt;</translation>
+        <translation>&lt;p&gt;Ce que la caméra voit dans le tube. Les traits montrent, agrandi, le déplacement du motif imprimé depuis que rien ne touchait le tube&#xa0;; les contours sont des contacts, chacun dans la couleur de son numéro.&lt;/p&gt;&lt;p&gt;Ctrl+molette zoome, glisser déplace, un double clic affiche tout.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -7922,7 +7950,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>&lt;p&gt;Each pair at its pixel, with an enlarged arrow to where the camera projects its point. Arrows without a pattern are noise; arrows that flow are something that the camera does not describe.&lt;/p&gt;&lt;p&gt;A pixel outside the dashed circle has no ray.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Chaque paire à son pixel, avec une flèche agrandie vers l’endroit où la caméra projette son point. Des flèches sans structure sont du bruit ; des flèches qui s’ordonnent révèlent un effet que la caméra ne décrit pas.&lt;/p&gt;&lt;p&gt;Un pixel hors du cercle en tirets n’a pas de rayon.&lt;/p&gt;</translation>
+        <translation>&lt;p&gt;Chaque paire à son pixel, avec une flèche agrandie vers l’endroit où la caméra projette son point. Des flèches sans structure sont du bruit&#xa0;; des flèches qui s’ordonnent révèlent un effet que la caméra ne décrit pas.&lt;/p&gt;&lt;p&gt;Un pixel hors du cercle en tirets n’a pas de rayon.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>&lt;p&gt;Each pair at its point on the cylinder, cut open at the back, with an enlarged arrow to where its pixel is located. The colour is the error along the axis.&lt;/p&gt;</source>
@@ -8008,7 +8036,7 @@ Aire %6</translation>
     <message>
         <source>%1: %2 ms</source>
         <comment>stage of a computation and its time</comment>
-        <translation>%1 : %2 ms</translation>
+        <translation>%1&#xa0;: %2 ms</translation>
     </message>
 </context>
 <context>
@@ -8039,7 +8067,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>&lt;p&gt;Torque of each joint over time. The coloured band is the torque window: between its ends a touch is evaluated. Grey stretches are touches with their numbers, from the first torque above the noise to the estimate.&lt;/p&gt;&lt;p&gt;Drag or Shift+wheel scrolls, Ctrl+wheel changes the span, Space pauses, End goes back to live. Double-click an axis to type its ends.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Couple de chaque articulation au cours du temps. La bande colorée est la fenêtre de couple : un toucher est évalué entre ses bornes. Les zones grises sont des touchers avec leurs numéros, du premier couple au-dessus du bruit à l’estimation.&lt;/p&gt;&lt;p&gt;Glisser ou Shift+molette fait défiler, Ctrl+molette change la durée affichée, Espace met en pause, Fin revient au direct. Double-cliquez sur un axe pour saisir ses bornes.&lt;/p&gt;</translation>
+        <translation>&lt;p&gt;Couple de chaque articulation au cours du temps. La bande colorée est la fenêtre de couple&#xa0;: un toucher est évalué entre ses bornes. Les zones grises sont des touchers avec leurs numéros, du premier couple au-dessus du bruit à l’estimation.&lt;/p&gt;&lt;p&gt;Glisser ou Shift+molette fait défiler, Ctrl+molette change la durée affichée, Espace met en pause, Fin revient au direct. Double-cliquez sur un axe pour saisir ses bornes.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -8077,7 +8105,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>&lt;p&gt;Force, centres, moment deviation and orientation of the contact over time. The numbers beside the strips are the newest values, or those at the cursor.&lt;/p&gt;&lt;p&gt;A line that stops and goes on means that nothing is known in between: the contact was gone, samples were lost, or the recording jumped (dotted line).&lt;/p&gt;&lt;p&gt;Drag or Shift+wheel scrolls, Ctrl+wheel changes the span, Space pauses, End goes back to live. Double-click an axis to type its ends.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Force, centres, écart de moment et orientation du contact au cours du temps. Les nombres à côté des bandes sont les dernières valeurs, ou celles au curseur.&lt;/p&gt;&lt;p&gt;Une ligne qui s’arrête et reprend signifie que rien n’est connu dans l’intervalle : le contact avait disparu, des échantillons ont été perdus, ou l’enregistrement a sauté (ligne pointillée).&lt;/p&gt;&lt;p&gt;Glisser ou Shift+molette fait défiler, Ctrl+molette change la durée affichée, Espace met en pause, Fin revient au direct. Double-cliquez sur un axe pour saisir ses bornes.&lt;/p&gt;</translation>
+        <translation>&lt;p&gt;Force, centres, écart de moment et orientation du contact au cours du temps. Les nombres à côté des bandes sont les dernières valeurs, ou celles au curseur.&lt;/p&gt;&lt;p&gt;Une ligne qui s’arrête et reprend signifie que rien n’est connu dans l’intervalle&#xa0;: le contact avait disparu, des échantillons ont été perdus, ou l’enregistrement a sauté (ligne pointillée).&lt;/p&gt;&lt;p&gt;Glisser ou Shift+molette fait défiler, Ctrl+molette change la durée affichée, Espace met en pause, Fin revient au direct. Double-cliquez sur un axe pour saisir ses bornes.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Strips</source>
@@ -8136,7 +8164,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Stop the picture; samples go on being kept (Space)</source>
-        <translation>Figer l’image ; les échantillons continuent d’être conservés (Espace)</translation>
+        <translation>Figer l’image&#xa0;; les échantillons continuent d’être conservés (Espace)</translation>
     </message>
     <message>
         <source>Go Live</source>
@@ -8164,7 +8192,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Lower and upper end, for example -5 5. Empty: automatic.</source>
-        <translation>Bornes inférieure et supérieure, par exemple -5 5. Vide : automatique.</translation>
+        <translation>Bornes inférieure et supérieure, par exemple -5 5. Vide&#xa0;: automatique.</translation>
     </message>
     <message>
         <source>auto</source>
@@ -8208,27 +8236,27 @@ Aire %6</translation>
     </message>
     <message>
         <source>State: %1</source>
-        <translation>État : %1</translation>
+        <translation>État&#xa0;: %1</translation>
     </message>
     <message>
         <source>Rate: %1 Hz</source>
-        <translation>Fréquence : %1 Hz</translation>
+        <translation>Fréquence&#xa0;: %1 Hz</translation>
     </message>
     <message>
         <source>Frames lost: %1</source>
-        <translation>Trames perdues : %1</translation>
+        <translation>Trames perdues&#xa0;: %1</translation>
     </message>
     <message>
         <source>Frames displayed: %1</source>
-        <translation>Trames affichées : %1</translation>
+        <translation>Trames affichées&#xa0;: %1</translation>
     </message>
     <message>
         <source>Age of the newest frame: %1</source>
-        <translation>Âge de la dernière trame : %1</translation>
+        <translation>Âge de la dernière trame&#xa0;: %1</translation>
     </message>
     <message>
         <source>From the read to the screen: %1 ms</source>
-        <translation>De la lecture à l’écran : %1 ms</translation>
+        <translation>De la lecture à l’écran&#xa0;: %1 ms</translation>
     </message>
     <message>
         <source>touch to skin %1 ms</source>
@@ -8236,7 +8264,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>From the completed touch to the first frame of its pattern: %1 ms</source>
-        <translation>De la fin du toucher à la première trame de son motif : %1 ms</translation>
+        <translation>De la fin du toucher à la première trame de son motif&#xa0;: %1 ms</translation>
     </message>
 </context>
 <context>
@@ -8457,7 +8485,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>A recording of this program, or recorded frames as CSV: time_s,t0,t1,…</source>
-        <translation>Un enregistrement de ce programme, ou des trames enregistrées en CSV : time_s,t0,t1,…</translation>
+        <translation>Un enregistrement de ce programme, ou des trames enregistrées en CSV&#xa0;: time_s,t0,t1,…</translation>
     </message>
 </context>
 <context>
@@ -8507,7 +8535,7 @@ Aire %6</translation>
     <message>
         <source>%1 (%2 %)</source>
         <comment>a recognised shape and its confidence</comment>
-        <translation>%1 (%2 %)</translation>
+        <translation>%1 (%2&#xa0;%)</translation>
     </message>
 </context>
 <context>
@@ -8531,7 +8559,7 @@ Aire %6</translation>
     <message>
         <source>File: %1</source>
         <comment>a device file</comment>
-        <translation>Fichier : %1</translation>
+        <translation>Fichier&#xa0;: %1</translation>
     </message>
     <message>
         <source>&amp;Device file…</source>
@@ -8550,11 +8578,11 @@ Aire %6</translation>
     <name>teleta::console::BraceletStation</name>
     <message>
         <source>STOP is engaged: the bracelet is off.</source>
-        <translation>STOP est enclenché : le bracelet est éteint.</translation>
+        <translation>STOP est enclenché&#xa0;: le bracelet est éteint.</translation>
     </message>
     <message>
         <source>No bracelet: what would be played is named in the table of patterns.</source>
-        <translation>Pas de bracelet : ce qui serait joué est indiqué dans le tableau des motifs.</translation>
+        <translation>Pas de bracelet&#xa0;: ce qui serait joué est indiqué dans le tableau des motifs.</translation>
     </message>
     <message>
         <source>Connecting to the bracelet…</source>
@@ -8578,7 +8606,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>not calibrated: the motors are assumed</source>
-        <translation>non étalonnés : les moteurs sont supposés</translation>
+        <translation>non étalonnés&#xa0;: les moteurs sont supposés</translation>
     </message>
     <message>
         <source>The bracelet does not answer.</source>
@@ -8604,7 +8632,7 @@ Aire %6</translation>
     <name>teleta::console::CameraCalibrator</name>
     <message>
         <source>Saved %1</source>
-        <translation>Enregistré : %1</translation>
+        <translation>Enregistré&#xa0;: %1</translation>
     </message>
     <message>
         <source>Cylinder camera</source>
@@ -8616,7 +8644,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Pairs of pixels and points: CSV with u_px,v_px,x_m,y_m,z_m</source>
-        <translation>Paires de pixels et de points : CSV avec u_px,v_px,x_m,y_m,z_m</translation>
+        <translation>Paires de pixels et de points&#xa0;: CSV avec u_px,v_px,x_m,y_m,z_m</translation>
     </message>
     <message>
         <source>Save pai&amp;rs...</source>
@@ -8640,11 +8668,11 @@ Aire %6</translation>
     </message>
     <message>
         <source>Collect pairs: a simulated person presses a stick on the marked places of a simulated tube, and takes one in ten for its neighbour</source>
-        <translation>Recueillir des paires : une personne simulée appuie un bâton aux endroits marqués d’un tube simulé, et en prend un sur dix pour son voisin</translation>
+        <translation>Recueillir des paires&#xa0;: une personne simulée appuie un bâton aux endroits marqués d’un tube simulé, et en prend un sur dix pour son voisin</translation>
     </message>
     <message>
         <source>&amp;Method:</source>
-        <translation>Mét&amp;hode :</translation>
+        <translation>Mét&amp;hode&#xa0;:</translation>
     </message>
     <message>
         <source>Method of calibration</source>
@@ -8716,7 +8744,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>&lt;p&gt;Finds the camera inside the tactile cylinder from pairs: a pixel and the point of the surface that was probed there.&lt;/p&gt;&lt;p&gt;Load a CSV file or drop it here, or type pairs in. Wrong pairs are found and left out; you may exclude more or remove them (Delete in the table), and take every step back.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Trouve la caméra dans le cylindre tactile à partir de paires : un pixel et le point de la surface qui y a été palpé.&lt;/p&gt;&lt;p&gt;Chargez un fichier CSV ou déposez-le ici, ou saisissez des paires. Les paires fausses sont trouvées et écartées ; vous pouvez en exclure d’autres ou les supprimer (Suppr dans le tableau), et annuler chaque étape.&lt;/p&gt;</translation>
+        <translation>&lt;p&gt;Trouve la caméra dans le cylindre tactile à partir de paires&#xa0;: un pixel et le point de la surface qui y a été palpé.&lt;/p&gt;&lt;p&gt;Chargez un fichier CSV ou déposez-le ici, ou saisissez des paires. Les paires fausses sont trouvées et écartées&#xa0;; vous pouvez en exclure d’autres ou les supprimer (Suppr dans le tableau), et annuler chaque étape.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Save the camera</source>
@@ -8785,13 +8813,13 @@ Aire %6</translation>
     </message>
     <message>
         <source>No calibration: %1.</source>
-        <translation>Pas d’étalonnage : %1.</translation>
+        <translation>Pas d’étalonnage&#xa0;: %1.</translation>
     </message>
     <message numerus="yes">
         <source>%1 of %n pair(s) kept; </source>
         <translation>
-            <numerusform>%1 sur %n paire gardée ; </numerusform>
-            <numerusform>%1 sur %n paires gardées ; </numerusform>
+            <numerusform>%1 sur %n paire gardée&#xa0;; </numerusform>
+            <numerusform>%1 sur %n paires gardées&#xa0;; </numerusform>
         </translation>
     </message>
     <message>
@@ -8800,11 +8828,11 @@ Aire %6</translation>
     </message>
     <message>
         <source>This method knows no lens: use it to compare only.</source>
-        <translation>Cette méthode ne connaît pas d’objectif : ne l’utilisez que pour comparer.</translation>
+        <translation>Cette méthode ne connaît pas d’objectif&#xa0;: ne l’utilisez que pour comparer.</translation>
     </message>
     <message>
         <source>Be careful: residuals of neighbours are alike, so the pairs hold something that this camera does not describe (a shell that has moved, a wrong radius).</source>
-        <translation>Attention : les résidus voisins se ressemblent, les paires contiennent donc un effet que cette caméra ne décrit pas (une enveloppe qui a bougé, un rayon faux).</translation>
+        <translation>Attention&#xa0;: les résidus voisins se ressemblent, les paires contiennent donc un effet que cette caméra ne décrit pas (une enveloppe qui a bougé, un rayon faux).</translation>
     </message>
     <message>
         <source>The residuals have no pattern. Good.</source>
@@ -8824,7 +8852,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Collect pairs: press a stick through the holes of a shell while a camera, or a video of it, is watched</source>
-        <translation>Recueillir des paires : appuyer un bâton à travers les trous d’une coque pendant qu’une caméra, ou une vidéo, est observée</translation>
+        <translation>Recueillir des paires&#xa0;: appuyer un bâton à travers les trous d’une coque pendant qu’une caméra, ou une vidéo, est observée</translation>
     </message>
     <message>
         <source>Load pairs of pixels and probed points, drop their file here, type them in below, or probe a tube.</source>
@@ -8859,11 +8887,11 @@ Aire %6</translation>
     </message>
     <message>
         <source>&amp;Camera or video:</source>
-        <translation>&amp;Caméra ou vidéo :</translation>
+        <translation>&amp;Caméra ou vidéo&#xa0;:</translation>
     </message>
     <message>
         <source>Ca&amp;libration:</source>
-        <translation>É&amp;talonnage :</translation>
+        <translation>É&amp;talonnage&#xa0;:</translation>
     </message>
     <message>
         <source>Choose a camera file</source>
@@ -8929,7 +8957,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Error: %1.</source>
-        <translation>Erreur : %1.</translation>
+        <translation>Erreur&#xa0;: %1.</translation>
     </message>
     <message>
         <source>%1 (frontier)</source>
@@ -8938,7 +8966,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>refused: too noisy</source>
-        <translation>refusé : trop de perturbations</translation>
+        <translation>refusé&#xa0;: trop de perturbations</translation>
     </message>
     <message>
         <source>Preparing…</source>
@@ -8950,15 +8978,15 @@ Aire %6</translation>
     </message>
     <message>
         <source>%1: %2 on average, 99 of 100 frames within %3 (1640 x 1232 pixels).</source>
-        <translation>%1 : %2 en moyenne, 99 images sur 100 en moins de %3 (1640 x 1232 pixels).</translation>
+        <translation>%1&#xa0;: %2 en moyenne, 99 images sur 100 en moins de %3 (1640 x 1232 pixels).</translation>
     </message>
     <message>
         <source>No rung is so quick: of 100 frames one may take longer.</source>
-        <translation>Aucun échelon n’est aussi rapide : une image sur 100 peut prendre plus longtemps.</translation>
+        <translation>Aucun échelon n’est aussi rapide&#xa0;: une image sur 100 peut prendre plus longtemps.</translation>
     </message>
     <message>
         <source>Measuring %1: %2</source>
-        <translation>Mesure de %1 : %2</translation>
+        <translation>Mesure de %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>Preparing %1…</source>
@@ -8986,7 +9014,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Takes some minutes; the console can be used meanwhile</source>
-        <translation>Dure quelques minutes ; la console reste utilisable entre-temps</translation>
+        <translation>Dure quelques minutes&#xa0;; la console reste utilisable entre-temps</translation>
     </message>
     <message>
         <source>&amp;Cancel</source>
@@ -8998,7 +9026,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Close other programs and sources first: what they compute makes times uncertain.</source>
-        <translation>Fermez d’abord les autres programmes et sources : leurs calculs rendent les temps incertains.</translation>
+        <translation>Fermez d’abord les autres programmes et sources&#xa0;: leurs calculs rendent les temps incertains.</translation>
     </message>
     <message>
         <source>Measure this ladder</source>
@@ -9022,7 +9050,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>95 %</source>
-        <translation>95 %</translation>
+        <translation>95&#xa0;%</translation>
     </message>
     <message>
         <source>Worst</source>
@@ -9034,7 +9062,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>99 % time</source>
-        <translation>Temps 99 %</translation>
+        <translation>Temps 99&#xa0;%</translation>
     </message>
     <message>
         <source>Rungs with their errors and times</source>
@@ -9097,15 +9125,15 @@ Aire %6</translation>
     </message>
     <message>
         <source>&amp;Format:</source>
-        <translation>&amp;Format :</translation>
+        <translation>&amp;Format&#xa0;:</translation>
     </message>
     <message>
         <source>&amp;Rate:</source>
-        <translation>F&amp;réquence :</translation>
+        <translation>F&amp;réquence&#xa0;:</translation>
     </message>
     <message>
         <source>&amp;Values:</source>
-        <translation>&amp;Valeurs :</translation>
+        <translation>&amp;Valeurs&#xa0;:</translation>
     </message>
 </context>
 <context>
@@ -9129,24 +9157,24 @@ Aire %6</translation>
     <message>
         <source>%1: no pattern</source>
         <comment>what was recognised</comment>
-        <translation>%1 : pas de motif</translation>
+        <translation>%1&#xa0;: pas de motif</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <comment>what was recognised: id of a pattern</comment>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>Touch %1: %2. There is no pattern for it in the table.</source>
-        <translation>Toucher %1 : %2. Il n’y a pas de motif pour cela dans le tableau.</translation>
+        <translation>Toucher %1&#xa0;: %2. Il n’y a pas de motif pour cela dans le tableau.</translation>
     </message>
     <message>
         <source>Touch %1: %2. %3 was felt %4 later.</source>
-        <translation>Toucher %1 : %2. %3 a été senti %4 plus tard.</translation>
+        <translation>Toucher %1&#xa0;: %2. %3 a été senti %4 plus tard.</translation>
     </message>
     <message>
         <source>Touch %1: %2. %3 was sent.</source>
-        <translation>Toucher %1 : %2. %3 a été envoyé.</translation>
+        <translation>Toucher %1&#xa0;: %2. %3 a été envoyé.</translation>
     </message>
     <message>
         <source>&amp;Felt</source>
@@ -9179,15 +9207,15 @@ Aire %6</translation>
     <message>
         <source>%1: %2 is missing</source>
         <comment>what was recognised: id of a pattern</comment>
-        <translation>%1 : %2 manque</translation>
+        <translation>%1&#xa0;: %2 manque</translation>
     </message>
     <message>
         <source>Touch %1: %2. Its pattern %3 is missing: nothing was played. Choose another one, or put it back among your patterns.</source>
-        <translation>Toucher %1 : %2. Son motif %3 manque : rien n’a été joué. Choisissez-en un autre, ou remettez-le parmi vos motifs.</translation>
+        <translation>Toucher %1&#xa0;: %2. Son motif %3 manque&#xa0;: rien n’a été joué. Choisissez-en un autre, ou remettez-le parmi vos motifs.</translation>
     </message>
     <message>
         <source>From touch to skin: %1 half of the time, %2 at 99 %.</source>
-        <translation>Du toucher à la peau : %1 la moitié du temps, %2 à 99 %.</translation>
+        <translation>Du toucher à la peau&#xa0;: %1 la moitié du temps, %2 à 99&#xa0;%.</translation>
     </message>
     <message>
         <source>Of the newest touches, with the link between the two sites on the way</source>
@@ -9275,15 +9303,15 @@ Aire %6</translation>
     </message>
     <message>
         <source>&amp;Camera or video:</source>
-        <translation>&amp;Caméra ou vidéo :</translation>
+        <translation>&amp;Caméra ou vidéo&#xa0;:</translation>
     </message>
     <message>
         <source>Holes a &amp;ring:</source>
-        <translation>T&amp;rous par anneau :</translation>
+        <translation>T&amp;rous par anneau&#xa0;:</translation>
     </message>
     <message>
         <source>Ri&amp;ngs:</source>
-        <translation>A&amp;nneaux :</translation>
+        <translation>A&amp;nneaux&#xa0;:</translation>
     </message>
     <message>
         <source>&amp;First ring at z =</source>
@@ -9295,7 +9323,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>An&amp;gle of the first hole:</source>
-        <translation>An&amp;gle du premier trou :</translation>
+        <translation>An&amp;gle du premier trou&#xa0;:</translation>
     </message>
     <message>
         <source>&amp;Probe</source>
@@ -9317,12 +9345,12 @@ Aire %6</translation>
         <translation>Tous les trous sont palpés</translation>
     </message>
     <message>
-        <source>Hole %1 of %2: ring %3, %4 mm, %5°</source>
-        <translation>Trou %1 sur %2 : anneau %3, %4 mm, %5°</translation>
+        <source>Hole %1 of %2: ring %3, %4&#xa0;mm, %5°</source>
+        <translation>Trou %1 sur %2&#xa0;: anneau %3, %4&#xa0;mm, %5°</translation>
     </message>
     <message>
         <source>The camera is awaited: %1</source>
-        <translation>La caméra est attendue : %1</translation>
+        <translation>La caméra est attendue&#xa0;: %1</translation>
     </message>
     <message>
         <source>The first frame is awaited. Nothing may touch the skin.</source>
@@ -9330,7 +9358,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>A frame in which nothing touches the skin is awaited: %1</source>
-        <translation>Une image où rien ne touche la peau est attendue : %1</translation>
+        <translation>Une image où rien ne touche la peau est attendue&#xa0;: %1</translation>
     </message>
     <message>
         <source>Press the stick into this hole.</source>
@@ -9510,7 +9538,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>What the bracelet can say: edit, check and play patterns</source>
-        <translation>Ce que le bracelet peut dire : modifier, vérifier et jouer des motifs</translation>
+        <translation>Ce que le bracelet peut dire&#xa0;: modifier, vérifier et jouer des motifs</translation>
     </message>
     <message>
         <source>Study</source>
@@ -9518,7 +9546,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>User studies: from the first practice trial to confusion matrices and ANOVA</source>
-        <translation>Études utilisateur : du premier essai d’entraînement aux matrices de confusion et à l’ANOVA</translation>
+        <translation>Études utilisateur&#xa0;: du premier essai d’entraînement aux matrices de confusion et à l’ANOVA</translation>
     </message>
     <message>
         <source>Calibrate</source>
@@ -9526,7 +9554,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>What has to be measured: the motors of the bracelet, the camera in the tube</source>
-        <translation>Ce qui doit être mesuré : les moteurs du bracelet, la caméra dans le tube</translation>
+        <translation>Ce qui doit être mesuré&#xa0;: les moteurs du bracelet, la caméra dans le tube</translation>
     </message>
     <message>
         <source>Cost</source>
@@ -9581,18 +9609,18 @@ Aire %6</translation>
     </message>
     <message>
         <source>No marks. M sets one while something is recorded; its text can be typed then.</source>
-        <translation>Aucune marque. M en pose une pendant un enregistrement ; son texte peut alors être saisi.</translation>
+        <translation>Aucune marque. M en pose une pendant un enregistrement&#xa0;; son texte peut alors être saisi.</translation>
     </message>
     <message>
         <source>Moments that somebody marked in the recording. Double-click a text or press Enter to type it, Delete takes a mark out, Ctrl+Z undoes. In a recording that is played, a double click on a time goes there.</source>
-        <translation>Instants que quelqu’un a marqués dans l’enregistrement. Double-cliquez sur un texte ou appuyez sur Entrée pour le saisir ; Suppr retire une marque, Ctrl+Z annule. Dans un enregistrement en cours de lecture, un double clic sur un temps y mène.</translation>
+        <translation>Instants que quelqu’un a marqués dans l’enregistrement. Double-cliquez sur un texte ou appuyez sur Entrée pour le saisir&#xa0;; Suppr retire une marque, Ctrl+Z annule. Dans un enregistrement en cours de lecture, un double clic sur un temps y mène.</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::MotorCalibrator</name>
     <message>
         <source>The profile of the motors cannot be used; they are assumed.</source>
-        <translation>Le profil des moteurs ne peut pas être utilisé ; ils sont supposés.</translation>
+        <translation>Le profil des moteurs ne peut pas être utilisé&#xa0;; ils sont supposés.</translation>
     </message>
     <message>
         <source>Open the recording of a motor</source>
@@ -9638,7 +9666,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>It is of “%1”, this one is “%2”. Measure this one, or connect the other.</source>
-        <translation>C’est celui de « %1 », or celui-ci est « %2 ». Mesurez celui-ci, ou connectez l’autre.</translation>
+        <translation>C’est celui de «&#xa0;%1&#xa0;», or celui-ci est «&#xa0;%2&#xa0;». Mesurez celui-ci, ou connectez l’autre.</translation>
     </message>
     <message>
         <source>%1 could not be saved.</source>
@@ -9658,27 +9686,27 @@ Aire %6</translation>
     </message>
     <message>
         <source>In a file of this folder: one station</source>
-        <translation>Dans un fichier de ce dossier : un seul poste</translation>
+        <translation>Dans un fichier de ce dossier&#xa0;: un seul poste</translation>
     </message>
     <message>
         <source>On a PostgreSQL server: stations share it</source>
-        <translation>Sur un serveur PostgreSQL : des postes la partagent</translation>
+        <translation>Sur un serveur PostgreSQL&#xa0;: des postes la partagent</translation>
     </message>
     <message>
         <source>Run: real participants, counts as data</source>
-        <translation>Réelle : de vrais participants, compte comme données</translation>
+        <translation>Réelle&#xa0;: de vrais participants, compte comme données</translation>
     </message>
     <message>
         <source>Pilot: people try it, marked PILOT everywhere</source>
-        <translation>Pilote : des personnes l’essaient, marquée PILOTE partout</translation>
+        <translation>Pilote&#xa0;: des personnes l’essaient, marquée PILOTE partout</translation>
     </message>
     <message>
         <source>Simulated: no people, marked SIMULATED everywhere</source>
-        <translation>Simulée : pas de personnes, marquée SIMULÉ partout</translation>
+        <translation>Simulée&#xa0;: pas de personnes, marquée SIMULÉ partout</translation>
     </message>
     <message>
         <source>The orders of all trials follow from it: the same seed gives the same study</source>
-        <translation>L’ordre de tous les essais en découle : la même graine donne la même étude</translation>
+        <translation>L’ordre de tous les essais en découle&#xa0;: la même graine donne la même étude</translation>
     </message>
     <message>
         <source>&amp;Choose…</source>
@@ -9833,7 +9861,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Check the cable and the power supply; it is tried again by itself.</source>
-        <translation>Vérifiez le câble et l’alimentation ; une nouvelle tentative est faite automatiquement.</translation>
+        <translation>Vérifiez le câble et l’alimentation&#xa0;; une nouvelle tentative est faite automatiquement.</translation>
     </message>
     <message>
         <source>No source</source>
@@ -9873,7 +9901,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>A recording of this program, or recorded frames as CSV: time_s,t0,t1,…</source>
-        <translation>Un enregistrement de ce programme, ou des trames enregistrées en CSV : time_s,t0,t1,…</translation>
+        <translation>Un enregistrement de ce programme, ou des trames enregistrées en CSV&#xa0;: time_s,t0,t1,…</translation>
     </message>
     <message>
         <source>First &amp;steps</source>
@@ -9888,11 +9916,11 @@ Aire %6</translation>
     <name>teleta::console::PairEntry</name>
     <message>
         <source>Pi&amp;xel, px:</source>
-        <translation>Pi&amp;xel, px :</translation>
+        <translation>Pi&amp;xel, px&#xa0;:</translation>
     </message>
     <message>
         <source>&amp;Point, mm:</source>
-        <translation>P&amp;oint, mm :</translation>
+        <translation>P&amp;oint, mm&#xa0;:</translation>
     </message>
     <message>
         <source>u, to the right</source>
@@ -9970,7 +9998,7 @@ Aire %6</translation>
     <name>teleta::console::PatternsPage</name>
     <message>
         <source>The edits that are not saved could not be kept aside: a crash would lose them.</source>
-        <translation>Les modifications non enregistrées n’ont pas pu être mises de côté : une panne les ferait perdre.</translation>
+        <translation>Les modifications non enregistrées n’ont pas pu être mises de côté&#xa0;: une panne les ferait perdre.</translation>
     </message>
     <message>
         <source>%1 (copy)</source>
@@ -10017,7 +10045,7 @@ Aire %6</translation>
     <message>
         <source>The program ended without saving %1, edited %2. The file on disk is as it was.</source>
         <comment>a pattern, a time</comment>
-        <translation>Le programme s’est terminé sans enregistrer %1 (modification : %2). Le fichier sur le disque est resté tel quel.</translation>
+        <translation>Le programme s’est terminé sans enregistrer %1 (modification&#xa0;: %2). Le fichier sur le disque est resté tel quel.</translation>
     </message>
     <message numerus="yes">
         <source>There are %n more.</source>
@@ -10064,7 +10092,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>How strong the bracelet may be could not be read or kept: look at the slider Strongest.</source>
-        <translation>La force maximale du bracelet n’a pas pu être lue ou conservée : vérifier le curseur Plus fort.</translation>
+        <translation>La force maximale du bracelet n’a pas pu être lue ou conservée&#xa0;: vérifier le curseur «&#xa0;Intensité maximale&#xa0;».</translation>
     </message>
 </context>
 <context>
@@ -10075,7 +10103,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>SIMULATED: a person probes the tube; pairs until now: %1</source>
-        <translation>SIMULÉ : une personne palpe le tube ; paires jusqu’ici : %1</translation>
+        <translation>SIMULÉ&#xa0;: une personne palpe le tube&#xa0;; paires jusqu’ici&#xa0;: %1</translation>
     </message>
     <message>
         <source>Sto&amp;p probing</source>
@@ -10239,7 +10267,7 @@ Aire %6</translation>
     </message>
     <message>
         <source> (expected: %1)</source>
-        <translation> (attendu : %1)</translation>
+        <translation> (attendu&#xa0;: %1)</translation>
     </message>
     <message>
         <source>Save the protocol</source>
@@ -10251,7 +10279,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>✓ Saved: %1</source>
-        <translation>✓ Enregistré : %1</translation>
+        <translation>✓ Enregistré&#xa0;: %1</translation>
     </message>
     <message>
         <source>no rests</source>
@@ -10282,7 +10310,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>letter, condition and file, one a line, for patterns of your own; all others come with the program</source>
-        <translation>lettre, condition et fichier, un par ligne, pour vos propres motifs ; tous les autres sont fournis avec le programme</translation>
+        <translation>lettre, condition et fichier, un par ligne, pour vos propres motifs&#xa0;; tous les autres sont fournis avec le programme</translation>
     </message>
     <message>
         <source>Of your own</source>
@@ -10294,7 +10322,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>no pattern of the task is felt as &quot;%1 %2&quot;</source>
-        <translation>aucun motif de la tâche n’est ressenti comme « %1 %2 »</translation>
+        <translation>aucun motif de la tâche n’est ressenti comme «&#xa0;%1 %2&#xa0;»</translation>
     </message>
     <message>
         <source>a letter and a condition of the task, then the file</source>
@@ -10302,7 +10330,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>the file of &quot;%1 %2&quot; cannot be found</source>
-        <translation>le fichier de « %1 %2 » est introuvable</translation>
+        <translation>le fichier de «&#xa0;%1 %2&#xa0;» est introuvable</translation>
     </message>
     <message>
         <source>its whole path</source>
@@ -10310,7 +10338,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>&quot;%1 %2&quot; has two files</source>
-        <translation>« %1 %2 » a deux fichiers</translation>
+        <translation>«&#xa0;%1 %2&#xa0;» a deux fichiers</translation>
     </message>
     <message>
         <source>one file</source>
@@ -10323,7 +10351,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>There is no pattern %1 to be felt. Name a file for it, or take a task, letter and condition whose pattern comes with the program; the protocol can be saved.</source>
-        <translation>Il n’y a pas de motif %1 à ressentir. Nommez un fichier pour lui, ou prenez une tâche, une lettre et une condition dont le motif est fourni avec le programme ; le protocole peut être enregistré.</translation>
+        <translation>Il n’y a pas de motif %1 à ressentir. Nommez un fichier pour lui, ou prenez une tâche, une lettre et une condition dont le motif est fourni avec le programme&#xa0;; le protocole peut être enregistré.</translation>
     </message>
 </context>
 <context>
@@ -10506,11 +10534,11 @@ Aire %6</translation>
     </message>
     <message>
         <source>The recording ended: %1.</source>
-        <translation>L’enregistrement s’est terminé : %1.</translation>
+        <translation>L’enregistrement s’est terminé&#xa0;: %1.</translation>
     </message>
     <message>
         <source>What was recorded until then can be opened: %1</source>
-        <translation>Ce qui a été enregistré jusque-là peut être ouvert : %1</translation>
+        <translation>Ce qui a été enregistré jusque-là peut être ouvert&#xa0;: %1</translation>
     </message>
     <message>
         <source>The recording could not begin.</source>
@@ -10578,35 +10606,35 @@ Aire %6</translation>
     </message>
     <message>
         <source>Recording:</source>
-        <translation>Enregistrement :</translation>
+        <translation>Enregistrement&#xa0;:</translation>
     </message>
     <message>
         <source>&amp;Array:</source>
-        <translation>&amp;Matrice :</translation>
+        <translation>&amp;Matrice&#xa0;:</translation>
     </message>
     <message>
         <source>&amp;Pitch:</source>
-        <translation>&amp;Pas :</translation>
+        <translation>&amp;Pas&#xa0;:</translation>
     </message>
     <message>
         <source>&amp;Unloaded (tare):</source>
-        <translation>À vide (&amp;tare) :</translation>
+        <translation>À vide (&amp;tare)&#xa0;:</translation>
     </message>
     <message>
         <source>&amp;Gain:</source>
-        <translation>&amp;Gain :</translation>
+        <translation>&amp;Gain&#xa0;:</translation>
     </message>
     <message>
         <source>Unit of the &amp;load:</source>
-        <translation>&amp;Unité de la charge :</translation>
+        <translation>&amp;Unité de la charge&#xa0;:</translation>
     </message>
     <message>
         <source>&amp;Threshold:</source>
-        <translation>&amp;Seuil :</translation>
+        <translation>&amp;Seuil&#xa0;:</translation>
     </message>
     <message>
         <source>&amp;Rate:</source>
-        <translation>&amp;Fréquence :</translation>
+        <translation>&amp;Fréquence&#xa0;:</translation>
     </message>
     <message numerus="yes">
         <source>%n taxel(s), as in the file</source>
@@ -10771,7 +10799,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Saved, read back and compared: %1</source>
-        <translation>Enregistré, relu et comparé : %1</translation>
+        <translation>Enregistré, relu et comparé&#xa0;: %1</translation>
     </message>
     <message>
         <source>The trials are safe in the study, but could not be exported.</source>
@@ -10802,7 +10830,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>The last answer is not kept: %1</source>
-        <translation>La dernière réponse n’est pas conservée : %1</translation>
+        <translation>La dernière réponse n’est pas conservée&#xa0;: %1</translation>
     </message>
     <message>
         <source>It is only in the memory of this program. The session ends with it.</source>
@@ -10838,7 +10866,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Run the user study of the paper, or one of your own: from the first practice trial to confusion matrices and ANOVA.</source>
-        <translation>Menez l’étude utilisateur de l’article, ou la vôtre : du premier essai d’entraînement aux matrices de confusion et à l’ANOVA.</translation>
+        <translation>Menez l’étude utilisateur de l’article, ou la vôtre&#xa0;: du premier essai d’entraînement aux matrices de confusion et à l’ANOVA.</translation>
     </message>
     <message>
         <source>Watch a rehearsal</source>
@@ -10923,7 +10951,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>✗ Not played: %1. Play it from another device.</source>
-        <translation>✗ Non joué : %1. Jouez-le depuis un autre appareil.</translation>
+        <translation>✗ Non joué&#xa0;: %1. Jouez-le depuis un autre appareil.</translation>
     </message>
     <message>
         <source>Computing …</source>
@@ -10935,7 +10963,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Test trials that are complete; others are left out.</source>
-        <translation>Essais de test complets ; les autres sont écartés.</translation>
+        <translation>Essais de test complets&#xa0;; les autres sont écartés.</translation>
     </message>
     <message>
         <source>The results could not be computed.</source>
@@ -10943,7 +10971,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Written: %1</source>
-        <translation>Écrit : %1</translation>
+        <translation>Écrit&#xa0;: %1</translation>
     </message>
     <message>
         <source>Session</source>
@@ -10979,11 +11007,11 @@ Aire %6</translation>
     </message>
     <message>
         <source>How fast simulated participants are; it can be changed between sessions</source>
-        <translation>Rapidité des participants simulés ; elle peut être changée entre les sessions</translation>
+        <translation>Rapidité des participants simulés&#xa0;; elle peut être changée entre les sessions</translation>
     </message>
     <message>
         <source>This study can only be looked at: nothing can be written here.</source>
-        <translation>Cette étude peut seulement être consultée : rien ne peut être écrit ici.</translation>
+        <translation>Cette étude peut seulement être consultée&#xa0;: rien ne peut être écrit ici.</translation>
     </message>
     <message>
         <source>Copy its whole folder to go on with it.</source>
@@ -10994,7 +11022,7 @@ Aire %6</translation>
     <name>teleta::console::StudyRunner</name>
     <message>
         <source>there is no pattern &quot;%1&quot; to be felt</source>
-        <translation>il n’y a pas de motif « %1 » à sentir</translation>
+        <translation>il n’y a pas de motif «&#xa0;%1&#xa0;» à sentir</translation>
     </message>
     <message>
         <source>STOP was pressed</source>
@@ -11009,15 +11037,15 @@ Aire %6</translation>
     <name>teleta::console::TubeFields</name>
     <message>
         <source>&amp;Image:</source>
-        <translation>&amp;Image :</translation>
+        <translation>&amp;Image&#xa0;:</translation>
     </message>
     <message>
         <source>&amp;Radius:</source>
-        <translation>&amp;Rayon :</translation>
+        <translation>&amp;Rayon&#xa0;:</translation>
     </message>
     <message>
         <source>Len&amp;gth:</source>
-        <translation>&amp;Longueur :</translation>
+        <translation>&amp;Longueur&#xa0;:</translation>
     </message>
     <message>
         <source>Width of the image</source>
@@ -11053,7 +11081,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>&amp;Hole factor:</source>
-        <translation>Facteur des &amp;trous :</translation>
+        <translation>Facteur des &amp;trous&#xa0;:</translation>
     </message>
     <message>
         <source>From the holes of a shell to the tactile cylinder</source>
@@ -11061,14 +11089,14 @@ Aire %6</translation>
     </message>
     <message>
         <source>The points are holes of a shell: their x and y times this factor are on the elastomer (the paper&apos;s shell: 0.97)</source>
-        <translation>Les points sont les trous d’une coque : leurs x et y multipliés par ce facteur sont sur l’élastomère (coque de l’article : 0,97)</translation>
+        <translation>Les points sont les trous d’une coque&#xa0;: leurs x et y multipliés par ce facteur sont sur l’élastomère (coque de l’article&#xa0;: 0,97)</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::Unattended</name>
     <message>
         <source>teleta-console: %1: cannot write the picture: %2</source>
-        <translation>teleta-console : %1 : impossible d’écrire l’image : %2</translation>
+        <translation>teleta-console&#xa0;: %1&#xa0;: impossible d’écrire l’image&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -11107,15 +11135,15 @@ Aire %6</translation>
     </message>
     <message>
         <source>Laws: looking…</source>
-        <translation>Lois : examen…</translation>
+        <translation>Lois&#xa0;: examen…</translation>
     </message>
     <message>
         <source>Laws: no warning</source>
-        <translation>Lois : aucun avertissement</translation>
+        <translation>Lois&#xa0;: aucun avertissement</translation>
     </message>
     <message>
         <source>Laws: %1 to look at</source>
-        <translation>Lois : %1 à examiner</translation>
+        <translation>Lois&#xa0;: %1 à examiner</translation>
     </message>
 </context>
 <context>
@@ -11228,6 +11256,10 @@ Aire %6</translation>
         <source>Change Duration</source>
         <translation>Changer la durée</translation>
     </message>
+    <message>
+        <source>Overdrive</source>
+        <translation>Surintensité</translation>
+    </message>
 </context>
 <context>
     <name>teleta::editor::PatternEditor</name>
@@ -11241,11 +11273,11 @@ Aire %6</translation>
     </message>
     <message>
         <source>Compared with %1: largest difference %2 % (motor %3 at %4 s), rms %5 %</source>
-        <translation>Comparé à %1 : plus grand écart %2 % (moteur %3 à %4 s), RMS %5 %</translation>
+        <translation>Comparé à %1&#xa0;: plus grand écart %2&#xa0;% (moteur %3 à %4 s), RMS %5&#xa0;%</translation>
     </message>
     <message>
         <source>Compared with %1: the motors do the same</source>
-        <translation>Comparé à %1 : les moteurs font la même chose</translation>
+        <translation>Comparé à %1&#xa0;: les moteurs font la même chose</translation>
     </message>
     <message>
         <source>Editor of patterns</source>
@@ -11281,7 +11313,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Save the pattern; one without a file goes to one&apos;s own patterns</source>
-        <translation>Enregistrer le motif ; sans fichier, il va parmi vos propres motifs</translation>
+        <translation>Enregistrer le motif&#xa0;; sans fichier, il va parmi vos propres motifs</translation>
     </message>
     <message>
         <source>Save As…</source>
@@ -11325,7 +11357,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Begin again at the end; Shift and a drag on the ruler set the range</source>
-        <translation>Recommencer à la fin ; Shift et glisser sur la règle définissent la plage</translation>
+        <translation>Recommencer à la fin&#xa0;; Shift et glisser sur la règle définissent la plage</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -11357,7 +11389,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Times on a grid; Alt while dragging leaves it</source>
-        <translation>Temps sur une grille ; Alt en glissant s’en libère</translation>
+        <translation>Temps sur une grille&#xa0;; Alt en glissant s’en libère</translation>
     </message>
     <message>
         <source>Step of the grid, and of the arrow keys</source>
@@ -11381,7 +11413,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Rotate around the ring: every motor does what the next one did</source>
-        <translation>Tourner autour de l’anneau : chaque moteur fait ce que faisait le suivant</translation>
+        <translation>Tourner autour de l’anneau&#xa0;: chaque moteur fait ce que faisait le suivant</translation>
     </message>
     <message>
         <source>↻ 60°</source>
@@ -11389,7 +11421,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Rotate around the ring: every motor does what the one before did</source>
-        <translation>Tourner autour de l’anneau : chaque moteur fait ce que faisait le précédent</translation>
+        <translation>Tourner autour de l’anneau&#xa0;: chaque moteur fait ce que faisait le précédent</translation>
     </message>
     <message>
         <source>Mirror</source>
@@ -11448,15 +11480,15 @@ Aire %6</translation>
     </message>
     <message>
         <source>Motors:</source>
-        <translation>Moteurs :</translation>
+        <translation>Moteurs&#xa0;:</translation>
     </message>
     <message>
         <source>Burst:</source>
-        <translation>Salve :</translation>
+        <translation>Salve&#xa0;:</translation>
     </message>
     <message>
         <source>Onset to onset:</source>
-        <translation>D’un début à l’autre :</translation>
+        <translation>D’un début à l’autre&#xa0;:</translation>
     </message>
     <message>
         <source>Onset by the law of apparent motion</source>
@@ -11464,11 +11496,11 @@ Aire %6</translation>
     </message>
     <message>
         <source>Turns:</source>
-        <translation>Tours :</translation>
+        <translation>Tours&#xa0;:</translation>
     </message>
     <message>
         <source>First motor:</source>
-        <translation>Premier moteur :</translation>
+        <translation>Premier moteur&#xa0;:</translation>
     </message>
     <message>
         <source>Counter-clockwise (rising numbers)</source>
@@ -11480,59 +11512,59 @@ Aire %6</translation>
     </message>
     <message>
         <source>Second motor:</source>
-        <translation>Second moteur :</translation>
+        <translation>Second moteur&#xa0;:</translation>
     </message>
     <message>
         <source>From:</source>
-        <translation>De :</translation>
+        <translation>De&#xa0;:</translation>
     </message>
     <message>
         <source>To:</source>
-        <translation>À :</translation>
+        <translation>À&#xa0;:</translation>
     </message>
     <message>
         <source>Period:</source>
-        <translation>Période :</translation>
+        <translation>Période&#xa0;:</translation>
     </message>
     <message>
         <source>Width:</source>
-        <translation>Largeur :</translation>
+        <translation>Largeur&#xa0;:</translation>
     </message>
     <message>
         <source>Length:</source>
-        <translation>Durée :</translation>
+        <translation>Durée&#xa0;:</translation>
     </message>
     <message>
         <source>Begins at:</source>
-        <translation>Commence à :</translation>
+        <translation>Commence à&#xa0;:</translation>
     </message>
     <message>
         <source>Point:</source>
-        <translation>Point :</translation>
+        <translation>Point&#xa0;:</translation>
     </message>
     <message>
         <source>its time:</source>
-        <translation>son temps :</translation>
+        <translation>son temps&#xa0;:</translation>
     </message>
     <message>
         <source>its angle:</source>
-        <translation>son angle :</translation>
+        <translation>son angle&#xa0;:</translation>
     </message>
     <message>
         <source>along the arm:</source>
-        <translation>le long du bras :</translation>
+        <translation>le long du bras&#xa0;:</translation>
     </message>
     <message>
         <source>Start:</source>
-        <translation>Début :</translation>
+        <translation>Début&#xa0;:</translation>
     </message>
     <message>
         <source>Intensity:</source>
-        <translation>Intensité :</translation>
+        <translation>Intensité&#xa0;:</translation>
     </message>
     <message>
         <source>Called:</source>
-        <translation>Nommé :</translation>
+        <translation>Nommé&#xa0;:</translation>
     </message>
     <message>
         <source>Bake into breakpoints</source>
@@ -11540,15 +11572,15 @@ Aire %6</translation>
     </message>
     <message>
         <source>&amp;Name:</source>
-        <translation>&amp;Nom :</translation>
+        <translation>&amp;Nom&#xa0;:</translation>
     </message>
     <message>
         <source>Le&amp;ngth:</source>
-        <translation>&amp;Durée :</translation>
+        <translation>&amp;Durée&#xa0;:</translation>
     </message>
     <message>
         <source>&amp;Loop:</source>
-        <translation>&amp;Boucle :</translation>
+        <translation>&amp;Boucle&#xa0;:</translation>
     </message>
     <message>
         <source>Begin of the loop</source>
@@ -11560,11 +11592,11 @@ Aire %6</translation>
     </message>
     <message>
         <source>What is played again and again; the whole pattern when both are the same</source>
-        <translation>Ce qui est joué en boucle ; tout le motif si les deux sont égaux</translation>
+        <translation>Ce qui est joué en boucle&#xa0;; tout le motif si les deux sont égaux</translation>
     </message>
     <message>
         <source>T&amp;ells:</source>
-        <translation>&amp;Exprime :</translation>
+        <translation>&amp;Exprime&#xa0;:</translation>
     </message>
     <message>
         <source>Condition</source>
@@ -11596,11 +11628,11 @@ Aire %6</translation>
     </message>
     <message>
         <source>&amp;Tags:</source>
-        <translation>É&amp;tiquettes :</translation>
+        <translation>É&amp;tiquettes&#xa0;:</translation>
     </message>
     <message>
         <source>N&amp;otes:</source>
-        <translation>N&amp;otes :</translation>
+        <translation>N&amp;otes&#xa0;:</translation>
     </message>
     <message>
         <source>Nothing is selected</source>
@@ -11616,26 +11648,26 @@ Aire %6</translation>
     </message>
     <message>
         <source>Time:</source>
-        <translation>Temps :</translation>
+        <translation>Temps&#xa0;:</translation>
     </message>
     <message>
         <source>Scale by:</source>
-        <translation>Multiplier par :</translation>
+        <translation>Multiplier par&#xa0;:</translation>
     </message>
     <message>
         <source>Stretch to:</source>
-        <translation>Étirer à :</translation>
+        <translation>Étirer à&#xa0;:</translation>
     </message>
     <message>
         <source>Curve:</source>
-        <translation>Courbe :</translation>
+        <translation>Courbe&#xa0;:</translation>
     </message>
 </context>
 <context>
     <name>teleta::editor::PatternLibrary</name>
     <message>
         <source>Filter: name, tag</source>
-        <translation>Filtre : nom, étiquette</translation>
+        <translation>Filtre&#xa0;: nom, étiquette</translation>
     </message>
     <message>
         <source>Filter the patterns</source>
@@ -11655,15 +11687,15 @@ Aire %6</translation>
     </message>
     <message>
         <source>&lt;p&gt;Double-click or &lt;b&gt;Enter&lt;/b&gt; opens a pattern. Built-in patterns stay as they are: the first edit makes a copy. In one&apos;s own: &lt;b&gt;F2&lt;/b&gt; renames, &lt;b&gt;Ctrl+D&lt;/b&gt; duplicates, &lt;b&gt;Delete&lt;/b&gt; deletes, &lt;b&gt;Ctrl+Z&lt;/b&gt; takes that back.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Un double clic ou &lt;b&gt;Entrée&lt;/b&gt; ouvre un motif. Les motifs intégrés restent tels quels : la première modification en fait une copie. Parmi les vôtres : &lt;b&gt;F2&lt;/b&gt; renomme, &lt;b&gt;Ctrl+D&lt;/b&gt; duplique, &lt;b&gt;Suppr&lt;/b&gt; supprime, &lt;b&gt;Ctrl+Z&lt;/b&gt; annule cela.&lt;/p&gt;</translation>
+        <translation>&lt;p&gt;Un double clic ou &lt;b&gt;Entrée&lt;/b&gt; ouvre un motif. Les motifs intégrés restent tels quels&#xa0;: la première modification en fait une copie. Parmi les vôtres&#xa0;: &lt;b&gt;F2&lt;/b&gt; renomme, &lt;b&gt;Ctrl+D&lt;/b&gt; duplique, &lt;b&gt;Suppr&lt;/b&gt; supprime, &lt;b&gt;Ctrl+Z&lt;/b&gt; annule cela.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Built-in: shapes</source>
-        <translation>Intégrés : formes</translation>
+        <translation>Intégrés&#xa0;: formes</translation>
     </message>
     <message>
         <source>Built-in: stiffness</source>
-        <translation>Intégrés : raideur</translation>
+        <translation>Intégrés&#xa0;: raideur</translation>
     </message>
     <message>
         <source>Mine</source>
@@ -11671,7 +11703,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>none yet: edit a built-in one</source>
-        <translation>aucun encore : modifiez un motif intégré</translation>
+        <translation>aucun encore&#xa0;: modifiez un motif intégré</translation>
     </message>
     <message>
         <source>damaged</source>
@@ -11679,7 +11711,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Tags: %1</source>
-        <translation>Étiquettes : %1</translation>
+        <translation>Étiquettes&#xa0;: %1</translation>
     </message>
     <message>
         <source>&amp;Open</source>
@@ -11710,11 +11742,11 @@ Aire %6</translation>
     </message>
     <message>
         <source>Draw a stroke: it is felt as a point that moves along it</source>
-        <translation>Dessiner un tracé : il est senti comme un point qui le parcourt</translation>
+        <translation>Dessiner un tracé&#xa0;: il est senti comme un point qui le parcourt</translation>
     </message>
     <message>
         <source>&lt;p&gt;The forearm, unrolled: from left to right once around it. What is drawn here with the mouse becomes a stroke of the pattern, from the playhead on, as fast as it was drawn. &lt;b&gt;Esc&lt;/b&gt; gives it up.&lt;/p&gt;&lt;p&gt;By keys: the arrows move a cursor, &lt;b&gt;Space&lt;/b&gt; sets a point a quarter of a second after the last one, &lt;b&gt;Backspace&lt;/b&gt; takes it back, &lt;b&gt;Enter&lt;/b&gt; finishes.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;L’avant-bras, déroulé : de gauche à droite, un tour complet. Ce qui est dessiné ici avec la souris devient un tracé du motif, à partir de la tête de lecture, aussi vite qu’il a été dessiné. &lt;b&gt;Esc&lt;/b&gt; l’abandonne.&lt;/p&gt;&lt;p&gt;Au clavier : les flèches déplacent un curseur, &lt;b&gt;Espace&lt;/b&gt; pose un point un quart de seconde après le dernier, &lt;b&gt;Retour arrière&lt;/b&gt; le retire, &lt;b&gt;Entrée&lt;/b&gt; termine.&lt;/p&gt;</translation>
+        <translation>&lt;p&gt;L’avant-bras, déroulé&#xa0;: de gauche à droite, un tour complet. Ce qui est dessiné ici avec la souris devient un tracé du motif, à partir de la tête de lecture, aussi vite qu’il a été dessiné. &lt;b&gt;Esc&lt;/b&gt; l’abandonne.&lt;/p&gt;&lt;p&gt;Au clavier&#xa0;: les flèches déplacent un curseur, &lt;b&gt;Espace&lt;/b&gt; pose un point un quart de seconde après le dernier, &lt;b&gt;Retour arrière&lt;/b&gt; le retire, &lt;b&gt;Entrée&lt;/b&gt; termine.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Draw a stroke here</source>
@@ -11725,7 +11757,7 @@ Aire %6</translation>
     <name>teleta::editor::TimelineView</name>
     <message>
         <source>Time in s; intensity in %</source>
-        <translation>Temps en s ; intensité en %</translation>
+        <translation>Temps en s&#xa0;; intensité en&#xa0;%</translation>
     </message>
     <message>
         <source>Timeline of the pattern</source>
@@ -11757,7 +11789,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>&lt;p&gt;Six motors over time. The blue line is what is asked of a motor, the thin one what the motor is predicted to do; it is hatched where the motor cannot follow.&lt;/p&gt;&lt;p&gt;Double-click or &lt;b&gt;P&lt;/b&gt;: add breakpoints. Drag: move, with &lt;b&gt;Alt&lt;/b&gt; off the grid. Drag on the ground, or with &lt;b&gt;Shift&lt;/b&gt;: select. Double-click on a breakpoint or &lt;b&gt;Enter&lt;/b&gt;: type its numbers. Arrow keys: move what is selected, with &lt;b&gt;Shift&lt;/b&gt; farther in time and finer in intensity. &lt;b&gt;Page Up&lt;/b&gt;, &lt;b&gt;Page Down&lt;/b&gt;: lane; &lt;b&gt;,&lt;/b&gt; and &lt;b&gt;.&lt;/b&gt;: breakpoint, with &lt;b&gt;Shift&lt;/b&gt; one more; &lt;b&gt;N&lt;/b&gt;: object; &lt;b&gt;Insert&lt;/b&gt;: a breakpoint at the playhead; &lt;b&gt;[&lt;/b&gt; and &lt;b&gt;]&lt;/b&gt;: begin and end of the loop, &lt;b&gt;\&lt;/b&gt;: none.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; and wheel: zoom. &lt;b&gt;Shift&lt;/b&gt; and wheel: scroll. On the ruler a drag moves the playhead and, with &lt;b&gt;Shift&lt;/b&gt;, sets the loop.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Six moteurs au cours du temps. La ligne bleue est ce qui est demandé à un moteur, la ligne fine ce que le moteur devrait faire selon la prédiction ; elle est hachurée là où le moteur ne peut pas suivre.&lt;/p&gt;&lt;p&gt;Double clic ou &lt;b&gt;P&lt;/b&gt; : ajouter des nœuds. Glisser : déplacer, avec &lt;b&gt;Alt&lt;/b&gt; hors de la grille. Glisser sur le fond, ou avec &lt;b&gt;Shift&lt;/b&gt; : sélectionner. Double clic sur un nœud ou &lt;b&gt;Entrée&lt;/b&gt; : saisir ses nombres. Touches fléchées : déplacer la sélection, avec &lt;b&gt;Shift&lt;/b&gt; plus loin en temps et plus finement en intensité. &lt;b&gt;Page préc.&lt;/b&gt;, &lt;b&gt;Page suiv.&lt;/b&gt; : piste ; &lt;b&gt;,&lt;/b&gt; et &lt;b&gt;.&lt;/b&gt; : nœud, avec &lt;b&gt;Shift&lt;/b&gt; un de plus ; &lt;b&gt;N&lt;/b&gt; : objet ; &lt;b&gt;Inser&lt;/b&gt; : un nœud à la tête de lecture ; &lt;b&gt;[&lt;/b&gt; et &lt;b&gt;]&lt;/b&gt; : début et fin de la boucle, &lt;b&gt;\&lt;/b&gt; : aucune.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; et molette : zoomer. &lt;b&gt;Shift&lt;/b&gt; et molette : défiler. Sur la règle, glisser déplace la tête de lecture et, avec &lt;b&gt;Shift&lt;/b&gt;, définit la boucle.&lt;/p&gt;</translation>
+        <translation>&lt;p&gt;Six moteurs au cours du temps. La ligne bleue est ce qui est demandé à un moteur, la ligne fine ce que le moteur devrait faire selon la prédiction&#xa0;; elle est hachurée là où le moteur ne peut pas suivre.&lt;/p&gt;&lt;p&gt;Double clic ou &lt;b&gt;P&lt;/b&gt;&#xa0;: ajouter des nœuds. Glisser&#xa0;: déplacer, avec &lt;b&gt;Alt&lt;/b&gt; hors de la grille. Glisser sur le fond, ou avec &lt;b&gt;Shift&lt;/b&gt;&#xa0;: sélectionner. Double clic sur un nœud ou &lt;b&gt;Entrée&lt;/b&gt;&#xa0;: saisir ses nombres. Touches fléchées&#xa0;: déplacer la sélection, avec &lt;b&gt;Shift&lt;/b&gt; plus loin en temps et plus finement en intensité. &lt;b&gt;Page préc.&lt;/b&gt;, &lt;b&gt;Page suiv.&lt;/b&gt;&#xa0;: piste&#xa0;; &lt;b&gt;,&lt;/b&gt; et &lt;b&gt;.&lt;/b&gt;&#xa0;: nœud, avec &lt;b&gt;Shift&lt;/b&gt; un de plus&#xa0;; &lt;b&gt;N&lt;/b&gt;&#xa0;: objet&#xa0;; &lt;b&gt;Inser&lt;/b&gt;&#xa0;: un nœud à la tête de lecture&#xa0;; &lt;b&gt;[&lt;/b&gt; et &lt;b&gt;]&lt;/b&gt;&#xa0;: début et fin de la boucle, &lt;b&gt;\&lt;/b&gt;&#xa0;: aucune.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; et molette&#xa0;: zoomer. &lt;b&gt;Shift&lt;/b&gt; et molette&#xa0;: défiler. Sur la règle, glisser déplace la tête de lecture et, avec &lt;b&gt;Shift&lt;/b&gt;, définit la boucle.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -11791,7 +11823,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>STOP: the arm is held</source>
-        <translation>STOP : le bras est maintenu</translation>
+        <translation>STOP&#xa0;: le bras est maintenu</translation>
     </message>
     <message>
         <source>No limit acts.</source>
@@ -11799,7 +11831,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Limits that act: %1</source>
-        <translation>Limites qui agissent : %1</translation>
+        <translation>Limites qui agissent&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1. %2</source>
@@ -11812,7 +11844,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>The running task; choose one to begin it now</source>
-        <translation>La tâche en cours ; choisissez-en une pour la commencer maintenant</translation>
+        <translation>La tâche en cours&#xa0;; choisissez-en une pour la commencer maintenant</translation>
     </message>
     <message>
         <source>&amp;Force</source>
@@ -11844,7 +11876,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Off: the controller without the distance to the zero-moment point</source>
-        <translation>Désactivé : le régulateur sans la distance au point de moment nul</translation>
+        <translation>Désactivé&#xa0;: le régulateur sans la distance au point de moment nul</translation>
     </message>
 </context>
 <context>
@@ -11855,7 +11887,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Desired and actual features as the inverse tactile Jacobian selects them; bold rows act on the motion through the projection matrix P.</source>
-        <translation>Caractéristiques désirées et réelles telles que les sélectionne la jacobienne tactile inverse ; les lignes en gras agissent sur le mouvement par la matrice de projection P.</translation>
+        <translation>Caractéristiques désirées et réelles telles que les sélectionne la jacobienne tactile inverse&#xa0;; les lignes en gras agissent sur le mouvement par la matrice de projection P.</translation>
     </message>
     <message>
         <source>Feature</source>
@@ -11890,7 +11922,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>A run that teleta simulate --out has written: its servo.csv</source>
-        <translation>Une exécution écrite par teleta simulate --out : son servo.csv</translation>
+        <translation>Une exécution écrite par teleta simulate --out&#xa0;: son servo.csv</translation>
     </message>
     <message>
         <source>&amp;Forget Other Runs</source>
@@ -11914,7 +11946,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>&lt;p&gt;Servo runs in one chart: the running one, those before its source was restarted or another source was shown, and recorded ones.&lt;/p&gt;&lt;p&gt;To see what the moment is for, restart the scene with and without “Balance the moment”.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Exécutions d’asservissement dans un seul graphique : celle en cours, celles d’avant que sa source ait été relancée ou qu’une autre source ait été affichée, et des exécutions enregistrées.&lt;/p&gt;&lt;p&gt;Pour voir à quoi sert le moment, relancez la scène avec et sans « Équilibrer le moment ».&lt;/p&gt;</translation>
+        <translation>&lt;p&gt;Exécutions d’asservissement dans un seul graphique&#xa0;: celle en cours, celles d’avant que sa source ait été relancée ou qu’une autre source ait été affichée, et des exécutions enregistrées.&lt;/p&gt;&lt;p&gt;Pour voir à quoi sert le moment, relancez la scène avec et sans «&#xa0;Équilibrer le moment&#xa0;».&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Add Recorded Run</source>
@@ -11943,7 +11975,7 @@ Aire %6</translation>
     <message>
         <source>Answer %1: %2</source>
         <comment>letter, name</comment>
-        <translation>Réponse %1 : %2</translation>
+        <translation>Réponse %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1. This was felt.</source>
@@ -11982,7 +12014,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>&lt;p&gt;Rows: what was presented. Columns: what was answered, and NONE for no answer in time. &lt;b&gt;Space&lt;/b&gt; or a double click changes between counts and percent of the row.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Lignes : ce qui a été présenté. Colonnes : ce qui a été répondu, et NONE pour l’absence de réponse à temps. &lt;b&gt;Espace&lt;/b&gt; ou un double clic alterne entre effectifs et pourcentage de la ligne.&lt;/p&gt;</translation>
+        <translation>&lt;p&gt;Lignes&#xa0;: ce qui a été présenté. Colonnes&#xa0;: ce qui a été répondu, et NONE pour l’absence de réponse à temps. &lt;b&gt;Espace&lt;/b&gt; ou un double clic alterne entre effectifs et pourcentage de la ligne.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -11992,12 +12024,12 @@ Aire %6</translation>
     <message>
         <source>%1 not answered in time: </source>
         <comment>pattern</comment>
-        <translation>%1 sans réponse à temps : </translation>
+        <translation>%1 sans réponse à temps&#xa0;: </translation>
     </message>
     <message>
         <source>%1 answered as %2: </source>
         <comment>pattern, pattern</comment>
-        <translation>%1 répondu comme %2 : </translation>
+        <translation>%1 répondu comme %2&#xa0;: </translation>
     </message>
     <message>
         <source>In &amp;Percent</source>
@@ -12038,11 +12070,11 @@ Aire %6</translation>
     </message>
     <message>
         <source>Which pattern do you feel? Press R to feel it again.</source>
-        <translation>Quel motif sentez-vous ? Appuyez sur R pour le sentir à nouveau.</translation>
+        <translation>Quel motif sentez-vous&#xa0;? Appuyez sur R pour le sentir à nouveau.</translation>
     </message>
     <message>
         <source>Which pattern do you feel?</source>
-        <translation>Quel motif sentez-vous ?</translation>
+        <translation>Quel motif sentez-vous&#xa0;?</translation>
     </message>
     <message>
         <source>There was no answer in time. The marked pattern was felt. Press Space to go on.</source>
@@ -12054,7 +12086,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>That was another one: the pattern marked with ✓ was felt. Press Space to go on.</source>
-        <translation>C’en était un autre : le motif marqué d’un ✓ a été présenté. Appuyez sur Espace pour continuer.</translation>
+        <translation>C’en était un autre&#xa0;: le motif marqué d’un ✓ a été présenté. Appuyez sur Espace pour continuer.</translation>
     </message>
     <message>
         <source>Pause. Please wait for the experimenter.</source>
@@ -12066,7 +12098,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>This part is finished. Thank you!</source>
-        <translation>Cette partie est terminée. Merci !</translation>
+        <translation>Cette partie est terminée. Merci&#xa0;!</translation>
     </message>
     <message>
         <source>Participant</source>
@@ -12099,7 +12131,7 @@ Aire %6</translation>
     <message>
         <source>This does not fit: %1.</source>
         <comment>what is expected</comment>
-        <translation>Cela ne convient pas : %1.</translation>
+        <translation>Cela ne convient pas&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Please answer this question.</source>
@@ -12132,7 +12164,7 @@ Aire %6</translation>
     <message>
         <source>%1: %2 of %3</source>
         <comment>question, point, points</comment>
-        <translation>%1 : %2 sur %3</translation>
+        <translation>%1&#xa0;: %2 sur %3</translation>
     </message>
 </context>
 <context>
@@ -12168,7 +12200,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Tick those whom you want to compare with: a second group side by side</source>
-        <translation>Cochez ceux à qui comparer : un second groupe côte à côte</translation>
+        <translation>Cochez ceux à qui comparer&#xa0;: un second groupe côte à côte</translation>
     </message>
     <message>
         <source>What the matrices show</source>
@@ -12216,7 +12248,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>&amp;Results: tables, figures, R script</source>
-        <translation>&amp;Résultats : tableaux, figures, script R</translation>
+        <translation>&amp;Résultats&#xa0;: tableaux, figures, script R</translation>
     </message>
 </context>
 <context>
@@ -12231,7 +12263,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Abort the session?</source>
-        <translation>Abandonner la session ?</translation>
+        <translation>Abandonner la session&#xa0;?</translation>
     </message>
     <message>
         <source>The session ends here. What was answered is kept, and the session can be gone on with later, where it stopped.</source>
@@ -12247,7 +12279,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Leave the questionnaire out?</source>
-        <translation>Omettre le questionnaire ?</translation>
+        <translation>Omettre le questionnaire&#xa0;?</translation>
     </message>
     <message>
         <source>What is filled in is lost, and a note says that it was left out.</source>
@@ -12311,7 +12343,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>A note on this session; Return keeps it</source>
-        <translation>Une note sur cette session ; Entrée la conserve</translation>
+        <translation>Une note sur cette session&#xa0;; Entrée la conserve</translation>
     </message>
     <message>
         <source>Note</source>
@@ -12350,15 +12382,15 @@ Aire %6</translation>
     <name>teleta::studyview::StudyPanel</name>
     <message>
         <source>● On the server: %1</source>
-        <translation>● Sur le serveur : %1</translation>
+        <translation>● Sur le serveur&#xa0;: %1</translation>
     </message>
     <message>
         <source>✗ Server away: %1</source>
-        <translation>✗ Serveur absent : %1</translation>
+        <translation>✗ Serveur absent&#xa0;: %1</translation>
     </message>
     <message>
         <source>✗ The study cannot be used: %1</source>
-        <translation>✗ L’étude ne peut pas être utilisée : %1</translation>
+        <translation>✗ L’étude ne peut pas être utilisée&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1 of %2 trials</source>
@@ -12465,7 +12497,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>&amp;Gain:</source>
-        <translation>&amp;Gain :</translation>
+        <translation>&amp;Gain&#xa0;:</translation>
     </message>
     <message>
         <source>Load per raw unit</source>
@@ -12481,7 +12513,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>T&amp;hreshold:</source>
-        <translation>&amp;Seuil :</translation>
+        <translation>&amp;Seuil&#xa0;:</translation>
     </message>
     <message>
         <source>A taxel is in contact from this load on</source>
@@ -12493,11 +12525,11 @@ Aire %6</translation>
     </message>
     <message>
         <source>Finds the lowest useful threshold in each frame; the value above is its lower bound</source>
-        <translation>Trouve le plus petit seuil utile dans chaque trame ; la valeur ci-dessus en est la borne inférieure</translation>
+        <translation>Trouve le plus petit seuil utile dans chaque trame&#xa0;; la valeur ci-dessus en est la borne inférieure</translation>
     </message>
     <message>
         <source>&amp;Noise height:</source>
-        <translation>&amp;Hauteur du bruit :</translation>
+        <translation>&amp;Hauteur du bruit&#xa0;:</translation>
     </message>
     <message>
         <source>Two summits are one contact when the lower one rises less than this above the saddle between them, in percent of the frame&apos;s peak</source>
@@ -12509,15 +12541,15 @@ Aire %6</translation>
     </message>
     <message>
         <source>&amp;Smallest contact:</source>
-        <translation>Plus &amp;petit contact :</translation>
+        <translation>Plus &amp;petit contact&#xa0;:</translation>
     </message>
     <message>
         <source>In taxels; contacts of fewer are ignored</source>
-        <translation>En taxels ; les contacts de moins de taxels sont ignorés</translation>
+        <translation>En taxels&#xa0;; les contacts de moins de taxels sont ignorés</translation>
     </message>
     <message>
         <source>&amp;Orientation:</source>
-        <translation>&amp;Orientation :</translation>
+        <translation>&amp;Orientation&#xa0;:</translation>
     </message>
     <message>
         <source>Which taxels the principal axis is computed from</source>
@@ -12533,11 +12565,11 @@ Aire %6</translation>
     </message>
     <message>
         <source>&amp;Force over:</source>
-        <translation>&amp;Force sur :</translation>
+        <translation>&amp;Force sur&#xa0;:</translation>
     </message>
     <message>
         <source>The whole image counts every load; active taxels leave out the noise of unloaded ones</source>
-        <translation>L’image entière compte chaque charge ; les taxels actifs écartent le bruit des taxels à vide</translation>
+        <translation>L’image entière compte chaque charge&#xa0;; les taxels actifs écartent le bruit des taxels à vide</translation>
     </message>
     <message>
         <source>whole image</source>
@@ -12549,7 +12581,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>&amp;Edge above:</source>
-        <translation>Arête au-&amp;dessus de :</translation>
+        <translation>Arête au-&amp;dessus de&#xa0;:</translation>
     </message>
     <message>
         <source>The contact becomes an edge when the ratio of the eigenvalues rises above this</source>
@@ -12557,7 +12589,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>&amp;Point below:</source>
-        <translation>Po&amp;int au-dessous de :</translation>
+        <translation>Po&amp;int au-dessous de&#xa0;:</translation>
     </message>
     <message>
         <source>The contact becomes a point when the ratio of the eigenvalues falls below this</source>
@@ -12580,7 +12612,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>&lt;p&gt;The load of every taxel of the array, seen from outside the skin: x points to the right, y up.&lt;/p&gt;&lt;p&gt;Coloured outlines are contacts, each with the number under which it is followed. × is the centre of pressure, ○ the centre of contact, the line the principal axis. Hatched taxels are dead and carry no load.&lt;/p&gt;&lt;p&gt;Ctrl+wheel zooms, drag moves, double click shows the whole array. Double-click the colour bar to type its upper end. The arrow keys read taxel by taxel.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;La charge de chaque taxel de la matrice, vue de l’extérieur de la peau : x pointe vers la droite, y vers le haut.&lt;/p&gt;&lt;p&gt;Les contours colorés sont des contacts, chacun avec le numéro sous lequel il est suivi. × est le centre de pression, ○ le centre de contact, le trait l’axe principal. Les taxels hachurés sont morts et ne portent pas de charge.&lt;/p&gt;&lt;p&gt;Ctrl+molette zoome, glisser déplace, un double clic affiche toute la matrice. Double-cliquez sur l’échelle de couleurs pour saisir sa borne supérieure. Les touches fléchées lisent taxel par taxel.&lt;/p&gt;</translation>
+        <translation>&lt;p&gt;La charge de chaque taxel de la matrice, vue de l’extérieur de la peau&#xa0;: x pointe vers la droite, y vers le haut.&lt;/p&gt;&lt;p&gt;Les contours colorés sont des contacts, chacun avec le numéro sous lequel il est suivi. × est le centre de pression, ○ le centre de contact, le trait l’axe principal. Les taxels hachurés sont morts et ne portent pas de charge.&lt;/p&gt;&lt;p&gt;Ctrl+molette zoome, glisser déplace, un double clic affiche toute la matrice. Double-cliquez sur l’échelle de couleurs pour saisir sa borne supérieure. Les touches fléchées lisent taxel par taxel.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>&amp;Contacts</source>
@@ -12652,7 +12684,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Load at the upper end of the colours. Empty: automatic.</source>
-        <translation>Charge à la borne supérieure des couleurs. Vide : automatique.</translation>
+        <translation>Charge à la borne supérieure des couleurs. Vide&#xa0;: automatique.</translation>
     </message>
     <message>
         <source>auto</source>
@@ -12666,7 +12698,7 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     </message>
     <message>
         <source>Dead taxel: its value is not used.</source>
-        <translation>Taxel mort : sa valeur n’est pas utilisée.</translation>
+        <translation>Taxel mort&#xa0;: sa valeur n’est pas utilisée.</translation>
     </message>
 </context>
 <context>
@@ -12677,7 +12709,7 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     </message>
     <message>
         <source>&lt;p&gt;The object from above, as far as it was explored: the points at which it was touched, the spline through them, and the vertices or the circle of the shape that was recognised.&lt;/p&gt;&lt;p&gt;The confidence is that of the decision between the known shapes.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;L’objet vu d’en haut, tel qu’il a été exploré : les points où il a été touché, la spline qui les relie, et les sommets ou le cercle de la forme reconnue.&lt;/p&gt;&lt;p&gt;La confiance est celle de la décision entre les formes connues.&lt;/p&gt;</translation>
+        <translation>&lt;p&gt;L’objet vu d’en haut, tel qu’il a été exploré&#xa0;: les points où il a été touché, la spline qui les relie, et les sommets ou le cercle de la forme reconnue.&lt;/p&gt;&lt;p&gt;La confiance est celle de la décision entre les formes connues.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>contour</source>
@@ -12703,7 +12735,7 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     <name>teleta::touch::JogPanel</name>
     <message>
         <source>%1 %</source>
-        <translation>%1 %</translation>
+        <translation>%1&#xa0;%</translation>
     </message>
     <message>
         <source>Jog the arm</source>
@@ -12771,7 +12803,7 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     </message>
     <message>
         <source>Dead-man switch: the arm moves only while this button or Shift is held</source>
-        <translation>Dispositif d’homme mort : le bras ne bouge que tant que ce bouton ou Shift est maintenu</translation>
+        <translation>Dispositif d’homme mort&#xa0;: le bras ne bouge que tant que ce bouton ou Shift est maintenu</translation>
     </message>
     <message>
         <source>Dead-man switch</source>
@@ -12779,7 +12811,7 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     </message>
     <message>
         <source>Angle of %1</source>
-        <translation>Angle : %1</translation>
+        <translation>Angle&#xa0;: %1</translation>
     </message>
     <message>
         <source>tip along %1</source>
@@ -12795,7 +12827,7 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     </message>
     <message>
         <source>Hold with Shift to move; key Shift+%1</source>
-        <translation>Maintenir avec Shift pour déplacer ; touche Shift+%1</translation>
+        <translation>Maintenir avec Shift pour déplacer&#xa0;; touche Shift+%1</translation>
     </message>
     <message>
         <source>No arm is connected. Open a scene or a device with an arm.</source>
@@ -12815,7 +12847,7 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     </message>
     <message>
         <source>The joint readings are old: nothing is moved until they come again.</source>
-        <translation>Les mesures articulaires sont anciennes : rien ne bouge jusqu’à leur retour.</translation>
+        <translation>Les mesures articulaires sont anciennes&#xa0;: rien ne bouge jusqu’à leur retour.</translation>
     </message>
     <message>
         <source>&amp;Step</source>
@@ -12851,7 +12883,7 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     </message>
     <message>
         <source>While it is held the arm stands still and the hand goes back freely; then it takes hold anew. Also the second button of a 3D mouse.</source>
-        <translation>Tant qu’il est maintenu, le bras reste immobile et la main revient librement ; puis elle reprend prise. Aussi le deuxième bouton d’une souris 3D.</translation>
+        <translation>Tant qu’il est maintenu, le bras reste immobile et la main revient librement&#xa0;; puis elle reprend prise. Aussi le deuxième bouton d’une souris 3D.</translation>
     </message>
     <message>
         <source>Clutch</source>
@@ -12859,15 +12891,15 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     </message>
     <message>
         <source>Hold Shift: each press of D A (x), W S (y), E Q (z) is a step.</source>
-        <translation>Maintenez Shift : chaque appui sur D A (x), W S (y), E Q (z) est un pas.</translation>
+        <translation>Maintenez Shift&#xa0;: chaque appui sur D A (x), W S (y), E Q (z) est un pas.</translation>
     </message>
     <message>
         <source>&lt;p&gt;Leads the tip of the arm by hand. Each press of a direction is a step. The arm moves only while you hold Shift, or the wide button; let go of it and it stands still.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Mène à la main la pointe du bras. Chaque appui sur une direction est un pas. Le bras ne bouge que tant que vous maintenez Shift, ou le bouton large ; relâchez-le et il s’arrête.&lt;/p&gt;</translation>
+        <translation>&lt;p&gt;Mène à la main la pointe du bras. Chaque appui sur une direction est un pas. Le bras ne bouge que tant que vous maintenez Shift, ou le bouton large&#xa0;; relâchez-le et il s’arrête.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>A step, while Shift is held; key Shift+%1</source>
-        <translation>Un pas, tant que Shift est maintenu ; touche Shift+%1</translation>
+        <translation>Un pas, tant que Shift est maintenu&#xa0;; touche Shift+%1</translation>
     </message>
 </context>
 <context>
@@ -12889,7 +12921,7 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     <name>teleta::touch::PatternMapTable</name>
     <message>
         <source>level %1: %2</source>
-        <translation>niveau %1 : %2</translation>
+        <translation>niveau %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>What was recognised and its pattern</source>
@@ -12929,7 +12961,7 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     </message>
     <message>
         <source>The built-in dynamic patterns again; can be undone</source>
-        <translation>De nouveau les motifs dynamiques intégrés ; peut être annulé</translation>
+        <translation>De nouveau les motifs dynamiques intégrés&#xa0;; peut être annulé</translation>
     </message>
     <message>
         <source>&amp;Import…</source>
@@ -12965,15 +12997,15 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     </message>
     <message>
         <source>Recognised: %1. Nothing is played.</source>
-        <translation>Reconnu : %1. Rien n’est joué.</translation>
+        <translation>Reconnu&#xa0;: %1. Rien n’est joué.</translation>
     </message>
     <message>
         <source>Recognised: %1. Pattern now: %2.</source>
-        <translation>Reconnu : %1. Motif actuel : %2.</translation>
+        <translation>Reconnu&#xa0;: %1. Motif actuel&#xa0;: %2.</translation>
     </message>
     <message>
         <source>Recognised: %1. Its pattern %2 is missing.</source>
-        <translation>Reconnu : %1. Son motif %2 manque.</translation>
+        <translation>Reconnu&#xa0;: %1. Son motif %2 manque.</translation>
     </message>
     <message>
         <source>Default patterns</source>
@@ -12981,7 +13013,7 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     </message>
     <message>
         <source>The file could not be read: %1</source>
-        <translation>Le fichier n’a pas pu être lu : %1</translation>
+        <translation>Le fichier n’a pas pu être lu&#xa0;: %1</translation>
     </message>
     <message>
         <source>Import</source>
@@ -12989,7 +13021,7 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     </message>
     <message>
         <source>The file could not be written: %1</source>
-        <translation>Le fichier n’a pas pu être écrit : %1</translation>
+        <translation>Le fichier n’a pas pu être écrit&#xa0;: %1</translation>
     </message>
     <message>
         <source>Export Patterns</source>
@@ -13012,7 +13044,7 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     </message>
     <message>
         <source>&lt;p&gt;The objects that were found, told apart by their place. Stiffness is the median of their touches, with its 95 % interval.&lt;/p&gt;&lt;p&gt;F2 names an object, Delete takes it off the sheet, Ctrl+Z brings it back.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Les objets trouvés, distingués par leur emplacement. La raideur est la médiane de leurs touchers, avec son intervalle à 95 %.&lt;/p&gt;&lt;p&gt;F2 nomme un objet, Suppr le retire du relevé, Ctrl+Z le rétablit.&lt;/p&gt;</translation>
+        <translation>&lt;p&gt;Les objets trouvés, distingués par leur emplacement. La raideur est la médiane de leurs touchers, avec son intervalle à 95&#xa0;%.&lt;/p&gt;&lt;p&gt;F2 nomme un objet, Suppr le retire du relevé, Ctrl+Z le rétablit.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>No object was found yet. Drive the arm until it touches something.</source>
@@ -13060,7 +13092,7 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     <message>
         <source>%1 (%2 %)</source>
         <comment>a recognised shape and its confidence</comment>
-        <translation>%1 (%2 %)</translation>
+        <translation>%1 (%2&#xa0;%)</translation>
     </message>
     <message>
         <source>No.</source>
@@ -13111,11 +13143,11 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     </message>
     <message>
         <source>&lt;p&gt;How stiff the object is that was touched last, on a logarithmic scale. The dot is the estimate, the line through it the interval in which the stiffness lies with 95 %.&lt;/p&gt;&lt;p&gt;An object that yields hardly more than the arm itself cannot be told from a rigid one: then an open arrow shows that its stiffness is at least so large.&lt;/p&gt;&lt;p&gt;Sponge and rubber sponge are safe to touch; rubber, wood and metal are a danger.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Raideur du dernier objet touché, sur une échelle logarithmique. Le point est l’estimation, le trait qui le traverse l’intervalle qui contient la raideur à 95 %.&lt;/p&gt;&lt;p&gt;Un objet qui ne cède guère plus que le bras lui-même ne peut pas être distingué d’un objet rigide : une flèche ouverte montre alors que sa raideur est au moins aussi grande.&lt;/p&gt;&lt;p&gt;L’éponge et le caoutchouc mousse peuvent être touchés sans danger ; le caoutchouc, le bois et le métal présentent un danger.&lt;/p&gt;</translation>
+        <translation>&lt;p&gt;Raideur du dernier objet touché, sur une échelle logarithmique. Le point est l’estimation, le trait qui le traverse l’intervalle qui contient la raideur à 95&#xa0;%.&lt;/p&gt;&lt;p&gt;Un objet qui ne cède guère plus que le bras lui-même ne peut pas être distingué d’un objet rigide&#xa0;: une flèche ouverte montre alors que sa raideur est au moins aussi grande.&lt;/p&gt;&lt;p&gt;L’éponge et le caoutchouc mousse peuvent être touchés sans danger&#xa0;; le caoutchouc, le bois et le métal présentent un danger.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Touch an object with the forearm: its stiffness appears here.</source>
-        <translation>Touchez un objet avec l’avant-bras : sa raideur apparaît ici.</translation>
+        <translation>Touchez un objet avec l’avant-bras&#xa0;: sa raideur apparaît ici.</translation>
     </message>
     <message>
         <source>stiffness</source>
@@ -13126,15 +13158,15 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     <name>teleta::touch::TouchModel</name>
     <message>
         <source>No force: the skin did not feel where the contact is.</source>
-        <translation>Pas de force : la peau n’a pas senti où est le contact.</translation>
+        <translation>Pas de force&#xa0;: la peau n’a pas senti où est le contact.</translation>
     </message>
     <message>
         <source>%1: %2 ± %3 N</source>
-        <translation>%1 : %2 ± %3 N</translation>
+        <translation>%1&#xa0;: %2 ± %3 N</translation>
     </message>
     <message>
         <source>%1: not observable in this configuration of the arm</source>
-        <translation>%1 : non observable dans cette configuration du bras</translation>
+        <translation>%1&#xa0;: non observable dans cette configuration du bras</translation>
     </message>
     <message>
         <source>condition number %1, unexplained torque %2 Nm</source>
@@ -13151,13 +13183,13 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     <message numerus="yes">
         <source>95 % interval in brackets; %1, %n sample(s)</source>
         <translation>
-            <numerusform>intervalle à 95 % entre crochets ; %1, %n échantillon</numerusform>
-            <numerusform>intervalle à 95 % entre crochets ; %1, %n échantillons</numerusform>
+            <numerusform>intervalle à 95&#xa0;% entre crochets&#xa0;; %1, %n échantillon</numerusform>
+            <numerusform>intervalle à 95&#xa0;% entre crochets&#xa0;; %1, %n échantillons</numerusform>
         </translation>
     </message>
     <message>
         <source>No stiffness: the skin did not feel where the contact is.</source>
-        <translation>Pas de raideur : la peau n’a pas senti où est le contact.</translation>
+        <translation>Pas de raideur&#xa0;: la peau n’a pas senti où est le contact.</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -13169,11 +13201,11 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     </message>
     <message>
         <source>First torque above the noise at %1 s, estimated %2 ms later; evaluated: %3</source>
-        <translation>Premier couple au-dessus du bruit à %1 s, estimé %2 ms plus tard ; évalué : %3</translation>
+        <translation>Premier couple au-dessus du bruit à %1 s, estimé %2 ms plus tard&#xa0;; évalué&#xa0;: %3</translation>
     </message>
     <message>
         <source>x, y, z in the frame of the arm&apos;s base; the distance is along the forearm, from the elbow</source>
-        <translation>x, y, z dans le repère de la base du bras ; la distance est le long de l’avant-bras, depuis le coude</translation>
+        <translation>x, y, z dans le repère de la base du bras&#xa0;; la distance est le long de l’avant-bras, depuis le coude</translation>
     </message>
     <message>
         <source>The skin did not feel this contact.</source>
@@ -13181,11 +13213,11 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     </message>
     <message>
         <source>Force at the contact; ? marks what the arm cannot observe in its configuration</source>
-        <translation>Force au contact ; ? marque ce que le bras ne peut pas observer dans sa configuration</translation>
+        <translation>Force au contact&#xa0;;&#xa0;? marque ce que le bras ne peut pas observer dans sa configuration</translation>
     </message>
     <message>
         <source>Condition number of the force: longest over shortest lever; large is bad</source>
-        <translation>Conditionnement de la force : plus long bras de levier sur le plus court ; grand est mauvais</translation>
+        <translation>Conditionnement de la force&#xa0;: plus long bras de levier sur le plus court&#xa0;; grand est mauvais</translation>
     </message>
     <message>
         <source>Distance of the contact from the elbow, along the forearm</source>
@@ -13236,7 +13268,7 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     </message>
     <message>
         <source>&lt;p&gt;Every touch of the arm with what was found out about it. A ? in the force marks a component that the arm cannot observe in its configuration.&lt;/p&gt;&lt;p&gt;Click a title to sort. Ctrl+C copies the selected rows.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Chaque toucher du bras avec ce qui en a été déterminé. Un ? dans la force marque une composante que le bras ne peut pas observer dans sa configuration.&lt;/p&gt;&lt;p&gt;Cliquez sur un titre pour trier. Ctrl+C copie les lignes sélectionnées.&lt;/p&gt;</translation>
+        <translation>&lt;p&gt;Chaque toucher du bras avec ce qui en a été déterminé. Un&#xa0;? dans la force marque une composante que le bras ne peut pas observer dans sa configuration.&lt;/p&gt;&lt;p&gt;Cliquez sur un titre pour trier. Ctrl+C copie les lignes sélectionnées.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>No touch yet. Touch an object with the forearm.</source>
@@ -13330,7 +13362,7 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     </message>
     <message>
         <source>Back to the start: everything from a corner</source>
-        <translation>Retour au départ : tout, depuis un coin</translation>
+        <translation>Retour au départ&#xa0;: tout, depuis un coin</translation>
     </message>
     <message>
         <source>Follow contact</source>
@@ -13346,7 +13378,7 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     </message>
     <message>
         <source>Parallel lines stay parallel: no perspective</source>
-        <translation>Les droites parallèles restent parallèles : pas de perspective</translation>
+        <translation>Les droites parallèles restent parallèles&#xa0;: pas de perspective</translation>
     </message>
     <message>
         <source>Grid</source>
@@ -13394,7 +13426,7 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     </message>
     <message>
         <source>Save the scene for other programs: VTP, PLY, STL</source>
-        <translation>Enregistrer la scène pour d’autres programmes : VTP, PLY, STL</translation>
+        <translation>Enregistrer la scène pour d’autres programmes&#xa0;: VTP, PLY, STL</translation>
     </message>
     <message>
         <source>3-D view</source>
@@ -13450,7 +13482,7 @@ Toutes les autres vues fonctionnent sans elle.</translation>
     </message>
     <message>
         <source>The scene is empty: there is nothing to write.</source>
-        <translation>La scène est vide : il n’y a rien à écrire.</translation>
+        <translation>La scène est vide&#xa0;: il n’y a rien à écrire.</translation>
     </message>
     <message>
         <source>nothing was written</source>
@@ -13458,11 +13490,11 @@ Toutes les autres vues fonctionnent sans elle.</translation>
     </message>
     <message>
         <source>The geometry could not be written: %1</source>
-        <translation>La géométrie n’a pas pu être écrite : %1</translation>
+        <translation>La géométrie n’a pas pu être écrite&#xa0;: %1</translation>
     </message>
     <message>
         <source>The display platform &quot;%1&quot; has no OpenGL widgets.</source>
-        <translation>La plateforme d’affichage « %1 » n’a pas de widgets OpenGL.</translation>
+        <translation>La plateforme d’affichage «&#xa0;%1&#xa0;» n’a pas de widgets OpenGL.</translation>
     </message>
     <message>
         <source>This display offers no OpenGL %1.%2 or newer.</source>

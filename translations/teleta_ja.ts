@@ -2920,6 +2920,10 @@ x %4, y %5
         <source>usb, simulated, or a file that describes a bracelet</source>
         <translation>usb、simulated、またはブレスレットを記述したファイル</translation>
     </message>
+    <message>
+        <source>Help the motors up: full intensity while they speed up, as long as their profile allows</source>
+        <translation>モーターの立ち上がりを助ける：加速している間、プロファイルが許す限り最大強度で駆動する</translation>
+    </message>
 </context>
 <context>
     <name>PatternFile</name>
@@ -3070,6 +3074,22 @@ x %4, y %5
     <message>
         <source>a whole number of samples a second</source>
         <translation>1秒あたり整数個のサンプル</translation>
+    </message>
+    <message>
+        <source>the pattern is too long for overdrive</source>
+        <translation>パターンがオーバードライブには長すぎます</translation>
+    </message>
+    <message>
+        <source>at most %1 s</source>
+        <translation>%1 s以下</translation>
+    </message>
+    <message>
+        <source>the pattern has too many corners</source>
+        <translation>パターンの角が多すぎます</translation>
+    </message>
+    <message>
+        <source>at most %1 breakpoints</source>
+        <translation>ブレークポイント%1個以下</translation>
     </message>
 </context>
 <context>
@@ -3408,6 +3428,10 @@ x %4, y %5
     <message>
         <source>another folder</source>
         <translation>別のフォルダー</translation>
+    </message>
+    <message>
+        <source>interrupted; nothing was written</source>
+        <translation>中断されました。何も書き込まれていません</translation>
     </message>
 </context>
 <context>
@@ -6448,6 +6472,10 @@ x %4, y %5
         <source>Δ %1 %, rms %2 %</source>
         <translation>Δ %1 %、rms %2 %</translation>
     </message>
+    <message>
+        <source>O&amp;verdrive: Help the Motors up</source>
+        <translation>オーバードライブ：モーターの立ち上がりを助ける(&amp;V)</translation>
+    </message>
 </context>
 <context>
     <name>TomlReader</name>
@@ -9297,8 +9325,8 @@ x %4, y %5
         <translation>すべての穴をプロービング済み</translation>
     </message>
     <message>
-        <source>Hole %1 of %2: ring %3, %4 mm, %5°</source>
-        <translation>穴 %1 / %2: リング %3、%4 mm、%5°</translation>
+        <source>Hole %1 of %2: ring %3, %4&#xa0;mm, %5°</source>
+        <translation>穴 %1 / %2: リング %3、%4&#xa0;mm、%5°</translation>
     </message>
     <message>
         <source>The camera is awaited: %1</source>
@@ -11202,6 +11230,10 @@ x %4, y %5
     <message>
         <source>Change Duration</source>
         <translation>長さの変更</translation>
+    </message>
+    <message>
+        <source>Overdrive</source>
+        <translation>オーバードライブ</translation>
     </message>
 </context>
 <context>

@@ -2920,6 +2920,10 @@ x %4，y %5
         <source>usb, simulated, or a file that describes a bracelet</source>
         <translation>usb、simulated，或描述手环的文件</translation>
     </message>
+    <message>
+        <source>Help the motors up: full intensity while they speed up, as long as their profile allows</source>
+        <translation>帮助电机起动：加速期间以全强度驱动，时长不超过其特性所允许</translation>
+    </message>
 </context>
 <context>
     <name>PatternFile</name>
@@ -3070,6 +3074,22 @@ x %4，y %5
     <message>
         <source>a whole number of samples a second</source>
         <translation>每秒整数个样本</translation>
+    </message>
+    <message>
+        <source>the pattern is too long for overdrive</source>
+        <translation>图案太长，无法过驱动</translation>
+    </message>
+    <message>
+        <source>at most %1 s</source>
+        <translation>至多 %1 s</translation>
+    </message>
+    <message>
+        <source>the pattern has too many corners</source>
+        <translation>图案的拐点太多</translation>
+    </message>
+    <message>
+        <source>at most %1 breakpoints</source>
+        <translation>至多 %1 个节点</translation>
     </message>
 </context>
 <context>
@@ -3408,6 +3428,10 @@ x %4，y %5
     <message>
         <source>another folder</source>
         <translation>另一个文件夹</translation>
+    </message>
+    <message>
+        <source>interrupted; nothing was written</source>
+        <translation>已中断；未写入任何内容</translation>
     </message>
 </context>
 <context>
@@ -6448,6 +6472,10 @@ x %4，y %5
         <source>Δ %1 %, rms %2 %</source>
         <translation>Δ %1 %，rms %2 %</translation>
     </message>
+    <message>
+        <source>O&amp;verdrive: Help the Motors up</source>
+        <translation>过驱动(&amp;V)：帮助电机起动</translation>
+    </message>
 </context>
 <context>
     <name>TomlReader</name>
@@ -9297,8 +9325,8 @@ x %4，y %5
         <translation>所有孔均已探测</translation>
     </message>
     <message>
-        <source>Hole %1 of %2: ring %3, %4 mm, %5°</source>
-        <translation>第 %1 孔，共 %2 孔：第 %3 圈，%4 mm，%5°</translation>
+        <source>Hole %1 of %2: ring %3, %4&#xa0;mm, %5°</source>
+        <translation>第 %1 孔，共 %2 孔：第 %3 圈，%4&#xa0;mm，%5°</translation>
     </message>
     <message>
         <source>The camera is awaited: %1</source>
@@ -11202,6 +11230,10 @@ x %4，y %5
     <message>
         <source>Change Duration</source>
         <translation>更改时长</translation>
+    </message>
+    <message>
+        <source>Overdrive</source>
+        <translation>过驱动</translation>
     </message>
 </context>
 <context>
