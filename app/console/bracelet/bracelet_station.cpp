@@ -20,8 +20,6 @@ namespace {
 /// How strong a tactor is that is held to be felt: clearly, but not all it has.
 constexpr double kHeldIntensity = 0.75;
 constexpr int kKeepSoon_ms = 300;
-/// An idle bracelet reports ten times a second.
-constexpr std::int64_t kStaleAfter_ns = core::staleAfter_ns(10.0);
 
 playback::Program builtIn(const std::string& id) {
     const pattern::Pattern* pattern = pattern::findBuiltIn(id);
@@ -30,10 +28,12 @@ playback::Program builtIn(const std::string& id) {
 
 } // namespace
 
-BraceletStation::BraceletStation(core::StopSwitch& stop, QObject* parent, playback::PlayerConfig player)
+BraceletStation::BraceletStation(core::StopSwitch& stop, QObject* parent, playback::PlayerConfig player,
+                                 std::int64_t staleAfter_ns)
     : QObject(parent)
     , m_stop(stop)
     , m_player(std::move(player))
+    , m_staleAfter_ns(staleAfter_ns)
     , m_slot(std::make_shared<core::LatestCopy<std::shared_ptr<BraceletSession>>>())
     , m_felt(std::make_shared<core::LatestCopy<Felt>>())
     , m_feedback(std::make_shared<pipeline::TactileFeedback>(
@@ -317,7 +317,7 @@ bool BraceletStation::isAnswering() const {
 
 core::DeviceState BraceletStation::stateNow() const {
     const core::DeviceStatus status = m_session->source().status();
-    return core::observedState(status.state, status.lastData_ns, core::steadyNow_ns(), kStaleAfter_ns);
+    return core::observedState(status.state, status.lastData_ns, core::steadyNow_ns(), m_staleAfter_ns);
 }
 
 bool BraceletStation::isSimulated() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/console/bracelet/bracelet_session.h"
+#include "backend/core/device_state.h"
 #include "backend/core/latest_copy.h"
 #include "backend/pattern/pattern_map.h"
 #include "backend/pipeline/tactile_feedback.h"
@@ -35,9 +36,11 @@ class BraceletStation : public QObject {
     Q_OBJECT
 
 public:
-    /// player: of every bracelet, but for its limits and ranges.
+    /// player: of every bracelet, but for its limits and ranges. staleAfter_ns: so old may its newest report
+    /// be; an idle one reports ten times a second.
     explicit BraceletStation(core::StopSwitch& stop, QObject* parent = nullptr,
-                             playback::PlayerConfig player = {});
+                             playback::PlayerConfig player = {},
+                             std::int64_t staleAfter_ns = core::staleAfter_ns(10.0));
     ~BraceletStation() override;
 
     /// Takes another bracelet in place of the present one. deviceFile: of a Modbus bracelet.
@@ -157,6 +160,7 @@ private:
 
     core::StopSwitch& m_stop;
     playback::PlayerConfig m_player;
+    std::int64_t m_staleAfter_ns;
     BraceletChoice m_choice = BraceletChoice::none;
     QString m_deviceFile;
     motors::MotorCalibration m_calibration;

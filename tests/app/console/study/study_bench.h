@@ -159,7 +159,8 @@ protected:
     void startTrial() {
         QTRY_VERIFY_WITH_TIMEOUT(!runner().isKeeping(), kPatience_ms);
         QTest::keyClick(window(), Qt::Key_Space);
-        QTRY_VERIFY_WITH_TIMEOUT(stage() == Stage::stimulus || stage() == Stage::answering, kPatience_ms);
+        QTRY_VERIFY2_WITH_TIMEOUT(stage() == Stage::stimulus || stage() == Stage::answering,
+                                  qPrintable(runner().reason()), kPatience_ms);
     }
     void answer(std::size_t pattern) {
         QTest::keyClick(window(), static_cast<Qt::Key>(Qt::Key_1 + static_cast<int>(pattern)));
