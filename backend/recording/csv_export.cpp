@@ -192,13 +192,15 @@ writeAll(const Recording& recording, const std::vector<std::string>& paths, cons
         auto file = exportStream(recording, i, paths[i], progress);
         if (!file)
             return core::Unexpected(file.error());
-        if (progress.stopped())
+        if (progress.stopped() && !options.finishesWhenEnded)
             return core::Unexpected(
                 core::Error{core::ErrorKind::cancelled,
                             CsvExportText::tr("interrupted; nothing was written").toStdString(),
                             {},
                             {recording.path()}});
         files.push_back(std::move(*file));
+        if (progress.stopped())
+            break;
     }
     auto events = exportEvents(recording, paths.back());
     if (!events)

@@ -21,6 +21,9 @@ struct ExportedFile {
 struct ExportOptions {
     /// Called now and then with the frames so far and of all streams; false ends the export.
     std::function<bool(double frames, double allFrames)> goOn = {};
+    /// An export that is ended so finishes its files: the rows so far of the stream at hand, no files of
+    /// those after it, and the events. Otherwise it leaves none.
+    bool finishesWhenEnded = false;
     /// Files that are there already are written over.
     bool overwrite = false;
 };
@@ -35,8 +38,8 @@ struct ExportOptions {
 /// - events: time_s,utc,event,text,value
 /// Damaged blocks are left out and counted. The files appear together at the end: a file that is cut short,
 /// or the first of several, would be taken for a whole export.
-/// Error: ioFailed; cancelled by goOn; refused when there is a file already. Then nothing is written, and
-/// files that were there stay as they were.
+/// Error: ioFailed; cancelled by goOn, unless it finishes its files; refused when there is a file already.
+/// Then nothing is written, and files that were there stay as they were.
 [[nodiscard]] core::Expected<std::vector<ExportedFile>>
 exportCsv(const Recording& recording, const std::string& folder, const ExportOptions& options = {});
 

@@ -82,9 +82,12 @@ core::Expected<void> ExportCommand::run() {
     ProgressBar progress(ProgressBar::Unit::frames, false);
     recording::ExportOptions options;
     options.overwrite = m_force;
+    options.finishesWhenEnded = true;
+    bool stopped = false;
     options.goOn = [&](double done, double all) {
         progress.update(done, all);
-        return !interrupted();
+        stopped = interrupted();
+        return !stopped;
     };
     const auto exported = recording::exportCsv(*recording, m_folder, options);
     progress.erase();
@@ -94,7 +97,11 @@ core::Expected<void> ExportCommand::run() {
             error.expected = ExportText::tr("another folder, or --force").toStdString();
         return core::Unexpected(std::move(error));
     }
-    return m_json ? printJson(*recording, *exported) : printFiles(*recording, *exported);
+    const core::Expected<void> printed =
+        m_json ? printJson(*recording, *exported) : printFiles(*recording, *exported);
+    if (printed && stopped)
+        return core::Unexpected(interruption());
+    return printed;
 }
 
 } // namespace teleta::cli

@@ -118,7 +118,7 @@ TEST_F(CsvExportTest, featuresHaveTheirWordsAndDamagedBlocksAreLeftOutAndCounted
                                                                       "3,NA,1.5\n");
 }
 
-TEST_F(CsvExportTest, anExportThatIsStoppedLeavesNoFileAndThoseThatWereThereAsTheyWere) {
+TEST_F(CsvExportTest, anExportThatIsStoppedLeavesNoFileUnlessItFinishesThem) {
     {
         auto recorder = start();
         const auto tap = recorder->addStream(arrayInfo());
@@ -145,6 +145,17 @@ TEST_F(CsvExportTest, anExportThatIsStoppedLeavesNoFileAndThoseThatWereThereAsTh
     EXPECT_EQ(readAll(m_folder.path("csv/frames.csv")), "of before");
     EXPECT_FALSE(std::filesystem::exists(m_folder.path("csv/later.csv")));
     EXPECT_FALSE(std::filesystem::exists(m_folder.path("csv/events.csv")));
+
+    // Or it finishes what it has.
+    const auto done =
+        exportCsv(*recording, m_folder.path("part"),
+                  {.goOn = [](double frames, double) { return frames < 2.0; }, .finishesWhenEnded = true});
+    ASSERT_TRUE(done) << core::describe(done.error());
+    ASSERT_EQ(done->size(), 2U);
+    EXPECT_EQ(done->at(0).rows, 2U);
+    EXPECT_EQ(readAll(m_folder.path("part/frames.csv")), "time_s,t0,t1,t2,t3,t4,t5\n0,0,0,0,0,0,0\n"
+                                                         "1e-09,1,0,0,0,0,0\n");
+    EXPECT_TRUE(std::filesystem::exists(m_folder.path("part/events.csv")));
 }
 
 TEST_F(CsvExportTest, streamsWhoseFilesWouldHaveOneNameGetNumbers) {
