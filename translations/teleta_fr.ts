@@ -7262,7 +7262,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Stron&amp;gest</source>
-        <translation>Plus &amp;fort</translation>
+        <translation>Intensité ma&amp;ximale</translation>
     </message>
     <message>
         <source>Strongest, all motors</source>
