@@ -88,7 +88,7 @@ TEST(SourceFilesTest, findPlantedViolations) {
 bool isPartOfThisBuild(const std::string& path) {
     const auto isBelow = [&](const char* folder) { return path.starts_with(folder); };
     if (!TELETA_HAS_GUI && (isBelow("widgets/") || isBelow("app/console/") || isBelow("tests/widgets/") ||
-                            isBelow("tests/app/console/")))
+                            isBelow("tests/app/console/") || isBelow("tests/peer/console/")))
         return false;
     return TELETA_HAS_BENCHMARKS || !isBelow("tests/benchmarks/");
 }
