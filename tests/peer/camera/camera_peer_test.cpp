@@ -2,6 +2,7 @@
 // The camera device against the kernel's own video stack: a camera of the driver vivid. Runs in the virtual
 // machine of tests/peer/vm.
 #include "devices/camera/camera_device.h"
+#include "tests/peer/vivid_driver.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
@@ -9,47 +10,21 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
-#include <fcntl.h>
 #include <filesystem>
-#include <fstream>
-#include <linux/videodev2.h>
 #include <optional>
 #include <string>
-#include <sys/ioctl.h>
-#include <unistd.h>
 #include <vector>
 
 using namespace teleta;
 using camera::CameraDevice;
 using core::CameraFrame;
 using core::DeviceState;
+using test::kVividNode;
+using test::kVividPatience;
+using test::setVividFormat;
+using test::toVividDriver;
 
 namespace {
-
-constexpr const char* kNode = "/dev/video0";
-constexpr auto kLongest = std::chrono::seconds(90); // the machine is emulated
-
-void toDriver(const std::string& what) {
-    std::ofstream file("/sys/bus/platform/drivers/vivid/" + what);
-    file << "vivid.0" << std::flush;
-    ASSERT_TRUE(file.good()) << what;
-}
-
-/// Another program sets the size of the pictures. Returns the error number, 0 for none.
-int setFormat(unsigned width, unsigned height) {
-    const int node = ::open(kNode, O_RDWR | O_CLOEXEC);
-    if (node < 0)
-        return errno;
-    v4l2_format format{};
-    format.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
-    int error = ::ioctl(node, VIDIOC_G_FMT, &format) == 0 ? 0 : errno;
-    format.fmt.pix.width = width;
-    format.fmt.pix.height = height;
-    if (error == 0 && ::ioctl(node, VIDIOC_S_FMT, &format) != 0)
-        error = errno;
-    ::close(node);
-    return error;
-}
 
 cv::Size sizeOf(const CameraFrame& frame) {
     return {frame.image.width_px, frame.image.height_px};
@@ -58,8 +33,8 @@ cv::Size sizeOf(const CameraFrame& frame) {
 class Vivid : public testing::Test {
 protected:
     void SetUp() override {
-        ASSERT_TRUE(std::filesystem::exists(kNode));
-        ASSERT_EQ(setFormat(640, 360), 0);
+        ASSERT_TRUE(std::filesystem::exists(kVividNode));
+        ASSERT_EQ(setVividFormat(640, 360), 0);
     }
 
     std::unique_ptr<CameraDevice> started(camera::CameraConfig config = {.source = "0"}) {
@@ -75,7 +50,7 @@ protected:
 
     /// Empty when none came in a long time.
     std::optional<CameraFrame> nextFrame(CameraDevice& device) {
-        const auto end = std::chrono::steady_clock::now() + kLongest;
+        const auto end = std::chrono::steady_clock::now() + kVividPatience;
         CameraFrame frame;
         while (std::chrono::steady_clock::now() < end) {
             if (device.frames().pop(frame))
@@ -88,7 +63,7 @@ protected:
     /// Frames that come meanwhile lie in m_taken.
     bool reaches(CameraDevice& device, DeviceState wanted) {
         m_taken.clear();
-        const auto end = std::chrono::steady_clock::now() + kLongest;
+        const auto end = std::chrono::steady_clock::now() + kVividPatience;
         while (std::chrono::steady_clock::now() < end) {
             const bool there = device.status().state == wanted;
             CameraFrame frame;
@@ -145,10 +120,10 @@ TEST_F(Vivid, theAskedSizeIsTakenAndWithoutOneTheCamerasOwn) {
         ASSERT_TRUE(frame);
         EXPECT_EQ(sizeOf(*frame), cv::Size(1280, 720));
         // While it streams, no other program can change it.
-        EXPECT_EQ(setFormat(320, 180), EBUSY);
+        EXPECT_EQ(setVividFormat(320, 180), EBUSY);
         EXPECT_TRUE(nextFrame(*device));
     }
-    ASSERT_EQ(setFormat(320, 180), 0);
+    ASSERT_EQ(setVividFormat(320, 180), 0);
     const auto device = started();
     ASSERT_TRUE(device);
     const auto frame = nextFrame(*device);
@@ -162,7 +137,7 @@ TEST_F(Vivid, anotherFormatBetweenStopAndStartIsTaken) {
     ASSERT_TRUE(nextFrame(*device));
     device->stop();
     EXPECT_EQ(device->status().state, DeviceState::closed);
-    ASSERT_EQ(setFormat(320, 180), 0);
+    ASSERT_EQ(setVividFormat(320, 180), 0);
     CameraFrame old;
     while (device->frames().pop(old)) {
     }
@@ -173,16 +148,16 @@ TEST_F(Vivid, anotherFormatBetweenStopAndStartIsTaken) {
 }
 
 TEST_F(Vivid, aCameraThatIsUnboundIsLostAndComesBackWithADiscontinuity) {
-    ASSERT_EQ(setFormat(320, 180), 0);
+    ASSERT_EQ(setVividFormat(320, 180), 0);
     const auto device = started();
     ASSERT_TRUE(device);
     auto frame = nextFrame(*device);
     ASSERT_TRUE(frame);
     EXPECT_EQ(sizeOf(*frame), cv::Size(320, 180));
-    ASSERT_NO_FATAL_FAILURE(toDriver("unbind"));
+    ASSERT_NO_FATAL_FAILURE(toVividDriver("unbind"));
     ASSERT_TRUE(reaches(*device, DeviceState::reconnecting));
     EXPECT_FALSE(device->status().message.empty());
-    ASSERT_NO_FATAL_FAILURE(toDriver("bind"));
+    ASSERT_NO_FATAL_FAILURE(toVividDriver("bind"));
     ASSERT_TRUE(reaches(*device, DeviceState::live));
     const auto number = frame->number;
     // All frames of before were taken until it was lost.
@@ -203,9 +178,9 @@ TEST_F(Vivid, aCameraThatIsUnboundTwentyTimesIsBackEachTime) {
     ASSERT_TRUE(device);
     ASSERT_TRUE(nextFrame(*device));
     for (int i = 0; i < 20; ++i) {
-        ASSERT_NO_FATAL_FAILURE(toDriver("unbind"));
+        ASSERT_NO_FATAL_FAILURE(toVividDriver("unbind"));
         ASSERT_TRUE(reaches(*device, DeviceState::reconnecting)) << i;
-        ASSERT_NO_FATAL_FAILURE(toDriver("bind"));
+        ASSERT_NO_FATAL_FAILURE(toVividDriver("bind"));
         ASSERT_TRUE(reaches(*device, DeviceState::live)) << i;
     }
     device->stop();

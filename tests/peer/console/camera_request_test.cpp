@@ -4,6 +4,7 @@
 #include "backend/pipeline/camera_channel.h"
 #include "backend/vision/camera_file.h"
 #include "backend/vision/nominal_camera.h"
+#include "tests/peer/vivid_driver.h"
 
 #include <QObject>
 
@@ -11,14 +12,9 @@
 
 #include <cerrno>
 #include <chrono>
-#include <fcntl.h>
-#include <fstream>
-#include <linux/videodev2.h>
 #include <memory>
 #include <string>
-#include <sys/ioctl.h>
 #include <thread>
-#include <unistd.h>
 #include <vector>
 
 using namespace teleta;
@@ -27,36 +23,15 @@ using console::SourceManager;
 using core::DeviceState;
 using pipeline::CameraChannel;
 using pipeline::CameraEvent;
+using test::kVividNode;
+using test::kVividPatience;
+using test::setVividFormat;
+using test::toVividDriver;
 
 namespace {
 
-constexpr const char* kNode = "/dev/video0";
-constexpr auto kLongest = std::chrono::seconds(90); // the machine is emulated
 constexpr int kWidth_px = 640;
 constexpr int kHeight_px = 360;
-
-void toDriver(const std::string& what) {
-    std::ofstream file("/sys/bus/platform/drivers/vivid/" + what);
-    file << "vivid.0" << std::flush;
-    ASSERT_TRUE(file.good()) << what;
-}
-
-/// Another program sets the size of the pictures, which works while nobody else reads them. Returns the error
-/// number, 0 for none.
-int setFormat(unsigned width, unsigned height) {
-    const int node = ::open(kNode, O_RDWR | O_CLOEXEC);
-    if (node < 0)
-        return errno;
-    v4l2_format format{};
-    format.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
-    int error = ::ioctl(node, VIDIOC_G_FMT, &format) == 0 ? 0 : errno;
-    format.fmt.pix.width = width;
-    format.fmt.pix.height = height;
-    if (error == 0 && ::ioctl(node, VIDIOC_S_FMT, &format) != 0)
-        error = errno;
-    ::close(node);
-    return error;
-}
 
 class CameraRequestPeer : public testing::Test {
 protected:
@@ -71,7 +46,7 @@ protected:
 
     template <typename Condition>
     [[nodiscard]] bool eventually(const Condition& condition) {
-        const auto end = std::chrono::steady_clock::now() + kLongest;
+        const auto end = std::chrono::steady_clock::now() + kVividPatience;
         while (std::chrono::steady_clock::now() < end) {
             m_sources.poll();
             if (condition())
@@ -85,7 +60,7 @@ protected:
     std::shared_ptr<CameraChannel> opened() {
         m_key = m_sources.open(CameraRequest{.source = "0", .modelPath = kModel});
         const auto* item = m_sources.find(m_key);
-        EXPECT_EQ(item->name.toStdString(), kNode);
+        EXPECT_EQ(item->name.toStdString(), kVividNode);
         if (!eventually([&] { return !m_failures.empty() || m_sources.find(m_key)->isOpen(); }) ||
             !m_failures.empty())
             return nullptr;
@@ -107,7 +82,7 @@ protected:
 } // namespace
 
 TEST_F(CameraRequestPeer, itsFramesArriveInTheSizeOfTheModelAndItIsLetGoWhenItIsClosed) {
-    ASSERT_EQ(setFormat(320, 180), 0) << "another one before";
+    ASSERT_EQ(setVividFormat(320, 180), 0) << "another one before";
     auto channel = opened();
     ASSERT_TRUE(channel) << (m_failures.empty() ? "no answer" : m_failures.front());
     EXPECT_FALSE(channel->description().recorded);
@@ -125,10 +100,10 @@ TEST_F(CameraRequestPeer, itsFramesArriveInTheSizeOfTheModelAndItIsLetGoWhenItIs
         last_s = now.time_s;
     }
     EXPECT_EQ(channel->status().state, DeviceState::live);
-    EXPECT_EQ(setFormat(320, 180), EBUSY) << "while it streams";
+    EXPECT_EQ(setVividFormat(320, 180), EBUSY) << "while it streams";
     m_sources.close(m_key);
     channel.reset();
-    EXPECT_TRUE(eventually([] { return setFormat(320, 180) == 0; }));
+    EXPECT_TRUE(eventually([] { return setVividFormat(320, 180) == 0; }));
 }
 
 TEST_F(CameraRequestPeer, oneThatIsUnpluggedIsToldAndItsFramesGoOnWhenItIsBack) {
@@ -136,13 +111,13 @@ TEST_F(CameraRequestPeer, oneThatIsUnpluggedIsToldAndItsFramesGoOnWhenItIsBack) 
     ASSERT_TRUE(channel) << (m_failures.empty() ? "no answer" : m_failures.front());
     ASSERT_TRUE(processes(*channel, 3));
     for (int round = 0; round < 3; ++round) {
-        ASSERT_NO_FATAL_FAILURE(toDriver("unbind"));
+        ASSERT_NO_FATAL_FAILURE(toVividDriver("unbind"));
         ASSERT_TRUE(eventually([&] {
             const core::DeviceStatus status = channel->status();
             return (status.state == DeviceState::lost || status.state == DeviceState::reconnecting) &&
                    !status.message.empty();
         })) << round;
-        ASSERT_NO_FATAL_FAILURE(toDriver("bind"));
+        ASSERT_NO_FATAL_FAILURE(toVividDriver("bind"));
         ASSERT_TRUE(eventually([&] { return channel->status().state == DeviceState::live; })) << round;
         ASSERT_TRUE(processes(*channel, 20)) << round;
         int restarts = 0;
@@ -158,15 +133,15 @@ TEST_F(CameraRequestPeer, oneThatIsUnpluggedIsToldAndItsFramesGoOnWhenItIsBack) 
 }
 
 TEST_F(CameraRequestPeer, oneThatIsNotThereIsToldWithItsName) {
-    ASSERT_NO_FATAL_FAILURE(toDriver("unbind"));
+    ASSERT_NO_FATAL_FAILURE(toVividDriver("unbind"));
     EXPECT_FALSE(opened());
-    ASSERT_NO_FATAL_FAILURE(toDriver("bind"));
+    ASSERT_NO_FATAL_FAILURE(toVividDriver("bind"));
     ASSERT_EQ(m_failures.size(), 1U);
-    EXPECT_NE(m_failures.front().find(kNode), std::string::npos) << m_failures.front();
+    EXPECT_NE(m_failures.front().find(kVividNode), std::string::npos) << m_failures.front();
     EXPECT_TRUE(m_sources.items().empty());
     m_failures.clear();
     // A moment later it is plugged in.
-    ASSERT_TRUE(eventually([] { return setFormat(kWidth_px, kHeight_px) == 0; }));
+    ASSERT_TRUE(eventually([] { return setVividFormat(kWidth_px, kHeight_px) == 0; }));
     const auto channel = opened();
     ASSERT_TRUE(channel) << (m_failures.empty() ? "no answer" : m_failures.front());
     EXPECT_TRUE(processes(*channel, 2));
