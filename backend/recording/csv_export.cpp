@@ -7,6 +7,7 @@
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -230,16 +231,22 @@ core::Expected<std::vector<ExportedFile>> exportCsv(const Recording& recording, 
                         CsvExportText::tr("there is a file of this name already").toStdString(),
                         CsvExportText::tr("another folder").toStdString(),
                         {*there}});
-    auto written = writeAll(recording, paths, options);
-    if (!written) {
+    std::vector<ExportedFile> files;
+    const auto leaveNothing = [&](const core::Error& error) {
+        for (const ExportedFile& file : files)
+            QFile::remove(QString::fromStdString(file.path));
         if (isNew)
             QDir().rmdir(path);
-        return core::Unexpected(written.error());
-    }
-    std::vector<ExportedFile> files;
+        return core::Unexpected(error);
+    };
+    auto written = writeAll(recording, paths, options);
+    if (!written)
+        return leaveNothing(written.error());
     for (WrittenFile& each : *written) {
-        if (const core::Expected<void> done = each.csv.finish(); !done)
-            return core::Unexpected(done.error());
+        if (const core::Expected<void> done = each.csv.finish(); !done) {
+            written->clear(); // with what has no name yet
+            return leaveNothing(done.error());
+        }
         files.push_back(std::move(each.file));
     }
     return files;

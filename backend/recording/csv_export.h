@@ -39,7 +39,8 @@ struct ExportOptions {
 /// Damaged blocks are left out and counted. The files appear together at the end: a file that is cut short,
 /// or the first of several, would be taken for a whole export.
 /// Error: ioFailed; cancelled by goOn, unless it finishes its files; refused when there is a file already.
-/// Then nothing is written, and files that were there stay as they were.
+/// Then no file of it is left. Files that were there stay as they were, unless the last step failed, in which
+/// the new ones take their names.
 [[nodiscard]] core::Expected<std::vector<ExportedFile>>
 exportCsv(const Recording& recording, const std::string& folder, const ExportOptions& options = {});
 

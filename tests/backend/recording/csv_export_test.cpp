@@ -158,6 +158,26 @@ TEST_F(CsvExportTest, anExportThatIsStoppedLeavesNoFileUnlessItFinishesThem) {
     EXPECT_TRUE(std::filesystem::exists(m_folder.path("part/events.csv")));
 }
 
+TEST_F(CsvExportTest, aFileThatCannotTakeItsNameLeavesNoneOfTheOthers) {
+    {
+        auto recorder = start();
+        appendFrame(*recorder->addStream(arrayInfo()), kStart_ns, 1.0F);
+        appendFrame(*recorder->addStream(arrayInfo("later")), kStart_ns, 1.0F);
+        ASSERT_TRUE(recorder->stop());
+    }
+    const auto recording = Recording::open(m_folder.path("run.teleta"));
+    // When its rows are written already a folder takes the name of the second one.
+    const auto done = exportCsv(*recording, m_folder.path("csv"), {.goOn = [&](double frames, double) {
+        if (frames >= 2.0)
+            std::filesystem::create_directory(m_folder.path("csv/later.csv"));
+        return true;
+    }});
+    ASSERT_FALSE(done);
+    EXPECT_EQ(done.error().kind, core::ErrorKind::ioFailed) << core::describe(done.error());
+    EXPECT_FALSE(std::filesystem::exists(m_folder.path("csv/frames.csv")));
+    EXPECT_FALSE(std::filesystem::exists(m_folder.path("csv/events.csv")));
+}
+
 TEST_F(CsvExportTest, streamsWhoseFilesWouldHaveOneNameGetNumbers) {
     {
         auto recorder = start();
