@@ -71,7 +71,8 @@ void countPictures(benchmark::State& state) {
 
 void drawPlainly(benchmark::State& state) {
     Pressed& scene = pressed();
-    const test::PlainSkinRenderer plain(scene.renderer, scene.skin);
+    constexpr int kMarchSteps = 8;
+    const test::PlainSkinRenderer plain(scene.renderer, scene.skin, kMarchSteps);
     cv::Rect all;
     for (const cv::Rect& part : scene.parts)
         all = all.empty() ? part : all | part;

@@ -9,8 +9,9 @@ namespace teleta::simulation {
 namespace {
 
 constexpr int kMarchSteps = 8;
-constexpr int kSecantSteps = 5;
-constexpr double kCloseEnough_m = 1e-9;
+constexpr int kMostSearchSteps = 50;
+constexpr double kCloseEnough_m = 1e-9; ///< above or under the skin
+constexpr double kCloseEnough = 1e-5;   ///< of the way through the depth of the skin
 
 /// Of all presses together, wherever they are: those that can overlap count with one another.
 double deepestOverlap_m(const SkinDeformation& deformation) {
@@ -134,15 +135,16 @@ double SkinRays::above_m(const Way& way, double u) const {
 }
 
 double SkinRays::meets(const Way& way, double from, double to) const {
-    // The ray comes from u = 1. Between the presses it is above the skin, so only the steps among them are
-    // looked at, and the one before.
-    const int first = std::max(static_cast<int>(std::ceil((1.0 - to) * kMarchSteps)), 1);
-    double over = 1.0 - static_cast<double>(first - 1) / kMarchSteps;
+    // Between the presses the ray is above the skin, so only the steps among them are looked at, and the one
+    // before.
+    const auto step = [&](int i) { return m_skinEnds * (1.0 - static_cast<double>(i) / kMarchSteps); };
+    const int first = std::max(static_cast<int>(std::ceil((1.0 - to / m_skinEnds) * kMarchSteps)), 1);
+    double over = step(first - 1);
     double overHeight_m = above_m(way, over);
     double under = over;
     double underHeight_m = overHeight_m;
     for (int i = first; i <= kMarchSteps && underHeight_m > 0.0; ++i) {
-        const double u = 1.0 - static_cast<double>(i) / kMarchSteps;
+        const double u = step(i);
         if (u < from)
             return -1.0;
         const double height_m = above_m(way, u);
@@ -153,20 +155,27 @@ double SkinRays::meets(const Way& way, double from, double to) const {
             overHeight_m = height_m;
         }
     }
-    for (int i = 0; i < kSecantSteps && overHeight_m > kCloseEnough_m && underHeight_m < -kCloseEnough_m;
+    if (!(overHeight_m > 0.0 && underHeight_m < 0.0))
+        return under;
+    double u = under;
+    double height_m = underHeight_m;
+    for (int i = 0;
+         i < kMostSearchSteps && std::abs(height_m) > kCloseEnough_m && std::abs(under - over) > kCloseEnough;
          ++i) {
-        const double u = over + (under - over) * overHeight_m / (overHeight_m - underHeight_m);
-        const double height_m = above_m(way, u);
-        if (height_m > 0.0) {
-            over = u;
-            overHeight_m = height_m;
-        } else {
-            under = u;
-            underHeight_m = height_m;
-            overHeight_m *= 0.5; // Illinois: keeps the other end from standing still
+        const bool wasOver = height_m > 0.0;
+        const double before_m = height_m;
+        u = over + (under - over) * overHeight_m / (overHeight_m - underHeight_m);
+        height_m = above_m(way, u);
+        const bool isOver = height_m > 0.0;
+        // Keeps an end from standing still (Anderson and Bjoerck).
+        if (i > 0 && isOver == wasOver) {
+            const double left = 1.0 - height_m / before_m;
+            (isOver ? underHeight_m : overHeight_m) *= left > 0.0 ? left : 0.5;
         }
+        (isOver ? over : under) = u;
+        (isOver ? overHeight_m : underHeight_m) = height_m;
     }
-    return under;
+    return u;
 }
 
 } // namespace teleta::simulation

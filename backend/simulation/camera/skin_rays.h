@@ -10,8 +10,10 @@
 namespace teleta::simulation {
 
 /// Follows rays from a lens inside the tube to the first point of its deformed skin, in eight steps through
-/// the depth in which the skin can be, so that a press hides what is behind it, and from there by secants. A
-/// ray is looked at only where a press reaches its way through that depth. Thread: one.
+/// the depth in which the skin can be, so that a press hides what is behind it, and from there by a search
+/// that keeps the point between two others. A ray is looked at only where a press reaches its way through
+/// that depth. Thread: one. Source: N. Anderson, A. Bjoerck, A new high order method of regula falsi type
+/// (1973).
 class SkinRays {
 public:
     /// deformation: must outlive the rays.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace teleta::vision {
 
@@ -10,6 +11,7 @@ namespace {
 
 constexpr double kMemory_s = 0.05;
 constexpr std::size_t kLeastKept = 3; ///< at low frame rates these are longer ago
+constexpr double kShortest_s = 0.012; ///< that a slope goes over
 constexpr double kMargin = 3.0;       ///< standard deviations
 constexpr double kSameFrame = 0.5;    ///< share of a frame's period
 
@@ -53,13 +55,18 @@ DepthRate::Slope DepthRate::slope(std::size_t sightings) const {
 }
 
 double DepthRate::atLeast_mPerS() const {
-    double best_mPerS = 0.0;
+    std::optional<double> best_mPerS;
     for (std::size_t count = 2; count <= m_sightings.size(); ++count) {
+        // One place that was seen wrong is no noise: of two frames of a fast camera it makes any speed.
+        const double span_s =
+            m_sightings.back().time_s - (m_sightings.end() - static_cast<std::ptrdiff_t>(count))->time_s;
+        if (span_s < kShortest_s)
+            continue;
         const Slope through = slope(count);
         const double surely_mPerS = through.rate_mPerS - kMargin * through.sd_mPerS;
-        best_mPerS = count == 2 ? surely_mPerS : std::max(best_mPerS, surely_mPerS);
+        best_mPerS = std::max(best_mPerS.value_or(surely_mPerS), surely_mPerS);
     }
-    return best_mPerS;
+    return best_mPerS.value_or(0.0);
 }
 
 } // namespace teleta::vision

@@ -19,8 +19,8 @@ public:
     /// contact: in a frame; time_s: of its capture, rising; framePeriod_s: since the frame before.
     void add(const CameraContact& contact, double time_s, double framePeriod_s);
 
-    /// The rate that is surely there: the highest, over any number of the newest sightings, of a slope less
-    /// three standard deviations. 0 without two sightings.
+    /// The rate that is surely there: the highest, over any number of the newest sightings that are 12 ms
+    /// or more apart, of a slope less three standard deviations. 0 without two such sightings.
     [[nodiscard]] double atLeast_mPerS() const;
 
 private:

@@ -16,6 +16,7 @@ namespace {
 
 const cv::Size kPaperSize(512, 288);
 constexpr int kSmallestSide_px = 64;  ///< that the flow has patches for
+constexpr double kLeastDot_px = 2.0;  ///< at the finest scale of the flow: narrower ones are not seen to move
 constexpr double kLeastTexture = 1.5; ///< standard deviation of the reference's Laplacian, in grey levels
 constexpr int kChanged = 10;          ///< grey levels that are more than noise after the image was made small
 constexpr int kLeastChanged_px = 4;
@@ -25,7 +26,7 @@ constexpr double kSmoothing_px = 2.0;  ///< at full scale, against noise
 constexpr int kDiffers = 4;            ///< grey levels that are more than noise after that smoothing
 constexpr double kFounded_px = 20.0;   ///< at full scale: from a change to what it tells of
 /// Of a contact's flow from frame to frame, in the image made small: an upper bound, as that of the dots.
-constexpr double kFlowNoise_px = 0.25;
+constexpr double kFlowNoise_px = 0.3;
 constexpr double kDeep = 0.9; ///< quantile of the inward displacement that is a contact's depth
 
 float quantile(std::vector<float>& values, double share) {
@@ -104,6 +105,22 @@ FlowContactFinder::FlowContactFinder(const ContactRung& rung, const CylinderCame
                 m_samples.push_back(*sample);
         }
     }
+    if (!rung.paper)
+        sharpen();
+}
+
+void FlowContactFinder::sharpen() {
+    if (m_samples.empty())
+        return;
+    std::vector<float> dots_px;
+    dots_px.reserve(m_samples.size());
+    const double pixels = static_cast<double>(m_crop.area()) / static_cast<double>(m_sampleOf.total());
+    for (const SkinSample& sample : m_samples)
+        dots_px.push_back(
+            static_cast<float>(m_settings.dotDiameter_m / std::sqrt(sample.areaPerPixel_m2() * pixels)));
+    const double dot_px = static_cast<double>(quantile(dots_px, 0.5));
+    while (m_finestScale > 0 && dot_px < kLeastDot_px * std::exp2(m_finestScale))
+        --m_finestScale;
 }
 
 Eigen::Vector2d FlowContactFinder::inImage_px(double x, double y) const {

@@ -35,6 +35,8 @@ private:
                       const std::stop_token& stop);
     [[nodiscard]] core::Expected<void> takeReference(const cv::Mat1b& frame) override;
     [[nodiscard]] core::Expected<std::vector<CameraContact>> findIn(const cv::Mat1b& frame) override;
+    /// A preset's finest scale is one of large images: not so coarse that the dots are lost in its pixels.
+    void sharpen();
     void flow(const cv::Mat1b& reference, const cv::Mat1b& small, cv::Mat2f& flow);
     /// Pixel of the camera's image in which a pixel of the small image lies.
     [[nodiscard]] Eigen::Vector2d inImage_px(double x, double y) const;

@@ -7,10 +7,10 @@ using test_scenes::ShippedScene;
 
 class NeededCameraEffects : public testing::TestWithParam<ShippedScene> {};
 
-/// Pictures of two million pixels take minutes.
+/// Pictures of two million pixels take minutes. Fewer than five seeds do not tell the spread.
 TEST_P(NeededCameraEffects, everyEffectMovesAMeasureByMoreThanTheMeasuresOwnSpread) {
     AblationOptions options;
-    options.seeds = 2;
+    options.seeds = 5;
     const auto& scene = std::get<scene::Scene>(GetParam().scene);
     options.duration_s = std::min(scene.duration_s, 100.0);
     test_scenes::expectThatAllEffectsMoveAMeasure(GetParam(), options);

@@ -11,17 +11,18 @@
 namespace teleta::test {
 
 /// The same picture as SkinRenderer, without light, written down plainly: the ray of every pixel is stepped
-/// through the whole shell in which the skin can be, every sample of every pixel looks for its dot. Thread:
-/// any (const).
+/// through the whole shell in which the skin can be, every sample of every pixel looks for its dot.
+/// marchSteps: through the shell. Thread: any (const).
 class PlainSkinRenderer {
     using SkinDeformation = simulation::SkinDeformation;
     using SkinPlace = simulation::SkinPlace;
     using PrintedDots = simulation::PrintedDots;
 
 public:
-    PlainSkinRenderer(const simulation::SkinRenderer& renderer, const scene::CameraSkin& skin)
+    PlainSkinRenderer(const simulation::SkinRenderer& renderer, const scene::CameraSkin& skin, int marchSteps)
         : m_renderer(renderer)
         , m_skin(skin)
+        , m_marchSteps(marchSteps)
         , m_lens_m(renderer.camera().camera().centre_m()) {}
 
     /// Draws the skin into a part of the image; the rest of it stays.
@@ -86,8 +87,7 @@ private:
     static constexpr float kInk = 45.0F;
     static constexpr double kSample_m = 0.00025;
     static constexpr int kMostSamples = 8;
-    static constexpr int kMarchSteps = 8;
-    static constexpr int kSecantSteps = 5;
+    static constexpr int kMostSteps = 100;
 
     static double wrapped_rad(double angle_rad) {
         constexpr double kTurn_rad = 2.0 * std::numbers::pi;
@@ -128,10 +128,10 @@ private:
         double heightBefore_m = at(before).above_m;
         double after = 1.0;
         Point last = at(heightBefore_m > 0.0 ? after : before);
-        for (int i = 1; i <= kMarchSteps && heightBefore_m > 0.0; ++i) {
-            const double t = enters + (1.0 - enters) * i / kMarchSteps;
+        for (int i = 1; i <= m_marchSteps && heightBefore_m > 0.0; ++i) {
+            const double t = enters + (1.0 - enters) * i / m_marchSteps;
             const Point point = at(t);
-            if (point.above_m <= 0.0 || i == kMarchSteps) {
+            if (point.above_m <= 0.0 || i == m_marchSteps) {
                 after = t;
                 last = point;
                 break;
@@ -139,16 +139,22 @@ private:
             before = t;
             heightBefore_m = point.above_m;
         }
-        for (int i = 0; i < kSecantSteps && heightBefore_m > 1e-9 && last.above_m < -1e-9; ++i) {
-            const double t = before + (after - before) * heightBefore_m / (heightBefore_m - last.above_m);
-            const Point point = at(t);
-            if (point.above_m > 0.0) {
+        // False position; of an end that stands still half counts (Illinois).
+        double heightAfter_m = last.above_m;
+        int side = 0;
+        for (int i = 0; i < kMostSteps && heightBefore_m > 0.0 && std::abs(last.above_m) > 1e-10; ++i) {
+            const double t = before + (after - before) * heightBefore_m / (heightBefore_m - heightAfter_m);
+            last = at(t);
+            if (last.above_m > 0.0) {
                 before = t;
-                heightBefore_m = point.above_m;
+                heightBefore_m = last.above_m;
+                heightAfter_m *= side == 1 ? 0.5 : 1.0;
+                side = 1;
             } else {
                 after = t;
-                last = point;
-                heightBefore_m *= 0.5; // Illinois: keeps the other end from standing still
+                heightAfter_m = last.above_m;
+                heightBefore_m *= side == -1 ? 0.5 : 1.0;
+                side = -1;
             }
         }
         return deformation.atRest(last.angle_rad, last.z_m);
@@ -182,6 +188,7 @@ private:
 
     const simulation::SkinRenderer& m_renderer;
     scene::CameraSkin m_skin;
+    int m_marchSteps;
     Eigen::Vector3d m_lens_m;
 };
 
