@@ -44,9 +44,8 @@ void configureOpenGlBeforeApplication() {
     format.setProfile(QSurfaceFormat::CoreProfile);
     format.setDepthBufferSize(24);
     format.setStencilBufferSize(8);
-    format.setSamples(0); // VTK resolves its own multisampled buffer before it is copied here
+    format.setSamples(0); // VTK has its own multisampled buffer
     QSurfaceFormat::setDefaultFormat(format);
-    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
 
     const bool wayland =
         qEnvironmentVariableIsSet("WAYLAND_DISPLAY") || qgetenv("XDG_SESSION_TYPE") == "wayland";

@@ -7,8 +7,11 @@
 
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLState.h>
+#include <vtkRect.h>
 #include <vtkRenderer.h>
 #include <vtkRendererCollection.h>
+
+#include <utility>
 
 namespace teleta::view3d {
 
@@ -94,22 +97,21 @@ void GuestRenderWindow::renderGuarded() {
     state->Pop();
 }
 
-void GuestRenderWindow::blitTo(unsigned int target, int width, int height) {
+QImage GuestRenderWindow::frame() {
     if (!m_context) {
-        return;
+        return {};
     }
     MakeCurrent();
-    QOpenGLFunctions* gl = m_context->functions();
-    gl->glBindFramebuffer(GL_FRAMEBUFFER, target);
-    gl->glDisable(GL_SCISSOR_TEST); // would clip the copy
+    const vtkRecti all(0, 0, GetSize()[0], GetSize()[1]);
+    QImage image(all.GetWidth(), all.GetHeight(), QImage::Format_RGB32);
     vtkOpenGLState* state = GetState();
     state->Reset();
     state->Push();
-    BlitDisplayFramebuffer(0, 0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    const bool read =
+        !image.isNull() && ReadPixels(all, 1, GL_BGRA, GL_UNSIGNED_BYTE, image.bits(), 0) == VTK_OK;
     state->Pop();
-
-    gl->glBindFramebuffer(GL_FRAMEBUFFER, target);
-    gl->glViewport(0, 0, width, height);
+    // OpenGL's rows begin at the bottom.
+    return read ? std::move(image).mirrored() : QImage();
 }
 
 } // namespace teleta::view3d

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QImage>
+
 #include <vtkGenericOpenGLRenderWindow.h>
 
 class QOpenGLContext;
@@ -8,8 +10,8 @@ class QSurface;
 
 namespace teleta::view3d {
 
-/// A VTK render window that draws into its own framebuffer within an OpenGL context that Qt owns. The context
-/// may go and come back (a floating dock gets a new one); renderers and actors stay.
+/// A VTK render window that draws into its own framebuffer within an OpenGL context that Qt made. The context
+/// may go and another one come; renderers and actors stay.
 class GuestRenderWindow : public vtkGenericOpenGLRenderWindow {
 public:
     static constexpr int kSamples = 4; ///< of smooth edges
@@ -22,8 +24,6 @@ public:
     void detach();
     [[nodiscard]] bool attached() const { return m_context != nullptr; }
 
-    /// Makes the context current without touching framebuffer bindings: QOpenGLWidget::makeCurrent() would
-    /// bind Qt's framebuffer in the middle of a VTK frame and leave the view blank.
     void MakeCurrent() override;
     bool IsCurrent() override;
     int SupportsOpenGL() override { return attached() ? 1 : 0; }
@@ -31,8 +31,8 @@ public:
     /// Draws the scene of the renderers with OpenGL's state saved before and restored after. Layer 0 is
     /// drawn on an opaque background.
     void renderGuarded();
-    /// Copies the last frame to the framebuffer `target` of the same size. Leaves `target` bound.
-    void blitTo(unsigned int target, int width, int height);
+    /// The last frame, opaque. Null when it cannot be read.
+    [[nodiscard]] QImage frame();
 
 protected:
     GuestRenderWindow();

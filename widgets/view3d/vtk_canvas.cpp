@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view3d/vtk_canvas.h"
 
+#include "backend/core/steady_time.h"
+#include "widgets/view3d/render_queue.h"
+
 #include <QApplication>
 #include <QContextMenuEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
-#include <QOpenGLContext>
 #include <QOpenGLFunctions>
-#include <QOpenGLPaintDevice>
 #include <QPainter>
-
-#include <vtkNew.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +23,7 @@ constexpr double kLogicalDpi = 96.0;
 } // namespace
 
 VtkCanvas::VtkCanvas(GuestRenderWindow* window, vtkRenderWindowInteractor* interactor, QWidget* parent)
-    : QOpenGLWidget(parent)
+    : QWidget(parent)
     , m_window(window)
     , m_interactor(interactor)
     , m_input(interactor) {
@@ -33,17 +31,20 @@ VtkCanvas::VtkCanvas(GuestRenderWindow* window, vtkRenderWindowInteractor* inter
 }
 
 VtkCanvas::~VtkCanvas() {
-    disconnect(m_contextGone);
-    releaseContext();
+    RenderQueue::instance().leave(*this);
+    m_window->detach();
 }
 
 void VtkCanvas::requestRender() {
     m_stale = true;
-    update();
+    // Nobody waits for what nobody sees: it is repainted when it appears.
+    if (!visibleRegion().isEmpty()) {
+        RenderQueue::instance().ask(*this);
+    }
 }
 
 QSize VtkCanvas::deviceSize() const {
-    return size() * devicePixelRatio(); // rounds as QOpenGLWidget does for its framebuffer
+    return size() * devicePixelRatio(); // rounds as Qt does for the window
 }
 
 void VtkCanvas::setDeviceSize(const QSize& size, double pixelScale) {
@@ -61,50 +62,62 @@ void VtkCanvas::setDeviceSize(const QSize& size, double pixelScale) {
     }
 }
 
-void VtkCanvas::initializeGL() {
-    // Floating a dock moves the widget to another window: Qt destroys this context and makes a new one.
-    disconnect(m_contextGone);
-    m_contextGone = connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &VtkCanvas::releaseContext);
-    m_stale = true;
-    if (!m_window->attach(context(), context()->surface())) {
-        emit contextRefused();
+bool VtkCanvas::makeContext() {
+    if (m_window->attached() || m_refused) {
+        return !m_refused;
     }
+    const auto refuse = [this](GlProblem problem) {
+        m_refused = true;
+        emit contextRefused(problem);
+        return false;
+    };
+    if (!m_context.isValid()) {
+        if (!m_context.create()) {
+            return refuse(GlProblem::contextRefused);
+        }
+        m_surface.setFormat(m_context.format());
+        m_surface.create();
+    }
+    if (!m_surface.isValid() || !m_context.makeCurrent(&m_surface)) {
+        return refuse(GlProblem::contextRefused);
+    }
+    return m_window->attach(&m_context, &m_surface) || refuse(GlProblem::driverRefused);
 }
 
-void VtkCanvas::releaseContext() {
-    m_window->detach();
+void VtkCanvas::render() {
+    const std::int64_t begun_ns = core::steadyNow_ns();
+    m_stale = false;
+    m_window->renderGuarded();
+    m_frame = m_window->frame();
+    m_frame.setDevicePixelRatio(m_pixelScale);
+    ++m_framesRendered;
+    RenderQueue::instance().drawn(*this, begun_ns, core::steadyNow_ns());
 }
 
-void VtkCanvas::paintGL() {
+void VtkCanvas::paintEvent(QPaintEvent* /*event*/) {
     const QSize device = deviceSize();
-    if (!m_window->attached() || device.isEmpty()) {
+    if (device.isEmpty() || !makeContext()) {
         return;
     }
     setDeviceSize(device, devicePixelRatio());
     if (m_stale) {
-        m_stale = false;
-        m_window->renderGuarded();
-        ++m_framesRendered;
+        render();
     }
-    makeCurrent();
-    m_window->blitTo(defaultFramebufferObject(), device.width(), device.height());
+    QPainter painter(this);
+    painter.drawImage(QPointF(), m_frame);
     if (m_overlay) {
-        // A painter on the widget itself would be led astray to the pixmap while QWidget::grab() runs.
-        QOpenGLPaintDevice target(device);
-        target.setDevicePixelRatio(devicePixelRatio());
-        QPainter painter(&target);
         painter.setRenderHint(QPainter::Antialiasing);
         m_overlay(painter, size());
     }
 }
 
 QImage VtkCanvas::picture(double scale, bool withOverlay) {
-    if (!m_window->attached() || deviceSize().isEmpty()) {
+    if (deviceSize().isEmpty() || !makeContext()) {
         return {};
     }
     m_window->MakeCurrent();
     GLint largest = 0;
-    context()->functions()->glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
+    m_context.functions()->glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
     const QSize device = deviceSize();
     const double fits = static_cast<double>(largest) / std::max(device.width(), device.height());
     const double used = std::min(scale, fits);
@@ -115,21 +128,13 @@ QImage VtkCanvas::picture(double scale, bool withOverlay) {
     m_window->SetMultiSamples(GuestRenderWindow::kSamples); // a picture may take its time
     m_window->renderGuarded();
 
-    const vtkNew<vtkUnsignedCharArray> pixels;
-    m_window->GetPixelData(0, 0, m_size.width() - 1, m_size.height() - 1, 1, pixels, 0);
-    QImage image;
-    if (pixels->GetNumberOfValues() == 3LL * m_size.width() * m_size.height()) {
-        image = QImage(pixels->GetPointer(0), m_size.width(), m_size.height(), 3LL * m_size.width(),
-                       QImage::Format_RGB888)
-                    .mirrored();
-        image.setDevicePixelRatio(m_pixelScale);
-    }
+    QImage image = m_window->frame();
+    image.setDevicePixelRatio(m_pixelScale);
     m_window->SetMultiSamples(samples);
     if (!before.isEmpty()) {
         setDeviceSize(before, pixelScaleBefore);
     }
     requestRender();
-    doneCurrent();
     if (!image.isNull() && withOverlay && m_overlay) {
         QPainter painter(&image);
         painter.setRenderHint(QPainter::Antialiasing);

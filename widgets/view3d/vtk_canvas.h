@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/view3d/gl_setup.h"
 #include "widgets/view3d/guest_render_window.h"
 #include "widgets/view3d/vtk_input.h"
 
-#include <QOpenGLWidget>
+#include <QImage>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QWidget>
 
 #include <vtkNew.h>
 #include <vtkRenderWindowInteractor.h>
@@ -14,8 +18,10 @@
 
 namespace teleta::view3d {
 
-/// The OpenGL surface inside VtkWidget: owns nothing of the scene, which lives in the render window.
-class VtkCanvas : public QOpenGLWidget {
+/// The surface inside VtkWidget: shows what the render window draws in a context of its own behind the
+/// screen. It is an ordinary widget, because one OpenGL widget would have its whole window put together by
+/// OpenGL with every repaint of anything in it. Owns nothing of the scene, which lives in the render window.
+class VtkCanvas : public QWidget {
     Q_OBJECT
 public:
     /// painter: in logical pixels; size: of the widget.
@@ -24,6 +30,7 @@ public:
     VtkCanvas(GuestRenderWindow* window, vtkRenderWindowInteractor* interactor, QWidget* parent);
     ~VtkCanvas() override;
 
+    /// Draws anew when RenderQueue has a turn for it, or with a repaint that comes before.
     void requestRender();
     void setOverlay(Overlay overlay) { m_overlay = std::move(overlay); }
     /// Draws the scene anew at `scale` times the widget's device pixels.
@@ -31,13 +38,13 @@ public:
     [[nodiscard]] std::uint64_t framesRendered() const { return m_framesRendered; }
 
 signals:
-    void contextRefused();
+    /// Nothing can be drawn, ever.
+    void contextRefused(GlProblem problem);
     void pixelScaleChanged(double devicePerLogical);
     void menuRequested(const QPoint& globalPosition);
 
 protected:
-    void initializeGL() override;
-    void paintGL() override;
+    void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
@@ -48,7 +55,8 @@ protected:
     void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
-    void releaseContext();
+    [[nodiscard]] bool makeContext();
+    void render();
     void setDeviceSize(const QSize& size, double pixelScale);
     [[nodiscard]] QSize deviceSize() const;
 
@@ -56,7 +64,10 @@ private:
     vtkRenderWindowInteractor* m_interactor;
     VtkInput m_input;
     Overlay m_overlay;
-    QMetaObject::Connection m_contextGone;
+    QOffscreenSurface m_surface;
+    QOpenGLContext m_context;
+    bool m_refused = false;
+    QImage m_frame;
     QPointF m_rightPress;
     bool m_rightDragged = false;
     bool m_stale = true;

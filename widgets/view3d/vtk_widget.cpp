@@ -7,7 +7,6 @@
 
 #include <QEvent>
 #include <QLabel>
-#include <QTimer>
 #include <QVBoxLayout>
 
 #include <vtkCallbackCommand.h>
@@ -56,10 +55,8 @@ VtkWidget::VtkWidget(QWidget* parent)
     setFocusProxy(canvas);
     connect(canvas, &VtkCanvas::pixelScaleChanged, this, &VtkWidget::pixelScaleChanged);
     connect(canvas, &VtkCanvas::menuRequested, this, &VtkWidget::menuRequested);
-    // Queued: the canvas is in the middle of making its context when it says so.
-    connect(
-        canvas, &VtkCanvas::contextRefused, this, [this] { showFallback(GlProblem::driverRefused); },
-        Qt::QueuedConnection);
+    // Queued: the canvas is in the middle of its first repaint when it says so.
+    connect(canvas, &VtkCanvas::contextRefused, this, &VtkWidget::showFallback, Qt::QueuedConnection);
 }
 
 VtkWidget::~VtkWidget() {
@@ -112,26 +109,6 @@ QSize VtkWidget::sizeHint() const {
 
 QSize VtkWidget::minimumSizeHint() const {
     return {10 * fontMetrics().height(), 8 * fontMetrics().height()};
-}
-
-void VtkWidget::showEvent(QShowEvent* event) {
-    QWidget::showEvent(event);
-    checkContextSoon();
-}
-
-void VtkWidget::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    checkContextSoon();
-}
-
-void VtkWidget::checkContextSoon() {
-    // Qt makes the context when a widget with an area is shown, and only logs when that fails.
-    QTimer::singleShot(0, this, [this] {
-        const VtkCanvas* canvas = m_parts->canvas;
-        if (canvas != nullptr && canvas->isVisible() && !canvas->size().isEmpty() && !canvas->isValid()) {
-            showFallback(GlProblem::contextRefused);
-        }
-    });
 }
 
 void VtkWidget::changeEvent(QEvent* event) {

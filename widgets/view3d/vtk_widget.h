@@ -16,8 +16,8 @@ class vtkRenderWindowInteractor;
 namespace teleta::view3d {
 
 /// Shows a VTK render window inside Qt 6 widgets. Add renderers to renderWindow() and call requestRender()
-/// when the scene changed; nothing is drawn otherwise. The scene outlives the OpenGL context, which Qt
-/// replaces when a dock floats. Where OpenGL is missing a text says so and everything else keeps working.
+/// when the scene changed; nothing is drawn otherwise. Where OpenGL is missing a text says so and
+/// everything else keeps working.
 /// Thread: GUI.
 class VtkWidget : public QWidget {
     Q_OBJECT
@@ -36,7 +36,7 @@ public:
     [[nodiscard]] bool canRender() const;
     [[nodiscard]] QString fallbackText() const;
 
-    /// Draws the scene with the next repaint. Many calls make one frame.
+    /// Draws the scene soon: slow views of one program take turns (RenderTurns). Many calls make one frame.
     void requestRender();
     void setOverlay(Overlay overlay);
     enum class PictureOverlay { with, without };
@@ -57,14 +57,11 @@ signals:
     void renderingLost();
 
 protected:
-    void showEvent(QShowEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
 
 private:
     void showFallback(GlProblem problem);
     void writeFallback();
-    void checkContextSoon();
 
     struct Parts;
     std::unique_ptr<Parts> m_parts;

@@ -9,6 +9,7 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QTimer>
+#include <QWindow>
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -132,6 +133,16 @@ private slots:
         QVERIFY(drawn(view));
         QVERIFY(QTest::qWaitFor(
             [&] { return showsTheSquare(view.screen()->grabWindow(view.winId()).toImage()); }));
+    }
+
+    void aWindowWithAViewIsNotPutTogetherByOpenGl() {
+        VtkWidget view;
+        const SquareScene scene(view);
+        view.resize(320, 240);
+        view.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&view));
+        QVERIFY(drawn(view));
+        QCOMPARE(view.windowHandle()->surfaceType(), QSurface::RasterSurface);
     }
 
     void nothingIsDrawnUntilSomethingChanged() {
