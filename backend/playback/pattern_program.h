@@ -11,6 +11,11 @@ namespace teleta::playback {
 /// it. Thread: any.
 [[nodiscard]] Program programOf(const pattern::Pattern& pattern);
 
+/// Where to begin a program that shall be felt as soon as possible: with the second frame when only the first
+/// one is off, else at 0. rate_Hz: of the frames, > 0. Without evaluate: 0. Thread: any; calls evaluate,
+/// whose exceptions are left to the playing.
+[[nodiscard]] double promptBegin_s(const Program& program, double rate_Hz);
+
 /// How the player maps intensities for these motors: from start to full drive where somebody has measured
 /// them, else the board's own way. Thread: any (pure).
 [[nodiscard]] DriveRanges rangesOf(const pattern::MotorProfiles& motors);

@@ -306,6 +306,8 @@ void PlaybackCycle::account(const core::Drive& drive, std::int64_t begun_ns, std
     m_status.given = m_limiter.output();
     const std::scoped_lock lock(m_countersMutex);
     ++m_counters.framesWritten;
+    if (m_counters.firstFrame_ns == 0)
+        m_counters.firstFrame_ns = written_ns;
     if (m_counters.onset_ns == 0 && !core::isOff(drive))
         m_counters.onset_ns = written_ns;
     m_timings.write.add(written_ns - begun_ns);

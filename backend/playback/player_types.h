@@ -87,7 +87,8 @@ struct PlayerCounters {
     std::int64_t writeLongest_ns = 0;
     std::int64_t latencyMedian_ns = 0; ///< from the making of a setpoint to its first frame written
     std::int64_t latencyLongest_ns = 0;
-    std::int64_t begun_ns = 0; ///< steady time at which the playing began
+    std::int64_t begun_ns = 0;      ///< steady time at which the playing began
+    std::int64_t firstFrame_ns = 0; ///< steady time at which the first frame was written; 0: none
     std::int64_t onset_ns = 0; ///< steady time at which the first frame other than zero was written; 0: none
 };
 

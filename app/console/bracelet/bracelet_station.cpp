@@ -38,8 +38,11 @@ BraceletStation::BraceletStation(core::StopSwitch& stop, QObject* parent, playba
     , m_felt(std::make_shared<core::LatestCopy<Felt>>())
     , m_feedback(std::make_shared<pipeline::TactileFeedback>(
           [slot = m_slot, felt = m_felt](playback::Program program) {
-              if (const auto session = slot->get())
-                  felt->set({session, session->player().play(std::move(program))});
+              const auto session = slot->get();
+              if (!session)
+                  return;
+              const double begin_s = playback::promptBegin_s(program, session->player().rate_Hz());
+              felt->set({session, session->player().play(std::move(program), /*loop=*/false, begin_s)});
           }))
     , m_library(builtIn) {
     m_keeping.setMaxThreadCount(1);
@@ -278,9 +281,9 @@ void BraceletStation::tick() {
     if (!m_session || !m_last || m_last->onset_s || m_last->sent.patternId.empty() || m_last->sent.missing)
         return;
     const playback::PlayerCounters counters = m_session->player().counters();
-    if (counters.onset_ns < m_last->sent.felt_ns)
+    if (counters.firstFrame_ns < m_last->sent.felt_ns)
         return;
-    m_last->onset_s = static_cast<double>(counters.onset_ns - m_last->sent.felt_ns) * 1e-9;
+    m_last->onset_s = static_cast<double>(counters.firstFrame_ns - m_last->sent.felt_ns) * 1e-9;
     m_touchToSkin_s = m_last->onset_s;
     m_latencies_s.push_back(*m_last->onset_s);
     if (m_latencies_s.size() > kLatencies)

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <stdexcept>
 
 using namespace teleta;
 
@@ -40,6 +42,31 @@ TEST(PatternProgram, isWrittenToTheBraceletAsItWasDrawn) {
     EXPECT_EQ(frames[300].frame.drive[1], 0) << "off from its last breakpoint on";
     EXPECT_TRUE(core::isOff(frames[400].frame.drive));
     EXPECT_EQ(cycle.status().ending, playback::PlayerEnding::finished);
+}
+
+// A prompt begin leaves out one frame, and only when it would be lost: what is silent for longer is meant so.
+TEST(PatternProgram, beginsPromptlyWithTheFirstFrameThatIsFelt) {
+    const auto begin_s = [](const pattern::Track& track, double rate_Hz) {
+        pattern::Pattern drawn;
+        drawn.duration_s = 2.0;
+        drawn.tracks[4] = track;
+        return playback::promptBegin_s(playback::programOf(drawn), rate_Hz);
+    };
+    EXPECT_EQ(begin_s({{0.0, 0.0}, {1.0, 1.0}}, 200.0), 1.0 / 200.0);
+    EXPECT_EQ(begin_s({{0.0, 0.0}, {1.0, 1.0}}, 40.0), 1.0 / 40.0);
+    EXPECT_EQ(begin_s({{0.0, 0.5}, {1.0, 1.0}}, 200.0), 0.0);
+    EXPECT_EQ(begin_s({{0.02, 0.5}, {1.0, 1.0}}, 200.0), 0.0);
+    EXPECT_EQ(begin_s({}, 200.0), 0.0);
+}
+
+TEST(PatternProgram, aProgramThatCannotSayBeginsAtItsBegin) {
+    const auto half = [](double) { return core::Intensities{0.5}; };
+    EXPECT_EQ(playback::promptBegin_s({}, 200.0), 0.0);
+    EXPECT_EQ(playback::promptBegin_s(
+                  {[](double) -> core::Intensities { throw std::runtime_error("no"); }, 1.0}, 200.0),
+              0.0);
+    EXPECT_EQ(playback::promptBegin_s({half, 0.004}, 200.0), 0.0) << "shorter than a frame";
+    EXPECT_EQ(playback::promptBegin_s({half, 0.0}, 200.0), 0.0);
 }
 
 TEST(PatternProgram, mapsOnlyMotorsThatSomebodyHasMeasured) {

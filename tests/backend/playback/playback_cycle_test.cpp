@@ -36,6 +36,7 @@ TEST_F(PlaybackCycleTest, writesAProgramAtAbsoluteDeadlinesInOneFrameEach) {
     EXPECT_EQ(counters.deadlineMisses, 0U);
     EXPECT_NEAR(counters.rate_Hz, 200.0, 1e-6);
     EXPECT_EQ(counters.begun_ns, begin_ns);
+    EXPECT_EQ(counters.firstFrame_ns, begin_ns);
     EXPECT_EQ(counters.onset_ns, begin_ns + kPeriod_ns) << "the first frame is at intensity 0";
     EXPECT_NEAR(m_cycle->status().position_s, 0.995, 1e-12);
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/core/stream_tap.h"
 #include "backend/pipeline/touch_record.h"
 #include "tests/app/console/bracelet/patient_station.h"
 
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <cstring>
 #include <memory>
 
 using namespace teleta;
@@ -68,6 +70,28 @@ private slots:
         QTRY_VERIFY(m_station->isDriven());
         m_station->endFeedback();
         QTRY_VERIFY(!m_station->isDriven());
+    }
+
+    // Its first frame would be off, and the touch felt one frame later.
+    void whatATouchTellsIsFeltFromTheFirstFrameOn() {
+        m_station->setLibrary([](const std::string&) {
+            return playback::Program{[](double t_s) {
+                                         core::Intensities wanted{};
+                                         wanted.fill(t_s > 0.0 ? 0.5 : 0.0);
+                                         return wanted;
+                                     },
+                                     600.0};
+        });
+        const auto frames = std::make_shared<core::StreamTap>(100'000);
+        m_station->session()->record(frames);
+        touch(1);
+        core::TappedFrames first;
+        QTRY_VERIFY_WITH_TIMEOUT(frames->pop(first), 60'000);
+        m_station->session()->record(nullptr);
+        float share = 0.0F;
+        QVERIFY(first.values.size() >= sizeof(share));
+        std::memcpy(&share, first.values.data(), sizeof(share));
+        QVERIFY(share > 0.0F);
     }
 
     void whatIsPlayedForSomethingElseGoesOn() {
