@@ -98,6 +98,8 @@ core::Expected<CameraProbe> probeCamera(const std::string& source, int width_px,
         now_ns = core::steadyNow_ns();
         if (outcome == VideoStream::Outcome::ended || outcome == VideoStream::Outcome::gone)
             break;
+        if (outcome == VideoStream::Outcome::late)
+            continue;
         if (outcome == VideoStream::Outcome::undecodable) {
             ++undecodable;
             continue;

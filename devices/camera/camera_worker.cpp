@@ -80,6 +80,8 @@ std::string CameraWorker::stream(const std::stop_token& stop) {
         cv::Mat1b image;
         double capture_s = 0.0;
         switch (m_stream->next(image, capture_s)) {
+        case VideoStream::Outcome::late:
+            continue;
         case VideoStream::Outcome::ended:
             return {};
         case VideoStream::Outcome::gone:

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/camera/video_stream.h"
 
+#include "backend/core/elapsed.h"
+#include "backend/core/steady_time.h"
+
 #include <QCoreApplication>
 #include <QString>
 
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -58,6 +62,26 @@ cv::Size ownSize(int number) {
                  : cv::Size();
 }
 
+/// Why a camera does not open: while one program reads it, no other can set what it gives.
+bool isTaken(int number) {
+    const int node = ::open(("/dev/video" + std::to_string(number)).c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
+    if (node < 0)
+        return errno == EBUSY;
+    v4l2_format format{};
+    format.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+    v4l2_requestbuffers buffers{};
+    buffers.count = 1;
+    buffers.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+    buffers.memory = V4L2_MEMORY_MMAP;
+    const auto refused = [node](unsigned long request, void* argument) {
+        return ::ioctl(node, request, argument) != 0 && errno == EBUSY;
+    };
+    const bool taken = (::ioctl(node, VIDIOC_G_FMT, &format) == 0 && refused(VIDIOC_S_FMT, &format)) ||
+                       refused(VIDIOC_REQBUFS, &buffers);
+    ::close(node);
+    return taken;
+}
+
 core::Unexpected failed(core::ErrorKind kind, const QString& message, const QString& expected,
                         const std::string& source) {
     return core::Unexpected(core::Error{kind, message.toStdString(), expected.toStdString(), {source, 0, 0}});
@@ -82,6 +106,10 @@ core::Expected<VideoStream> VideoStream::open(const std::string& source, const O
             if (!size.empty())
                 wanted = {cv::CAP_PROP_FRAME_WIDTH, size.width, cv::CAP_PROP_FRAME_HEIGHT, size.height};
             stream.m_capture.open(*number, cv::CAP_V4L2, wanted);
+            if (!stream.m_capture.isOpened() && isTaken(*number))
+                return failed(core::ErrorKind::unavailable,
+                              VideoText::tr("another program uses camera %1").arg(*number),
+                              VideoText::tr("that it is closed there first"), source);
             if (!stream.m_capture.isOpened())
                 return failed(core::ErrorKind::unavailable,
                               VideoText::tr("camera %1 cannot be opened").arg(*number), {}, source);
@@ -114,7 +142,12 @@ core::Expected<VideoStream> VideoStream::open(const std::string& source, const O
 
 VideoStream::Outcome VideoStream::next(cv::Mat1b& frame, double& time_s) {
     try {
+        const std::int64_t asked_ns = core::steadyNow_ns();
+        if (m_asked_ns == 0)
+            m_asked_ns = asked_ns;
         if (!m_capture.grab()) {
+            if (m_isCamera && m_read == 0 && isEarly(asked_ns, core::steadyNow_ns()))
+                return Outcome::late;
             // The reader takes a damaged picture for the end; the file says how many there should be.
             if (m_isCamera || m_read >= m_total || ++m_failures > kMostFailures)
                 return m_isCamera ? Outcome::gone : Outcome::ended;
@@ -138,6 +171,12 @@ VideoStream::Outcome VideoStream::next(cv::Mat1b& frame, double& time_s) {
             return m_isCamera ? Outcome::gone : Outcome::ended;
         return Outcome::undecodable;
     }
+}
+
+/// A camera that is gone says so at once, one that is slow to begin keeps the reader waiting.
+bool VideoStream::isEarly(std::int64_t asked_ns, std::int64_t now_ns) const {
+    return core::elapsed_s(asked_ns, now_ns) > 0.5 * kLongestWait_s &&
+           core::elapsed_s(m_asked_ns, now_ns) < kLongestFirstWait_s;
 }
 
 double VideoStream::captureTime_s() {

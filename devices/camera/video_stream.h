@@ -31,11 +31,14 @@ public:
     /// For a frame of a camera; the variable OPENCV_VIDEOIO_V4L_SELECT_TIMEOUT (seconds), where it is set,
     /// says otherwise.
     static constexpr int kLongestWait_s = 2;
+    /// For the first one: a camera that begins may have to find its exposure, or wake up.
+    static constexpr int kLongestFirstWait_s = 10;
 
     enum class Outcome {
         frame,
         undecodable, ///< there was a frame, but it could not be decoded
         ended,       ///< of a file
+        late,        ///< the first frame of a camera has not come yet: ask again
         gone,        ///< the camera gives no frames any more, or none for kLongestWait_s
     };
     /// Waits for the next frame. frame: changed only when there is one.
@@ -52,6 +55,7 @@ public:
 private:
     VideoStream() = default;
     [[nodiscard]] double captureTime_s();
+    [[nodiscard]] bool isEarly(std::int64_t asked_ns, std::int64_t now_ns) const;
 
     cv::VideoCapture m_capture;
     cv::Mat m_image;
@@ -60,7 +64,8 @@ private:
     std::uint64_t m_total = 0;
     std::uint64_t m_read = 0; ///< also those that could not be decoded
     std::uint64_t m_skipped = 0;
-    int m_failures = 0; ///< in a row
+    int m_failures = 0;          ///< in a row
+    std::int64_t m_asked_ns = 0; ///< for the first frame; 0: not yet
     double m_first_ms = 0.0;
     double m_last_s = 0.0;
 };

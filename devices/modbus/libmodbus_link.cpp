@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/modbus/libmodbus_link.h"
 
+#include "backend/core/node_claim.h"
+
 #include <QCoreApplication>
 #include <QString>
 
@@ -8,6 +10,7 @@
 #include <cmath>
 #include <cstring>
 #include <modbus/modbus.h>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -30,7 +33,19 @@ Context makeContext(const RegisterMap& map) {
     return Context(modbus_new_tcp_pi(tcp.host.c_str(), std::to_string(tcp.port).c_str()));
 }
 
+core::Unexpected taken(const RegisterMap& map) {
+    return core::Unexpected(
+        core::Error{core::ErrorKind::unavailable,
+                    QCoreApplication::translate("Modbus", "another program uses %1")
+                        .arg(QString::fromStdString(linkName(map)))
+                        .toStdString(),
+                    QCoreApplication::translate("Modbus", "that it is closed there first").toStdString(),
+                    {}});
+}
+
 core::Unexpected unavailable(const RegisterMap& map, int error) {
+    if (error == EBUSY)
+        return taken(map);
     return core::Unexpected(core::Error{
         core::ErrorKind::unavailable,
         QCoreApplication::translate("Modbus", "%1 cannot be opened: %2")
@@ -63,8 +78,9 @@ Answer failure(int error) {
 
 class LibmodbusLink : public RegisterLink {
 public:
-    LibmodbusLink(Context context, int server)
-        : m_context(std::move(context))
+    LibmodbusLink(Context context, std::optional<core::NodeClaim> line, int server)
+        : m_line(std::move(line))
+        , m_context(std::move(context))
         , m_server(server) {}
 
     [[nodiscard]] Answer write(std::uint16_t address, std::span<const std::uint16_t> words) override {
@@ -106,6 +122,7 @@ private:
             ++m_lateAnswers;
     }
 
+    std::optional<core::NodeClaim> m_line; ///< of a serial one
     Context m_context;
     int m_server;
     std::uint64_t m_lateAnswers = 0;
@@ -117,6 +134,15 @@ core::Expected<std::unique_ptr<RegisterLink>> openLibmodbusLink(const RegisterMa
     Context context = makeContext(map);
     if (context == nullptr)
         return unavailable(map, errno);
+    std::optional<core::NodeClaim> line;
+    if (const auto* rtu = std::get_if<RtuLink>(&map.link)) {
+        // One that cannot be claimed cannot be opened either, which tells why.
+        if (auto claim = core::NodeClaim::take(rtu->path)) {
+            if (!*claim)
+                return taken(map);
+            line = std::move(*claim);
+        }
+    }
     const auto microseconds = std::llround(map.answerTimeout_s * 1e6);
     const auto seconds = static_cast<std::uint32_t>(microseconds / 1'000'000);
     const auto rest = static_cast<std::uint32_t>(microseconds % 1'000'000);
@@ -126,7 +152,7 @@ core::Expected<std::unique_ptr<RegisterLink>> openLibmodbusLink(const RegisterMa
         modbus_set_byte_timeout(context.get(), seconds, rest) != 0 || modbus_connect(context.get()) != 0)
         return unavailable(map, errno);
     (void)modbus_flush(context.get());
-    return std::make_unique<LibmodbusLink>(std::move(context), map.server);
+    return std::make_unique<LibmodbusLink>(std::move(context), std::move(line), map.server);
 }
 
 LinkOpener libmodbusOpener(RegisterMap map) {

@@ -16,6 +16,7 @@
 #include <netinet/tcp.h>
 #include <optional>
 #include <poll.h>
+#include <sys/file.h>
 #include <sys/ioctl.h>
 #include <sys/socket.h>
 #include <system_error>
@@ -124,10 +125,17 @@ core::Expected<WtsLink> WtsLink::openSerial(const SerialAddress& address) {
     const auto cannotOpen = [&](int error) {
         return failure(kindOf(error), WtsText::tr("cannot open %1: %2").arg(path, systemText(error)));
     };
+    const auto taken = [&] {
+        return failure(core::ErrorKind::unavailable, WtsText::tr("another program uses %1").arg(path),
+                       WtsText::tr("that it is closed there first"));
+    };
     if (port.get() < 0)
-        return cannotOpen(errno);
+        return errno == EBUSY ? taken() : cannotOpen(errno);
     if (::isatty(port.get()) == 0)
         return failure(core::ErrorKind::refused, WtsText::tr("%1 is not a serial port").arg(path));
+    // Terminal programs lock so, and TIOCEXCL keeps no privileged program out.
+    if (::flock(port.get(), LOCK_EX | LOCK_NB) != 0)
+        return errno == EWOULDBLOCK ? taken() : cannotOpen(errno);
     if (::ioctl(port.get(), TIOCEXCL) != 0)
         return cannotOpen(errno);
 

@@ -7,6 +7,7 @@
 #include <fcntl.h>
 #include <fstream>
 #include <linux/videodev2.h>
+#include <string_view>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -29,6 +30,28 @@ int setVividFormat(unsigned width, unsigned height) {
     format.fmt.pix.height = height;
     if (error == 0 && ::ioctl(node, VIDIOC_S_FMT, &format) != 0)
         error = errno;
+    ::close(node);
+    return error;
+}
+
+int setVividLoss(int percent) {
+    const int node = ::open(kVividNode, O_RDWR | O_CLOEXEC);
+    if (node < 0)
+        return errno;
+    // The driver's own controls have no constants; their names do not change.
+    v4l2_queryctrl asked{};
+    asked.id = V4L2_CTRL_FLAG_NEXT_CTRL;
+    while (::ioctl(node, VIDIOC_QUERYCTRL, &asked) == 0 &&
+           std::string_view(reinterpret_cast<const char*>(asked.name)) != "Percentage of Dropped Buffers")
+        asked.id |= V4L2_CTRL_FLAG_NEXT_CTRL;
+    v4l2_ext_control control{};
+    control.id = asked.id;
+    control.value = percent;
+    v4l2_ext_controls controls{};
+    controls.which = V4L2_CTRL_WHICH_CUR_VAL;
+    controls.count = 1;
+    controls.controls = &control;
+    const int error = ::ioctl(node, VIDIOC_S_EXT_CTRLS, &controls) == 0 ? 0 : errno;
     ::close(node);
     return error;
 }

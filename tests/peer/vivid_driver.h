@@ -18,4 +18,7 @@ void toVividDriver(const std::string& what);
 /// number, 0 for none.
 [[nodiscard]] int setVividFormat(unsigned width, unsigned height);
 
+/// How many of a hundred frames the camera loses. Returns the error number, 0 for none.
+[[nodiscard]] int setVividLoss(int percent);
+
 } // namespace teleta::test

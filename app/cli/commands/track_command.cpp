@@ -95,6 +95,8 @@ core::Expected<void> TrackCommand::run() {
         outcome = stream->next(image, time_s);
         if (outcome == Outcome::ended || outcome == Outcome::gone)
             break;
+        if (outcome == Outcome::late)
+            continue;
         const auto contacts = tracker.next(outcome == Outcome::frame ? image : cv::Mat1b(), time_s);
         if (!contacts && outcome == Outcome::frame) {
             core::Error error = contacts.error();

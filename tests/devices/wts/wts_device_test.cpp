@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/core/node_claim.h"
 #include "devices/wts/wts_device.h"
+#include "tests/backend/core/temporary_folder.h"
 #include "tests/devices/manual_clock.h"
 #include "tests/devices/wts/emulated_wts.h"
 
@@ -392,6 +394,43 @@ TEST_F(WtsDeviceTest, refusesAnotherArrayInPlaceOfTheFirst) {
     EXPECT_FALSE(m_sensor->streaming());
 
     m_sensor->change([](auto& behaviour) { behaviour.rows = 6; });
+    ASSERT_TRUE(sendUntil([&] { return state() == DeviceState::live; }));
+}
+
+TEST_F(WtsDeviceTest, aPortOfAnotherProgramIsNotOpenedUntilItIsFree) {
+    emulate(EmulatedWts::Link::pty);
+    startStreaming(config(longTimes()));
+    // This one locks as another program would.
+    const auto second = WtsDevice::open(config(longTimes()));
+    ASSERT_FALSE(second);
+    EXPECT_EQ(second.error().kind, core::ErrorKind::unavailable);
+    EXPECT_NE(second.error().message.find("another program uses " + m_sensor->address()), std::string::npos)
+        << second.error().message;
+    EXPECT_FALSE(second.error().expected.empty()) << "what to do";
+    ASSERT_TRUE(sendUntil([&] { return m_received.frames.size() >= 2; })) << "the first one goes on";
+    m_device.reset();
+    open(config(longTimes()));
+}
+
+TEST_F(WtsDeviceTest, goesOnWhenTheProgramThatTookItsPortLetsItGo) {
+    emulate(EmulatedWts::Link::pty);
+    const teleta::test::TemporaryFolder folder;
+    const std::string port = folder.path("port");
+    std::filesystem::create_symlink(m_sensor->address(), port);
+    WtsConfig config = this->config(longTimes());
+    config.address = *parseWtsAddress(port);
+    startStreaming(config);
+    ASSERT_TRUE(sendUntil([&] { return m_received.frames.size() >= 2; }));
+    std::filesystem::remove(port);
+    m_sensor->unplug();
+    m_sensor->plug();
+    {
+        const auto other = core::NodeClaim::take(m_sensor->address());
+        ASSERT_TRUE(other && *other);
+        std::filesystem::create_symlink(m_sensor->address(), port);
+        ASSERT_TRUE(eventually(m_wakeup, [&] { return messageSays("another program uses"); }));
+        EXPECT_FALSE(m_sensor->streaming());
+    }
     ASSERT_TRUE(sendUntil([&] { return state() == DeviceState::live; }));
 }
 

@@ -2,6 +2,7 @@
 // The camera device against the kernel's own video stack: a camera of the driver vivid. Runs in the virtual
 // machine of tests/peer/vm.
 #include "devices/camera/camera_device.h"
+#include "devices/camera/video_stream.h"
 #include "tests/peer/vivid_driver.h"
 
 #include <gtest/gtest.h>
@@ -13,6 +14,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 using namespace teleta;
@@ -22,6 +24,7 @@ using core::DeviceState;
 using test::kVividNode;
 using test::kVividPatience;
 using test::setVividFormat;
+using test::setVividLoss;
 using test::toVividDriver;
 
 namespace {
@@ -35,6 +38,7 @@ protected:
     void SetUp() override {
         ASSERT_TRUE(std::filesystem::exists(kVividNode));
         ASSERT_EQ(setVividFormat(640, 360), 0);
+        ASSERT_EQ(setVividLoss(0), 0);
     }
 
     std::unique_ptr<CameraDevice> started(camera::CameraConfig config = {.source = "0"}) {
@@ -129,6 +133,59 @@ TEST_F(Vivid, theAskedSizeIsTakenAndWithoutOneTheCamerasOwn) {
     const auto frame = nextFrame(*device);
     ASSERT_TRUE(frame);
     EXPECT_EQ(sizeOf(*frame), cv::Size(320, 180));
+}
+
+TEST_F(Vivid, aCameraThatAnotherProgramReadsIsNotOpenedAndSaysSoUntilItIsFree) {
+    {
+        const auto first = started();
+        ASSERT_TRUE(first);
+        ASSERT_TRUE(nextFrame(*first));
+        const auto second = CameraDevice::open({.source = "0"});
+        ASSERT_FALSE(second);
+        EXPECT_EQ(second.error().kind, core::ErrorKind::unavailable);
+        EXPECT_NE(second.error().message.find("another program uses camera 0"), std::string::npos)
+            << describe(second.error());
+        EXPECT_FALSE(second.error().expected.empty()) << "what to do";
+        EXPECT_TRUE(nextFrame(*first)) << "the first one goes on";
+    }
+    const auto device = started();
+    ASSERT_TRUE(device);
+    EXPECT_TRUE(nextFrame(*device));
+}
+
+TEST_F(Vivid, aCameraThatAnotherProgramTookComesBackWhenItIsFree) {
+    const auto device = started();
+    ASSERT_TRUE(device);
+    ASSERT_TRUE(nextFrame(*device));
+    device->stop();
+    CameraFrame old;
+    while (device->frames().pop(old)) {
+    }
+    {
+        core::Wakeup wakeup;
+        const auto other = CameraDevice::open({.source = "0"});
+        ASSERT_TRUE(other) << describe(other.error());
+        (*other)->start(wakeup);
+        device->start(m_wakeup);
+        ASSERT_TRUE(reaches(*device, DeviceState::reconnecting));
+        EXPECT_NE(device->status().message.find("another program uses camera 0"), std::string::npos)
+            << device->status().message;
+    }
+    EXPECT_TRUE(nextFrame(*device));
+}
+
+TEST_F(Vivid, theFirstFrameMayComeLaterThanTheOthers) {
+    ASSERT_EQ(setVividLoss(100), 0);
+    const auto device = started();
+    ASSERT_TRUE(device);
+    // Long enough for a frame that is not the first to be given up, and short of the patience for that one.
+    std::this_thread::sleep_for(std::chrono::seconds(2 * camera::VideoStream::kLongestWait_s));
+    EXPECT_EQ(device->status().state, DeviceState::connecting);
+    ASSERT_EQ(setVividLoss(0), 0);
+    const auto frame = nextFrame(*device);
+    ASSERT_TRUE(frame);
+    EXPECT_EQ(frame->number, 0U);
+    EXPECT_FALSE(frame->discontinuity) << "it was not opened anew";
 }
 
 TEST_F(Vivid, anotherFormatBetweenStopAndStartIsTaken) {
