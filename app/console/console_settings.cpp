@@ -16,11 +16,11 @@ QString recordingGroup(const QString& path) {
     return QStringLiteral("recordings/") + QString::fromLatin1(hash.toHex().left(16)) + QLatin1Char('/');
 }
 
-/// Before QSettings writes what it could read over it.
-void keepCopy(const QString& damaged) {
+/// Before QSettings writes what it could read over it. The copy; empty: there is none.
+QString keepCopy(const QString& damaged) {
     const QString copy = damaged + QStringLiteral(".damaged");
     QFile::remove(copy);
-    QFile::copy(damaged, copy);
+    return QFile::copy(damaged, copy) ? copy : QString();
 }
 
 QStringList withNewest(QStringList files, const QString& path) {
@@ -39,14 +39,18 @@ ConsoleSettings::ConsoleSettings(bool fresh) {
         return;
     m_settings = std::make_unique<QSettings>(QSettings::IniFormat, QSettings::UserScope,
                                              QStringLiteral("teleta"), QStringLiteral("console"));
+    m_keptFile = m_settings->fileName();
     const int version = m_settings->value(QStringLiteral("version"), 0).toInt();
     if (version > kVersion) {
         // Written by a newer program: leave its file as it is and remember nothing.
         m_settings.reset();
+        m_found = Found::newer;
         return;
     }
-    if (m_settings->status() == QSettings::FormatError)
-        keepCopy(m_settings->fileName());
+    if (m_settings->status() == QSettings::FormatError) {
+        m_found = Found::damaged;
+        m_keptFile = keepCopy(m_keptFile);
+    }
     m_settings->setValue(QStringLiteral("version"), kVersion);
 }
 

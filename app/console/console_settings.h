@@ -15,9 +15,9 @@ namespace teleta::console {
 
 /// What the console remembers from one start to the next, in an INI file under the user's configuration
 /// folder. Versioned: those of older versions are taken over, a newer file is left alone and the defaults
-/// used. Of a damaged file a copy stays beside it (console.ini.damaged), and what can be read is used. Of
-/// several consoles that run each writes what it changed; where that is the same, the last one counts.
-/// Thread: GUI; QSettings writes the file by itself, atomically.
+/// used. Of a damaged file a copy stays beside it (console.ini.damaged), and what can be read is used; the
+/// user is told of both. Of several consoles that run each writes what it changed; where that is the same,
+/// the last one counts. Thread: GUI; QSettings writes the file by itself, atomically.
 class ConsoleSettings {
 public:
     static constexpr int kVersion = 1;
@@ -25,6 +25,12 @@ public:
 
     /// fresh: remember nothing and start with the defaults.
     explicit ConsoleSettings(bool fresh);
+
+    /// How the file was found.
+    enum class Found { usable, damaged, newer };
+    [[nodiscard]] Found found() const { return m_found; }
+    /// Of a damaged file its copy, empty when none could be made; else the file. Empty when fresh.
+    [[nodiscard]] QString keptFile() const { return m_keptFile; }
 
     [[nodiscard]] QString theme() const { return text("theme", QStringLiteral("system")); }
     void setTheme(const QString& theme) { set("theme", theme); }
@@ -83,7 +89,9 @@ private:
     [[nodiscard]] QStringList list(const QString& key) const;
     void addToList(const QString& key, const QString& path);
 
-    std::unique_ptr<QSettings> m_settings; ///< null when fresh
+    std::unique_ptr<QSettings> m_settings; ///< null when fresh, or the file is a newer version's
+    Found m_found = Found::usable;
+    QString m_keptFile;
 };
 
 } // namespace teleta::console

@@ -20,6 +20,7 @@
 #include "app/console/operate/source_list.h"
 #include "app/console/patterns/pattern_collection.h"
 #include "app/console/patterns/patterns_page.h"
+#include "app/console/settings_notice.h"
 #include "app/console/study/study_page.h"
 #include "backend/cost/ladders/ladders.h"
 #include "backend/pattern/pattern_json.h"
@@ -187,6 +188,8 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
                                     tr("The page Patterns opens the edits."), QString()});
     });
     connect(m_study, &StudyPage::openFailed, this, [this] { m_anyFailure = true; });
+    if (const auto notice = settingsNotice(m_settings))
+        m_operate->messages().post(*notice);
     restoreFeedback();
     m_braceletMenu->restore(options.bracelet);
     m_operate->setDemos(demoScenes());

@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace teleta::camera {
 
@@ -52,8 +53,19 @@ void EventModel::append(const CameraEvent& happened) {
 }
 
 void EventModel::clear() {
+    setEvents({});
+}
+
+std::deque<CameraEvent> EventModel::takeEvents() {
     beginResetModel();
-    m_events.clear();
+    std::deque<CameraEvent> events = std::exchange(m_events, {});
+    endResetModel();
+    return events;
+}
+
+void EventModel::setEvents(std::deque<CameraEvent> events) {
+    beginResetModel();
+    m_events = std::move(events);
     endResetModel();
 }
 

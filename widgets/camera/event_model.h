@@ -24,6 +24,11 @@ public:
     void clear();
     void retranslate();
 
+    /// The events, the newest first; leaves none.
+    [[nodiscard]] std::deque<pipeline::CameraEvent> takeEvents();
+    /// Shows these instead. events: those that takeEvents gave.
+    void setEvents(std::deque<pipeline::CameraEvent> events);
+
     /// One event a line: time_s,event,contact_id,x_m,y_m,z_m,depth_m; C locale, NA where unknown.
     [[nodiscard]] QString csv() const;
 

@@ -72,6 +72,7 @@ PatternLibrary::PatternLibrary(QWidget* parent)
         if (!key.isEmpty())
             emit openRequested(key);
     });
+    connect(m_tree, &QTreeWidget::currentItemChanged, this, [this] { m_wanted.clear(); });
     connect(m_tree, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int column) {
         const OwnPattern* own = ownOf(item->data(0, kKey).toString());
         const QString name = item->text(0).trimmed();
@@ -114,7 +115,7 @@ QString PatternLibrary::currentKey() const {
 void PatternLibrary::setCurrent(const QString& idOrPath) {
     if (idOrPath == m_current)
         return;
-    m_current = idOrPath;
+    m_current = m_wanted = idOrPath;
     fill();
 }
 
@@ -157,10 +158,13 @@ void PatternLibrary::fill() {
         addOwn(mine, own);
     if (m_own.empty())
         (new QTreeWidgetItem(mine, {tr("none yet: edit a built-in one")}))->setFlags(Qt::NoItemFlags);
+    QTreeWidgetItem* wanted = nullptr;
     for (QTreeWidgetItemIterator at(m_tree); *at; ++at) {
         const QString key = (*at)->data(0, kKey).toString();
         if (key.isEmpty())
             continue;
+        if (key == m_wanted)
+            wanted = *at;
         if (key == m_current) {
             QFont font = m_tree->font();
             font.setBold(true);
@@ -171,6 +175,10 @@ void PatternLibrary::fill() {
     }
     applyFilter();
     m_tree->verticalScrollBar()->setValue(scrolled);
+    if (wanted == nullptr)
+        return;
+    m_tree->setCurrentItem(wanted);
+    m_wanted.clear();
 }
 
 void PatternLibrary::addOwn(QTreeWidgetItem* group, const OwnPattern& own) {

@@ -36,7 +36,8 @@ public:
     explicit PatternLibrary(QWidget* parent = nullptr);
 
     void setOwn(std::vector<OwnPattern> own);
-    /// Marks what is open: an id of a built-in pattern or a path.
+    /// Marks what is open, and selects it, now or as soon as it is in the list: an id of a built-in pattern
+    /// or a path.
     void setCurrent(const QString& idOrPath);
     /// A line below the list on what was done last; with a button that undoes it.
     void setNotice(const QString& text, bool undoable);
@@ -73,6 +74,7 @@ private:
     QPushButton* m_undo;
     std::vector<OwnPattern> m_own;
     QString m_current;
+    QString m_wanted; ///< to be selected; empty: what is selected stays
 };
 
 } // namespace teleta::editor

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/help/about.h"
 
+#include "app/console/help/library_versions.h"
 #include "widgets/charts/plot_version.h"
 #include "widgets/view3d/vtk_version.h"
 
@@ -46,21 +47,37 @@ base::ThemeChoice themeFromName(const QString& name) {
 }
 
 void openAbout(QWidget* parent) {
-    const std::vector<std::pair<QString, QString>> libraries{
-        {QStringLiteral("Qt"), QString::fromLatin1(qVersion()) + QStringLiteral(" (LGPL-3.0)")},
-        {QStringLiteral("VTK"), view3d::vtkLibraryVersion() + QStringLiteral(" (BSD-3-Clause)")},
-        {QStringLiteral("QCustomPlot"), charts::plotLibraryVersion() + QStringLiteral(" (GPL-3.0)")},
-        {QStringLiteral("Eigen"), view3d::eigenLibraryVersion() + QStringLiteral(" (MPL-2.0)")},
-        {QStringLiteral("toml++"), QStringLiteral("3 (MIT)")},
+    struct Library {
+        const char* name;
+        QString version;
+        const char* licence;
+    };
+    const auto built = [](const char* version) { return QString::fromLatin1(version); };
+    const std::vector<Library> libraries{
+        {"Qt", built(qVersion()), "LGPL-3.0"},
+        {"VTK", view3d::vtkLibraryVersion(), "BSD-3-Clause"},
+        {"QCustomPlot", charts::plotLibraryVersion(), "GPL-3.0"},
+        {"Eigen", view3d::eigenLibraryVersion(), "MPL-2.0"},
+        {"OpenCV", built(kOpenCvVersion), "Apache-2.0"},
+        {"Ceres Solver", built(kCeresVersion), "BSD-3-Clause"},
+        {"Boost", built(kBoostVersion), "BSL-1.0"},
+        {"hidapi", built(kHidapiVersion), "GPL-3.0"},
+        {"libmodbus", built(kLibmodbusVersion), "LGPL-2.1"},
+        {"librsvg", built(kLibrsvgVersion), "LGPL-2.1"},
+        {"cairo", built(kCairoVersion), "LGPL-2.1"},
+        {"libzip", built(kLibzipVersion), "BSD-3-Clause"},
+        {"JSON for Modern C++", built(kJsonVersion), "MIT"},
+        {"toml++", built(kTomlVersion), "MIT"},
     };
     QString text =
-        QStringLiteral("<h2>%1 %2</h2><p>%3</p><p>%4</p><table cellspacing='6'>")
+        QStringLiteral("<h2>%1 %2</h2><p>%3</p><p>%4</p><table cellspacing='4'>")
             .arg(AboutText::tr("TeleTA Console"), QCoreApplication::applicationVersion(),
                  AboutText::tr("Shows, and lets the operator feel, what a remote robot arm touches."),
                  AboutText::tr("Free software under the GNU General Public License, version 3 or later. "
                                "It comes without any warranty."));
-    for (const auto& [name, version] : libraries)
-        text += QStringLiteral("<tr><td>%1</td><td>%2</td></tr>").arg(name, version);
+    for (const auto& [name, version, licence] : libraries)
+        text += QStringLiteral("<tr><td>%1</td><td>%2</td><td>%3</td></tr>")
+                    .arg(QLatin1String(name), version, QLatin1String(licence));
     text += QStringLiteral("</table>");
     auto* label = new QLabel(text);
     label->setTextInteractionFlags(Qt::TextBrowserInteraction);

@@ -4,6 +4,7 @@
 #include "backend/core/elapsed.h"
 #include "backend/core/steady_time.h"
 #include "widgets/camera/camera_panel.h"
+#include "widgets/camera/event_model.h"
 #include "widgets/camera/event_table.h"
 #include "widgets/view3d/scene3d_view.h"
 
@@ -39,7 +40,10 @@ void CameraViews::addTo(OperateDocks& docks) {
 
 void CameraViews::setCamera(std::shared_ptr<pipeline::CameraChannel> camera, base::Provenance provenance) {
     const bool had = m_camera != nullptr;
+    if (had)
+        m_kept.insert_or_assign(m_camera, m_events->model().takeEvents());
     m_camera = std::move(camera);
+    std::erase_if(m_kept, [](const auto& entry) { return entry.first.expired(); });
     m_latency_s.reset();
     m_shownFrames = 0;
     m_panel->setProvenance(provenance);
@@ -51,6 +55,8 @@ void CameraViews::setCamera(std::shared_ptr<pipeline::CameraChannel> camera, bas
     if (!m_camera)
         return;
     m_scene.setProvenance(provenance);
+    if (auto kept = m_kept.extract(m_camera))
+        m_events->model().setEvents(std::move(kept.mapped()));
     if (m_camera->generation() > 0)
         show(m_camera->snapshot());
 }

@@ -8,6 +8,8 @@
 #include <QObject>
 
 #include <cstdint>
+#include <deque>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -51,6 +53,9 @@ private:
     camera::CameraPanel* m_panel;
     camera::EventTable* m_events;
     std::shared_ptr<pipeline::CameraChannel> m_camera;
+    /// What the list showed of the other open cameras, for when they are looked at again.
+    std::map<std::weak_ptr<pipeline::CameraChannel>, std::deque<pipeline::CameraEvent>, std::owner_less<>>
+        m_kept;
     std::optional<double> m_latency_s;
     std::uint64_t m_shownFrames = 0;
 };

@@ -64,19 +64,25 @@ void ServoViews::addTo(OperateDocks& docks) {
 void ServoViews::setServo(std::shared_ptr<servo::ServoLink> servo, const QString& name,
                           base::Provenance provenance) {
     const bool had = m_servo != nullptr;
+    if (had)
+        m_kept.insert_or_assign(m_servo, std::exchange(m_edge, {}));
     m_servo = std::move(servo);
+    std::erase_if(m_kept, [](const auto& entry) { return entry.first.expired(); });
     m_runs->setSource(name.toStdString(), m_servo.get());
     m_panel->setProvenance(provenance);
     m_panel->setReport(std::nullopt);
     if (!had && !m_servo)
         return;
-    forgetEdge();
+    if (auto kept = m_kept.extract(m_servo))
+        m_edge = std::move(kept.mapped());
     m_edgeChanged = false;
-    m_run = 0;
-    m_scene.setContour({}, {}, {}, {});
+    m_scene.setContour(m_edge.points_m, m_edge.points_m, {}, {});
     m_scene.setArmLinks({});
     m_scene.setSensorPose(Eigen::Isometry3d::Identity());
     m_scene.setSurface(view3d::Surface::plate);
+    // Nothing new may come: what it said last is said again.
+    if (m_servo && m_servo->reports.generation() > 0)
+        show(m_servo->reports.front());
 }
 
 void ServoViews::tick() {
@@ -87,7 +93,10 @@ void ServoViews::tick() {
     const bool news = m_servo->reports.update();
     if (!news)
         return;
-    const servo::ServoReport& report = m_servo->reports.front();
+    show(m_servo->reports.front());
+}
+
+void ServoViews::show(const servo::ServoReport& report) {
     m_panel->setReport(report);
     showArm(report);
 }
@@ -96,33 +105,34 @@ void ServoViews::takeSteps() {
     servo::ServoStep step;
     while (m_servo->steps.pop(step)) {
         m_runs->append(step);
-        if (std::exchange(m_run, step.run) != step.run)
+        if (std::exchange(m_edge.run, step.run) != step.run)
             forgetEdge();
         if (step.p_Base_Contact.allFinite())
             addToEdge(step.p_Base_Contact);
     }
     if (std::exchange(m_edgeChanged, false))
-        m_scene.setContour(m_edge_m, m_edge_m, {}, {});
+        m_scene.setContour(m_edge.points_m, m_edge.points_m, {}, {});
 }
 
 void ServoViews::forgetEdge() {
-    m_edgeChanged = m_edgeChanged || !m_edge_m.empty();
-    m_edge_m.clear();
-    m_spacing_m = kSpacing_m;
+    m_edgeChanged = m_edgeChanged || !m_edge.points_m.empty();
+    m_edge.points_m.clear();
+    m_edge.spacing_m = kSpacing_m;
 }
 
 void ServoViews::addToEdge(const Eigen::Vector3d& p_Base_Contact) {
-    if (!m_edge_m.empty() && (p_Base_Contact - m_edge_m.back()).norm() < m_spacing_m)
+    std::vector<Eigen::Vector3d>& points_m = m_edge.points_m;
+    if (!points_m.empty() && (p_Base_Contact - points_m.back()).norm() < m_edge.spacing_m)
         return;
-    m_edge_m.push_back(p_Base_Contact);
+    points_m.push_back(p_Base_Contact);
     m_edgeChanged = true;
-    if (m_edge_m.size() <= kMostPoints)
+    if (points_m.size() <= kMostPoints)
         return;
-    m_spacing_m *= 2.0;
-    const std::size_t left = (m_edge_m.size() + 1) / 2;
+    m_edge.spacing_m *= 2.0;
+    const std::size_t left = (points_m.size() + 1) / 2;
     for (std::size_t i = 0; i < left; ++i)
-        m_edge_m[i] = m_edge_m[2 * i];
-    m_edge_m.resize(left);
+        points_m[i] = points_m[2 * i];
+    points_m.resize(left);
 }
 
 std::array<view3d::ArmLink, 4> ServoViews::linksOf(const servo::ServoReport& report) {

@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -48,7 +49,7 @@ public:
 
     [[nodiscard]] servo::ServoPanel& panel() { return *m_panel; }
     [[nodiscard]] servo::ServoRunsView& runs() { return *m_runs; }
-    [[nodiscard]] const std::vector<Eigen::Vector3d>& edge_m() const { return m_edge_m; }
+    [[nodiscard]] const std::vector<Eigen::Vector3d>& edge_m() const { return m_edge.points_m; }
     /// The arm as tubes: base to shoulder, to elbow, to wrist, to sensor.
     [[nodiscard]] static std::array<view3d::ArmLink, 4> linksOf(const servo::ServoReport& report);
 
@@ -57,19 +58,27 @@ signals:
     void failed(const QString& message);
 
 private:
+    /// The edge that a servo has followed.
+    struct Edge {
+        std::vector<Eigen::Vector3d> points_m; ///< in the base
+        double spacing_m = kSpacing_m;
+        std::uint64_t run = 0; ///< whose edge it is
+    };
+
     void takeSteps();
     void forgetEdge();
     void addToEdge(const Eigen::Vector3d& p_Base_Contact);
+    void show(const servo::ServoReport& report);
     void showArm(const servo::ServoReport& report);
 
     view3d::Scene3dView& m_scene;
     servo::ServoPanel* m_panel;
     servo::ServoRunsView* m_runs;
     std::shared_ptr<servo::ServoLink> m_servo;
-    std::vector<Eigen::Vector3d> m_edge_m; ///< in the base
-    double m_spacing_m = kSpacing_m;
+    Edge m_edge;
     bool m_edgeChanged = false;
-    std::uint64_t m_run = 0; ///< whose edge it is
+    /// Of the other open servos, for when they are looked at again.
+    std::map<std::weak_ptr<servo::ServoLink>, Edge, std::owner_less<>> m_kept;
 };
 
 } // namespace teleta::console

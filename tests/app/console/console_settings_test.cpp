@@ -129,6 +129,8 @@ private slots:
         write(damaged);
         {
             ConsoleSettings settings(false);
+            QCOMPARE(int(settings.found()), int(ConsoleSettings::Found::damaged));
+            QCOMPARE(settings.keptFile(), file() + ".damaged");
             QCOMPARE(settings.theme(), QString("dark"));
             QCOMPARE(settings.language(), QString());
             settings.setLanguage("ja");
@@ -137,6 +139,15 @@ private slots:
         const ConsoleSettings next(false);
         QCOMPARE(next.theme(), QString("dark"));
         QCOMPARE(next.language(), QString("ja"));
+    }
+
+    void claimsNoCopyOfADamagedFileThatCouldNotBeMade() {
+        write("[General]\ntheme=dark\n\xff[[[garbage\n");
+        QVERIFY(QDir().mkpath(file() + ".damaged/in the way"));
+        const ConsoleSettings settings(false);
+        QCOMPARE(int(settings.found()), int(ConsoleSettings::Found::damaged));
+        QCOMPARE(settings.keptFile(), QString());
+        QCOMPARE(settings.theme(), QString("dark"));
     }
 
     void twoConsolesLoseNothingOfEachOther() {

@@ -15,15 +15,19 @@
 
 #include <QApplication>
 #include <QDialog>
+#include <QDir>
 #include <QDockWidget>
 #include <QFile>
+#include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <memory>
 
 using namespace teleta;
@@ -51,7 +55,7 @@ class MainWindowTest : public QObject {
     }
 
     QString write(const QString& name, const QByteArray& content) {
-        QFile file(m_folder.filePath(name));
+        QFile file(QDir(m_folder.path()).filePath(name));
         if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size())
             qFatal("cannot write %s", qPrintable(name));
         return file.fileName();
@@ -356,6 +360,45 @@ private slots:
         QCOMPARE(page.messages().count(), 0);
         QVERIFY(!m_window->anyFailure());
         page.controller().stopRehearsal();
+    }
+
+    void tellsOfASettingsFileThatIsNotUsedAsItIs_data() {
+        QTest::addColumn<QByteArray>("content");
+        QTest::addColumn<QString>("kept"); ///< whose path is told; none: nothing is
+        QTest::newRow("as it should be") << QByteArray("[General]\nversion=1\n") << QString();
+        QTest::newRow("damaged") << QByteArray("[General]\npage=study\n\xff[[[garbage\n")
+                                 << QString("console.ini.damaged");
+        QTest::newRow("of a newer version")
+            << QByteArray("[General]\nversion=99\npage=study\n") << QString("console.ini");
+    }
+    void tellsOfASettingsFileThatIsNotUsedAsItIs() {
+        QFETCH(QByteArray, content);
+        QFETCH(QString, kept);
+        const QTemporaryDir folder;
+        QVERIFY(QDir(folder.path()).mkpath("teleta"));
+        const QString file = folder.filePath("teleta/console.ini");
+        write(file, content);
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder.path());
+        m_stop = std::make_unique<core::StopSwitch>();
+        m_settings = std::make_unique<ConsoleSettings>(false);
+        m_window = std::make_unique<MainWindow>(ConsoleOptions(), *m_settings, *m_stop);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        auto& messages = m_window->operatePage().messages();
+        QCOMPARE(messages.count(), kept.isEmpty() ? 0 : 1);
+        if (!kept.isEmpty()) {
+            const QString path = folder.filePath("teleta/" + kept);
+            QVERIFY(QFile::exists(path));
+            const auto labels = messages.findChildren<QLabel*>();
+            QVERIFY(std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
+                return label->text().contains(QDir::toNativeSeparators(path));
+            }));
+        }
+        m_window.reset();
+        m_settings.reset();
+        // What is written afterwards is whole again.
+        QCOMPARE(int(ConsoleSettings(false).found()),
+                 int(kept == "console.ini" ? ConsoleSettings::Found::newer : ConsoleSettings::Found::usable));
     }
 
     void closingTheWindowStopsWhateverMoves() {

@@ -103,8 +103,9 @@ class CameraViewsTest : public QObject {
             kPatience_ms);
     }
     camera::CameraPanel& panel() { return m_page->cameraViews().panel(); }
+    camera::EventModel& events() { return m_page->cameraViews().events().model(); }
     bool lists(const QString& event) {
-        const camera::EventModel& model = m_page->cameraViews().events().model();
+        const camera::EventModel& model = events();
         for (int row = 0; row < model.rowCount(); ++row)
             if (model.index(row, camera::EventModel::event).data().toString() == event)
                 return true;
@@ -186,6 +187,25 @@ private slots:
         device.setFaults({});
         QVERIFY(comes([&] { return lists("begins anew"); }));
         QVERIFY(comes([&] { return m_page->readings().front().rate_Hz > 0.0; }));
+    }
+
+    void aCameraThatIsLookedAtAgainListsTheEventsThatItListed() {
+        QVERIFY(comes([&] { return lists("BUMP"); }));
+        const pipeline::ChannelKey first = m_sources->active()->key;
+        m_sources->open(SceneRequest{m_folder.filePath("poke.toml").toStdString(), 2});
+        QVERIFY(comes([&] { return m_sources->items().size() == 2 && m_sources->items()[1].isOpen(); }));
+        const pipeline::ChannelKey second = m_sources->items()[1].key;
+        m_sources->activate(first);
+        poll();
+        const QString listed = events().csv();
+        QVERIFY(listed.contains(",bump,"));
+        m_sources->activate(second);
+        poll();
+        const QString listedOfSecond = events().csv();
+        m_sources->activate(first);
+        QCOMPARE(events().csv(), listed);
+        m_sources->activate(second);
+        QCOMPARE(events().csv(), listedOfSecond);
     }
 
     void aClosedCameraLeavesNothingBehind() {

@@ -169,6 +169,40 @@ private slots:
         QCOMPARE(runs[0].time_s.back(), 2.1);
     }
 
+    void aServoThatIsLookedAtAgainShowsWhatItShowed() {
+        QWidget parent;
+        view3d::Scene3dView scene(&parent);
+        ServoViews views(scene, &parent);
+        auto bar = std::make_shared<servo::ServoLink>();
+        auto other = std::make_shared<servo::ServoLink>();
+        views.setServo(bar, QStringLiteral("bar"), base::Provenance::simulated);
+        publish(*bar, servo::TaskKind::explore);
+        explore(*bar, 1.0, 0.010);
+        explore(*bar, 2.0, 0.020);
+        views.tick();
+        for (const auto& between : {other, std::shared_ptr<servo::ServoLink>()}) {
+            views.setServo(between, QStringLiteral("other"), base::Provenance::simulated);
+            views.tick();
+            QVERIFY(!views.panel().isEnabled());
+            QVERIFY(views.edge_m().empty());
+            QVERIFY(scene.armBox_m().isEmpty());
+            // It says nothing more.
+            views.setServo(bar, QStringLiteral("bar"), base::Provenance::simulated);
+            views.tick();
+            QVERIFY(views.panel().isEnabled());
+            QCOMPARE(views.panel().taskText(), QStringLiteral("Explore"));
+            QCOMPARE(views.edge_m().size(), std::size_t{2});
+            QVERIFY(!scene.armBox_m().isEmpty());
+        }
+        explore(*bar, 2.1, 0.030);
+        views.tick();
+        QCOMPARE(views.edge_m().size(), std::size_t{3});
+        explore(*bar, 0.1, 0.040, 1);
+        views.tick();
+        QCOMPARE(views.edge_m().size(), std::size_t{1});
+        QCOMPARE(views.runs().runs().runs().size(), std::size_t{2});
+    }
+
     void eachKindOfSourceHasItsOwnDocks() {
         using Kind = OperateDocks::Kind;
         for (const Kind kind : {Kind::array, Kind::arm, Kind::servo}) {

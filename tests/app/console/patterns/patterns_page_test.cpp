@@ -237,6 +237,39 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(m_collection->atPath(path)->name == "Slow wave", kPatience_ms);
     }
 
+    void whatIsOpenedIsSelectedInTheLibrary() {
+        auto* tree = m_page->editor().library()->tree();
+        const auto selected = [tree] {
+            return tree->currentItem() ? tree->currentItem()->text(0) : QString();
+        };
+        QTreeWidgetItem* shapes = tree->topLevelItem(0);
+        tree->setCurrentItem(shapes->child(0));
+        const QString builtIn = shapes->child(2)->text(0);
+        m_page->open(shapes->child(2)->toolTip(0)); // its id
+        QTRY_COMPARE_WITH_TIMEOUT(selected(), builtIn, kPatience_ms);
+        QVERIFY(tree->currentItem()->font(0).bold());
+
+        // A file that the list comes to know later, as at the start of the program.
+        pattern::Pattern own = edited();
+        own.name = "Late wave";
+        const QString path = m_folder->filePath("late.json");
+        QVERIFY(pattern::savePattern(own, path.toStdString()));
+        m_page->open(path);
+        QTRY_COMPARE_WITH_TIMEOUT(document().path(), path, kPatience_ms);
+        QCOMPARE(selected(), builtIn);
+        editor::OwnPattern listed;
+        listed.path = path;
+        listed.name = "Late wave";
+        m_page->editor().library()->setOwn({listed});
+        QCOMPARE(selected(), QStringLiteral("Late wave"));
+
+        // Who looks at another line meanwhile stays there.
+        tree->setCurrentItem(tree->topLevelItem(0)->child(1));
+        const QString other = selected();
+        m_page->editor().library()->setOwn({listed});
+        QCOMPARE(selected(), other);
+    }
+
     void filesThatAppearAreSeenAndDamagedOnesSayWhy() {
         QVERIFY(pattern::savePattern(edited(), m_folder->filePath("patterns/other.json").toStdString()));
         QTRY_COMPARE_WITH_TIMEOUT(m_collection->patterns().size(), std::size_t(1), kPatience_ms);

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/chrome/message_bar.h"
+
+#include <optional>
+
+namespace teleta::console {
+
+class ConsoleSettings;
+
+/// What the user is told of the settings file at the start: that it was damaged and where its copy is, or
+/// that a newer version made it. Empty: nothing is wrong with it. Thread: GUI.
+[[nodiscard]] std::optional<chrome::Message> settingsNotice(const ConsoleSettings& settings);
+
+} // namespace teleta::console
