@@ -530,6 +530,14 @@
         <source>no frame comes</source>
         <translation>aucune image n’arrive</translation>
     </message>
+    <message>
+        <source>another program uses camera %1</source>
+        <translation>un autre programme utilise la caméra %1</translation>
+    </message>
+    <message>
+        <source>that it is closed there first</source>
+        <translation>qu’il y soit d’abord fermé</translation>
+    </message>
 </context>
 <context>
     <name>CameraCalibration</name>
@@ -2344,6 +2352,14 @@ Exemples&#xa0;:
     <message>
         <source>The connection was lost.</source>
         <translation>La connexion a été perdue.</translation>
+    </message>
+    <message>
+        <source>another program uses %1</source>
+        <translation>un autre programme utilise %1</translation>
+    </message>
+    <message>
+        <source>that it is closed there first</source>
+        <translation>qu’il y soit d’abord fermé</translation>
     </message>
 </context>
 <context>
@@ -4489,6 +4505,29 @@ Aire %6</translation>
     <message>
         <source>α z</source>
         <translation>α z</translation>
+    </message>
+</context>
+<context>
+    <name>SettingsNotice</name>
+    <message>
+        <source>The settings are damaged: what can be read of them is used, the rest is as at the first start.</source>
+        <translation>Les réglages sont endommagés&#xa0;: ce qui peut en être lu est utilisé, le reste est comme au premier démarrage.</translation>
+    </message>
+    <message>
+        <source>No copy of the damaged file could be kept.</source>
+        <translation>Aucune copie du fichier endommagé n’a pu être gardée.</translation>
+    </message>
+    <message>
+        <source>A copy of the damaged file: %1</source>
+        <translation>Copie du fichier endommagé&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>The settings are those of a newer version of this program: everything is as at the first start, and nothing is remembered.</source>
+        <translation>Les réglages sont ceux d’une version plus récente de ce programme&#xa0;: tout est comme au premier démarrage et rien n’est retenu.</translation>
+    </message>
+    <message>
+        <source>The file stays as it is: %1</source>
+        <translation>Le fichier reste tel quel&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -7096,6 +7135,14 @@ Aire %6</translation>
     <message>
         <source>The sensor has sent no usable frame for %1 s.</source>
         <translation>Le capteur n’a pas envoyé de trame utilisable depuis %1 s.</translation>
+    </message>
+    <message>
+        <source>another program uses %1</source>
+        <translation>un autre programme utilise %1</translation>
+    </message>
+    <message>
+        <source>that it is closed there first</source>
+        <translation>qu’il y soit d’abord fermé</translation>
     </message>
 </context>
 <context>

@@ -530,6 +530,14 @@
         <source>no frame comes</source>
         <translation>フレームが届きません</translation>
     </message>
+    <message>
+        <source>another program uses camera %1</source>
+        <translation>ほかのプログラムがカメラ%1を使用中です</translation>
+    </message>
+    <message>
+        <source>that it is closed there first</source>
+        <translation>先にそのプログラムで閉じること</translation>
+    </message>
 </context>
 <context>
     <name>CameraCalibration</name>
@@ -2340,6 +2348,14 @@ Examples:
     <message>
         <source>The connection was lost.</source>
         <translation>接続が切れました。</translation>
+    </message>
+    <message>
+        <source>another program uses %1</source>
+        <translation>ほかのプログラムが%1を使用中です</translation>
+    </message>
+    <message>
+        <source>that it is closed there first</source>
+        <translation>先にそのプログラムで閉じること</translation>
     </message>
 </context>
 <context>
@@ -4482,6 +4498,29 @@ x %4, y %5
     <message>
         <source>α z</source>
         <translation>α z</translation>
+    </message>
+</context>
+<context>
+    <name>SettingsNotice</name>
+    <message>
+        <source>The settings are damaged: what can be read of them is used, the rest is as at the first start.</source>
+        <translation>設定が破損しています: 読み取れる部分は使用され、残りは初回起動時の状態です。</translation>
+    </message>
+    <message>
+        <source>No copy of the damaged file could be kept.</source>
+        <translation>破損したファイルのコピーを残せませんでした。</translation>
+    </message>
+    <message>
+        <source>A copy of the damaged file: %1</source>
+        <translation>破損したファイルのコピー: %1</translation>
+    </message>
+    <message>
+        <source>The settings are those of a newer version of this program: everything is as at the first start, and nothing is remembered.</source>
+        <translation>設定はこのプログラムのより新しいバージョンのものです: すべて初回起動時の状態で、何も保存されません。</translation>
+    </message>
+    <message>
+        <source>The file stays as it is: %1</source>
+        <translation>ファイルはそのまま残ります: %1</translation>
     </message>
 </context>
 <context>
@@ -7085,6 +7124,14 @@ x %4, y %5
     <message>
         <source>The sensor has sent no usable frame for %1 s.</source>
         <translation>センサーから使用可能なフレームが%1 s間届いていません。</translation>
+    </message>
+    <message>
+        <source>another program uses %1</source>
+        <translation>ほかのプログラムが%1を使用中です</translation>
+    </message>
+    <message>
+        <source>that it is closed there first</source>
+        <translation>先にそのプログラムで閉じること</translation>
     </message>
 </context>
 <context>

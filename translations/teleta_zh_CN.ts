@@ -530,6 +530,14 @@
         <source>no frame comes</source>
         <translation>没有帧到来</translation>
     </message>
+    <message>
+        <source>another program uses camera %1</source>
+        <translation>另一个程序正在使用相机 %1</translation>
+    </message>
+    <message>
+        <source>that it is closed there first</source>
+        <translation>先在该程序中将其关闭</translation>
+    </message>
 </context>
 <context>
     <name>CameraCalibration</name>
@@ -2340,6 +2348,14 @@ Examples:
     <message>
         <source>The connection was lost.</source>
         <translation>连接已断开。</translation>
+    </message>
+    <message>
+        <source>another program uses %1</source>
+        <translation>另一个程序正在使用 %1</translation>
+    </message>
+    <message>
+        <source>that it is closed there first</source>
+        <translation>先在该程序中将其关闭</translation>
     </message>
 </context>
 <context>
@@ -4482,6 +4498,29 @@ x %4，y %5
     <message>
         <source>α z</source>
         <translation>α z</translation>
+    </message>
+</context>
+<context>
+    <name>SettingsNotice</name>
+    <message>
+        <source>The settings are damaged: what can be read of them is used, the rest is as at the first start.</source>
+        <translation>设置已损坏：能读取的部分会被使用，其余恢复为首次启动时的状态。</translation>
+    </message>
+    <message>
+        <source>No copy of the damaged file could be kept.</source>
+        <translation>无法保留损坏文件的副本。</translation>
+    </message>
+    <message>
+        <source>A copy of the damaged file: %1</source>
+        <translation>损坏文件的副本：%1</translation>
+    </message>
+    <message>
+        <source>The settings are those of a newer version of this program: everything is as at the first start, and nothing is remembered.</source>
+        <translation>设置来自本程序的较新版本：一切如首次启动时，且不会保存任何设置。</translation>
+    </message>
+    <message>
+        <source>The file stays as it is: %1</source>
+        <translation>文件保持不变：%1</translation>
     </message>
 </context>
 <context>
@@ -7085,6 +7124,14 @@ x %4，y %5
     <message>
         <source>The sensor has sent no usable frame for %1 s.</source>
         <translation>传感器已有 %1 s 未发送可用的帧。</translation>
+    </message>
+    <message>
+        <source>another program uses %1</source>
+        <translation>另一个程序正在使用 %1</translation>
+    </message>
+    <message>
+        <source>that it is closed there first</source>
+        <translation>先在该程序中将其关闭</translation>
     </message>
 </context>
 <context>
