@@ -18,9 +18,7 @@ const cv::Size kPaperSize(512, 288);
 constexpr int kSmallestSide_px = 64;  ///< that the flow has patches for
 constexpr double kLeastDot_px = 2.0;  ///< at the finest scale of the flow: narrower ones are not seen to move
 constexpr double kLeastTexture = 1.5; ///< standard deviation of the reference's Laplacian, in grey levels
-constexpr int kChanged = 10;          ///< grey levels that are more than noise after the image was made small
-constexpr int kLeastChanged_px = 4;
-constexpr int kChangedMargin_px = 24;
+constexpr int kChangedMargin_px = 24; ///< in the small image: what the flow needs around a change
 constexpr double kLeastArea_m2 = 4e-6; ///< of a contact
 constexpr double kSmoothing_px = 2.0;  ///< at full scale, against noise
 constexpr int kDiffers = 4;            ///< grey levels that are more than noise after that smoothing
@@ -174,7 +172,9 @@ core::Expected<std::vector<CameraContact>> FlowContactFinder::findIn(const cv::M
     prepare(frame, m_small);
     const std::int64_t prepared_ns = core::steadyNow_ns();
     const cv::Rect whole(0, 0, m_small.cols, m_small.rows);
-    const cv::Rect part = m_rung.changedOnly ? changed() : whole;
+    if (!m_rung.paper)
+        findChange();
+    const cv::Rect part = m_rung.changedOnly ? aroundChange() : whole;
     std::swap(m_flow, m_flowBefore);
     if (part == whole) {
         // It starts from the matrix that it is given when that has the right size.
@@ -203,14 +203,16 @@ core::Expected<std::vector<CameraContact>> FlowContactFinder::findIn(const cv::M
     return found;
 }
 
-cv::Rect FlowContactFinder::changed() const {
-    cv::Mat1b difference;
-    cv::absdiff(m_small, m_reference, difference);
-    cv::Mat1b few;
-    cv::threshold(difference, few, kChanged, 255, cv::THRESH_BINARY);
-    if (cv::countNonZero(few) < kLeastChanged_px)
+void FlowContactFinder::findChange() {
+    cv::GaussianBlur(m_small, m_changed, {}, kSmoothing_px * m_rung.scale);
+    cv::absdiff(m_changed, m_smoothReference, m_changed);
+    cv::threshold(m_changed, m_changed, kDiffers, 255, cv::THRESH_BINARY);
+}
+
+cv::Rect FlowContactFinder::aroundChange() const {
+    cv::Rect box = cv::boundingRect(m_changed);
+    if (box.empty())
         return {};
-    cv::Rect box = cv::boundingRect(few);
     box = cv::Rect(box.x - kChangedMargin_px, box.y - kChangedMargin_px, box.width + 2 * kChangedMargin_px,
                    box.height + 2 * kChangedMargin_px);
     const int least = kSmallestSide_px;
@@ -259,13 +261,10 @@ void FlowContactFinder::measure(const cv::Rect& part) {
 
 void FlowContactFinder::dropUnfounded() {
     // At the far end half a pixel is a contact: the flow says that much of noise alone.
-    cv::Mat1b differs;
-    cv::GaussianBlur(m_small, differs, {}, kSmoothing_px * m_rung.scale);
-    cv::absdiff(differs, m_smoothReference, differs);
-    cv::threshold(differs, differs, kDiffers, 255, cv::THRESH_BINARY);
     const int side = 2 * static_cast<int>(std::lround(kFounded_px * m_rung.scale)) + 1;
-    cv::dilate(differs, differs, cv::Mat1b(side, side, std::uint8_t{1}));
-    cv::bitwise_and(m_active, differs, m_active);
+    cv::Mat1b founded;
+    cv::dilate(m_changed, founded, cv::Mat1b(side, side, std::uint8_t{1}));
+    cv::bitwise_and(m_active, founded, m_active);
 }
 
 std::vector<CameraContact> FlowContactFinder::contacts() {

@@ -41,10 +41,12 @@ private:
     /// Pixel of the camera's image in which a pixel of the small image lies.
     [[nodiscard]] Eigen::Vector2d inImage_px(double x, double y) const;
     void prepare(const cv::Mat1b& frame, cv::Mat1b& small) const;
+    /// Where the small image differs from the reference by more than noise.
+    void findChange();
     /// Part of the small image in which the flow is needed; empty: nothing has changed.
-    [[nodiscard]] cv::Rect changed() const;
+    [[nodiscard]] cv::Rect aroundChange() const;
     void measure(const cv::Rect& part);
-    /// Without what lies further than a dot from anything that differs from the reference by more than noise.
+    /// Without what lies further than a dot from any change.
     void dropUnfounded();
     /// Displacement (around, inward) of a sample.
     [[nodiscard]] Eigen::Vector2d moved_m(const SkinSample& sample, const cv::Vec2f& flow_px) const;
@@ -66,6 +68,7 @@ private:
     int m_patchSize_px = 0;
     cv::Mat1b m_reference, m_small;
     cv::Mat1b m_smoothReference;
+    cv::Mat1b m_changed; ///< 255 where the small image differs from the reference
     cv::Mat2f m_flow;       ///< 0 where it was not needed
     cv::Mat2f m_flowBefore; ///< of the frame before
     cv::Mat1f m_moved;      ///< in metres, of the paper's rung in pixels
