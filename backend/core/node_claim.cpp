@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/node_claim.h"
 
+#include <QCoreApplication>
+#include <QString>
+
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -24,6 +27,16 @@ Expected<std::optional<NodeClaim>> NodeClaim::take(const std::string& path) {
 NodeClaim::~NodeClaim() {
     if (m_descriptor >= 0)
         ::close(m_descriptor);
+}
+
+Unexpected usedByAnother(const std::string& what) {
+    return Unexpected(
+        Error{ErrorKind::unavailable,
+              QCoreApplication::translate("NodeClaim", "another program uses %1", "a device")
+                  .arg(QString::fromStdString(what))
+                  .toStdString(),
+              QCoreApplication::translate("NodeClaim", "that it is closed there first").toStdString(),
+              {}});
 }
 
 } // namespace teleta::core

@@ -2,6 +2,7 @@
 #include "devices/camera/video_stream.h"
 
 #include "backend/core/elapsed.h"
+#include "backend/core/node_claim.h"
 #include "backend/core/steady_time.h"
 
 #include <QCoreApplication>
@@ -107,9 +108,7 @@ core::Expected<VideoStream> VideoStream::open(const std::string& source, const O
                 wanted = {cv::CAP_PROP_FRAME_WIDTH, size.width, cv::CAP_PROP_FRAME_HEIGHT, size.height};
             stream.m_capture.open(*number, cv::CAP_V4L2, wanted);
             if (!stream.m_capture.isOpened() && isTaken(*number))
-                return failed(core::ErrorKind::unavailable,
-                              VideoText::tr("another program uses camera %1").arg(*number),
-                              VideoText::tr("that it is closed there first"), source);
+                return core::usedByAnother(VideoText::tr("camera %1").arg(*number).toStdString());
             if (!stream.m_capture.isOpened())
                 return failed(core::ErrorKind::unavailable,
                               VideoText::tr("camera %1 cannot be opened").arg(*number), {}, source);

@@ -33,19 +33,9 @@ Context makeContext(const RegisterMap& map) {
     return Context(modbus_new_tcp_pi(tcp.host.c_str(), std::to_string(tcp.port).c_str()));
 }
 
-core::Unexpected taken(const RegisterMap& map) {
-    return core::Unexpected(
-        core::Error{core::ErrorKind::unavailable,
-                    QCoreApplication::translate("Modbus", "another program uses %1")
-                        .arg(QString::fromStdString(linkName(map)))
-                        .toStdString(),
-                    QCoreApplication::translate("Modbus", "that it is closed there first").toStdString(),
-                    {}});
-}
-
 core::Unexpected unavailable(const RegisterMap& map, int error) {
     if (error == EBUSY)
-        return taken(map);
+        return core::usedByAnother(linkName(map));
     return core::Unexpected(core::Error{
         core::ErrorKind::unavailable,
         QCoreApplication::translate("Modbus", "%1 cannot be opened: %2")
@@ -139,7 +129,7 @@ core::Expected<std::unique_ptr<RegisterLink>> openLibmodbusLink(const RegisterMa
         // One that cannot be claimed cannot be opened either, which tells why.
         if (auto claim = core::NodeClaim::take(rtu->path)) {
             if (!*claim)
-                return taken(map);
+                return core::usedByAnother(linkName(map));
             line = std::move(*claim);
         }
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/wts/wts_link.h"
 
+#include "backend/core/node_claim.h"
 #include "backend/core/steady_time.h"
 #include "devices/wts/wts_text.h"
 
@@ -125,17 +126,13 @@ core::Expected<WtsLink> WtsLink::openSerial(const SerialAddress& address) {
     const auto cannotOpen = [&](int error) {
         return failure(kindOf(error), WtsText::tr("cannot open %1: %2").arg(path, systemText(error)));
     };
-    const auto taken = [&] {
-        return failure(core::ErrorKind::unavailable, WtsText::tr("another program uses %1").arg(path),
-                       WtsText::tr("that it is closed there first"));
-    };
     if (port.get() < 0)
-        return errno == EBUSY ? taken() : cannotOpen(errno);
+        return errno == EBUSY ? core::usedByAnother(address.path) : cannotOpen(errno);
     if (::isatty(port.get()) == 0)
         return failure(core::ErrorKind::refused, WtsText::tr("%1 is not a serial port").arg(path));
     // Terminal programs lock so, and TIOCEXCL keeps no privileged program out.
     if (::flock(port.get(), LOCK_EX | LOCK_NB) != 0)
-        return errno == EWOULDBLOCK ? taken() : cannotOpen(errno);
+        return errno == EWOULDBLOCK ? core::usedByAnother(address.path) : cannotOpen(errno);
     if (::ioctl(port.get(), TIOCEXCL) != 0)
         return cannotOpen(errno);
 
