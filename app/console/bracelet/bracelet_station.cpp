@@ -275,20 +275,31 @@ void BraceletStation::tick() {
     repeatHold();
     pipeline::FeedbackSent sent;
     while (m_feedback->popSent(sent)) {
-        m_last = FeedbackEvent{std::move(sent), std::nullopt};
+        m_last = FeedbackEvent{std::move(sent), std::nullopt, std::nullopt};
         emit felt(*m_last);
     }
+    timeLast();
+}
+
+void BraceletStation::timeLast() {
     if (!m_session || !m_last || m_last->onset_s || m_last->sent.patternId.empty() || m_last->sent.missing)
         return;
     const playback::PlayerCounters counters = m_session->player().counters();
-    if (counters.firstFrame_ns < m_last->sent.felt_ns)
-        return;
-    m_last->onset_s = static_cast<double>(counters.firstFrame_ns - m_last->sent.felt_ns) * 1e-9;
-    m_touchToSkin_s = m_last->onset_s;
-    m_latencies_s.push_back(*m_last->onset_s);
-    if (m_latencies_s.size() > kLatencies)
-        m_latencies_s.erase(m_latencies_s.begin());
-    emit felt(*m_last);
+    // A frame from before the touch is of another pattern.
+    const auto after_s = [felt_ns = m_last->sent.felt_ns](std::int64_t frame_ns) {
+        return frame_ns < felt_ns ? std::nullopt
+                                  : std::optional(static_cast<double>(frame_ns - felt_ns) * 1e-9);
+    };
+    const bool began = m_last->begin_s.has_value();
+    if (!began && (m_last->begin_s = after_s(counters.firstFrame_ns))) {
+        m_touchToSkin_s = m_last->begin_s;
+        m_latencies_s.push_back(*m_last->begin_s);
+        if (m_latencies_s.size() > kLatencies)
+            m_latencies_s.erase(m_latencies_s.begin());
+    }
+    m_last->onset_s = after_s(counters.onset_ns);
+    if (m_last->onset_s || m_last->begin_s.has_value() != began)
+        emit felt(*m_last);
 }
 
 void BraceletStation::endFeedback() {

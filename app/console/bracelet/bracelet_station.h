@@ -22,11 +22,11 @@
 
 namespace teleta::console {
 
-/// What was recognised, what was sent for it, and how long after the touch the bracelet began.
+/// What was recognised, what was sent for it, and how long after the completed touch the bracelet began.
 struct FeedbackEvent {
     pipeline::FeedbackSent sent;
-    std::optional<double>
-        onset_s; ///< from the completed touch to the first frame written; empty: not yet, or never
+    std::optional<double> begin_s; ///< to the first frame of its pattern; empty: not yet, or never
+    std::optional<double> onset_s; ///< to the first frame that is not off, the first one to be felt
 };
 
 /// The bracelet of the console: opens and closes it off the GUI's thread, lets touches be felt on it, and
@@ -154,6 +154,8 @@ private:
     template <typename Ending>
     static std::vector<Ending> takeAll(std::vector<Ending>& endings, BraceletChoice choice);
     void takeOpened();
+    /// How long after the newest touch its pattern began.
+    void timeLast();
     void applyCalibration();
     void keepLimits();
     void repeatHold();

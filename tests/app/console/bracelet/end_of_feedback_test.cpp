@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/core/steady_time.h"
 #include "backend/core/stream_tap.h"
 #include "backend/pipeline/touch_record.h"
 #include "tests/app/console/bracelet/patient_station.h"
@@ -36,6 +37,7 @@ class EndOfFeedbackTest : public QObject {
     void touch(std::uint64_t number) {
         pipeline::TouchRecord record;
         record.number = number;
+        record.ready_ns = core::steadyNow_ns();
         record.stiffness.emplace();
         record.stiffness->material = stiffness::Material::metal;
         m_station->feedback()->onTouch(record);
@@ -92,6 +94,24 @@ private slots:
         QVERIFY(first.values.size() >= sizeof(share));
         std::memcpy(&share, first.values.data(), sizeof(share));
         QVERIFY(share > 0.0F);
+    }
+
+    void aPatternThatBeginsWithARestIsFeltLaterThanItBegins() {
+        constexpr double kRest_s = 1.0;
+        m_station->setLibrary([](const std::string&) {
+            return playback::Program{[](double t_s) {
+                                         core::Intensities wanted{};
+                                         wanted.fill(t_s > kRest_s ? 0.5 : 0.0);
+                                         return wanted;
+                                     },
+                                     600.0};
+        });
+        touch(1);
+        QTRY_VERIFY((m_station->tick(), m_station->lastEvent() && m_station->lastEvent()->onset_s));
+        const console::FeedbackEvent event = *m_station->lastEvent();
+        QVERIFY(event.begin_s && *event.begin_s >= 0.0);
+        QVERIFY(*event.onset_s > *event.begin_s);
+        QCOMPARE(m_station->touchToSkin()->median_s, *event.begin_s);
     }
 
     void whatIsPlayedForSomethingElseGoesOn() {
