@@ -110,14 +110,17 @@ private slots:
             motor.profile.rangeAssumed = false;
         }
         m_station->setCalibration(full);
-        const auto speed_Hz = [&] { return m_station->session()->source().motorSpeeds()->speeds_Hz[0]; };
+        const auto drive = [&] {
+            return static_cast<double>(m_station->session()->source().motorSpeeds()->drive[0]) /
+                   core::kFullDrive;
+        };
         m_station->session()->player().play(
             {.evaluate = [](double) { return core::Intensities{0.4}; }, .duration_s = 600.0});
-        QTRY_VERIFY(speed_Hz() > 5.0);
+        QTRY_VERIFY(drive() > 0.39);
         QTRY_VERIFY(m_station->playingPosition_s().value_or(0.0) > 0.3);
-        QVERIFY(speed_Hz() < 0.5 * simulated::unequalMotors()[0].fullSpeed_Hz);
+        QVERIFY(drive() < 0.41);
         m_station->reserve(false);
-        QTRY_VERIFY(speed_Hz() > 0.9 * simulated::unequalMotors()[0].fullSpeed_Hz);
+        QTRY_VERIFY(drive() > 0.96); // 0.95 + 0.4 * 0.05
     }
 
     void aPageThatIsClosedEndsItsMeasurement() {
