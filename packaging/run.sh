@@ -7,8 +7,8 @@ set -euo pipefail
 source "$(dirname -- "${BASH_SOURCE[0]}")/build_environment.sh"
 
 "$root/packaging/install_dependencies.sh"
-configure release
-cmake --build "$root/build/release" --target teleta-console teleta
+configure run
+cmake --build "$root/build/run" --target teleta-console teleta
 
 arguments=("$@")
 has_source=false
@@ -20,7 +20,7 @@ for argument in "$@"; do
     esac
 done
 $has_source || arguments=(--scene "$root/resources/scenes/teleta-touch.toml" "${arguments[@]}")
-console="$root/build/release/app/console/teleta-console"
+console="$root/build/run/app/console/teleta-console"
 
 if [[ -n ${DISPLAY:-}${WAYLAND_DISPLAY:-} ]]; then
     exec "$console" "${arguments[@]}"

@@ -11,8 +11,8 @@ size=${2:-1600x1000}
 mkdir -p "$folder"
 
 "$root/packaging/install_dependencies.sh"
-configure release
-cmake --build "$root/build/release" --target teleta-console teleta
+configure run
+cmake --build "$root/build/run" --target teleta-console teleta
 ensure_runtime_folder
 
 data="$root/tests/data/popu"
@@ -28,11 +28,11 @@ bar=(--scene "$root/resources/scenes/tactile-indenter.toml" --after 14)
 
 studies=$(mktemp -d)
 trap 'rm -rf -- "$studies"' EXIT
-"$root/build/release/app/cli/teleta" study rehearse --participants 6 --seed 1 --out "$studies/whole"
+"$root/build/run/app/cli/teleta" study rehearse --participants 6 --seed 1 --out "$studies/whole"
 session=(--study "$studies/session" --rehearse --page study --after 45)
 participant=(--study "$studies/participant" --rehearse --page study --dock participant --after 8)
 results=(--study "$studies/whole" --page study --dock results --after 8)
-"$root/build/release/app/cli/teleta" simulate "$root/resources/scenes/vtacarm-calibration.toml" --out "$studies/camera"
+"$root/build/run/app/cli/teleta" simulate "$root/resources/scenes/vtacarm-calibration.toml" --out "$studies/camera"
 cat >"$studies/pattern.json" <<'END'
 {"format": "teleta-pattern", "version": 1, "id": "example.edge", "name": "Edge, then around", "task": "shape", "condition": "dynamic",
  "notes": "A stroke along the edge, around it, two pulses to confirm.", "tags": ["edge", "example"], "duration_s": 4.0,
@@ -48,7 +48,7 @@ take() {
     local picture="$folder/$1.png"
     shift
     xvfb-run -a -s "-screen 0 ${size}x24" env QT_QPA_PLATFORM=xcb LIBGL_ALWAYS_SOFTWARE=1 \
-        "$root/build/release/app/console/teleta-console" "$@" --size "$size" --screenshot "$picture"
+        "$root/build/run/app/console/teleta-console" "$@" --size "$size" --screenshot "$picture"
     printf '%s\n' "$picture"
 }
 
