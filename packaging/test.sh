@@ -5,7 +5,8 @@
 #   ci          the whole project: all tests, those with OpenGL on a screen in memory
 #   headless    backend and command line without any GUI library; statistics over many runs only in ci
 #   tsan        threads: parts of backend and devices under the thread sanitizer
-#   asan        parts of the backend under the address and undefined-behaviour sanitizers
+#   asan        parts of the backend, all hard cases of the numerics and what once broke a parser, under the address and
+#               undefined-behaviour sanitizers
 # Outside that run, only when named:
 #   soak        what takes many minutes: every effect of every scene with a camera left out once; the console for an hour
 #               with arm, array, camera, bracelet and recording (TELETA_SOAK_S: other seconds)
@@ -53,9 +54,10 @@ run_tests() {
     fi
 }
 
-# check_build PRESET FOLDERS...: builds and tests everything, or only what is in these folders of tests/. The tests are
-# those of $labels.
+# check_build PRESET FOLDERS...: builds and tests everything, or only what is in these folders of tests/, and $more_tests. The
+# tests are those of $labels.
 labels=(-LE '^soak$')
+more_tests=()
 check_build() {
     local preset=$1 folder
     shift
@@ -64,7 +66,7 @@ check_build() {
     [[ $preset == ci ]] || ctest_arguments+=(-E '_accuracy_test$')
     if (($#)); then
         folders=("${@/#/tests/}")
-        targets=("${folders[@]/%//all}")
+        targets=("${folders[@]/%//all}" "${more_tests[@]}")
     fi
     tests_passed=0
     tests_failed=0
@@ -75,12 +77,21 @@ check_build() {
     for folder in "${folders[@]}"; do
         run_tests "$root/build/$preset/$folder" "${ctest_arguments[@]}"
     done
+    if ((${#more_tests[@]})); then
+        local names
+        names=$(IFS='|' && printf '%s' "${more_tests[*]}")
+        run_tests "$root/build/$preset" -R "^($names)\$"
+    fi
     record "$preset" "$tests_passed" "$tests_failed"
 }
 
 # Folders of tests/ that run under a sanitizer. A part joins its list once all of its tests have run clean there.
 tsan_parts=(backend/core backend/playback devices/replay)
 asan_parts=(backend/core backend/contact backend/stiffness backend/arm backend/contour)
+# Of the other parts the hard cases: where a whole part would take many minutes to build.
+asan_tests=(camera_contacts_stability_test fuzz_regression_test motors_stability_test pattern_stability_test servo_stability_test
+            simulated_arm_stability_test simulated_servo_stability_test simulation_stability_test study_statistics_stability_test
+            vision_stability_test)
 
 export TSAN_OPTIONS="halt_on_error=1 second_deadlock_stack=1"
 export ASAN_OPTIONS="detect_stack_use_after_return=1 strict_string_checks=1"
@@ -101,7 +112,9 @@ for name in "${checks[@]}"; do
             check_build tsan "${tsan_parts[@]}"
             ;;
         asan)
+            more_tests=("${asan_tests[@]}")
             check_build asan "${asan_parts[@]}"
+            more_tests=()
             ;;
         soak)
             labels=(-L '^soak$')
