@@ -531,12 +531,8 @@
         <translation>aucune image n’arrive</translation>
     </message>
     <message>
-        <source>another program uses camera %1</source>
-        <translation>un autre programme utilise la caméra %1</translation>
-    </message>
-    <message>
-        <source>that it is closed there first</source>
-        <translation>qu’il y soit d’abord fermé</translation>
+        <source>camera %1</source>
+        <translation>la caméra %1</translation>
     </message>
 </context>
 <context>
@@ -2353,14 +2349,6 @@ Exemples&#xa0;:
         <source>The connection was lost.</source>
         <translation>La connexion a été perdue.</translation>
     </message>
-    <message>
-        <source>another program uses %1</source>
-        <translation>un autre programme utilise %1</translation>
-    </message>
-    <message>
-        <source>that it is closed there first</source>
-        <translation>qu’il y soit d’abord fermé</translation>
-    </message>
 </context>
 <context>
     <name>MotorFile</name>
@@ -2608,6 +2596,18 @@ Exemples&#xa0;:
     <message>
         <source>The 3D mouse was unplugged.</source>
         <translation>La souris 3D a été débranchée.</translation>
+    </message>
+</context>
+<context>
+    <name>NodeClaim</name>
+    <message>
+        <source>another program uses %1</source>
+        <comment>a device</comment>
+        <translation>un autre programme utilise %1</translation>
+    </message>
+    <message>
+        <source>that it is closed there first</source>
+        <translation>qu’il y soit d’abord fermé</translation>
     </message>
 </context>
 <context>
@@ -7135,14 +7135,6 @@ Aire %6</translation>
     <message>
         <source>The sensor has sent no usable frame for %1 s.</source>
         <translation>Le capteur n’a pas envoyé de trame utilisable depuis %1 s.</translation>
-    </message>
-    <message>
-        <source>another program uses %1</source>
-        <translation>un autre programme utilise %1</translation>
-    </message>
-    <message>
-        <source>that it is closed there first</source>
-        <translation>qu’il y soit d’abord fermé</translation>
     </message>
 </context>
 <context>

@@ -531,12 +531,8 @@
         <translation>フレームが届きません</translation>
     </message>
     <message>
-        <source>another program uses camera %1</source>
-        <translation>ほかのプログラムがカメラ%1を使用中です</translation>
-    </message>
-    <message>
-        <source>that it is closed there first</source>
-        <translation>先にそのプログラムで閉じること</translation>
+        <source>camera %1</source>
+        <translation>カメラ%1</translation>
     </message>
 </context>
 <context>
@@ -2349,14 +2345,6 @@ Examples:
         <source>The connection was lost.</source>
         <translation>接続が切れました。</translation>
     </message>
-    <message>
-        <source>another program uses %1</source>
-        <translation>ほかのプログラムが%1を使用中です</translation>
-    </message>
-    <message>
-        <source>that it is closed there first</source>
-        <translation>先にそのプログラムで閉じること</translation>
-    </message>
 </context>
 <context>
     <name>MotorFile</name>
@@ -2604,6 +2592,18 @@ Examples:
     <message>
         <source>The 3D mouse was unplugged.</source>
         <translation>3Dマウスが取り外されました。</translation>
+    </message>
+</context>
+<context>
+    <name>NodeClaim</name>
+    <message>
+        <source>another program uses %1</source>
+        <comment>a device</comment>
+        <translation>ほかのプログラムが%1を使用中です</translation>
+    </message>
+    <message>
+        <source>that it is closed there first</source>
+        <translation>先にそのプログラムで閉じること</translation>
     </message>
 </context>
 <context>
@@ -7124,14 +7124,6 @@ x %4, y %5
     <message>
         <source>The sensor has sent no usable frame for %1 s.</source>
         <translation>センサーから使用可能なフレームが%1 s間届いていません。</translation>
-    </message>
-    <message>
-        <source>another program uses %1</source>
-        <translation>ほかのプログラムが%1を使用中です</translation>
-    </message>
-    <message>
-        <source>that it is closed there first</source>
-        <translation>先にそのプログラムで閉じること</translation>
     </message>
 </context>
 <context>

@@ -531,12 +531,8 @@
         <translation>没有帧到来</translation>
     </message>
     <message>
-        <source>another program uses camera %1</source>
-        <translation>另一个程序正在使用相机 %1</translation>
-    </message>
-    <message>
-        <source>that it is closed there first</source>
-        <translation>先在该程序中将其关闭</translation>
+        <source>camera %1</source>
+        <translation>相机 %1</translation>
     </message>
 </context>
 <context>
@@ -2349,14 +2345,6 @@ Examples:
         <source>The connection was lost.</source>
         <translation>连接已断开。</translation>
     </message>
-    <message>
-        <source>another program uses %1</source>
-        <translation>另一个程序正在使用 %1</translation>
-    </message>
-    <message>
-        <source>that it is closed there first</source>
-        <translation>先在该程序中将其关闭</translation>
-    </message>
 </context>
 <context>
     <name>MotorFile</name>
@@ -2604,6 +2592,18 @@ Examples:
     <message>
         <source>The 3D mouse was unplugged.</source>
         <translation>3D 鼠标已拔出。</translation>
+    </message>
+</context>
+<context>
+    <name>NodeClaim</name>
+    <message>
+        <source>another program uses %1</source>
+        <comment>a device</comment>
+        <translation>另一个程序正在使用 %1</translation>
+    </message>
+    <message>
+        <source>that it is closed there first</source>
+        <translation>先在该程序中将其关闭</translation>
     </message>
 </context>
 <context>
@@ -7124,14 +7124,6 @@ x %4，y %5
     <message>
         <source>The sensor has sent no usable frame for %1 s.</source>
         <translation>传感器已有 %1 s 未发送可用的帧。</translation>
-    </message>
-    <message>
-        <source>another program uses %1</source>
-        <translation>另一个程序正在使用 %1</translation>
-    </message>
-    <message>
-        <source>that it is closed there first</source>
-        <translation>先在该程序中将其关闭</translation>
     </message>
 </context>
 <context>
