@@ -119,7 +119,8 @@ void drawNames(SvgCanvas& canvas, std::vector<PlottedRung> points) {
     std::vector<Box> taken;
     for (const PlottedRung& point : points)
         taken.push_back({point.x - 6.0, point.y - 6.0, point.x + 6.0, point.y + 6.0});
-    std::ranges::stable_partition(points, [](const PlottedRung& point) { return point.rung->pareto; });
+    std::stable_partition(points.begin(), points.end(),
+                          [](const PlottedRung& point) { return point.rung->pareto; });
     for (const PlottedRung& point : points) {
         const QString name = QString::fromStdString(point.rung->name);
         const double width = kLetter * static_cast<double>(name.size()) * (point.rung->pareto ? 1.1 : 1.0);

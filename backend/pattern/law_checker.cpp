@@ -161,7 +161,7 @@ private:
         if (worst.tactors.empty())
             return;
         std::ranges::sort(worst.tactors);
-        worst.tactors.erase(std::ranges::unique(worst.tactors).begin(), worst.tactors.end());
+        worst.tactors.erase(std::unique(worst.tactors.begin(), worst.tactors.end()), worst.tactors.end());
         worst.suggestion = length_s * lack * kStretchMargin;
         add(std::move(worst));
     }

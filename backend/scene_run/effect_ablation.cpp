@@ -125,8 +125,7 @@ std::vector<std::string> namesOf(const Runs& with, const Runs& without,
             for (const auto& [name, value] : run.*kind)
                 names.push_back(name);
     std::ranges::sort(names);
-    const auto repeated = std::ranges::unique(names);
-    names.erase(repeated.begin(), repeated.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
     return names;
 }
 

@@ -68,7 +68,7 @@ private:
     int m_patchSize_px = 0;
     cv::Mat1b m_reference, m_small;
     cv::Mat1b m_smoothReference;
-    cv::Mat1b m_changed; ///< 255 where the small image differs from the reference
+    cv::Mat1b m_changed;    ///< 255 where the small image differs from the reference
     cv::Mat2f m_flow;       ///< 0 where it was not needed
     cv::Mat2f m_flowBefore; ///< of the frame before
     cv::Mat1f m_moved;      ///< in metres, of the paper's rung in pixels

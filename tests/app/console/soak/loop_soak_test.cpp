@@ -125,7 +125,8 @@ class LoopSoakTest : public QObject {
         m_recorded += station().status().frames;
         m_notRecorded += station().status().dropped;
         // Half a gigabyte takes its time to remove, which is no work of the console's.
-        m_removing = std::async(std::launch::async, [path = station().path()] { return QFile::remove(path); });
+        m_removing =
+            std::async(std::launch::async, [path = station().path()] { return QFile::remove(path); });
     }
 
     void look(double time_s) {
