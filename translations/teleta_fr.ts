@@ -11299,6 +11299,10 @@ Aire %6</translation>
         <source>Overdrive</source>
         <translation>Surintensité</translation>
     </message>
+    <message>
+        <source>No motor needs help here: the pattern stays as it is.</source>
+        <translation>Aucun moteur n’a besoin d’aide ici&#xa0;: le motif reste tel quel.</translation>
+    </message>
 </context>
 <context>
     <name>teleta::editor::PatternEditor</name>

@@ -11274,6 +11274,10 @@ x %4, y %5
         <source>Overdrive</source>
         <translation>オーバードライブ</translation>
     </message>
+    <message>
+        <source>No motor needs help here: the pattern stays as it is.</source>
+        <translation>立ち上がりに助けの要るモーターはありません。パターンはそのままです。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::editor::PatternEditor</name>

@@ -11274,6 +11274,10 @@ x %4，y %5
         <source>Overdrive</source>
         <translation>过驱动</translation>
     </message>
+    <message>
+        <source>No motor needs help here: the pattern stays as it is.</source>
+        <translation>这里没有电机需要帮助：图案保持不变。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::editor::PatternEditor</name>

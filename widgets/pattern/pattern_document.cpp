@@ -400,10 +400,12 @@ void PatternDocument::bakeAll() {
 
 void PatternDocument::overdrive() {
     auto helped = overdriven(m_pattern, m_motors);
-    if (helped)
-        apply(std::move(*helped), tr("Overdrive"), {});
-    else
+    if (!helped)
         emit refused(QString::fromStdString(core::describe(helped.error())));
+    else if (*helped == m_pattern)
+        emit refused(tr("No motor needs help here: the pattern stays as it is."));
+    else
+        apply(std::move(*helped), tr("Overdrive"), {});
 }
 
 void PatternDocument::fix(const Finding& finding) {

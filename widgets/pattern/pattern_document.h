@@ -109,7 +109,7 @@ public:
     /// Error text by refused().
     void bakeObject(std::size_t index);
     void bakeAll();
-    /// Helps motors() up, pattern::overdriven. Error text by refused().
+    /// Helps motors() up, pattern::overdriven. Error text by refused(), also where none needs help.
     void overdrive();
     void fix(const pattern::Finding& finding);
 

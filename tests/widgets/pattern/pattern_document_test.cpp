@@ -98,6 +98,18 @@ private slots:
         }
     }
 
+    void anOverdriveThatHelpsNobodySaysSo() {
+        PatternDocument document;
+        Pattern still;
+        still.duration_s = 1.0;
+        document.setPattern(still);
+        QSignalSpy refusals(&document, &PatternDocument::refused);
+        document.overdrive();
+        QCOMPARE(refusals.size(), 1);
+        QVERIFY(document.pattern() == still);
+        QCOMPARE(document.undoStack()->count(), 0);
+    }
+
     void aHundredEditsAreUndone() {
         PatternDocument document;
         document.setPattern(sample());
