@@ -33,6 +33,10 @@ if(TELETA_SANITIZE)
     if(TELETA_SANITIZE MATCHES "undefined")
         target_compile_options(teleta_options INTERFACE -fno-sanitize-recover=undefined)
     endif()
+    if(TELETA_SANITIZE MATCHES "address")
+        # With that sanitizer Eigen would take its own allocator; what Ceres was built with is the ordinary one.
+        target_compile_definitions(teleta_options INTERFACE EIGEN_MALLOC_ALREADY_ALIGNED=1)
+    endif()
     if(TELETA_SANITIZE MATCHES "fuzzer")
         # Divisions stay where the source has them: their exceptions are trapped.
         target_compile_options(teleta_options INTERFACE -ffp-exception-behavior=maytrap)
