@@ -13,8 +13,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace teleta::chrome {
+
+namespace {
+
+QString cutToWidth(QString text, double width, const QFontMetricsF& metrics) {
+    if (base::tabularWidth(metrics, text) <= width)
+        return text;
+    const QChar ellipsis(0x2026);
+    while (!text.isEmpty() && base::tabularWidth(metrics, text + ellipsis) > width)
+        text.chop(1);
+    return text.trimmed() + ellipsis;
+}
+
+} // namespace
 
 DeviceStrip::DeviceStrip(QWidget* parent)
     : QWidget(parent) {
@@ -36,7 +50,7 @@ void DeviceStrip::setReadings(const std::vector<DeviceReading>& readings) {
                                                      : std::nullopt);
         cell.latency_ms.update(now.latency_s ? std::optional(*now.latency_s * 1e3) : std::nullopt);
         const QString before = cell.text;
-        compose(cell);
+        cell.text = compose(cell, Detail::all);
         changed = changed || before != cell.text;
     }
     if (!changed)
@@ -50,8 +64,7 @@ void DeviceStrip::setReadings(const std::vector<DeviceReading>& readings) {
 }
 
 QSize DeviceStrip::sizeHint() const {
-    const int right = m_cells.empty() ? 0 : m_cells.back().rect.right() + 1;
-    return {std::max(right, base::em(this, 12)), base::em(this, 1.75)};
+    return {std::max(m_wanted_px, base::em(this, 12)), base::em(this, 1.75)};
 }
 
 QSize DeviceStrip::minimumSizeHint() const {
@@ -64,34 +77,72 @@ QString DeviceStrip::text(int index) const {
                : QString();
 }
 
-void DeviceStrip::compose(Cell& cell) const {
+QString DeviceStrip::shownText(int index) const {
+    return index >= 0 && index < static_cast<int>(m_cells.size())
+               ? m_cells[static_cast<std::size_t>(index)].shown
+               : QString();
+}
+
+QString DeviceStrip::compose(const Cell& cell, Detail detail) const {
     const DeviceReading& reading = cell.reading;
     QString word = base::statusWord(reading.state);
     if (reading.state == core::DeviceState::stale || reading.state == core::DeviceState::lost)
         word = tr("%1 for %2", "state of a device and its age").arg(word, base::ageText(reading.age_s));
-    QStringList parts{reading.name, word};
-    if (reading.state == core::DeviceState::live)
+    const bool live = reading.state == core::DeviceState::live;
+    QStringList parts{reading.name};
+    // A device that is as it should be has its glyph to say so.
+    if (!live || detail < Detail::troubles)
+        parts << word;
+    if (live && detail < Detail::nameAndState)
         parts << base::withUnit(cell.rate.text().trimmed(), tr("Hz"));
-    parts << tr("%1 lost", "frames").arg(base::shortCount(reading.lost));
-    if (reading.active && cell.latency_ms.shown() && reading.state == core::DeviceState::live)
+    if (reading.lost > 0 || detail < Detail::nameAndState)
+        parts << tr("%1 lost", "frames").arg(base::shortCount(reading.lost));
+    if (reading.active && cell.latency_ms.shown() && live && detail == Detail::all)
         parts << tr("to screen %1 ms").arg(cell.latency_ms.text().trimmed());
-    if (cell.touchToSkin_ms.shown())
+    if (cell.touchToSkin_ms.shown() && detail == Detail::all)
         parts << tr("touch to skin %1 ms").arg(cell.touchToSkin_ms.text().trimmed());
-    cell.text = parts.join(QStringLiteral("  "));
+    return parts.join(QStringLiteral("  "));
+}
+
+double DeviceStrip::besideText(const Cell& cell) const {
+    const QString provenance = base::provenanceText(cell.reading.provenance);
+    const double badge =
+        provenance.isEmpty() ? 0.0 : base::badgeSize(font(), provenance).width() + base::grid(this);
+    return base::grid(this, 4) + badge;
+}
+
+int DeviceStrip::place(Detail detail) {
+    const QFontMetricsF metrics(font());
+    const int gap = base::grid(this, 2);
+    const auto count = static_cast<double>(m_cells.size());
+    int left = 0;
+    for (Cell& cell : m_cells) {
+        cell.shown = compose(cell, detail);
+        const double beside = besideText(cell);
+        if (detail == Detail::cutShort)
+            cell.shown = cutToWidth(cell.shown, (width() - (count - 1.0) * gap) / count - beside, metrics);
+        const double width = beside + base::tabularWidth(metrics, cell.shown);
+        cell.rect = QRect(left, 0, static_cast<int>(std::ceil(width)), base::em(this, 1.75));
+        left = cell.rect.right() + 1 + gap;
+    }
+    return m_cells.empty() ? 0 : left - gap;
 }
 
 void DeviceStrip::arrange() {
-    const int height = base::em(this, 1.75);
-    int left = 0;
-    for (Cell& cell : m_cells) {
-        double width = base::grid(this, 4) + base::tabularWidth(QFontMetricsF(font()), cell.text);
-        const QString provenance = base::provenanceText(cell.reading.provenance);
-        if (!provenance.isEmpty())
-            width += base::badgeSize(font(), provenance).width() + base::grid(this);
-        cell.rect = QRect(left, 0, static_cast<int>(std::ceil(width)), height);
-        left = cell.rect.right() + 1 + base::grid(this, 2);
+    const int wanted_px = place(Detail::all);
+    if (wanted_px > width()) {
+        for (const Detail detail :
+             {Detail::withoutLatencies, Detail::nameAndState, Detail::troubles, Detail::cutShort})
+            if (place(detail) <= width())
+                break;
     }
-    updateGeometry();
+    if (std::exchange(m_wanted_px, wanted_px) != wanted_px)
+        updateGeometry();
+}
+
+void DeviceStrip::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    arrange();
 }
 
 void DeviceStrip::paintEvent(QPaintEvent* /*event*/) {
@@ -119,7 +170,7 @@ void DeviceStrip::paintEvent(QPaintEvent* /*event*/) {
         }
         painter.setPen(palette().color(QPalette::WindowText));
         base::drawTabularText(painter, {x, box.top(), box.right() - x, box.height()},
-                              Qt::AlignLeft | Qt::AlignVCenter, cell.text);
+                              Qt::AlignLeft | Qt::AlignVCenter, cell.shown);
     }
     if (m_cells.empty()) {
         painter.setPen(palette().color(QPalette::PlaceholderText));

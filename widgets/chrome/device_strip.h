@@ -29,7 +29,9 @@ struct DeviceReading {
     bool active = false;                 ///< its data are what the views show
 };
 
-/// The devices in the status bar: glyph, name, word, rate and losses of each. A click asks for the device's
+/// The devices in the status bar: glyph, name, word, rate and losses of each. Where there is little room for
+/// them all, each says less: first without latencies, then without what is as it should be, at last with
+/// names cut short; the tool tip and assistive tools always have all of it. A click asks for the device's
 /// views. Thread: GUI. Numbers change only by what can be seen, so nothing flickers.
 class DeviceStrip : public QWidget {
     Q_OBJECT
@@ -41,32 +43,43 @@ public:
 
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
-    /// The text of one device as it is painted, for tests and assistive tools.
+    /// All that is said of one device, for tests and assistive tools.
     [[nodiscard]] QString text(int index) const;
+    /// As much of it as there is room for.
+    [[nodiscard]] QString shownText(int index) const;
 
 signals:
     void deviceActivated(int index);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     bool event(QEvent* event) override;
 
 private:
+    /// Of all that there is to say.
+    enum class Detail { all, withoutLatencies, nameAndState, troubles, cutShort };
     struct Cell {
         DeviceReading reading;
         base::SteadyNumber rate{1.0};
         base::SteadyNumber latency_ms{0.5};
         base::SteadyNumber touchToSkin_ms{0.1};
         QString text;
+        QString shown;
         QRect rect;
     };
-    void compose(Cell& cell) const;
+    [[nodiscard]] QString compose(const Cell& cell, Detail detail) const;
+    /// What a cell takes beside its text.
+    [[nodiscard]] double besideText(const Cell& cell) const;
+    /// Says so much in each cell; returns the width that all take.
+    int place(Detail detail);
     void arrange();
     [[nodiscard]] int cellAt(const QPoint& point) const;
     [[nodiscard]] QString toolTipText(const Cell& cell) const;
 
     std::vector<Cell> m_cells;
+    int m_wanted_px = 0; ///< width in which all is said
 };
 
 } // namespace teleta::chrome

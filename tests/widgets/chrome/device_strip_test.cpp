@@ -87,6 +87,40 @@ private slots:
         QVERIFY(marked.sizeHint().width() > plain.sizeHint().width());
     }
 
+    void saysLessWhereThereIsLittleRoom() {
+        DeviceStrip strip;
+        DeviceReading bracelet = live("bracelet");
+        bracelet.touchToSkin_s = 0.0032;
+        DeviceReading lost = live("joints of the arm");
+        lost.state = DeviceState::lost;
+        lost.age_s = 12.0;
+        strip.show(); // a hidden one is told of its size later
+        strip.setReadings({live("array"), lost, bracelet});
+        strip.resize(strip.sizeHint());
+        for (int i = 0; i < 3; ++i)
+            QCOMPARE(strip.shownText(i), strip.text(i));
+        strip.resize(strip.width() - 1, strip.height());
+        QVERIFY(!strip.shownText(2).contains("skin"));
+        QVERIFY(strip.shownText(2).contains("Hz"));
+        QString before = strip.shownText(2);
+        for (int width = strip.width(); width > 160; width -= 7) {
+            strip.resize(width, strip.height());
+            QVERIFY(strip.shownText(2).size() <= before.size());
+            before = strip.shownText(2);
+            // What is lost is told as long as names are.
+            QVERIFY(strip.shownText(1).contains("12 s") || strip.shownText(1).endsWith(QChar(0x2026)));
+            const QImage picture = strip.grab().toImage();
+            const QColor background = strip.palette().color(QPalette::Window);
+            for (int y = 0; y < picture.height(); ++y)
+                QVERIFY2(picture.pixelColor(picture.width() - 1, y) == background, qPrintable(before));
+        }
+        QVERIFY(before.endsWith(QChar(0x2026)));
+        QVERIFY(strip.text(2).contains("touch to skin 3.20 ms"));
+        QVERIFY(strip.accessibleDescription().contains("touch to skin 3.20 ms"));
+        strip.resize(strip.sizeHint());
+        QCOMPARE(strip.shownText(2), strip.text(2));
+    }
+
     void hasADefinedTextForAnIndexThatIsNotThere() {
         DeviceStrip strip;
         QCOMPARE(strip.text(0), QString());
