@@ -69,9 +69,6 @@ protected:
         auto finder = makeContactFinder(contactLadder().front(), m_tube->camera());
         ASSERT_TRUE(finder);
         m_tracker.emplace(std::move(*finder), CameraTracker::Settings());
-        auto noiseless = simulation::SimulatedTube::make(test::cameraScene(false), 1);
-        ASSERT_TRUE(noiseless);
-        m_noiseless = std::move(*noiseless);
     }
     cv::Mat1b press(double depth_m) {
         cv::Mat1b frame;
@@ -79,7 +76,7 @@ protected:
         return frame;
     }
 
-    std::unique_ptr<simulation::SimulatedTube> m_tube, m_noiseless;
+    std::unique_ptr<simulation::SimulatedTube> m_tube;
     cv::Mat1b m_rest;
     std::optional<CameraTracker> m_tracker;
 };
@@ -149,18 +146,20 @@ TEST(ContactLadder, endsItsWorkOnTheLensWhenItIsToldTo) {
     }
 }
 
-TEST_F(HardFrames, areAnsweredByTheChangedPartAloneWhateverWasSeenBefore) {
+TEST(ChangedPart, isAllThatAnAnswerDependsOnWhateverWasSeenBefore) {
+    const auto tube = simulation::SimulatedTube::make(test::cameraScene(false), 1); // without noise
+    ASSERT_TRUE(tube);
     const auto find = [&](ContactFinder& finder, double depth_m, double z_m, double radius_m) {
         cv::Mat1b frame;
-        m_noiseless->pressed({{.centre = {1.0, z_m}, .ballRadius_m = radius_m, .depth_m = depth_m}}, frame);
+        (*tube)->pressed({{.centre = {1.0, z_m}, .ballRadius_m = radius_m, .depth_m = depth_m}}, frame);
         auto found = finder.find(frame);
         EXPECT_TRUE(found);
         return found ? *found : std::vector<CameraContact>();
     };
     cv::Mat1b rest;
-    m_noiseless->untouched(rest);
+    (*tube)->untouched(rest);
     const auto make = [&] {
-        auto finder = makeContactFinder(*contactRung("fast-2-changed"), m_noiseless->camera());
+        auto finder = makeContactFinder(*contactRung("fast-2-changed"), (*tube)->camera());
         EXPECT_TRUE(finder && (*finder)->setReference(rest));
         return std::move(*finder);
     };
