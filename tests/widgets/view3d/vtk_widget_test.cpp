@@ -104,6 +104,11 @@ bool drawn(VtkWidget& view, std::uint64_t atLeast = 1) {
     return QTest::qWaitFor([&] { return view.framesRendered() >= atLeast; });
 }
 
+bool isShown(VtkWidget& view) {
+    view.show();
+    return QTest::qWaitForWindowExposed(&view) && drawn(view);
+}
+
 } // namespace
 
 class VtkWidgetTest : public QObject {
@@ -114,9 +119,7 @@ private slots:
         VtkWidget view;
         const SquareScene scene(view);
         view.resize(401, 301);
-        view.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&view));
-        QVERIFY(drawn(view));
+        QVERIFY(isShown(view));
         QVERIFY(view.canRender());
         const QImage picture = view.grab().toImage();
         QCOMPARE(picture.size(), QSize(401, 301) * view.devicePixelRatio());
@@ -128,9 +131,7 @@ private slots:
         VtkWidget view;
         const SquareScene scene(view);
         view.resize(320, 240);
-        view.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&view));
-        QVERIFY(drawn(view));
+        QVERIFY(isShown(view));
         QVERIFY(QTest::qWaitFor(
             [&] { return showsTheSquare(view.screen()->grabWindow(view.winId()).toImage()); }));
     }
@@ -139,9 +140,7 @@ private slots:
         VtkWidget view;
         const SquareScene scene(view);
         view.resize(320, 240);
-        view.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&view));
-        QVERIFY(drawn(view));
+        QVERIFY(isShown(view));
         QCOMPARE(view.windowHandle()->surfaceType(), QSurface::RasterSurface);
     }
 
@@ -149,9 +148,7 @@ private slots:
         VtkWidget view;
         const SquareScene scene(view);
         view.resize(320, 240);
-        view.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&view));
-        QVERIFY(drawn(view));
+        QVERIFY(isShown(view));
         const std::uint64_t frames = view.framesRendered();
         view.update();
         view.repaint();
@@ -299,9 +296,7 @@ private slots:
         VtkWidget view;
         const SquareScene scene(view);
         view.resize(300, 200);
-        view.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&view));
-        QVERIFY(drawn(view));
+        QVERIFY(isShown(view));
         vtkCamera* camera = scene.renderer->GetActiveCamera();
         QWidget* canvas = view.focusProxy();
         QVERIFY(canvas != nullptr);
