@@ -6,6 +6,7 @@
 #include "backend/vision/contacts/vision_text.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
@@ -25,11 +26,34 @@ constexpr double kWindowShare = 0.62;   ///< radius of a dot's window, as a shar
 // That neighbours may have moved apart, less than what leads to another dot.
 constexpr double kToleranceAround_m = 0.0012;
 constexpr double kToleranceInward_m = 0.0017;
-constexpr double kNarrowest_px = 2.5;    ///< half axis of a window
+constexpr double kNarrowest_px = 2.5;  ///< half axis of a window
+constexpr double kLeastPitch_px = 2.6; ///< dots nearer to each other in the image are mistaken for each other
 constexpr double kNeighbourShare = 1.75; ///< how far neighbours are, as a share of the pitch
 constexpr double kLostShare = 0.5;       ///< with fewer dots found the frame shows no skin
 constexpr int kDirections = 24;          ///< of an outline
 constexpr double kDotNoise_px = 0.15;    ///< of a dot's place from frame to frame
+
+/// look(i, k, squared distance in m^2)
+void eachPair(const std::vector<SkinSample>& samples, const auto& look) {
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        for (std::size_t k = 0; k < i; ++k)
+            look(i, k, (samples[i].p_Sensor_m - samples[k].p_Sensor_m).squaredNorm());
+    }
+}
+
+/// Median distance of the nearest other dot; 1 m without any.
+double pitchOf_m(const std::vector<SkinSample>& samples) {
+    if (samples.empty())
+        return 1.0;
+    std::vector<double> nearest_m2(samples.size(), 1.0);
+    eachPair(samples, [&](std::size_t i, std::size_t k, double distance_m2) {
+        nearest_m2[i] = std::min(nearest_m2[i], distance_m2);
+        nearest_m2[k] = std::min(nearest_m2[k], distance_m2);
+    });
+    const auto middle = nearest_m2.begin() + static_cast<std::ptrdiff_t>(nearest_m2.size() / 2);
+    std::ranges::nth_element(nearest_m2, middle);
+    return std::sqrt(*middle);
+}
 
 } // namespace
 
@@ -116,6 +140,8 @@ core::Expected<void> DotContactFinder::takeReference(const cv::Mat1b& frame) {
         dots.push_back({.rest_px = *pixel});
         samples.push_back(*sample);
     }
+    m_pitch_m = pitchOf_m(samples);
+    dropUnresolved(dots, samples);
     if (dots.size() < kFewestDots)
         return refused(
             VisionText::tr("The image shows no printed dots on the skin (%1 found).").arg(dots.size()),
@@ -153,24 +179,24 @@ core::Expected<void> DotContactFinder::takeReference(const cv::Mat1b& frame) {
     return {};
 }
 
+void DotContactFinder::dropUnresolved(std::vector<TrackedDot>& dots, std::vector<SkinSample>& samples) const {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < dots.size(); ++i) {
+        // The pitch is shortest in the image across the direction in which a pixel covers most of the skin.
+        const Eigen::JacobiSVD<Eigen::Matrix2d> covers(samples[i].surfacePerPixel);
+        if (!(m_pitch_m >= kLeastPitch_px * covers.singularValues().x()))
+            continue;
+        dots[kept] = dots[i];
+        samples[kept++] = samples[i];
+    }
+    dots.resize(kept);
+    samples.resize(kept);
+}
+
 void DotContactFinder::findNeighbours(const std::vector<SkinSample>& samples) {
-    std::vector<double> nearest_m2(samples.size(), 1.0);
-    const auto eachPair = [&](const auto& look) {
-        for (std::size_t i = 0; i < samples.size(); ++i) {
-            for (std::size_t k = 0; k < i; ++k)
-                look(i, k, (samples[i].p_Sensor_m - samples[k].p_Sensor_m).squaredNorm());
-        }
-    };
-    eachPair([&](std::size_t i, std::size_t k, double distance_m2) {
-        nearest_m2[i] = std::min(nearest_m2[i], distance_m2);
-        nearest_m2[k] = std::min(nearest_m2[k], distance_m2);
-    });
-    const auto middle = nearest_m2.begin() + static_cast<std::ptrdiff_t>(nearest_m2.size() / 2);
-    std::ranges::nth_element(nearest_m2, middle);
-    m_pitch_m = std::sqrt(*middle);
     m_neighbours.assign(samples.size(), {});
     const double reach_m2 = std::pow(kNeighbourShare * m_pitch_m, 2);
-    eachPair([&](std::size_t i, std::size_t k, double distance_m2) {
+    eachPair(samples, [&](std::size_t i, std::size_t k, double distance_m2) {
         if (distance_m2 < reach_m2) {
             m_neighbours[i].push_back(k);
             m_neighbours[k].push_back(i);

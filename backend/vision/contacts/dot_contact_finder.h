@@ -43,6 +43,9 @@ private:
     /// What depends on the camera alone, once: the lens is inverted for each pixel. False when it was
     /// stopped.
     [[nodiscard]] bool prepareMaps();
+    /// Without dots of neighbouring rings that the image cannot tell apart, as at the far end of few pixels:
+    /// there noise alone would look like a contact.
+    void dropUnresolved(std::vector<TrackedDot>& dots, std::vector<SkinSample>& samples) const;
     void findNeighbours(const std::vector<SkinSample>& samples);
     [[nodiscard]] CameraContact contactOf(const SkinPatch& patch) const;
     void outline(const SkinPatch& patch, CameraContact& contact) const;

@@ -73,11 +73,8 @@ private:
 };
 
 scene::Scene smallScene(const scene::Reaction& reaction, std::vector<scene::FingerKeyframe> keyframes) {
-    scene::Scene scene = test::cameraScene(false);
+    scene::Scene scene = test::smallCameraScene(false);
     scene::CameraWorld& world = std::get<scene::CameraWorld>(scene.world);
-    world.camera.width_px = 820;
-    world.camera.height_px = 616;
-    world.camera.focalLength_px = 293.5;
     world.skin.dragPerDepth = 0.3;
     scene::Finger finger;
     finger.name = "finger";

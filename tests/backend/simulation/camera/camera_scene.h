@@ -26,4 +26,14 @@ inline scene::Scene cameraScene(bool withNoise = true) {
     return scene;
 }
 
+/// The same camera with fewer pixels, e.g. half of them across and down.
+inline scene::Scene smallCameraScene(bool withNoise = true, double share = 0.5) {
+    scene::Scene scene = cameraScene(withNoise);
+    auto& camera = std::get<scene::CameraWorld>(scene.world).camera;
+    camera.width_px = static_cast<int>(camera.width_px * share);
+    camera.height_px = static_cast<int>(camera.height_px * share);
+    camera.focalLength_px *= share;
+    return scene;
+}
+
 } // namespace teleta::test

@@ -62,7 +62,7 @@ private:
 class HardFrames : public testing::Test {
 protected:
     void SetUp() override {
-        auto tube = simulation::SimulatedTube::make(test::cameraScene(), 1);
+        auto tube = simulation::SimulatedTube::make(test::smallCameraScene(), 1);
         ASSERT_TRUE(tube);
         m_tube = std::move(*tube);
         m_tube->untouched(m_rest);
@@ -147,7 +147,7 @@ TEST(ContactLadder, endsItsWorkOnTheLensWhenItIsToldTo) {
 }
 
 TEST(ChangedPart, isAllThatAnAnswerDependsOnWhateverWasSeenBefore) {
-    const auto tube = simulation::SimulatedTube::make(test::cameraScene(false), 1); // without noise
+    const auto tube = simulation::SimulatedTube::make(test::smallCameraScene(false), 1); // without noise
     ASSERT_TRUE(tube);
     const auto find = [&](ContactFinder& finder, double depth_m, double z_m, double radius_m) {
         cv::Mat1b frame;
@@ -241,6 +241,30 @@ TEST_F(HardFrames, thatShowNoSkinAreUnusableAndTheTrackerRecovers) {
     ASSERT_TRUE(contacts);
     EXPECT_TRUE(contacts->empty());
     EXPECT_EQ(m_tracker->unusableFrames(), 2U);
+}
+
+TEST(HardPictures, ofFewPixelsShowNoContactWhereNothingTouchesAndStillOneThatDoes) {
+    // Rings of dots 4 mm apart are 2.2 px apart at the far end of the tube with half of the pixels across,
+    // and 1.3 px with 0.3 of them.
+    for (const double share : {0.5, 0.4, 0.3}) {
+        const auto tube = simulation::SimulatedTube::make(test::smallCameraScene(true, share), 1);
+        ASSERT_TRUE(tube) << share;
+        cv::Mat1b frame;
+        (*tube)->untouched(frame);
+        const auto finder = makeContactFinder(*contactRung("dots"), (*tube)->camera());
+        ASSERT_TRUE(finder && (*finder)->setReference(frame)) << share;
+        for (int i = 0; i < 40; ++i) {
+            (*tube)->untouched(frame); // with other noise
+            const auto contacts = (*finder)->find(frame);
+            ASSERT_TRUE(contacts) << share;
+            EXPECT_TRUE(contacts->empty()) << share << ", at " << contacts->front().p_Sensor_Centre_m.z();
+        }
+        (*tube)->pressed({{.centre = {1.0, 0.04}, .ballRadius_m = 0.01, .depth_m = 0.0012}}, frame);
+        const auto contacts = (*finder)->find(frame);
+        ASSERT_TRUE(contacts && contacts->size() == 1) << share;
+        const Eigen::Vector3d truth_m(0.025 * std::cos(1.0), 0.025 * std::sin(1.0), 0.04);
+        EXPECT_LT((contacts->front().p_Sensor_Centre_m - truth_m).norm(), 0.001) << share;
+    }
 }
 
 TEST_F(HardFrames, thatFlickerShowNoContact) {
