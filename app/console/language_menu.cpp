@@ -5,7 +5,7 @@
 #include "app/console/console_settings.h"
 
 #include <QActionGroup>
-#include <QCoreApplication>
+#include <QApplication>
 #include <QMenu>
 
 namespace teleta::console {
@@ -37,15 +37,26 @@ QString code(const QLocale& locale) {
 
 } // namespace
 
+void useLanguage(QApplication& application, const QString& language) {
+    const QLocale desktop = QLocale::system();
+    const QLocale chosen(language);
+    const QLocale numbers = language.isEmpty() || chosen.language() == desktop.language() ? desktop : chosen;
+    QLocale::setDefault(numbers);
+    for (QWidget* window : QApplication::topLevelWidgets())
+        window->setLocale(numbers);
+    // Views ask for their texts, and so for numbers, when they are told of the translator.
+    app::installTranslator(application, language.isEmpty() ? desktop : chosen);
+}
+
 void addLanguageMenu(QMenu& view, ConsoleSettings& settings) {
     QMenu* menu = view.addMenu(MenuText::tr("Lan&guage"));
     menu->setObjectName(QStringLiteral("languages"));
     auto* group = new QActionGroup(menu);
-    QCoreApplication& application = *QCoreApplication::instance();
+    QApplication& application = *qApp;
     const auto add = [&](const QString& text, const QString& language, bool isChosen) {
         QAction* action = menu->addAction(text, menu, [&application, &settings, language] {
             settings.setLanguage(language);
-            app::installTranslator(application, language.isEmpty() ? QLocale::system() : QLocale(language));
+            useLanguage(application, language);
         });
         action->setCheckable(true);
         action->setChecked(isChosen);

@@ -3,6 +3,7 @@
 #include "app/console/console_options.h"
 #include "app/console/console_settings.h"
 #include "app/console/help/about.h"
+#include "app/console/language_menu.h"
 #include "app/console/main_window.h"
 #include "app/console/unattended.h"
 #include "backend/core/stop_switch.h"
@@ -67,8 +68,7 @@ int main(int argc, char* argv[]) {
 
     console::ConsoleSettings settings(fresh);
     const QString language = options.language.isEmpty() ? settings.language() : options.language;
-    if (!language.isEmpty())
-        app::installTranslator(application, QLocale(language));
+    console::useLanguage(application, language);
     base::applyTheme(console::themeFromName(options.theme.isEmpty() ? settings.theme() : options.theme));
 
     core::StopSwitch stop;

@@ -10,14 +10,35 @@
 
 namespace teleta::base {
 
-QString fixedDigits(std::optional<double> value, int decimals) {
-    if (!value || !std::isfinite(*value))
-        return QString(QChar(0x2014));
+namespace {
+
+QString magnitude(double value, char format, int precision) {
     QLocale locale;
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return locale.toString(std::abs(value), format, precision);
+}
+
+QString noValue() {
+    return QChar(0x2014);
+}
+
+constexpr QChar kMinusSign(0x2212);
+
+} // namespace
+
+QString fixedDigits(std::optional<double> value, int decimals) {
+    if (!value || !std::isfinite(*value))
+        return noValue();
     const bool zero = std::round(std::abs(*value) * std::pow(10.0, decimals)) == 0.0;
-    const QString digits = locale.toString(std::abs(*value), 'f', decimals);
-    return *value < 0.0 && !zero ? QChar(0x2212) + digits : digits;
+    const QString digits = magnitude(*value, 'f', decimals);
+    return *value < 0.0 && !zero ? kMinusSign + digits : digits;
+}
+
+QString significantDigits(std::optional<double> value, int digits) {
+    if (!value || !std::isfinite(*value))
+        return noValue();
+    const QString text = magnitude(*value, 'g', digits);
+    return *value < 0.0 ? kMinusSign + text : text;
 }
 
 QString millimetres(double length_m) {

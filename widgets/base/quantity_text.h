@@ -11,6 +11,10 @@ namespace teleta::base {
 /// locale, no groups, the minus is U+2212. Undefined or not finite: an em dash.
 [[nodiscard]] QString fixedDigits(std::optional<double> value, int decimals);
 
+/// Value with at most so many significant digits and no zeros after them, for the marks of a scale; the rest
+/// as fixedDigits().
+[[nodiscard]] QString significantDigits(std::optional<double> value, int digits);
+
 /// A length of so many metres as "12.3 mm", for use inside a sentence.
 [[nodiscard]] QString millimetres(double length_m);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/calibrate/felt_panel.h"
 
+#include "widgets/base/quantity_text.h"
 #include "widgets/base/theme.h"
 
 #include <QEvent>
@@ -128,9 +129,9 @@ void FeltPanel::conclude() {
     if (const auto threshold = m_task->threshold(); m_task->kind() == FeltTask::Kind::start && threshold)
         verdict = tr("Motor %1 starts at %2 % of the full drive (95 %: %3 to %4 %).")
                       .arg(m_task->motor() + 1)
-                      .arg(100.0 * threshold->drive, 0, 'f', 1)
-                      .arg(100.0 * threshold->lower, 0, 'f', 1)
-                      .arg(100.0 * threshold->upper, 0, 'f', 1);
+                      .arg(base::fixedDigits(100.0 * threshold->drive, 1))
+                      .arg(base::fixedDigits(100.0 * threshold->lower, 1))
+                      .arg(base::fixedDigits(100.0 * threshold->upper, 1));
     end();
     emit finished(*result, verdict);
 }

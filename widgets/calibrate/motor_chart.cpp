@@ -181,8 +181,8 @@ void MotorChart::drawCurve() {
                             : tr("Motor %1").arg(m_number + 1);
     if (m_evidence)
         words += QLatin1Char('\n') + tr("%1 % of the variance, residual %2 Hz")
-                                         .arg(100.0 * m_evidence->fit.explained, 0, 'f', 2)
-                                         .arg(m_evidence->fit.residual_Hz, 0, 'f', 2);
+                                         .arg(base::fixedDigits(100.0 * m_evidence->fit.explained, 2))
+                                         .arg(base::fixedDigits(m_evidence->fit.residual_Hz, 2));
     text->setText(words);
     m_curve->xAxis->setRange(0.0, 102.0);
     m_curve->yAxis->setRange(0.0, 1.25 * highest_Hz);

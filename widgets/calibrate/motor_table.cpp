@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/calibrate/motor_table.h"
 
+#include "widgets/base/quantity_text.h"
 #include "widgets/base/theme.h"
 
 #include <QEvent>
@@ -17,9 +18,9 @@ using Origin = motors::CalibratedMotor::Origin;
 enum Column { kMotor, kStart, kFull, kRise, kFall, kSpeed, kSource, kColumns };
 
 QString withError(double value, double error, int decimals) {
-    QString text = QString::number(value, 'f', decimals);
+    QString text = base::fixedDigits(value, decimals);
     if (error > 0.0)
-        text += QStringLiteral(" \u00b1 ") + QString::number(error, 'f', decimals);
+        text += QStringLiteral(" \u00b1 ") + base::fixedDigits(error, decimals);
     return text;
 }
 
@@ -87,10 +88,10 @@ void MotorTable::fill() {
             profile.name.empty() || lag ? tr("Motor %1").arg(row + 1) : QString::fromStdString(profile.name),
             false);
         set(kStart, withError(100.0 * profile.startDrive, 100.0 * motor.startError, 1), range);
-        set(kFull, QString::number(100.0 * profile.fullDrive, 'f', 1), range);
+        set(kFull, base::fixedDigits(100.0 * profile.fullDrive, 1), range);
         set(kRise, withError(1e3 * profile.riseTime_s, 1e3 * motor.riseError_s, 1), lag);
         set(kFall, withError(1e3 * profile.fallTime_s, 1e3 * motor.fallError_s, 1), lag);
-        set(kSpeed, QString::number(steadySpeed_Hz(profile, profile.fullDrive), 'f', 0), lag);
+        set(kSpeed, base::fixedDigits(steadySpeed_Hz(profile, profile.fullDrive), 0), lag);
         set(kSource,
             tr("start %1, lag and curve %2", "where the values come from")
                 .arg(originText(motor.startFrom), originText(motor.lagFrom)),

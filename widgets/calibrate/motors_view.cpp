@@ -3,6 +3,7 @@
 
 #include "backend/motors/strength_balance.h"
 #include "widgets/base/number_format.h"
+#include "widgets/base/quantity_text.h"
 #include "widgets/base/theme.h"
 #include "widgets/calibrate/felt_panel.h"
 #include "widgets/calibrate/motor_table.h"
@@ -346,13 +347,13 @@ void MotorsView::takeFit(std::size_t motor, const motors::MotorRecording& record
         tr("Motor %1: starts at %2 to %3 % of the drive, rises in %4 \u00b1 %5 ms, falls in %6 \u00b1 "
            "%7 ms, reaches %8 Hz.")
             .arg(motor + 1)
-            .arg(100.0 * fit->startLow, 0, 'f', 1)
-            .arg(100.0 * fit->startHigh, 0, 'f', 1)
-            .arg(1e3 * fit->profile.riseTime_s, 0, 'f', 1)
-            .arg(1e3 * fit->riseError_s, 0, 'f', 1)
-            .arg(1e3 * fit->profile.fallTime_s, 0, 'f', 1)
-            .arg(1e3 * fit->fallError_s, 0, 'f', 1)
-            .arg(fit->profile.curve.back().speed_Hz, 0, 'f', 0));
+            .arg(base::fixedDigits(100.0 * fit->startLow, 1))
+            .arg(base::fixedDigits(100.0 * fit->startHigh, 1))
+            .arg(base::fixedDigits(1e3 * fit->profile.riseTime_s, 1))
+            .arg(base::fixedDigits(1e3 * fit->riseError_s, 1))
+            .arg(base::fixedDigits(1e3 * fit->profile.fallTime_s, 1))
+            .arg(base::fixedDigits(1e3 * fit->fallError_s, 1))
+            .arg(base::fixedDigits(fit->profile.curve.back().speed_Hz, 0)));
 }
 
 void MotorsView::showTrouble(const QString& text) {

@@ -2,6 +2,7 @@
 #include "widgets/camera/stage_bar.h"
 
 #include "widgets/base/colour_maps.h"
+#include "widgets/base/quantity_text.h"
 #include "widgets/base/tabular_text.h"
 #include "widgets/base/theme.h"
 
@@ -91,7 +92,7 @@ bool StageBar::event(QEvent* event) {
     for (std::size_t i = 0; i < m_stage_ms.size() && m_rung; ++i)
         lines << tr("%1: %2 ms", "stage of a computation and its time")
                      .arg(nameOf(i))
-                     .arg(m_stage_ms[i], 0, 'f', 2);
+                     .arg(base::fixedDigits(m_stage_ms[i], 2));
     QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), lines.join(QLatin1Char('\n')), this);
     return true;
 }

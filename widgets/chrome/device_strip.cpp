@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/chrome/device_strip.h"
 
+#include "widgets/base/quantity_text.h"
 #include "widgets/base/status_glyph.h"
 #include "widgets/base/tabular_text.h"
 #include "widgets/base/theme.h"
@@ -212,16 +213,16 @@ QString DeviceStrip::toolTipText(const Cell& cell) const {
     QStringList lines{
         reading.name,
         tr("State: %1").arg(base::statusWord(reading.state)),
-        tr("Rate: %1 Hz").arg(reading.rate_Hz, 0, 'f', 1),
+        tr("Rate: %1 Hz").arg(base::fixedDigits(reading.rate_Hz, 1)),
         tr("Frames lost: %1").arg(reading.lost),
         tr("Frames displayed: %1").arg(reading.displayed),
         tr("Age of the newest frame: %1").arg(base::ageText(reading.age_s)),
     };
     if (reading.latency_s)
-        lines << tr("From the read to the screen: %1 ms").arg(*reading.latency_s * 1e3, 0, 'f', 1);
+        lines << tr("From the read to the screen: %1 ms").arg(base::fixedDigits(*reading.latency_s * 1e3, 1));
     if (reading.touchToSkin_s)
         lines << tr("From the completed touch to the first frame of its pattern: %1 ms")
-                     .arg(*reading.touchToSkin_s * 1e3, 0, 'f', 1);
+                     .arg(base::fixedDigits(*reading.touchToSkin_s * 1e3, 1));
     if (!reading.details.isEmpty())
         lines << reading.details;
     return lines.join(QLatin1Char('\n'));

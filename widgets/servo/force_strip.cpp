@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/servo/force_strip.h"
 
+#include "widgets/base/quantity_text.h"
 #include "widgets/base/tabular_text.h"
 #include "widgets/base/theme.h"
 
@@ -94,7 +95,7 @@ void ForceStrip::paintEvent(QPaintEvent*) {
         painter.setPen(quiet);
         base::drawTabularText(painter, QRectF(0.0, y(tick) - 0.7 * em, 2.3 * em, 1.4 * em),
                               Qt::AlignRight | Qt::AlignVCenter,
-                              QString::number(tick, 'f', span < 10.0 ? 1 : 0));
+                              base::fixedDigits(tick, span < 10.0 ? 1 : 0));
     }
     if (m_steps.empty())
         return;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/servo/servo_texts.h"
 
+#include "widgets/base/quantity_text.h"
+
 #include <QStringList>
 
 namespace teleta::servo {
@@ -78,13 +80,13 @@ QString ServoTexts::cost(const CycleTimes& times, double rate_Hz) {
     if (times.cycles == 0 || !(sum_s > 0.0))
         return {};
     const auto share = [&](CyclePart part) {
-        return QString::number(100.0 * times.part_s[static_cast<std::size_t>(part)] / sum_s, 'f', 0);
+        return base::fixedDigits(100.0 * times.part_s[static_cast<std::size_t>(part)] / sum_s, 0);
     };
     const double cycle_s = sum_s / static_cast<double>(times.cycles);
     return tr("Simulated cycle: %1 \u00b5s, %2 times real time. Contact %3 %, kinematics %4 %, features %5 "
               "%, "
               "control %6 %, dynamics %7 %.")
-        .arg(QString::number(1e6 * cycle_s, 'f', 1), QString::number(1.0 / (cycle_s * rate_Hz), 'f', 0),
+        .arg(base::fixedDigits(1e6 * cycle_s, 1), base::fixedDigits(1.0 / (cycle_s * rate_Hz), 0),
              share(CyclePart::contact), share(CyclePart::kinematics), share(CyclePart::features),
              share(CyclePart::control), share(CyclePart::dynamics));
 }

@@ -4,6 +4,7 @@
 #include "widgets/base/calm_range.h"
 #include "widgets/base/colour_maps.h"
 #include "widgets/base/number_format.h"
+#include "widgets/base/quantity_text.h"
 #include "widgets/base/tabular_text.h"
 #include "widgets/base/theme.h"
 #include "widgets/tactile/contact_outline.h"
@@ -345,9 +346,7 @@ void HeatmapPainter::paintScales() {
         const double step_mm = base::niceStep(spacing_px / pixelsPerMillimetre);
         const auto last = static_cast<int>(std::floor(high_mm / step_mm + 1e-6));
         for (auto i = static_cast<int>(std::ceil(low_mm / step_mm - 1e-6)); i <= last; ++i) {
-            QString text = QString::number(i * step_mm, 'g', 4);
-            text.replace(u'-', QChar(0x2212));
-            draw(i * step_mm / kMillimetres, text);
+            draw(i * step_mm / kMillimetres, base::significantDigits(i * step_mm, 4));
         }
     };
     const QPointF centre = m_layout->sensor().center();
@@ -416,7 +415,7 @@ void HeatmapPainter::paintColourBar() {
         m_painter->drawLine(QPointF(bar.right(), y), QPointF(right, y));
         m_painter->setPen(m_palette.color(QPalette::Text));
         m_painter->drawText(QPointF(right + 0.2 * m_em, y + 0.5 * (metrics.ascent() - metrics.descent())),
-                            QString::number(i * step, 'g', 4));
+                            base::significantDigits(i * step, 4));
     }
     const QRectF unitRect(bar.left() - 0.2 * m_em, bar.top() - 1.35 * m_em, 6.0 * m_em, m_em);
     m_painter->drawText(unitRect, Qt::AlignLeft | Qt::AlignVCenter, m_content->unit());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/touch/joint_range.h"
 
+#include "widgets/base/quantity_text.h"
 #include "widgets/base/tabular_text.h"
 #include "widgets/base/theme.h"
 
@@ -31,8 +32,9 @@ JointRange::JointRange(QWidget* parent)
 void JointRange::setRange(double lowest_rad, double highest_rad) {
     m_lowest_rad = lowest_rad;
     m_highest_rad = highest_rad;
-    setToolTip(
-        tr("Range %1° … %2°").arg(lowest_rad * kDegrees, 0, 'f', 0).arg(highest_rad * kDegrees, 0, 'f', 0));
+    setToolTip(tr("Range %1° … %2°")
+                   .arg(base::fixedDigits(lowest_rad * kDegrees, 0))
+                   .arg(base::fixedDigits(highest_rad * kDegrees, 0)));
     update();
 }
 

@@ -4,6 +4,7 @@
 #include "app/console/operate/operate_page.h"
 #include "app/console/study/study_page.h"
 #include "backend/study/study_store.h"
+#include "widgets/base/quantity_text.h"
 #include "widgets/base/theme.h"
 #include "widgets/charts/strip_chart_view.h"
 #include "widgets/chrome/device_strip.h"
@@ -17,6 +18,7 @@
 #include <QDialog>
 #include <QDir>
 #include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
 #include <QMenu>
@@ -85,6 +87,17 @@ class MainWindowTest : public QObject {
         return m_window->findChild<Widget*>();
     }
 
+    /// Each once, of numbers that are painted and of those in fields.
+    QString decimalSigns() const {
+        QString signs = base::fixedDigits(0.5, 1).mid(1, 1);
+        for (const auto* field : m_window->findChildren<QDoubleSpinBox*>()) {
+            for (const QChar sign : field->text())
+                if ((sign == u'.' || sign == u',') && field->decimals() > 0 && !signs.contains(sign))
+                    signs += sign;
+        }
+        return signs;
+    }
+
     bool showsData() const {
         auto* item = m_window->sources().active();
         return item != nullptr && item->displayed > 0;
@@ -104,8 +117,10 @@ private slots:
         QTRY_COMPARE(firstMenu(), QStringLiteral("&Fichier"));
         for (const QAction* action : m_window->findChild<QMenu*>("languages")->actions())
             QCOMPARE(action->isChecked(), action->text() == QStringLiteral("Fran\u00e7ais"));
+        QCOMPARE(decimalSigns(), QStringLiteral(","));
         choose(QStringLiteral("English"));
         QTRY_COMPARE(firstMenu(), QStringLiteral("&File"));
+        QCOMPARE(decimalSigns(), QStringLiteral("."));
     }
 
     void theHandbookOpensAtThePageThatIsShown() {

@@ -27,6 +27,16 @@ private slots:
         QCOMPARE(fixedDigits(12345.6, 1), QStringLiteral("12345,6"));
     }
 
+    void significantDigitsHaveNoZerosAfterThem() {
+        QCOMPARE(significantDigits(0.5, 4), QStringLiteral("0.5"));
+        QCOMPARE(significantDigits(-12.0, 4), QStringLiteral("\u221212"));
+        QCOMPARE(significantDigits(0.0, 4), QStringLiteral("0"));
+        QCOMPARE(significantDigits(-0.0, 4), QStringLiteral("0"));
+        QCOMPARE(significantDigits(std::nullopt, 4), QStringLiteral("\u2014"));
+        QLocale::setDefault(QLocale(QLocale::French, QLocale::France));
+        QCOMPARE(significantDigits(2.5, 4), QStringLiteral("2,5"));
+    }
+
     void whatIsUndefinedIsADashOnTheScreenAndNAInAFile() {
         for (const double value :
              {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
