@@ -14,6 +14,7 @@
 #include <QTimer>
 
 #include <cstdio>
+#include <sys/resource.h>
 
 namespace teleta::console {
 
@@ -21,6 +22,16 @@ namespace {
 
 /// The first second belongs to start-up: windows are laid out and OpenGL compiles its shaders.
 constexpr double kWarmUp_s = 1.0;
+
+/// Of all threads, since the program began.
+double processorTime_s() {
+    rusage used{};
+    getrusage(RUSAGE_SELF, &used);
+    const auto seconds = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    };
+    return seconds(used.ru_utime) + seconds(used.ru_stime);
+}
 
 int milliseconds(double time_s) {
     return static_cast<int>(time_s * 1e3);
@@ -37,7 +48,11 @@ void Unattended::start() {
     if (!m_options.screenshot.isEmpty())
         QTimer::singleShot(milliseconds(m_options.after_s), this, &Unattended::takePicture);
     if (m_options.measure_s) {
-        QTimer::singleShot(milliseconds(kWarmUp_s), this, [this] { m_window.clock().resetReport(); });
+        QTimer::singleShot(milliseconds(kWarmUp_s), this, [this] {
+            m_window.clock().resetReport();
+            m_processorBefore_s = processorTime_s();
+            m_measured.start();
+        });
         QTimer::singleShot(milliseconds(kWarmUp_s + *m_options.measure_s), this,
                            &Unattended::printMeasurement);
     }
@@ -58,6 +73,8 @@ void Unattended::takePicture() {
 }
 
 void Unattended::printMeasurement() {
+    const double measured_s = 1e-9 * static_cast<double>(m_measured.nsecsElapsed());
+    const double cores = (processorTime_s() - m_processorBefore_s) / measured_s;
     const GuiClock::Report report = m_window.clock().report();
     QJsonArray sources;
     for (const SourceManager::Item& item : m_window.sources().items()) {
@@ -72,11 +89,15 @@ void Unattended::printMeasurement() {
                                    {"frames_lost", static_cast<qint64>(status.framesLost)},
                                    {"frames_displayed", static_cast<qint64>(item.displayed)}});
     }
-    const QJsonObject document{
-        {"measured_s", *m_options.measure_s},           {"ticks", static_cast<qint64>(report.ticks)},
-        {"tick_work_p50_s", report.work_p50_s},         {"tick_work_p99_s", report.work_p99_s},
-        {"tick_work_max_s", report.work_max_s},         {"event_loop_stall_p99_s", report.stall_p99_s},
-        {"event_loop_stall_max_s", report.stall_max_s}, {"sources", sources}};
+    const QJsonObject document{{"measured_s", measured_s},
+                               {"ticks", static_cast<qint64>(report.ticks)},
+                               {"processor_cores", cores},
+                               {"tick_work_p50_s", report.work_p50_s},
+                               {"tick_work_p99_s", report.work_p99_s},
+                               {"tick_work_max_s", report.work_max_s},
+                               {"event_loop_stall_p99_s", report.stall_p99_s},
+                               {"event_loop_stall_max_s", report.stall_max_s},
+                               {"sources", sources}};
     std::printf("%s", QJsonDocument(document).toJson().constData());
     std::fflush(stdout);
     const int code = m_window.anyFailure() ? 3 : 0;

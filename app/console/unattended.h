@@ -3,16 +3,16 @@
 
 #include "app/console/console_options.h"
 
+#include <QElapsedTimer>
 #include <QObject>
 
 namespace teleta::console {
 
 class MainWindow;
 
-/// Runs without a person: takes a picture of the window after a while (--screenshot), or measures the event
-/// loop
-/// (--measure), and ends the program with an exit code: 0 done, 1 the picture could not be written, 3 a
-/// source could not be opened. Thread: GUI.
+/// Runs without a person: takes a picture of the window after a while (--screenshot), or measures how busy
+/// the event loop and the processor are (--measure), and ends the program with an exit code: 0 done, 1 the
+/// picture could not be written, 3 a source could not be opened. Thread: GUI.
 class Unattended : public QObject {
     Q_OBJECT
 
@@ -27,6 +27,8 @@ private:
 
     ConsoleOptions m_options;
     MainWindow& m_window;
+    QElapsedTimer m_measured;
+    double m_processorBefore_s = 0.0;
 };
 
 } // namespace teleta::console

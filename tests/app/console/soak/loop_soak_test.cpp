@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
+#include <ctime>
 #include <future>
 #include <malloc.h>
 #include <map>
@@ -73,6 +74,53 @@ double quantileOf(std::vector<double> values, double probability) {
     std::ranges::sort(values);
     return core::quantileOf(values, probability);
 }
+
+/// Tells what the event loop was longest busy with, to find what holds it up.
+class TimedApplication : public QApplication {
+public:
+    using QApplication::QApplication;
+
+    bool notify(QObject* receiver, QEvent* event) override {
+        if (m_depth > 0)
+            return QApplication::notify(receiver, event);
+        ++m_depth;
+        const QByteArray name = receiver->metaObject()->className() + (' ' + receiver->objectName().toUtf8());
+        const QEvent::Type type = event->type();
+        const double begin_s = threadTime_s();
+        QElapsedTimer wall;
+        wall.start();
+        const bool taken = QApplication::notify(receiver, event);
+        const double wall_s = 1e-9 * static_cast<double>(wall.nsecsElapsed());
+        --m_depth;
+        if (wall_s > kNoted_s)
+            m_longest.push_back({wall_s, threadTime_s() - begin_s, name, type});
+        return taken;
+    }
+
+    void tell() {
+        std::ranges::sort(m_longest, {}, [](const Busy& busy) { return -busy.wall_s; });
+        for (std::size_t i = 0; i < std::min<std::size_t>(m_longest.size(), 15); ++i)
+            std::printf("busy for %.1f ms, of the processor %.1f: %s, event %d\n", 1e3 * m_longest[i].wall_s,
+                        1e3 * m_longest[i].thread_s, m_longest[i].receiver.constData(), m_longest[i].type);
+    }
+
+private:
+    static constexpr double kNoted_s = 0.02;
+    struct Busy {
+        double wall_s;
+        double thread_s;
+        QByteArray receiver;
+        QEvent::Type type;
+    };
+    static double threadTime_s() {
+        timespec time{};
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+        return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+    }
+
+    std::vector<Busy> m_longest;
+    int m_depth = 0;
+};
 
 } // namespace
 
@@ -253,10 +301,12 @@ private slots:
 
 int main(int argc, char* argv[]) {
     view3d::configureOpenGlBeforeApplication();
-    QApplication application(argc, argv);
+    TimedApplication application(argc, argv);
     // The hour is one function of the test.
     qputenv("QTEST_FUNCTION_TIMEOUT", "5400000");
     LoopSoakTest test;
-    return QTest::qExec(&test, argc, argv);
+    const int failures = QTest::qExec(&test, argc, argv);
+    application.tell();
+    return failures;
 }
 #include "loop_soak_test.moc"
