@@ -3,7 +3,7 @@
 
 #include <QByteArray>
 #include <QOpenGLContext>
-#include <QOpenGLFunctions>
+#include <QOpenGLExtraFunctions>
 
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLState.h>
@@ -60,6 +60,7 @@ void GuestRenderWindow::detach() {
         return;
     }
     MakeCurrent();
+    dropFence();
     Finalize();
     SetReadyForRendering(false);
     m_context = nullptr;
@@ -95,6 +96,24 @@ void GuestRenderWindow::renderGuarded() {
     state->vtkglDepthFunc(GL_LEQUAL);
     Render();
     state->Pop();
+    dropFence();
+    QOpenGLExtraFunctions& gl = *m_context->extraFunctions();
+    m_fence = gl.glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.glFlush(); // nobody else will, until the frame is read
+}
+
+bool GuestRenderWindow::isDrawn() {
+    if (!m_context || !m_fence) {
+        return true;
+    }
+    MakeCurrent();
+    return m_context->extraFunctions()->glClientWaitSync(m_fence, 0, 0) != GL_TIMEOUT_EXPIRED;
+}
+
+void GuestRenderWindow::dropFence() {
+    if (m_fence) {
+        m_context->extraFunctions()->glDeleteSync(std::exchange(m_fence, nullptr));
+    }
 }
 
 QImage GuestRenderWindow::frame() {

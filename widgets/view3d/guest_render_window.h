@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QImage>
+#include <qopengl.h>
 
 #include <vtkGenericOpenGLRenderWindow.h>
 
@@ -28,10 +29,12 @@ public:
     bool IsCurrent() override;
     int SupportsOpenGL() override { return attached() ? 1 : 0; }
 
-    /// Draws the scene of the renderers with OpenGL's state saved before and restored after. Layer 0 is
-    /// drawn on an opaque background.
+    /// Hands the scene of the renderers to the driver, with OpenGL's state saved before and restored after.
+    /// Layer 0 is drawn on an opaque background.
     void renderGuarded();
-    /// The last frame, opaque. Null when it cannot be read.
+    /// Whether the driver has drawn what it was handed; does not wait for it.
+    [[nodiscard]] bool isDrawn();
+    /// The last frame, opaque; waits until it is drawn. Null when it cannot be read.
     [[nodiscard]] QImage frame();
 
 protected:
@@ -42,7 +45,10 @@ private:
     GuestRenderWindow(const GuestRenderWindow&) = delete;
     void operator=(const GuestRenderWindow&) = delete;
 
+    void dropFence();
+
     QOpenGLContext* m_context = nullptr;
+    GLsync m_fence = nullptr; ///< behind the last frame
     QSurface* m_surface = nullptr;
 };
 

@@ -5,7 +5,6 @@
 
 #include <QCoreApplication>
 #include <QPointer>
-#include <QWidget>
 
 #include <algorithm>
 
@@ -22,29 +21,40 @@ RenderQueue::RenderQueue(QObject* parent)
     : QObject(parent) {
     m_timer.setSingleShot(true);
     m_timer.setTimerType(Qt::PreciseTimer);
+    m_timer.setObjectName(QStringLiteral("turns"));
     connect(&m_timer, &QTimer::timeout, this, &RenderQueue::serve);
 }
 
-void RenderQueue::ask(QWidget& view) {
+void RenderQueue::ask(View& view) {
     m_turns.ask(&view);
-    serve();
+    schedule();
 }
 
-void RenderQueue::leave(QWidget& view) {
+void RenderQueue::leave(View& view) {
     m_turns.leave(&view);
 }
 
-void RenderQueue::drawn(QWidget& view, std::int64_t begun_ns, std::int64_t ended_ns) {
+void RenderQueue::drawn(View& view, std::int64_t begun_ns, std::int64_t ended_ns) {
     m_turns.drawn(&view, begun_ns, ended_ns);
-    serve();
+    schedule();
 }
 
 void RenderQueue::serve() {
-    const std::int64_t now_ns = core::steadyNow_ns();
-    while (auto* view = static_cast<QWidget*>(m_turns.next(now_ns)))
-        view->update();
-    if (const auto turn_ns = m_turns.nextTurn_ns())
-        m_timer.start(static_cast<int>(std::max<std::int64_t>(*turn_ns - now_ns, 0) / 1'000'000 + 1));
+    while (auto* view = static_cast<View*>(m_turns.next(core::steadyNow_ns())))
+        view->turnHasCome();
+    schedule();
+}
+
+void RenderQueue::schedule() {
+    const auto turn_ns = m_turns.nextTurn_ns();
+    if (!turn_ns)
+        return;
+    // A view that asks is in the middle of a change, so that its turn comes with the event loop.
+    const std::int64_t wait_ns = std::max<std::int64_t>(*turn_ns - core::steadyNow_ns(), 0);
+    const auto wait_ms = static_cast<int>((wait_ns + 999'999) / 1'000'000);
+    // Not put off by those who ask again and again.
+    if (!m_timer.isActive() || m_timer.remainingTime() > wait_ms)
+        m_timer.start(wait_ms);
 }
 
 } // namespace teleta::view3d

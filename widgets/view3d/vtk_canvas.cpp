@@ -2,9 +2,9 @@
 #include "widgets/view3d/vtk_canvas.h"
 
 #include "backend/core/steady_time.h"
-#include "widgets/view3d/render_queue.h"
 
 #include <QApplication>
+#include <QBackingStore>
 #include <QContextMenuEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -19,6 +19,7 @@ namespace teleta::view3d {
 namespace {
 
 constexpr double kLogicalDpi = 96.0;
+constexpr int kLookAgain_ms = 2; ///< for a frame that the driver draws
 
 } // namespace
 
@@ -28,6 +29,10 @@ VtkCanvas::VtkCanvas(GuestRenderWindow* window, vtkRenderWindowInteractor* inter
     , m_interactor(interactor)
     , m_input(interactor) {
     setFocusPolicy(Qt::StrongFocus);
+    m_lookAgain.setTimerType(Qt::PreciseTimer);
+    m_lookAgain.setInterval(kLookAgain_ms);
+    m_lookAgain.setObjectName(QStringLiteral("look"));
+    connect(&m_lookAgain, &QTimer::timeout, this, &VtkCanvas::lookForFrame);
 }
 
 VtkCanvas::~VtkCanvas() {
@@ -53,6 +58,7 @@ void VtkCanvas::setDeviceSize(const QSize& size, double pixelScale) {
     }
     m_size = size;
     m_stale = true;
+    m_drawing = false; // of another size
     m_interactor->UpdateSize(size.width(), size.height());
     m_window->SetSize(size.width(), size.height());
     if (pixelScale != m_pixelScale) {
@@ -84,14 +90,50 @@ bool VtkCanvas::makeContext() {
     return m_window->attach(&m_context, &m_surface) || refuse(GlProblem::driverRefused);
 }
 
-void VtkCanvas::render() {
-    const std::int64_t begun_ns = core::steadyNow_ns();
+void VtkCanvas::turnHasCome() {
+    if (!m_stale || visibleRegion().isEmpty()) {
+        return;
+    }
+    if (m_frame.isNull() || deviceSize() != m_size) {
+        update(); // there is nothing to show meanwhile
+    } else if (!m_drawing) {
+        beginFrame();
+        m_lookAgain.start();
+    } // or it asks again when that one has ended
+}
+
+void VtkCanvas::beginFrame() {
+    m_begun_ns = core::steadyNow_ns();
     m_stale = false;
+    m_drawing = true;
     m_window->renderGuarded();
+}
+
+void VtkCanvas::endFrame() {
+    m_lookAgain.stop();
+    m_drawing = false;
     m_frame = m_window->frame();
     m_frame.setDevicePixelRatio(m_pixelScale);
     ++m_framesRendered;
-    RenderQueue::instance().drawn(*this, begun_ns, core::steadyNow_ns());
+    RenderQueue::instance().drawn(*this, m_begun_ns, core::steadyNow_ns());
+    if (m_stale) {
+        requestRender();
+    }
+}
+
+void VtkCanvas::lookForFrame() {
+    if (!m_drawing) {
+        m_lookAgain.stop();
+    } else if (m_window->isDrawn()) {
+        endFrame();
+        update();
+    }
+}
+
+bool VtkCanvas::paintsOnScreen() const {
+    QPoint offset;
+    QBackingStore* screen = backingStore();
+    return screen != nullptr && redirected(&offset) == screen->paintDevice();
 }
 
 void VtkCanvas::paintEvent(QPaintEvent* /*event*/) {
@@ -100,8 +142,13 @@ void VtkCanvas::paintEvent(QPaintEvent* /*event*/) {
         return;
     }
     setDeviceSize(device, devicePixelRatio());
-    if (m_stale) {
-        render();
+    if (m_frame.size() != device || !paintsOnScreen()) {
+        if (m_stale) {
+            beginFrame();
+        }
+        if (m_drawing) {
+            endFrame();
+        }
     }
     QPainter painter(this);
     painter.drawImage(QPointF(), m_frame);
@@ -115,6 +162,7 @@ QImage VtkCanvas::picture(double scale, bool withOverlay) {
     if (deviceSize().isEmpty() || !makeContext()) {
         return {};
     }
+    m_drawing = false; // the window draws something else now
     m_window->MakeCurrent();
     GLint largest = 0;
     m_context.functions()->glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);

@@ -3,11 +3,13 @@
 
 #include "widgets/view3d/gl_setup.h"
 #include "widgets/view3d/guest_render_window.h"
+#include "widgets/view3d/render_queue.h"
 #include "widgets/view3d/vtk_input.h"
 
 #include <QImage>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <QTimer>
 #include <QWidget>
 
 #include <vtkNew.h>
@@ -20,8 +22,9 @@ namespace teleta::view3d {
 
 /// The surface inside VtkWidget: shows what the render window draws in a context of its own behind the
 /// screen. It is an ordinary widget, because one OpenGL widget would have its whole window put together by
-/// OpenGL with every repaint of anything in it. Owns nothing of the scene, which lives in the render window.
-class VtkCanvas : public QWidget {
+/// OpenGL with every repaint of anything in it. On the screen the last frame stays until the driver has drawn
+/// the next one, for which nobody waits. Owns nothing of the scene, which lives in the render window.
+class VtkCanvas : public QWidget, private RenderQueue::View {
     Q_OBJECT
 public:
     /// painter: in logical pixels; size: of the widget.
@@ -30,7 +33,7 @@ public:
     VtkCanvas(GuestRenderWindow* window, vtkRenderWindowInteractor* interactor, QWidget* parent);
     ~VtkCanvas() override;
 
-    /// Draws anew when RenderQueue has a turn for it, or with a repaint that comes before.
+    /// Draws anew when RenderQueue has a turn for it.
     void requestRender();
     void setOverlay(Overlay overlay) { m_overlay = std::move(overlay); }
     /// Draws the scene anew at `scale` times the widget's device pixels.
@@ -55,8 +58,13 @@ protected:
     void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
+    void turnHasCome() override;
     [[nodiscard]] bool makeContext();
-    void render();
+    void beginFrame();
+    /// Waits for the driver when it has not drawn the frame yet.
+    void endFrame();
+    void lookForFrame();
+    [[nodiscard]] bool paintsOnScreen() const;
     void setDeviceSize(const QSize& size, double pixelScale);
     [[nodiscard]] QSize deviceSize() const;
 
@@ -70,7 +78,10 @@ private:
     QImage m_frame;
     QPointF m_rightPress;
     bool m_rightDragged = false;
-    bool m_stale = true;
+    bool m_stale = true;    ///< the scene has changed since the last frame was begun
+    bool m_drawing = false; ///< a frame was begun that has not ended
+    std::int64_t m_begun_ns = 0;
+    QTimer m_lookAgain;
     QSize m_size;
     double m_pixelScale = 0.0;
     std::uint64_t m_framesRendered = 0;

@@ -160,6 +160,31 @@ private slots:
         QCOMPARE(view.framesRendered(), frames + 1);
     }
 
+    void theScreenKeepsTheLastFrameUntilTheNextIsDrawn() {
+        VtkWidget view;
+        const SquareScene scene(view);
+        view.resize(320, 240);
+        QVERIFY(isShown(view));
+        const QPoint middle(160, 120);
+        const auto isOnScreen = [&](QRgb colour) {
+            const QImage screen = view.screen()->grabWindow(view.winId()).toImage();
+            return near(screen.pixel(middle * screen.width() / view.width()), colour);
+        };
+        QVERIFY(QTest::qWaitFor([&] { return isOnScreen(kSquare); }));
+        const std::uint64_t frames = view.framesRendered();
+        scene.actor->GetProperty()->SetColor(0.0, 1.0, 0.0);
+        view.requestRender();
+        view.repaint(); // does not draw the scene, and waits for nothing
+        QCOMPARE(view.framesRendered(), frames);
+        QVERIFY(isOnScreen(kSquare));
+        QVERIFY(QTest::qWaitFor([&] { return isOnScreen(qRgb(0, 255, 0)); }));
+        QCOMPARE(view.framesRendered(), frames + 1);
+        scene.actor->GetProperty()->SetColor(1.0, 0.0, 0.0);
+        view.requestRender();
+        QVERIFY(QTest::qWaitFor([&] { return isOnScreen(qRgb(255, 0, 0)); }));
+        QCOMPARE(view.framesRendered(), frames + 2);
+    }
+
     void resizingKeepsTheSceneInShape() {
         VtkWidget view;
         const SquareScene scene(view);
