@@ -4,6 +4,7 @@
 #   test_deb.sh [TREE]      a tree of debootstrap that is there already is used again
 set -euo pipefail
 source "$(dirname -- "${BASH_SOURCE[0]}")/build_environment.sh"
+source "$root/packaging/debian_tree.sh"
 tree=${1:-$root/build/debian-tree}
 
 fail() {
@@ -16,23 +17,8 @@ package=$(compgen -G "$root/build/package/*.deb")
 
 lintian --allow-root --fail-on error --suppress-tags bogus-mail-host,no-changelog,embedded-library "$package" || fail "lintian refuses the package"
 
-if [[ ! -x $tree/usr/bin/apt-get ]]; then
-    rm -rf -- "$tree"
-    # The mirror of this machine, which may reach no other.
-    mirror=$(apt-cache policy | sed -nE '0,/bookworm\/main/s/^ *[0-9]+ ([^ ]+) bookworm\/main .*/\1/p')
-    debootstrap --variant=minbase bookworm "$tree" "${mirror:-http://deb.debian.org/debian}" >"$tree.log" 2>&1 ||
-        fail "debootstrap failed, see $tree.log"
-fi
-for file in /etc/resolv.conf /etc/hosts; do cp "$file" "$tree$file"; done
-cp -r /etc/apt/apt.conf.d/. "$tree/etc/apt/apt.conf.d/"
-mounted=()
-unmount() { for place in "${mounted[@]}"; do umount "$place"; done; }
-trap unmount EXIT
-for place in proc dev dev/pts; do
-    mount --bind "/$place" "$tree/$place"
-    mounted=("$tree/$place" "${mounted[@]}")
-done
-inside() { chroot "$tree" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C DEBIAN_FRONTEND=noninteractive "$@"; }
+[[ -x $tree/usr/bin/apt-get ]] || make_tree "$tree"
+enter_tree "$tree"
 
 cp "$package" "$tree/tmp/teleta-console.deb"
 inside apt-get -q update
