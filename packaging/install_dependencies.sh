@@ -4,11 +4,13 @@
 #   install_dependencies.sh          what building and running needs
 #   install_dependencies.sh --test   also what packaging/test.sh checks with
 #   install_dependencies.sh --package   also what packaging/make_deb.sh and test_deb.sh need
+#   install_dependencies.sh --flatpak   also what packaging/make_flatpak.sh and test_flatpak.sh need
 #   install_dependencies.sh --fuzz   also what packaging/fuzz.sh compiles with
+#   install_dependencies.sh --print  installs nothing, prints the packages that compile the programs
 set -euo pipefail
 
-# Build and run. GoogleTest and Google Benchmark are here because every preset configures the tests.
-packages=(
+# What the programs are compiled with.
+build_packages=(
     # tools
     build-essential cmake ninja-build ccache pkg-config
     # Qt 6
@@ -30,6 +32,10 @@ packages=(
     libopencv-dev
     # motor drivers and joints over Modbus
     libmodbus-dev
+)
+# Build and run. GoogleTest and Google Benchmark are here because every preset configures the tests.
+packages=(
+    "${build_packages[@]}"
     # tests and benchmarks
     libgtest-dev libgmock-dev libbenchmark-dev
     # a screen, OpenGL in software and a font where there are none
@@ -43,6 +49,8 @@ test_packages+=(postgresql python3-html5lib poppler-utils locales zsh)
 test_packages+=(python3-pymodbus python3-serial-asyncio socat qemu-system-x86 busybox-static cpio)
 # What only making and trying the Debian package uses.
 package_packages=(help2man dpkg-dev file lintian debootstrap)
+# What only making and trying the Flatpak uses.
+flatpak_packages=(flatpak flatpak-builder ostree debootstrap weston xwayland)
 # What fuzzing of the parsers uses.
 fuzz_packages=(clang libclang-rt-dev)
 
@@ -55,8 +63,13 @@ case "${1:-}" in
     "") ;;
     --test) packages+=("${test_packages[@]}") ;;
     --package) packages+=("${package_packages[@]}") ;;
+    --flatpak) packages+=("${flatpak_packages[@]}") ;;
     --fuzz) packages+=("${fuzz_packages[@]}") ;;
-    *) fail "unknown argument '$1' (expected nothing, --test, --fuzz or --package)" ;;
+    --print)
+        printf '%s\n' "${build_packages[@]}"
+        exit 0
+        ;;
+    *) fail "unknown argument '$1' (expected nothing, --test, --package, --flatpak, --fuzz or --print)" ;;
 esac
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
