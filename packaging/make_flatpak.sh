@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Builds the Flatpak of both programs, and of the runtime that they need out of Debian 12 packages, and says where they are. Needs root
-# rights for debootstrap. A second run uses the runtime that is there; remove build/flatpak to make one of newer packages.
+# rights for debootstrap, and 7 GB. A second run uses the runtime that is there; remove build/flatpak to make one of newer packages.
 set -euo pipefail
 source "$(dirname -- "${BASH_SOURCE[0]}")/build_environment.sh"
 

@@ -42,7 +42,7 @@ desktop="$installation/exports/share/applications/$application.desktop"
 grep -q "^Exec=.*flatpak run .*--command=teleta-console $application" "$desktop" || fail "the desktop file does not start the Flatpak"
 grep -qx "Icon=$application" "$desktop" || fail "the desktop file names an icon that is not exported"
 files="$installation/app/$application/current/active/files"
-gzip -dc "$files/share/app-info/xmls/$application.xml.gz" | grep "<id>$application" >/dev/null || fail "software centres do not see the program"
+[[ $(gzip -dc "$files/share/app-info/xmls/$application.xml.gz") == *"<id>$application"* ]] || fail "software centres do not see the program"
 [[ ! -e $files/lib/udev ]] || fail "udev rules are where no udev reads them"
 
 # inside COMMAND ARGUMENTS...: run beside the programs.
