@@ -15,6 +15,9 @@ namespace {
 
 constexpr std::size_t kLeastAround = 3; ///< known neighbours that tell of a point that is not known
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+// A small press is narrower than the points are apart, so few of them carry its centre. Less than 1 spreads
+// the weight over more of them; the less, the more its rim counts, which noise and a contact beside it move.
+constexpr double kWeightPower = 0.75;
 
 double turn(double to_rad, double from_rad) {
     return std::remainder(to_rad - from_rad, 2.0 * std::numbers::pi);
@@ -50,8 +53,9 @@ std::vector<SkinPatch> SkinPatches::find(std::span<const SkinNode> nodes,
         }
         m_moved_m[i] = count >= kLeastAround ? sum_m / static_cast<double>(count) : 0.0;
     }
+    const double floor_m = m_settings.floorShare * m_settings.threshold_m;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-        if (m_moved_m[i] > m_settings.floorShare * m_settings.threshold_m)
+        if (m_moved_m[i] > floor_m)
             m_order.push_back(i);
     }
     std::ranges::sort(m_order, [&](std::size_t a, std::size_t b) {
@@ -91,7 +95,8 @@ std::vector<SkinPatch> SkinPatches::find(std::span<const SkinNode> nodes,
         double along = 0.0;
         patch.peak_m = m_moved_m[root];
         for (const std::size_t i : patch.nodes) {
-            const double weight = m_moved_m[i];
+            // From zero on: a point that is hardly over the floor must not pull the centre to its side.
+            const double weight = std::pow(m_moved_m[i] - floor_m, kWeightPower);
             sum += weight;
             // The skin's displacement around the tube is known, that along it cannot be told from depth.
             angle += weight * (turn(nodes[i].angle_rad, nodes[root].angle_rad) +

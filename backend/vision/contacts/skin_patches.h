@@ -36,8 +36,9 @@ struct SkinPatch {
 };
 
 /// Contacts among scattered points of a tube's skin: watershed over the graph of neighbours in order of
-/// falling displacement, and the centre of each as the mean of its points weighted by their displacement:
-/// over evenly spread points that is the centre of a smooth summit itself, also between them. Thread: one.
+/// falling displacement, and the centre of each as the mean of its points:
+///   weight = (displacement - floor)^(3/4)
+/// Over evenly spread points that is the centre of a smooth summit itself, also between them. Thread: one.
 class SkinPatches {
 public:
     struct Settings {

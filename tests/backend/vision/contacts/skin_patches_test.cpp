@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/simulation/camera/sphere_imprint.h"
 #include "backend/vision/contacts/skin_patches.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <numbers>
 
 namespace teleta::vision {
@@ -11,6 +14,7 @@ namespace {
 
 constexpr double kRadius_m = 0.025;
 constexpr double kPitch_m = 0.004;
+constexpr int kAround = 39;
 
 /// Nodes on a grid around the whole tube, and their neighbours.
 struct Skin {
@@ -18,11 +22,10 @@ struct Skin {
     std::vector<std::vector<std::size_t>> neighbours;
 
     Skin() {
-        const int around = 39;
         const int rings = 25;
         for (int ring = 0; ring < rings; ++ring) {
-            for (int i = 0; i < around; ++i)
-                nodes.push_back({.angle_rad = 2.0 * std::numbers::pi * (i + 0.5 * (ring % 2)) / around,
+            for (int i = 0; i < kAround; ++i)
+                nodes.push_back({.angle_rad = 2.0 * std::numbers::pi * (i + 0.5 * (ring % 2)) / kAround,
                                  .z_m = kPitch_m * (ring + 0.5),
                                  .known = true});
         }
@@ -42,6 +45,11 @@ struct Skin {
         for (SkinNode& node : nodes)
             node.inward_m +=
                 depth_m * std::exp(-0.5 * std::pow(distance_m(node, angle_rad, z_m) / width_m, 2));
+    }
+    /// A ball's imprint alone.
+    void imprint(double angle_rad, double z_m, const simulation::SphereImprint& ball) {
+        for (SkinNode& node : nodes)
+            node.inward_m = ball.depth_m(distance_m(node, angle_rad, z_m));
     }
     [[nodiscard]] std::vector<SkinPatch> find() const {
         return SkinPatches(SkinPatches::Settings()).find(nodes, neighbours);
@@ -143,6 +151,40 @@ TEST(SkinPatches, haveTheCentreOfASmoothSummitBetweenTheirPointsAlsoAtTheSeam) {
             EXPECT_LE(patches[0].depth_m, 0.001);
         }
     }
+}
+
+/// A ball that rolls from one point to the next one must not be seen to move to and fro.
+TEST(SkinPatches, haveACentreThatHardlyDependsOnWhereAPressLiesBetweenThePoints) {
+    Skin skin;
+    constexpr int kSteps = 8;
+    double squares_m2 = 0.0;
+    double worst_m = 0.0;
+    int presses = 0;
+    for (const double radius_m : {0.006, 0.008, 0.012}) {
+        for (const double depth_m : {0.0006, 0.0008, 0.0012, 0.0016}) {
+            const simulation::SphereImprint ball(radius_m, depth_m, 0.0015);
+            for (int step = 0; step < kSteps * kSteps; ++step) {
+                // The grid repeats after one point around and two rings.
+                const double angle_rad =
+                    0.3 + 2.0 * std::numbers::pi / kAround * (step % kSteps) / static_cast<double>(kSteps);
+                const double z_m =
+                    0.048 + 2.0 * kPitch_m * static_cast<double>(step / kSteps) / static_cast<double>(kSteps);
+                skin.imprint(angle_rad, z_m, ball);
+                const auto patches = skin.find();
+                ASSERT_EQ(patches.size(), 1U) << radius_m << " " << depth_m << " " << step;
+                const double error_m = std::hypot(
+                    kRadius_m * std::remainder(patches[0].angle_rad - angle_rad, 2.0 * std::numbers::pi),
+                    patches[0].z_m - z_m);
+                squares_m2 += error_m * error_m;
+                worst_m = std::max(worst_m, error_m);
+                ++presses;
+            }
+        }
+    }
+    const double rms_m = std::sqrt(squares_m2 / presses);
+    std::cout << "centre off by " << 1e3 * rms_m << " mm rms, " << 1e3 * worst_m << " mm at most\n";
+    EXPECT_LT(rms_m, 0.0001);
+    EXPECT_LT(worst_m, 0.00025);
 }
 
 TEST(SkinPatches, separateTwoContactsThatMeetAndMergeOnesThatHardlyRise) {
