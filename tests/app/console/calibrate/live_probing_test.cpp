@@ -44,6 +44,8 @@ std::unique_ptr<simulation::SimulatedTube> tube() {
     world.probing->first_z_m = kGrid.first_z_m;
     world.probing->last_z_m = kGrid.last_z_m;
     world.probing->wrongShare = 0.0;
+    // Two touches of the same hole can be told apart.
+    scene.effects.push_back({"", scene::SensorNoiseSpec{.read = 1.0, .shot = 2.5}});
     scene.rate_Hz = kRate_Hz;
     scene.duration_s = world.probing->hole_s * static_cast<double>(kGrid.size());
     return std::move(*simulation::SimulatedTube::make(scene, 1));
