@@ -8,6 +8,7 @@
 #include "app/console/unattended.h"
 #include "backend/core/stop_switch.h"
 #include "widgets/base/theme.h"
+#include "widgets/chrome/message_log.h"
 #include "widgets/view3d/gl_setup.h"
 
 #include <QApplication>
@@ -57,6 +58,7 @@ int main(int argc, char* argv[]) {
     QGuiApplication::setDesktopFileName(QStringLiteral("org.teleta.Console"));
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/teleta-console.svg")));
     app::installTranslator(application, QLocale::system());
+    chrome::MessageLog::instance().takeQtMessages();
 
     const console::ParsedOptions parsed = console::parseOptions(QCoreApplication::arguments());
     if (!parsed.options)

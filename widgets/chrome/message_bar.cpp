@@ -3,6 +3,7 @@
 
 #include "widgets/base/icons.h"
 #include "widgets/base/theme.h"
+#include "widgets/chrome/message_log.h"
 
 #include <QFrame>
 #include <QHBoxLayout>
@@ -97,6 +98,7 @@ MessageBar::MessageBar(QWidget* parent)
 }
 
 void MessageBar::post(const Message& message) {
+    MessageLog::instance().append(message);
     const auto same = std::find_if(m_entries.begin(), m_entries.end(), [&](const Entry& entry) {
         return entry.message.text == message.text && entry.message.details == message.details;
     });

@@ -23,7 +23,7 @@ struct Message {
 
 /// Notices above a view, newest first: what happened, since when, what to do, details on demand. One that
 /// repeats counts up instead of filling the view; at most three are shown, older ones wait behind them.
-/// Nothing blocks. Thread: GUI.
+/// Nothing blocks. All of them are kept in the MessageLog. Thread: GUI.
 class MessageBar : public QWidget {
     Q_OBJECT
 

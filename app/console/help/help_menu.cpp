@@ -3,6 +3,7 @@
 
 #include "app/console/help/about.h"
 #include "app/console/help/handbook_window.h"
+#include "app/console/help/log_window.h"
 
 #include <QMenu>
 #include <QWhatsThis>
@@ -23,6 +24,7 @@ void HelpMenu::fill(QMenu& menu) {
     menu.addSeparator();
     menu.addAction(QWhatsThis::createAction(&menu));
     menu.addAction(tr("&Shortcuts"), this, [this] { openShortcuts(&m_window); });
+    menu.addAction(tr("&Log"), this, &HelpMenu::openLog);
     menu.addSeparator();
     menu.addAction(tr("&About TeleTA Console"), this, [this] { openAbout(&m_window); });
 }
@@ -34,6 +36,14 @@ void HelpMenu::openHandbook(const QString& page) {
     m_handbook->show();
     m_handbook->raise();
     m_handbook->activateWindow();
+}
+
+void HelpMenu::openLog() {
+    if (m_log == nullptr)
+        m_log = new LogWindow(&m_window);
+    m_log->show();
+    m_log->raise();
+    m_log->activateWindow();
 }
 
 void HelpMenu::openFirstSteps() {

@@ -11,8 +11,10 @@ class QWidget;
 namespace teleta::console {
 
 class HandbookWindow;
+class LogWindow;
 
-/// The menu Help: handbook (F1, at the page that is open), What's This, shortcuts, about. Thread: GUI.
+/// The menu Help: handbook (F1, at the page that is open), What's This, shortcuts, log,
+/// about. Thread: GUI.
 class HelpMenu : public QObject {
     Q_OBJECT
 
@@ -25,9 +27,12 @@ public:
     void openFirstSteps();
 
 private:
+    void openLog();
+
     QWidget& m_window;
     std::function<QString()> m_page;
     HandbookWindow* m_handbook = nullptr; ///< made when it is opened first; the window's
+    LogWindow* m_log = nullptr;           ///< likewise
 };
 
 } // namespace teleta::console

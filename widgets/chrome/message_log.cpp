@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/chrome/message_log.h"
+
+#include <QCoreApplication>
+#include <QPointer>
+#include <QStringList>
+
+#include <utility>
+
+namespace teleta::chrome {
+
+namespace {
+
+QPointer<MessageLog> theLog;
+QtMessageHandler theHandlerBefore = nullptr;
+
+void handleQtMessage(QtMsgType type, const QMessageLogContext& context, const QString& text) {
+    if (theHandlerBefore != nullptr)
+        theHandlerBefore(type, context, text);
+    if (type == QtDebugMsg || QCoreApplication::instance() == nullptr || theLog.isNull())
+        return;
+    const auto severity = type == QtInfoMsg      ? Message::Severity::information
+                          : type == QtWarningMsg ? Message::Severity::warning
+                                                 : Message::Severity::error;
+    theLog->append(severity, text);
+}
+
+/// On one line, of a text with several.
+QString line(const QString& text) {
+    return text.split(u'\n', Qt::SkipEmptyParts).join(QStringLiteral(" \u00b7 "));
+}
+
+} // namespace
+
+MessageLog& MessageLog::instance() {
+    if (theLog.isNull())
+        theLog = new MessageLog(QCoreApplication::instance());
+    return *theLog;
+}
+
+void MessageLog::append(Message::Severity severity, const QString& text) {
+    // Always by the event loop: a view of the log may be what a message is about.
+    QMetaObject::invokeMethod(
+        this, [this, entry = Entry{QDateTime::currentDateTime(), severity, text}] { add(entry); },
+        Qt::QueuedConnection);
+}
+
+void MessageLog::append(const Message& message) {
+    QStringList parts{message.text};
+    for (const QString& part : {message.advice, message.details}) {
+        if (!part.isEmpty())
+            parts << part;
+    }
+    append(message.severity, parts.join(u'\n'));
+}
+
+void MessageLog::takeQtMessages() {
+    if (theHandlerBefore == nullptr)
+        theHandlerBefore = qInstallMessageHandler(handleQtMessage);
+}
+
+void MessageLog::add(Entry entry) {
+    if (m_entries.size() >= static_cast<std::size_t>(kKept)) {
+        beginRemoveRows({}, 0, 0);
+        m_entries.pop_front();
+        endRemoveRows();
+    }
+    const int row = rowCount();
+    beginInsertRows({}, row, row);
+    m_entries.push_back(std::move(entry));
+    endInsertRows();
+}
+
+QString MessageLog::kindOf(Message::Severity severity) {
+    switch (severity) {
+    case Message::Severity::error:
+        return tr("Error");
+    case Message::Severity::warning:
+        return tr("Warning");
+    case Message::Severity::information:
+        break;
+    }
+    return tr("Information");
+}
+
+QString MessageLog::asText() const {
+    QString text;
+    for (const Entry& entry : m_entries)
+        text += QStringLiteral("%1 %2: %3\n")
+                    .arg(entry.time.toString(Qt::ISODateWithMs), kindOf(entry.severity), line(entry.text));
+    return text;
+}
+
+int MessageLog::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(m_entries.size());
+}
+
+int MessageLog::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : kColumns;
+}
+
+QVariant MessageLog::data(const QModelIndex& index, int role) const {
+    if (!index.isValid())
+        return {};
+    const Entry& entry = m_entries[static_cast<std::size_t>(index.row())];
+    if (role == Qt::ToolTipRole)
+        return entry.text;
+    if (role != Qt::DisplayRole)
+        return {};
+    switch (index.column()) {
+    case kTime:
+        return entry.time.toString(QStringLiteral("HH:mm:ss.zzz"));
+    case kKind:
+        return kindOf(entry.severity);
+    default:
+        return line(entry.text);
+    }
+}
+
+QVariant MessageLog::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
+        return {};
+    switch (section) {
+    case kTime:
+        return tr("Time");
+    case kKind:
+        return tr("Kind");
+    default:
+        return tr("Message");
+    }
+}
+
+} // namespace teleta::chrome

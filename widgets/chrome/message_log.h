@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/chrome/message_bar.h"
+
+#include <QAbstractTableModel>
+#include <QDateTime>
+#include <QString>
+
+#include <deque>
+
+namespace teleta::chrome {
+
+/// What the program has told since it began, newest last: the notices of all views and the messages of Qt and
+/// the libraries. One a program. Thread: GUI; append() from any one.
+class MessageLog : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    static constexpr int kKept = 5000; ///< the oldest go
+    enum Column { kTime, kKind, kText, kColumns };
+
+    /// The one of the program; made with the first call, which is the GUI thread's.
+    static MessageLog& instance();
+
+    void append(Message::Severity severity, const QString& text);
+    void append(const Message& message);
+    /// From now on messages of Qt come here as well as to where they went.
+    void takeQtMessages();
+    /// A line an entry: time (ISO 8601, to the millisecond), kind, text.
+    [[nodiscard]] QString asText() const;
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+private:
+    using QAbstractTableModel::QAbstractTableModel;
+
+    struct Entry {
+        QDateTime time;
+        Message::Severity severity = Message::Severity::information;
+        QString text;
+    };
+    void add(Entry entry);
+    [[nodiscard]] static QString kindOf(Message::Severity severity);
+
+    std::deque<Entry> m_entries;
+};
+
+} // namespace teleta::chrome
