@@ -68,12 +68,27 @@ void translateHelp(CLI::App& app) {
     app.set_help_flag("-h,--help", ProgramText::tr("Print this help").toStdString());
 }
 
+/// Of an app whose command nobody knows; empty when that is not what is wrong.
+QString unknownCommand(const CLI::App& app) {
+    QStringList names;
+    for (const CLI::App* known : app.get_subcommands([](const CLI::App*) { return true; }))
+        names << QString::fromStdString(known->get_name());
+    const std::vector<std::string> words = app.remaining();
+    if (names.isEmpty() || !app.get_subcommands().empty() || words.empty() || words.front().starts_with('-'))
+        return {};
+    return ProgramText::tr("there is no command '%1'; expected one of %2")
+        .arg(QString::fromStdString(words.front()), names.join(QStringLiteral(", ")));
+}
+
 std::string usageError(const CLI::App* app, const CLI::Error& error) {
     QString command = QStringLiteral("teleta");
-    for (const CLI::App* parsed : app->get_subcommands())
-        command += QLatin1Char(' ') + QString::fromStdString(parsed->get_name());
+    while (!app->get_subcommands().empty()) {
+        app = app->get_subcommands().front();
+        command += QLatin1Char(' ') + QString::fromStdString(app->get_name());
+    }
+    const QString unknown = unknownCommand(*app);
     return ProgramText::tr("teleta: %1\n%2 --help says more.\n")
-        .arg(QString::fromStdString(error.what()), command)
+        .arg(unknown.isEmpty() ? QString::fromStdString(error.what()) : unknown, command)
         .toStdString();
 }
 

@@ -203,6 +203,7 @@ void PatternCommand::declare(CLI::App& app) {
         "--predicted", m_predicted,
         help(QT_TRANSLATE_NOOP("PatternCommand", "CSV and WAV: what the motors will do, with an assumed "
                                                  "motor: lag, start and speed are not measured")));
+    declareJson(*m_convert, m_json);
 
     m_check = part(
         "check", QT_TRANSLATE_NOOP("PatternCommand", "Say where a pattern breaks a law of what can be felt"));
@@ -357,7 +358,9 @@ core::Expected<void> PatternCommand::convert() const {
     samples.rate_Hz = m_convertRate_Hz;
     if (m_predicted)
         samples.motors = pattern::assumedMotors();
-    return pattern::savePattern(*pattern, m_outPath, samples);
+    if (auto saved = pattern::savePattern(*pattern, m_outPath, samples); !saved || !m_json)
+        return saved;
+    return printDocument({{"id", pattern->id}, {"out", m_outPath}});
 }
 
 core::Expected<void> PatternCommand::check() const {

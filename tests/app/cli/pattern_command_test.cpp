@@ -53,6 +53,15 @@ TEST(PatternCommand, rendersIntoAFileAndConvertsToTheSameRows) {
     EXPECT_EQ(splitCsv(readAll(rendered)).size(), 401U);
 }
 
+TEST(PatternCommand, tellsWhatItConvertedAsJson) {
+    const TemporaryFolder folder;
+    const std::string out = folder.path("b.hjif");
+    const ProgramResult result = run({"pattern", "convert", "shape.A.dynamic", out, "--json"});
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_EQ(ordered_json::parse(result.out, nullptr, false),
+              ordered_json({{"id", "shape.A.dynamic"}, {"out", out}}));
+}
+
 TEST(PatternCommand, convertsWithARateAndWithWhatTheMotorsWillDo) {
     const TemporaryFolder folder;
     const std::string rendered = folder.path("a.csv");
