@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/console_options.h"
 
+#include "app/common/translation.h"
 #include "app/console/operate/operate_docks.h"
 #include "app/console/study/study_page.h"
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QLocale>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -228,6 +231,12 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
     if (m_parser.isSet(theme) && !QStringList{"light", "dark", "system"}.contains(options.theme))
         fail(tr("--theme %1: expected light, dark or system").arg(options.theme));
     options.language = m_parser.value(language);
+    const QList<QLocale> spoken = app::availableLocales();
+    const auto isAsked = [asked = QLocale(options.language).language()](const QLocale& locale) {
+        return locale.language() == asked;
+    };
+    if (m_parser.isSet(language) && std::ranges::none_of(spoken, isAsked))
+        fail(tr("--language %1: expected en, fr, ja or zh_CN").arg(options.language));
     options.screenshot = m_parser.value(screenshot);
     if (const auto waits_s = numbers(after, 0.0, 3600.0); !waits_s.empty())
         options.after_s = waits_s.back();

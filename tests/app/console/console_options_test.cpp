@@ -46,6 +46,8 @@ private slots:
         QTest::newRow("rate not finite") << QStringList{"--rate", "nan"} << "nan";
         QTest::newRow("unknown dock") << QStringList{"--dock", "nowhere"} << "stiffness";
         QTest::newRow("unknown page") << QStringList{"--page", "nowhere"} << "operate";
+        QTest::newRow("unknown language") << QStringList{"--language", "xx"} << "en, fr, ja or zh_CN";
+        QTest::newRow("a language without texts") << QStringList{"--language", "de"} << "en, fr, ja or zh_CN";
         QTest::newRow("unknown theme") << QStringList{"--theme", "pink"} << "light, dark or system";
         QTest::newRow("size without x") << QStringList{"--size", "1600"} << "WIDTHxHEIGHT";
         QTest::newRow("size too small") << QStringList{"--size", "10x10"} << "320x240";
