@@ -933,6 +933,10 @@ Exemples&#xa0;:
         <source>Bracelet to drive: simulated, usb, none, or a file that describes one.</source>
         <translation>Bracelet à piloter&#xa0;: simulated, usb, none, ou un fichier qui en décrit un.</translation>
     </message>
+    <message>
+        <source>--language %1: expected en, fr, ja or zh_CN</source>
+        <translation>--language %1&#xa0;: attendu en, fr, ja ou zh_CN</translation>
+    </message>
 </context>
 <context>
     <name>ContactsCommand</name>
@@ -3176,6 +3180,97 @@ Aire %6</translation>
     </message>
 </context>
 <context>
+    <name>PatternNames</name>
+    <message>
+        <source>Circle, static</source>
+        <translation>Cercle, statique</translation>
+    </message>
+    <message>
+        <source>Rectangle, static</source>
+        <translation>Rectangle, statique</translation>
+    </message>
+    <message>
+        <source>Triangle, static</source>
+        <translation>Triangle, statique</translation>
+    </message>
+    <message>
+        <source>Arc, static</source>
+        <translation>Arc, statique</translation>
+    </message>
+    <message>
+        <source>Line, static</source>
+        <translation>Ligne, statique</translation>
+    </message>
+    <message>
+        <source>Point, static</source>
+        <translation>Point, statique</translation>
+    </message>
+    <message>
+        <source>Circle, dynamic</source>
+        <translation>Cercle, dynamique</translation>
+    </message>
+    <message>
+        <source>Rectangle, dynamic</source>
+        <translation>Rectangle, dynamique</translation>
+    </message>
+    <message>
+        <source>Triangle, dynamic</source>
+        <translation>Triangle, dynamique</translation>
+    </message>
+    <message>
+        <source>Arc, dynamic</source>
+        <translation>Arc, dynamique</translation>
+    </message>
+    <message>
+        <source>Line, dynamic</source>
+        <translation>Ligne, dynamique</translation>
+    </message>
+    <message>
+        <source>Point, dynamic</source>
+        <translation>Point, dynamique</translation>
+    </message>
+    <message>
+        <source>Sponge, static</source>
+        <translation>Éponge, statique</translation>
+    </message>
+    <message>
+        <source>Rubber sponge, static</source>
+        <translation>Caoutchouc mousse, statique</translation>
+    </message>
+    <message>
+        <source>Rubber, static</source>
+        <translation>Caoutchouc, statique</translation>
+    </message>
+    <message>
+        <source>Wood, static</source>
+        <translation>Bois, statique</translation>
+    </message>
+    <message>
+        <source>Metal, static</source>
+        <translation>Métal, statique</translation>
+    </message>
+    <message>
+        <source>Sponge, dynamic</source>
+        <translation>Éponge, dynamique</translation>
+    </message>
+    <message>
+        <source>Rubber sponge, dynamic</source>
+        <translation>Caoutchouc mousse, dynamique</translation>
+    </message>
+    <message>
+        <source>Rubber, dynamic</source>
+        <translation>Caoutchouc, dynamique</translation>
+    </message>
+    <message>
+        <source>Wood, dynamic</source>
+        <translation>Bois, dynamique</translation>
+    </message>
+    <message>
+        <source>Metal, dynamic</source>
+        <translation>Métal, dynamique</translation>
+    </message>
+</context>
+<context>
     <name>PatternPlay</name>
     <message>
         <source>the profile is of the bracelet &quot;%1&quot;</source>
@@ -3306,6 +3401,10 @@ Aire %6</translation>
     <message>
         <source>Example:</source>
         <translation>Exemple&#xa0;:</translation>
+    </message>
+    <message>
+        <source>there is no command &apos;%1&apos;; expected one of %2</source>
+        <translation>il n’y a pas de commande «&#xa0;%1&#xa0;»&#xa0;; attendu&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -8340,6 +8439,33 @@ Aire %6</translation>
     </message>
 </context>
 <context>
+    <name>teleta::chrome::MessageLog</name>
+    <message>
+        <source>Error</source>
+        <translation>Erreur</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Avertissement</translation>
+    </message>
+    <message>
+        <source>Information</source>
+        <translation>Information</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Heure</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Genre</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Message</translation>
+    </message>
+</context>
+<context>
     <name>teleta::chrome::PageRail</name>
     <message>
         <source>Pages</source>
@@ -9318,6 +9444,10 @@ Aire %6</translation>
         <source>&amp;About TeleTA Console</source>
         <translation>À &amp;propos de TeleTA Console</translation>
     </message>
+    <message>
+        <source>&amp;Log</source>
+        <translation>&amp;Journal</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::LiveProbing</name>
@@ -9458,6 +9588,45 @@ Aire %6</translation>
     <message>
         <source>Lift the stick first.</source>
         <translation>Levez d’abord le bâton.</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::LogWindow</name>
+    <message>
+        <source>Save log</source>
+        <translation>Enregistrer le journal</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Texte (*.txt)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Écrit&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1 could not be written: %2</source>
+        <translation>%1 n’a pas pu être écrit&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Journal</translation>
+    </message>
+    <message>
+        <source>Messages since the program began</source>
+        <translation>Messages depuis le début du programme</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Copier</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>&amp;Enregistrer…</translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>&amp;Fermer</translation>
     </message>
 </context>
 <context>

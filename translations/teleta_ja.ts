@@ -933,6 +933,10 @@ Examples:
         <source>Bracelet to drive: simulated, usb, none, or a file that describes one.</source>
         <translation>駆動するブレスレット: simulated、usb、none、またはブレスレットを記述したファイル。</translation>
     </message>
+    <message>
+        <source>--language %1: expected en, fr, ja or zh_CN</source>
+        <translation>--language %1: en、fr、ja、zh_CN のいずれかを指定してください</translation>
+    </message>
 </context>
 <context>
     <name>ContactsCommand</name>
@@ -3172,6 +3176,97 @@ x %4, y %5
     </message>
 </context>
 <context>
+    <name>PatternNames</name>
+    <message>
+        <source>Circle, static</source>
+        <translation>円、静的</translation>
+    </message>
+    <message>
+        <source>Rectangle, static</source>
+        <translation>長方形、静的</translation>
+    </message>
+    <message>
+        <source>Triangle, static</source>
+        <translation>三角形、静的</translation>
+    </message>
+    <message>
+        <source>Arc, static</source>
+        <translation>円弧、静的</translation>
+    </message>
+    <message>
+        <source>Line, static</source>
+        <translation>線、静的</translation>
+    </message>
+    <message>
+        <source>Point, static</source>
+        <translation>点、静的</translation>
+    </message>
+    <message>
+        <source>Circle, dynamic</source>
+        <translation>円、動的</translation>
+    </message>
+    <message>
+        <source>Rectangle, dynamic</source>
+        <translation>長方形、動的</translation>
+    </message>
+    <message>
+        <source>Triangle, dynamic</source>
+        <translation>三角形、動的</translation>
+    </message>
+    <message>
+        <source>Arc, dynamic</source>
+        <translation>円弧、動的</translation>
+    </message>
+    <message>
+        <source>Line, dynamic</source>
+        <translation>線、動的</translation>
+    </message>
+    <message>
+        <source>Point, dynamic</source>
+        <translation>点、動的</translation>
+    </message>
+    <message>
+        <source>Sponge, static</source>
+        <translation>スポンジ、静的</translation>
+    </message>
+    <message>
+        <source>Rubber sponge, static</source>
+        <translation>ゴムスポンジ、静的</translation>
+    </message>
+    <message>
+        <source>Rubber, static</source>
+        <translation>ゴム、静的</translation>
+    </message>
+    <message>
+        <source>Wood, static</source>
+        <translation>木、静的</translation>
+    </message>
+    <message>
+        <source>Metal, static</source>
+        <translation>金属、静的</translation>
+    </message>
+    <message>
+        <source>Sponge, dynamic</source>
+        <translation>スポンジ、動的</translation>
+    </message>
+    <message>
+        <source>Rubber sponge, dynamic</source>
+        <translation>ゴムスポンジ、動的</translation>
+    </message>
+    <message>
+        <source>Rubber, dynamic</source>
+        <translation>ゴム、動的</translation>
+    </message>
+    <message>
+        <source>Wood, dynamic</source>
+        <translation>木、動的</translation>
+    </message>
+    <message>
+        <source>Metal, dynamic</source>
+        <translation>金属、動的</translation>
+    </message>
+</context>
+<context>
     <name>PatternPlay</name>
     <message>
         <source>the profile is of the bracelet &quot;%1&quot;</source>
@@ -3302,6 +3397,10 @@ x %4, y %5
     <message>
         <source>Example:</source>
         <translation>例:</translation>
+    </message>
+    <message>
+        <source>there is no command &apos;%1&apos;; expected one of %2</source>
+        <translation>コマンド「%1」はありません。次のいずれかを指定してください: %2</translation>
     </message>
 </context>
 <context>
@@ -8325,6 +8424,33 @@ x %4, y %5
     </message>
 </context>
 <context>
+    <name>teleta::chrome::MessageLog</name>
+    <message>
+        <source>Error</source>
+        <translation>エラー</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Information</source>
+        <translation>情報</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>時刻</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>種類</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>メッセージ</translation>
+    </message>
+</context>
+<context>
     <name>teleta::chrome::PageRail</name>
     <message>
         <source>Pages</source>
@@ -9298,6 +9424,10 @@ x %4, y %5
         <source>&amp;About TeleTA Console</source>
         <translation>TeleTA Consoleについて(&amp;A)</translation>
     </message>
+    <message>
+        <source>&amp;Log</source>
+        <translation>ログ(&amp;L)</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::LiveProbing</name>
@@ -9438,6 +9568,45 @@ x %4, y %5
     <message>
         <source>Lift the stick first.</source>
         <translation>先に棒を離してください。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::LogWindow</name>
+    <message>
+        <source>Save log</source>
+        <translation>ログを保存</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>テキスト (*.txt)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>書き込みました: %1</translation>
+    </message>
+    <message>
+        <source>%1 could not be written: %2</source>
+        <translation>%1 を書き込めませんでした: %2</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>ログ</translation>
+    </message>
+    <message>
+        <source>Messages since the program began</source>
+        <translation>プログラム開始からのメッセージ</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>コピー(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>保存(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>閉じる(&amp;L)</translation>
     </message>
 </context>
 <context>

@@ -933,6 +933,10 @@ Examples:
         <source>Bracelet to drive: simulated, usb, none, or a file that describes one.</source>
         <translation>要驱动的手环：simulated、usb、none，或描述手环的文件。</translation>
     </message>
+    <message>
+        <source>--language %1: expected en, fr, ja or zh_CN</source>
+        <translation>--language %1：应为 en、fr、ja 或 zh_CN</translation>
+    </message>
 </context>
 <context>
     <name>ContactsCommand</name>
@@ -3172,6 +3176,97 @@ x %4，y %5
     </message>
 </context>
 <context>
+    <name>PatternNames</name>
+    <message>
+        <source>Circle, static</source>
+        <translation>圆，静态</translation>
+    </message>
+    <message>
+        <source>Rectangle, static</source>
+        <translation>矩形，静态</translation>
+    </message>
+    <message>
+        <source>Triangle, static</source>
+        <translation>三角形，静态</translation>
+    </message>
+    <message>
+        <source>Arc, static</source>
+        <translation>圆弧，静态</translation>
+    </message>
+    <message>
+        <source>Line, static</source>
+        <translation>线，静态</translation>
+    </message>
+    <message>
+        <source>Point, static</source>
+        <translation>点，静态</translation>
+    </message>
+    <message>
+        <source>Circle, dynamic</source>
+        <translation>圆，动态</translation>
+    </message>
+    <message>
+        <source>Rectangle, dynamic</source>
+        <translation>矩形，动态</translation>
+    </message>
+    <message>
+        <source>Triangle, dynamic</source>
+        <translation>三角形，动态</translation>
+    </message>
+    <message>
+        <source>Arc, dynamic</source>
+        <translation>圆弧，动态</translation>
+    </message>
+    <message>
+        <source>Line, dynamic</source>
+        <translation>线，动态</translation>
+    </message>
+    <message>
+        <source>Point, dynamic</source>
+        <translation>点，动态</translation>
+    </message>
+    <message>
+        <source>Sponge, static</source>
+        <translation>海绵，静态</translation>
+    </message>
+    <message>
+        <source>Rubber sponge, static</source>
+        <translation>橡胶海绵，静态</translation>
+    </message>
+    <message>
+        <source>Rubber, static</source>
+        <translation>橡胶，静态</translation>
+    </message>
+    <message>
+        <source>Wood, static</source>
+        <translation>木材，静态</translation>
+    </message>
+    <message>
+        <source>Metal, static</source>
+        <translation>金属，静态</translation>
+    </message>
+    <message>
+        <source>Sponge, dynamic</source>
+        <translation>海绵，动态</translation>
+    </message>
+    <message>
+        <source>Rubber sponge, dynamic</source>
+        <translation>橡胶海绵，动态</translation>
+    </message>
+    <message>
+        <source>Rubber, dynamic</source>
+        <translation>橡胶，动态</translation>
+    </message>
+    <message>
+        <source>Wood, dynamic</source>
+        <translation>木材，动态</translation>
+    </message>
+    <message>
+        <source>Metal, dynamic</source>
+        <translation>金属，动态</translation>
+    </message>
+</context>
+<context>
     <name>PatternPlay</name>
     <message>
         <source>the profile is of the bracelet &quot;%1&quot;</source>
@@ -3302,6 +3397,10 @@ x %4，y %5
     <message>
         <source>Example:</source>
         <translation>示例：</translation>
+    </message>
+    <message>
+        <source>there is no command &apos;%1&apos;; expected one of %2</source>
+        <translation>没有命令“%1”；应为以下之一：%2</translation>
     </message>
 </context>
 <context>
@@ -8325,6 +8424,33 @@ x %4，y %5
     </message>
 </context>
 <context>
+    <name>teleta::chrome::MessageLog</name>
+    <message>
+        <source>Error</source>
+        <translation>错误</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Information</source>
+        <translation>信息</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>消息</translation>
+    </message>
+</context>
+<context>
     <name>teleta::chrome::PageRail</name>
     <message>
         <source>Pages</source>
@@ -9298,6 +9424,10 @@ x %4，y %5
         <source>&amp;About TeleTA Console</source>
         <translation>关于 TeleTA Console(&amp;A)</translation>
     </message>
+    <message>
+        <source>&amp;Log</source>
+        <translation>日志(&amp;L)</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::LiveProbing</name>
@@ -9438,6 +9568,45 @@ x %4，y %5
     <message>
         <source>Lift the stick first.</source>
         <translation>请先抬起探棒。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::LogWindow</name>
+    <message>
+        <source>Save log</source>
+        <translation>保存日志</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>文本 (*.txt)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>已写入：%1</translation>
+    </message>
+    <message>
+        <source>%1 could not be written: %2</source>
+        <translation>无法写入 %1：%2</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>日志</translation>
+    </message>
+    <message>
+        <source>Messages since the program began</source>
+        <translation>程序启动以来的消息</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>复制(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>保存(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>关闭(&amp;L)</translation>
     </message>
 </context>
 <context>

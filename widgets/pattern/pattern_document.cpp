@@ -6,6 +6,7 @@
 #include "backend/pattern/edit.h"
 #include "backend/pattern/overdriven.h"
 #include "backend/pattern/pattern_folder.h"
+#include "widgets/pattern/pattern_names.h"
 
 #include <QStringList>
 #include <QUndoCommand>
@@ -224,7 +225,7 @@ void PatternDocument::apply(Pattern after, const QString& text, Selection select
     if (isBuiltIn() && after.id == m_pattern.id) {
         after.id = newPatternId();
         if (after.name == m_pattern.name)
-            after.name = tr("%1 (copy)").arg(QString::fromStdString(m_pattern.name)).toStdString();
+            after.name = tr("%1 (copy)").arg(displayName(m_pattern)).toStdString();
         std::erase(after.tags, "built-in");
     }
     if (mergeKind == kNoMerge)

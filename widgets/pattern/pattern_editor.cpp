@@ -6,6 +6,7 @@
 #include "widgets/pattern/law_list.h"
 #include "widgets/pattern/pattern_inspector.h"
 #include "widgets/pattern/pattern_library.h"
+#include "widgets/pattern/pattern_names.h"
 #include "widgets/pattern/pattern_reference.h"
 #include "widgets/pattern/stroke_pad.h"
 #include "widgets/pattern/timeline_painter.h"
@@ -257,7 +258,7 @@ void PatternEditor::updateComparison() {
     m_comparison->setVisible(reference.pattern() != nullptr);
     if (!reference.pattern())
         return;
-    const QString name = QString::fromStdString(reference.pattern()->name);
+    const QString name = displayName(*reference.pattern());
     if (!reference.comparison()) {
         m_comparisonText->setText(tr("Compared with %1\u2026").arg(name));
         return;
@@ -349,7 +350,7 @@ void PatternEditor::addObject(const ObjectForm& form) {
 }
 
 void PatternEditor::updateTitle() {
-    const QString name = QString::fromStdString(m_document->pattern().name);
+    const QString name = displayName(m_document->pattern());
     QString text = name.isEmpty() ? tr("Untitled") : name;
     text +=
         QStringLiteral(" · ") + (m_document->pattern().arm == Arm::left ? tr("left arm") : tr("right arm"));

@@ -5,6 +5,7 @@
 #include "widgets/base/icons.h"
 #include "widgets/base/number_format.h"
 #include "widgets/base/theme.h"
+#include "widgets/pattern/pattern_names.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -145,11 +146,13 @@ void PatternLibrary::fill() {
     QTreeWidgetItem* shapes = group(tr("Built-in: shapes"));
     QTreeWidgetItem* stiffness = group(tr("Built-in: stiffness"));
     for (const Pattern& pattern : builtInPatterns()) {
-        auto* item =
-            new QTreeWidgetItem(pattern.task == Task::shape ? shapes : stiffness,
-                                {QString::fromStdString(pattern.name), lengthText(pattern.duration_s)});
+        auto* item = new QTreeWidgetItem(pattern.task == Task::shape ? shapes : stiffness,
+                                         {displayName(pattern), lengthText(pattern.duration_s)});
         item->setData(0, kKey, QString::fromStdString(pattern.id));
-        item->setData(0, kWords, QString::fromStdString(pattern.name + " " + pattern.id));
+        item->setData(0, kWords,
+                      QStringLiteral("%1 %2 %3")
+                          .arg(displayName(pattern), QString::fromStdString(pattern.name),
+                               QString::fromStdString(pattern.id)));
         item->setForeground(1, palette().color(QPalette::PlaceholderText));
         item->setToolTip(0, QString::fromStdString(pattern.id));
     }

@@ -3,6 +3,7 @@
 
 #include "widgets/base/focus_frame.h"
 #include "widgets/base/theme.h"
+#include "widgets/pattern/pattern_names.h"
 #include "widgets/pattern/timeline_menu.h"
 #include "widgets/pattern/timeline_painter.h"
 
@@ -261,8 +262,7 @@ void TimelineView::resizeEvent(QResizeEvent* event) {
 
 base::Figure TimelineView::figure() const {
     base::Figure figure;
-    figure.name = m_document->pattern().name.empty() ? tr("pattern")
-                                                     : QString::fromStdString(m_document->pattern().name);
+    figure.name = m_document->pattern().name.empty() ? tr("pattern") : displayName(m_document->pattern());
     figure.size_px = QSizeF(width(), height() - m_scroll->height());
     const double begin_s = m_begin_s;
     const double span_s = m_span_s;

@@ -4,6 +4,7 @@
 #include "backend/pattern/built_in_patterns.h"
 #include "widgets/base/number_format.h"
 #include "widgets/base/theme.h"
+#include "widgets/pattern/pattern_names.h"
 #include "widgets/touch/touch_texts.h"
 
 #include <QComboBox>
@@ -82,7 +83,7 @@ void FeedbackPanel::setMap(const pattern::PatternMap& map) {
 void FeedbackPanel::offerPatterns() {
     std::vector<touch::PatternChoice> choices = m_own;
     for (const pattern::Pattern& pattern : pattern::builtInPatterns())
-        choices.push_back({pattern.id, QString::fromStdString(pattern.name),
+        choices.push_back({pattern.id, editor::displayName(pattern),
                            pattern.task == pattern::Task::shape ? tr("shape") : tr("stiffness"),
                            pattern.condition == pattern::Condition::dynamic ? tr("dynamic") : tr("static")});
     m_table->setChoices(std::move(choices));

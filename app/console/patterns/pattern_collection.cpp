@@ -4,6 +4,7 @@
 #include "app/console/background.h"
 #include "backend/pattern/built_in_patterns.h"
 #include "backend/playback/pattern_program.h"
+#include "widgets/pattern/pattern_names.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -111,7 +112,7 @@ playback::Program PatternCollection::program(const std::string& id) const {
 
 QString PatternCollection::nameOf(const QString& path) const {
     const auto pattern = atPath(path);
-    return pattern ? QString::fromStdString(pattern->name) : QFileInfo(path).fileName();
+    return pattern ? editor::displayName(*pattern) : QFileInfo(path).fileName();
 }
 
 void PatternCollection::add(const pattern::Pattern& pattern) {

@@ -12,6 +12,7 @@
 #include "widgets/pattern/pattern_document.h"
 #include "widgets/pattern/pattern_editor.h"
 #include "widgets/pattern/pattern_library.h"
+#include "widgets/pattern/pattern_names.h"
 #include "widgets/pattern/timeline_view.h"
 
 #include <QDateTime>
@@ -137,7 +138,7 @@ void PatternsPage::connectEditor() {
     connect(m_editor, &PatternEditor::compareRequested, this, &PatternsPage::compareWith);
     connect(m_editor, &PatternEditor::duplicateRequested, this, [this](const QString& idOrPath) {
         load(idOrPath, [this](const std::shared_ptr<const Pattern>& pattern) {
-            m_collection.duplicate(*pattern, tr("%1 (copy)").arg(QString::fromStdString(pattern->name)));
+            m_collection.duplicate(*pattern, tr("%1 (copy)").arg(editor::displayName(*pattern)));
         });
     });
     editor::PatternDocument* document = m_editor->document();
@@ -431,7 +432,7 @@ void PatternsPage::showRecovery() {
         QLocale().toString(QDateTime::fromMSecsSinceEpoch(lost.edited_ms), QLocale::ShortFormat);
     QString text = tr("The program ended without saving %1, edited %2. The file on disk is as it was.",
                       "a pattern, a time")
-                       .arg(QString::fromStdString(lost.pattern.name), when);
+                       .arg(editor::displayName(lost.pattern), when);
     if (m_keeper->lost().size() > 1)
         text += QLatin1Char(' ') +
                 tr("There are %n more.", nullptr, static_cast<int>(m_keeper->lost().size()) - 1);
@@ -492,7 +493,7 @@ void PatternsPage::askForExport() {
     const editor::PatternDocument& document = *m_editor->document();
     const QString name =
         document.path().isEmpty()
-            ? QString::fromStdString(document.pattern().name).replace(QLatin1Char('/'), QLatin1Char('-'))
+            ? editor::displayName(document.pattern()).replace(QLatin1Char('/'), QLatin1Char('-'))
             : QString::fromStdString(pattern::baseName(document.path().toStdString()));
     auto* dialog = new ExportDialog(document.motors(), name, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/common/translation.h"
 #include "app/console/patterns/export_dialog.h"
 #include "app/console/patterns/patterns_page.h"
 #include "backend/pattern/built_in_patterns.h"
@@ -8,6 +9,7 @@
 #include "widgets/pattern/law_list.h"
 #include "widgets/pattern/pattern_editor.h"
 #include "widgets/pattern/pattern_library.h"
+#include "widgets/pattern/pattern_names.h"
 #include "widgets/pattern/stroke_pad.h"
 #include "widgets/pattern/timeline_view.h"
 
@@ -21,11 +23,13 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QLineEdit>
+#include <QLocale>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QMouseEvent>
 #include <QProcess>
 #include <QPushButton>
+#include <QScopeGuard>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -138,6 +142,23 @@ private slots:
         m_clock.start(10);
         openPage();
     }
+    void builtInPatternsHaveNamesInEachLanguageAndOwnOnesKeepTheirs() {
+        auto& application = *QCoreApplication::instance();
+        const auto reset = qScopeGuard([&] { app::installTranslator(application, QLocale::c()); });
+        for (const QLocale& language : app::availableLocales()) {
+            app::installTranslator(application, language);
+            for (const Pattern& pattern : pattern::builtInPatterns())
+                QCOMPARE(editor::displayName(pattern) == QString::fromStdString(pattern.name),
+                         language.language() == QLocale::English);
+            Pattern own = pattern::builtInPatterns().front();
+            own.name = "Edited";
+            QCOMPARE(editor::displayName(own), QStringLiteral("Edited"));
+        }
+        app::installTranslator(application, QLocale(QLocale::French));
+        QCOMPARE(editor::displayName(*pattern::findBuiltIn("stiffness.C.dynamic")),
+                 QStringLiteral("Caoutchouc, dynamique"));
+    }
+
     void cleanup() {
         m_clock.stop();
         m_page.reset();
