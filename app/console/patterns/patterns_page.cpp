@@ -515,7 +515,7 @@ void PatternsPage::tick() {
     m_picture->setIntensities(m_playback->intensities());
     m_picture->setNote(m_playback->note());
     m_picture->setHoldable(m_station.isFree());
-    m_picture->setTitle(QString::fromStdString(m_editor->document()->pattern().name));
+    m_picture->setTitle(editor::displayName(m_editor->document()->pattern()));
     m_picture->setProvenance(m_station.isSimulated() ? base::Provenance::simulated : base::Provenance::live);
 }
 
