@@ -67,7 +67,10 @@ void MotorTable::fill() {
         }
         return QString();
     };
-    const QColor faint = palette().color(QPalette::PlaceholderText);
+    // Those of the table in use: it is filled while a measurement has it disabled, too.
+    const QColor faint = palette().color(QPalette::Active, QPalette::PlaceholderText);
+    const QColor ink = palette().color(QPalette::Active, QPalette::Text);
+    const std::string assumedName = pattern::MotorProfile::assumedCoinMotor().name;
     for (int row = 0; row < rowCount(); ++row) {
         const motors::CalibratedMotor& motor = m_calibration.motors[static_cast<std::size_t>(row)];
         const pattern::MotorProfile& profile = motor.profile;
@@ -78,14 +81,16 @@ void MotorTable::fill() {
                 setItem(row, column, cell);
             }
             cell->setText(text);
-            cell->setForeground(assumed ? faint : palette().color(QPalette::Text));
+            cell->setForeground(assumed ? faint : ink);
             cell->setTextAlignment((column == kMotor || column == kSource ? Qt::AlignLeft : Qt::AlignRight) |
                                    Qt::AlignVCenter);
         };
         const bool range = motor.startFrom == Origin::assumed;
         const bool lag = motor.lagFrom == Origin::assumed;
+        // Profiles that were saved by an earlier console have the name of the assumed motor.
         set(kMotor,
-            profile.name.empty() || lag ? tr("Motor %1").arg(row + 1) : QString::fromStdString(profile.name),
+            profile.name.empty() || profile.name == assumedName ? tr("Motor %1").arg(row + 1)
+                                                                : QString::fromStdString(profile.name),
             false);
         set(kStart, withError(100.0 * profile.startDrive, 100.0 * motor.startError, 1), range);
         set(kFull, base::fixedDigits(100.0 * profile.fullDrive, 1), range);

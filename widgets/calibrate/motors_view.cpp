@@ -2,6 +2,7 @@
 #include "widgets/calibrate/motors_view.h"
 
 #include "backend/motors/strength_balance.h"
+#include "widgets/base/elided_label.h"
 #include "widgets/base/number_format.h"
 #include "widgets/base/quantity_text.h"
 #include "widgets/base/theme.h"
@@ -78,8 +79,8 @@ private:
 MotorsView::MotorsView(QWidget* parent)
     : QWidget(parent)
     , m_undo(new QUndoStack(this))
-    , m_title(new QLabel(this))
-    , m_state(new QLabel(this))
+    , m_title(new base::ElidedLabel(this))
+    , m_state(new base::ElidedLabel(this))
     , m_table(new MotorTable(this))
     , m_steps(new QStackedWidget(this))
     , m_heading(new QLabel(this))
@@ -335,9 +336,12 @@ void MotorsView::takeFit(std::size_t motor, const motors::MotorRecording& record
     m_evidence[motor] = std::make_shared<const MotorChart::Evidence>(MotorChart::Evidence{recording, *fit});
     motors::MotorCalibration after = m_calibration;
     motors::CalibratedMotor& known = after.motors[motor];
-    const std::string name = known.profile.name;
+    std::string name = known.profile.name;
+    // That of the assumed motor is nobody's name for this one.
+    if (name == pattern::MotorProfile::assumedCoinMotor().name)
+        name.clear();
     known.profile = fit->profile;
-    known.profile.name = name;
+    known.profile.name = std::move(name);
     known.startFrom = known.lagFrom = Origin::recording;
     known.startError = fit->startError;
     known.riseError_s = fit->riseError_s;

@@ -65,6 +65,41 @@ class MotorsViewTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void whatIsMeasuredLooksSoAndKeepsItsNumberOrTheNameSomebodyGaveIt() {
+        Desk desk;
+        MotorCalibration own = desk.view.calibration();
+        own.motors[1].profile.name = "left of the bone";
+        desk.view.setCalibration(own);
+        for (std::size_t motor = 0; motor < core::kTactors; ++motor) {
+            desk.view.setMeasuring(motor, 0.9);
+            QVERIFY(!desk.view.table()->isEnabled());
+            desk.fit(motor);
+        }
+        desk.view.setMeasuring(std::nullopt);
+        QVERIFY(desk.view.table()->isEnabled());
+        for (int row = 0; row < int(core::kTactors); ++row) {
+            QCOMPARE(desk.cell(row, 0),
+                     row == 1 ? QString("left of the bone") : QString("Motor %1").arg(row + 1));
+            for (int column = 0; column < desk.view.table()->columnCount(); ++column)
+                QCOMPARE(desk.view.table()->item(row, column)->foreground().color(),
+                         desk.view.table()->palette().color(QPalette::Active, QPalette::Text));
+        }
+        QCOMPARE(desk.view.calibration().motors[0].profile.name, std::string());
+        QCOMPARE(desk.view.calibration().motors[1].profile.name, std::string("left of the bone"));
+    }
+
+    void aLongStateIsCutAndToldByItsToolTip() {
+        Desk desk;
+        const int before = desk.view.minimumSizeHint().width();
+        BraceletFacts weak = simulatedOne();
+        weak.reserved = true;
+        weak.strongest.fill(0.8);
+        weak.strongest[1] = 0.9;
+        desk.view.setFacts(weak);
+        QVERIFY(desk.says("a study uses the bracelet"));
+        QCOMPARE(desk.view.minimumSizeHint().width(), before);
+    }
+
     void saysThatNothingIsCalibratedAndOffersWhatTheBraceletCan() {
         Desk desk;
         QVERIFY(desk.says("not calibrated"));
