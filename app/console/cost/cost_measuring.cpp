@@ -23,7 +23,9 @@ CostMeasuring::CostMeasuring(MakeLadders makeLadders, QString file, const cost::
 }
 
 CostMeasuring::~CostMeasuring() {
-    cancel();
+    // Nobody is told any more.
+    if (m_run)
+        m_run->cancelled.store(true, std::memory_order_relaxed);
 }
 
 void CostMeasuring::read() {
@@ -73,6 +75,7 @@ void CostMeasuring::start(const std::string& ladder) {
     if (chosen.empty())
         return;
     m_run = std::make_shared<Run>();
+    m_run->ladder = ladder;
     emit runningChanged();
     runInBackground(
         this,
@@ -88,8 +91,18 @@ void CostMeasuring::start(const std::string& ladder) {
 }
 
 void CostMeasuring::cancel() {
-    if (m_run)
-        m_run->cancelled.store(true, std::memory_order_relaxed);
+    if (!m_run)
+        return;
+    m_run->cancelled.store(true, std::memory_order_relaxed);
+    emit runningChanged();
+}
+
+bool CostMeasuring::isMeasuring(const std::string& ladder) const {
+    return m_run && (m_run->ladder.empty() || m_run->ladder == ladder);
+}
+
+bool CostMeasuring::isCancelled() const {
+    return m_run && m_run->cancelled.load(std::memory_order_relaxed);
 }
 
 void CostMeasuring::finish(core::Expected<cost::Measurement> measured) {

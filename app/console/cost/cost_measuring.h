@@ -36,6 +36,10 @@ public:
     /// Null: it was not measured yet.
     [[nodiscard]] const cost::LadderCost* costOf(const std::string& ladder) const;
     [[nodiscard]] bool isRunning() const { return m_run != nullptr; }
+    /// This ladder is among those that are being measured.
+    [[nodiscard]] bool isMeasuring(const std::string& ladder) const;
+    /// It was told to end, and will at its next trial.
+    [[nodiscard]] bool isCancelled() const;
     /// Of the newest trial; empty names before the first one.
     [[nodiscard]] cost::MeasureProgress progress();
 
@@ -47,12 +51,13 @@ public:
 signals:
     /// The kept costs are others than before.
     void changed();
-    /// A measuring begins or has ended.
+    /// A measuring begins, is told to end, or has ended.
     void runningChanged();
     void failed(const QString& what, const QString& details);
 
 private:
     struct Run {
+        std::string ladder; ///< empty: all
         std::atomic<bool> cancelled{false};
         core::LatestExchange<cost::MeasureProgress> progress;
     };

@@ -145,6 +145,13 @@ QWidget* CostPage::makeLadderColumn() {
     m_progress->setRange(0, 1000);
     m_progress->setTextVisible(false);
     m_progressText = wrapped(column);
+    // They keep their places, so that nothing that begins a measuring comes under a mouse that is about to
+    // end one.
+    for (QWidget* widget : {static_cast<QWidget*>(m_cancel), static_cast<QWidget*>(m_progress)}) {
+        QSizePolicy policy = widget->sizePolicy();
+        policy.setRetainSizeWhenHidden(true);
+        widget->setSizePolicy(policy);
+    }
     for (const cost::Ladder& ladder : m_measuring->ladders()) {
         auto* item = new QListWidgetItem(m_list);
         item->setData(Qt::UserRole, QString::fromStdString(ladder.name));
@@ -315,14 +322,18 @@ void CostPage::showCosts() {
 
 void CostPage::showRunning() {
     const bool running = m_measuring->isRunning();
+    m_empty->setTexts(m_measuring->isMeasuring(ladderShown()) ? tr("Being measured")
+                                                              : tr("Not measured on this machine"),
+                      tr("Close other programs and sources first: what they compute makes times uncertain."));
     m_measure->setEnabled(!running);
     m_measureAll->setEnabled(!running);
     m_measureEmpty->setEnabled(!running);
     m_measureAllEmpty->setEnabled(!running);
+    m_cancel->setEnabled(!m_measuring->isCancelled());
     m_cancel->setVisible(running);
     m_progress->setVisible(running);
     if (running) {
-        m_progressText->setText(tr("Preparing\u2026"));
+        m_progressText->setText(m_measuring->isCancelled() ? tr("Ending\u2026") : tr("Preparing\u2026"));
         return;
     }
     m_progress->setValue(0);
@@ -362,7 +373,7 @@ void CostPage::chooseRung(const QString& name) {
 }
 
 void CostPage::tick(const std::shared_ptr<pipeline::CameraChannel>& camera) {
-    if (m_measuring->isRunning()) {
+    if (m_measuring->isRunning() && !m_measuring->isCancelled()) {
         const cost::MeasureProgress progress = m_measuring->progress();
         m_progress->setValue(static_cast<int>(std::lround(1000.0 * progress.share)));
         const QString ladder = QString::fromStdString(progress.ladder);
@@ -415,8 +426,6 @@ void CostPage::retranslate() {
     m_measureAll->setText(tr("Measure &all ladders"));
     m_measureAll->setToolTip(tr("Takes some minutes; the console can be used meanwhile"));
     m_cancel->setText(tr("&Cancel"));
-    m_empty->setTexts(tr("Not measured on this machine"),
-                      tr("Close other programs and sources first: what they compute makes times uncertain."));
     m_measureEmpty->setText(tr("Measure this ladder"));
     m_measureAllEmpty->setText(tr("Measure all ladders"));
     m_measureAllEmpty->setToolTip(tr("Takes some minutes; the console can be used meanwhile"));

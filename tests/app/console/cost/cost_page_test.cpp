@@ -10,6 +10,7 @@
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
+#include <QLayout>
 #include <QListWidget>
 #include <QProgressBar>
 #include <QPushButton>
@@ -21,6 +22,7 @@
 #include <QThreadPool>
 #include <QTimer>
 
+#include <algorithm>
 #include <atomic>
 #include <limits>
 #include <memory>
@@ -205,12 +207,34 @@ private slots:
         QTest::mouseClick(&part<QPushButton>("measureAll"), Qt::LeftButton);
         QTRY_VERIFY(part<QPushButton>("cancel").isVisible());
         QVERIFY(!part<QPushButton>("measure").isEnabled());
+        const auto says = [this](const QString& text) {
+            return std::ranges::any_of(m_page->findChildren<QLabel*>(), [&](const QLabel* label) {
+                return label->isVisible() && label->text() == text;
+            });
+        };
+        QVERIFY(says("Being measured"));
+        QVERIFY(!says("Not measured on this machine"));
         QTest::mouseClick(&part<QPushButton>("cancel"), Qt::LeftButton);
+        // It is seen at once that the click was taken.
+        QVERIFY(says(QStringLiteral("Ending\u2026")));
+        QVERIFY(!part<QPushButton>("cancel").isEnabled());
+        const QRect cancel(part<QPushButton>("cancel").mapTo(m_page.get(), QPoint()),
+                           part<QPushButton>("cancel").size());
         *held = false;
         QTRY_VERIFY_WITH_TIMEOUT(!m_page->measuring().isRunning(), kPatience_ms);
         QVERIFY(!part<QPushButton>("cancel").isVisible());
         QVERIFY(part<QPushButton>("measure").isEnabled());
         QVERIFY(m_page->measuring().costOf("second") == nullptr);
+        // A late click on Cancel begins nothing.
+        QVERIFY(says("Not measured on this machine"));
+        m_page->layout()->activate();
+        QCoreApplication::processEvents();
+        for (const char* name : {"measure", "measureAll"}) {
+            const auto& button = part<QPushButton>(name);
+            QVERIFY(!cancel.intersects(QRect(button.mapTo(m_page.get(), QPoint()), button.size())));
+        }
+        QTest::mouseClick(m_page.get(), Qt::LeftButton, {}, cancel.center());
+        QVERIFY(!m_page->measuring().isRunning());
     }
 
     void aPageThatIsClosedWhileItMeasuresIsNotWaitedFor() {
