@@ -80,16 +80,17 @@ PatternMapTable::PatternMapTable(QWidget* parent)
     m_table->setFocusPolicy(Qt::NoFocus);
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setDefaultSectionSize(base::em(this, 1.9));
-    m_table->horizontalHeader()->setSectionResizeMode(kPattern, QHeaderView::Stretch);
+    // What was chosen is read before anything else; the preview has what is left.
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->horizontalHeader()->setHighlightSections(false);
-    m_table->setColumnWidth(kRecognised, base::em(this, 14.5));
-    m_table->setColumnWidth(kPreview, base::em(this, 9));
     for (int row = 0; row < kRows; ++row) {
         m_table->setItem(row, kRecognised, new QTableWidgetItem);
         m_table->setItem(row, kPreview, new QTableWidgetItem);
         auto* box = new QComboBox(m_table);
         box->setFocusPolicy(Qt::StrongFocus);
-        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+        box->setMaximumWidth(base::em(this, 18));
         box->installEventFilter(this);
         connect(box, &QComboBox::activated, this,
                 [this, row, box](int index) { choose(row, box->itemData(index).toString().toStdString()); });
@@ -203,8 +204,9 @@ void PatternMapTable::showMap() {
         }
         choices->setCurrentIndex(index);
         const PatternChoice* choice = choiceOf(id(row));
-        m_table->item(row, kPreview)
-            ->setText(choice ? tr("%1, %2").arg(choice->task, choice->condition) : QString());
+        const QString preview = choice ? tr("%1, %2").arg(choice->task, choice->condition) : QString();
+        m_table->item(row, kPreview)->setText(preview);
+        m_table->item(row, kPreview)->setToolTip(preview);
     }
     showRecognised();
 }

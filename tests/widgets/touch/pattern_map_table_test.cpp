@@ -51,6 +51,18 @@ private slots:
         QCOMPARE(table.box(11)->currentText(), QString("nothing"));
     }
 
+    void whatWasChosenIsReadInANarrowDockToo() {
+        PatternMapTable table;
+        table.setChoices(choices());
+        table.resize(430, 600);
+        table.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&table));
+        const QComboBox* box = table.box(2);
+        QTRY_VERIFY(box->width() >= box->sizeHint().width());
+        QTRY_VERIFY(table.table()->columnWidth(0) >= table.fontMetrics().horizontalAdvance("level 5: metal"));
+        QCOMPARE(table.table()->item(2, 2)->toolTip(), QString("stiffness, dynamic"));
+    }
+
     void aKeyInABoxEditsTheMapAndIsUndone() {
         PatternMapTable table;
         table.setChoices(choices());
