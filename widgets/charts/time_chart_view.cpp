@@ -199,6 +199,7 @@ void TimeChartView::updateHeader() {
 }
 
 void TimeChartView::setProvenance(base::Provenance provenance) {
+    m_provenance = provenance;
     m_plot->setProvenance(provenance);
     invalidate();
 }
@@ -450,6 +451,7 @@ void TimeChartView::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange) {
         retranslate();
+        setProvenance(m_provenance); // the words of its badge
         refresh();
     } else if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
         restyle();

@@ -124,6 +124,7 @@ private:
     [[nodiscard]] bool onWheel(QWheelEvent* event);
 
     TimePlot* m_plot;
+    base::Provenance m_provenance = base::Provenance::live;
     QLabel* m_empty;
     bool m_defaultEmptyText = true;
     QHBoxLayout* m_tools = nullptr;

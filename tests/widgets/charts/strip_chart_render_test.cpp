@@ -11,6 +11,7 @@
 #include <QSvgRenderer>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTranslator>
 
 using namespace teleta;
 using namespace teleta::charts;
@@ -235,6 +236,24 @@ private slots:
         QVERIFY(!hasViolet(chart.draw()));
         chart.view.setProvenance(base::Provenance::simulated);
         QVERIFY(hasViolet(chart.draw()));
+    }
+
+    void theBadgeSpeaksTheLanguageOfNow() {
+        Chart chart;
+        chart.feed(0.0, 1.0);
+        chart.view.setProvenance(base::Provenance::simulated);
+        const QImage before = chart.draw();
+        struct Long : QTranslator {
+            bool isEmpty() const override { return false; }
+            QString translate(const char*, const char* text, const char*, int) const override {
+                return QLatin1String(text) == QLatin1String("SIMULATED") ? QStringLiteral("S I M U L A T E D")
+                                                                         : QString();
+            }
+        } translator;
+        QCoreApplication::installTranslator(&translator);
+        QTRY_VERIFY(chart.draw() != before);
+        QCoreApplication::removeTranslator(&translator);
+        QTRY_VERIFY(chart.draw() == before);
     }
 
     void thePictureForPaperIsOnWhiteAlsoFromADarkScreen() {
