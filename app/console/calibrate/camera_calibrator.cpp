@@ -111,9 +111,18 @@ void CameraCalibrator::buildTools() {
             [this](int row) { chooseMethod(vision::kCalibrationMethods[static_cast<std::size_t>(row)]); });
     m_tools->addSeparator();
     m_exclude = m_tools->addAction(QString(), this, &CameraCalibrator::excludeOutliers);
-    m_undoAction = m_undo->createUndoAction(this);
+    // Not those of the stack: they keep the language in which they were made.
+    m_undoAction = new QAction(this);
+    m_redoAction = new QAction(this);
+    for (QAction* action : {m_undoAction, m_redoAction})
+        action->setEnabled(false);
+    connect(m_undoAction, &QAction::triggered, m_undo, &QUndoStack::undo);
+    connect(m_redoAction, &QAction::triggered, m_undo, &QUndoStack::redo);
+    connect(m_undo, &QUndoStack::canUndoChanged, m_undoAction, &QAction::setEnabled);
+    connect(m_undo, &QUndoStack::canRedoChanged, m_redoAction, &QAction::setEnabled);
+    connect(m_undo, &QUndoStack::undoTextChanged, m_undoAction, &QAction::setToolTip);
+    connect(m_undo, &QUndoStack::redoTextChanged, m_redoAction, &QAction::setToolTip);
     m_undoAction->setShortcut(QKeySequence::Undo);
-    m_redoAction = m_undo->createRedoAction(this);
     m_redoAction->setShortcut(QKeySequence::Redo);
     m_tools->addAction(m_undoAction);
     m_tools->addAction(m_redoAction);
@@ -248,6 +257,8 @@ void CameraCalibrator::retranslate() {
     for (std::size_t i = 0; i < names.size(); ++i)
         m_methods->setItemText(static_cast<int>(i), names[i]);
     m_exclude->setText(tr("&Exclude wrong pairs"));
+    m_undoAction->setText(tr("&Undo"));
+    m_redoAction->setText(tr("&Redo"));
     m_exclude->setToolTip(tr("Leaves the pairs that are marked as wrong out for every method"));
     m_comparison->setAccessibleName(tr("Methods side by side"));
     m_comparison->setHorizontalHeaderLabels(

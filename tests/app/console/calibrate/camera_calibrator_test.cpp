@@ -21,6 +21,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QThreadPool>
+#include <QTranslator>
 #include <QUndoStack>
 
 #include <algorithm>
@@ -79,6 +80,30 @@ private slots:
         calibrator.chooseMethod(CalibrationMethod::dlt);
         QVERIFY2(calibrator.verdict().contains("no lens") || calibrator.verdict().contains("No calibration"),
                  qPrintable(calibrator.verdict()));
+    }
+
+    void theStepsBackSpeakTheLanguageOfNow() {
+        CameraCalibrator calibrator;
+        const auto texts = [&] {
+            QStringList all;
+            for (const QAction* action : calibrator.findChildren<QAction*>())
+                if (action->shortcut() == QKeySequence(QKeySequence::Undo) ||
+                    action->shortcut() == QKeySequence(QKeySequence::Redo))
+                    all << action->text() << (action->isEnabled() ? "on" : "off");
+            return all;
+        };
+        QCOMPARE(texts(), QStringList({"&Undo", "off", "&Redo", "off"}));
+        struct Capitals : QTranslator {
+            bool isEmpty() const override { return false; }
+            QString translate(const char*, const char* text, const char*, int) const override {
+                return QString(text).toUpper();
+            }
+        } capitals;
+        QCoreApplication::installTranslator(&capitals);
+        QTRY_COMPARE(texts(), QStringList({"&UNDO", "off", "&REDO", "off"}));
+        QCoreApplication::removeTranslator(&capitals);
+        calibrator.setPairs(simulated().pairs);
+        QTRY_COMPARE(texts(), QStringList({"&Undo", "on", "&Redo", "off"}));
     }
 
     void anExclusionCanBeUndone() {
