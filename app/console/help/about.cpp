@@ -10,6 +10,8 @@
 #include <QDialogButtonBox>
 #include <QHeaderView>
 #include <QLabel>
+#include <QScreen>
+#include <QScrollBar>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
@@ -136,9 +138,18 @@ void openShortcuts(QWidget* parent) {
         table->setItem(row, 1, new QTableWidgetItem(effect));
     }
     table->resizeColumnsToContents();
-    table->horizontalHeader()->setStretchLastSection(true);
+    const int columns = table->horizontalHeader()->length();
+    const int rows = table->verticalHeader()->length();
+    // Where the screen is narrower, lines are broken.
+    table->horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
+    table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     QDialog* dialog = makeDialog(parent, AboutText::tr("Shortcuts"), table);
-    dialog->resize(base::em(dialog, 36), base::em(dialog, 24));
+    // All of it is seen, as far as the screen has room.
+    const int frame = 2 * table->frameWidth();
+    const QSize content(columns + frame + table->verticalScrollBar()->sizeHint().width(),
+                        rows + table->horizontalHeader()->sizeHint().height() + frame);
+    const QSize beside = dialog->sizeHint() - table->sizeHint();
+    dialog->resize((content + beside).boundedTo(parent->screen()->availableSize() * 9 / 10));
     dialog->open();
 }
 

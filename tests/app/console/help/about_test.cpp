@@ -4,6 +4,9 @@
 #include <QDialog>
 #include <QLabel>
 #include <QRegularExpression>
+#include <QScreen>
+#include <QScrollBar>
+#include <QTableWidget>
 #include <QTest>
 #include <QTextDocument>
 
@@ -11,6 +14,30 @@ class AboutTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void theShortcutsAreShownWhole() {
+        QWidget window;
+        window.show();
+        teleta::console::openShortcuts(&window);
+        const auto* dialog = window.findChild<QDialog*>();
+        QVERIFY(dialog != nullptr);
+        const auto* table = dialog->findChild<QTableWidget*>();
+        QTRY_VERIFY(table->isVisible());
+        QTRY_VERIFY(!table->horizontalScrollBar()->isVisible());
+        const QSize screen = dialog->screen()->availableSize();
+        QVERIFY(dialog->width() <= screen.width() && dialog->height() <= screen.height());
+        const auto cutRows = [table] {
+            int cut = 0;
+            for (int row = 0; row < table->rowCount(); ++row) {
+                const QRect room = table->visualItemRect(table->item(row, 1));
+                const QRect text = table->fontMetrics().boundingRect(
+                    QRect(0, 0, room.width(), 10'000), Qt::TextWordWrap, table->item(row, 1)->text());
+                cut += room.height() < text.height() ? 1 : 0;
+            }
+            return cut;
+        };
+        QTRY_COMPARE(cutRows(), 0);
+    }
+
     void namesEachLibraryWithItsVersionAndLicence() {
         QWidget window;
         window.show();
