@@ -31,6 +31,14 @@ constexpr double kSwatch = 22.0; ///< length of a line in the legend
 constexpr double kPxPerTick = 22.0; ///< about so far apart are those of a lane
 constexpr double kPxPerTimeTick = 90.0;
 
+/// Of small text; signs of Chinese and Japanese are as wide as high.
+double lengthOf(const QString& text) {
+    double length = 0.0;
+    for (const QChar letter : text)
+        length += letter.unicode() < 0x2e80 ? kLetter : 12.0;
+    return length;
+}
+
 struct FigureText {
     Q_DECLARE_TR_FUNCTIONS(ServoFigure)
 };
@@ -371,6 +379,19 @@ private:
         return axisOf(low, high, lane.leastSpan, m_laneHeight / kPxPerTick);
     }
 
+    /// Beside the axis, or in the lane where that is lower than its name is long.
+    void nameLane(const QString& name, double upper) {
+        if (lengthOf(name) > m_laneHeight + kBetweenLanes) {
+            m_canvas.text(m_left + 5.0, upper + 12.0, name, QStringLiteral("ink small"));
+            return;
+        }
+        const double middle = upper + 0.5 * m_laneHeight;
+        const double nameAt = m_left - kPlotLeft + 20.0;
+        m_canvas.text(nameAt, middle, name, QStringLiteral("ink small middle"),
+                      QStringLiteral("transform=\"rotate(-90 %1 %2)\"")
+                          .arg(figure::svgNumber(nameAt), figure::svgNumber(middle)));
+    }
+
     void drawLane(const Lane& lane, double upper) {
         const Axis axis = axisOfLane(lane);
         const auto y = [&](double value) {
@@ -384,11 +405,7 @@ private:
             m_canvas.text(m_left - 8.0, at + 4.0, tickText(tick, axis.step),
                           QStringLiteral("soft small end"));
         }
-        const double middle = upper + 0.5 * m_laneHeight;
-        const double nameAt = m_left - kPlotLeft + 20.0;
-        m_canvas.text(nameAt, middle, lane.name, QStringLiteral("ink small middle"),
-                      QStringLiteral("transform=\"rotate(-90 %1 %2)\"")
-                          .arg(figure::svgNumber(nameAt), figure::svgNumber(middle)));
+        nameLane(lane.name, upper);
         if (m_runs.empty())
             return;
         if (lane.desired != nullptr)

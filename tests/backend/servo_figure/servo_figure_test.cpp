@@ -98,6 +98,16 @@ TEST_F(ServoFigure, whatIsNoRunIsRefusedWithItsPlace) {
     EXPECT_FALSE(readServoCurves(m_folder.filePath("none").toStdString()));
 }
 
+TEST_F(ServoFigure, whereLanesAreLowTheirNamesStandInThem) {
+    const std::array runs{nineSteps("one"), nineSteps("two")};
+    const auto lanes = count(servoFigure(runs).standalone(), "rotate(-90");
+    EXPECT_GT(lanes, 2);
+    const std::string low = servoFigure(runs, 560.0, 400.0).standalone();
+    EXPECT_LE(count(low, "rotate(-90"), 1) << "a short one has room beside the axis";
+    EXPECT_NE(low.find(">Force, N<"), std::string::npos);
+    EXPECT_NE(low.find(">CoP y, mm<"), std::string::npos);
+}
+
 TEST_F(ServoFigure, twoRunsAreInOneChartAndAGapIsNoLine) {
     const std::array runs{nineSteps("with <DZMP>"), nineSteps("baseline")};
     const std::string svg = servoFigure(runs).standalone();
