@@ -18,6 +18,7 @@
 #include "app/console/operate/recording_controls.h"
 #include "app/console/operate/recording_files.h"
 #include "app/console/operate/source_list.h"
+#include "app/console/page_stack.h"
 #include "app/console/patterns/pattern_collection.h"
 #include "app/console/patterns/patterns_page.h"
 #include "app/console/settings_notice.h"
@@ -43,11 +44,11 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
-#include <QStackedWidget>
 #include <QVBoxLayout>
 
 #include <array>
 #include <cstdio>
+#include <initializer_list>
 
 namespace teleta::console {
 
@@ -81,7 +82,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
           options.dataFolder.isEmpty() ? QString() : options.dataFolder + QStringLiteral("/patterns"), this))
     , m_recordings(new RecordingFiles(m_sources, settings, this))
     , m_rail(new chrome::PageRail(this))
-    , m_pages(new QStackedWidget(this))
+    , m_pages(new PageStack(this))
     , m_operate(new OperatePage(m_sources, stop, this))
     , m_patterns(new PatternsPage(
           m_operate->bracelet(), *m_collection,
@@ -113,11 +114,8 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
                     tr("What has to be measured: the motors of the bracelet, the camera in the tube"));
     m_rail->addPage(QLatin1String(kCost), base::Icon::cost, tr("Cost"),
                     tr("What accuracy costs in time on this machine, and the rung that the camera uses"));
-    m_pages->addWidget(m_operate);
-    m_pages->addWidget(m_patterns);
-    m_pages->addWidget(m_study);
-    m_pages->addWidget(m_calibrate);
-    m_pages->addWidget(m_cost);
+    for (QWidget* page : std::initializer_list<QWidget*>{m_operate, m_patterns, m_study, m_calibrate, m_cost})
+        m_pages->addPage(page);
 
     auto* status = new QWidget(this);
     auto* statusRow = new QHBoxLayout(status);
@@ -513,7 +511,7 @@ void MainWindow::showPage(const QString& name) {
         page = m_calibrate;
     else if (name == QLatin1String(kCost))
         page = m_cost;
-    m_pages->setCurrentWidget(page);
+    m_pages->showPage(page);
     m_settings.setPage(name);
 }
 

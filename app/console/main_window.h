@@ -12,8 +12,6 @@
 
 #include <memory>
 
-class QStackedWidget;
-
 namespace teleta::chrome {
 class DeviceStrip;
 class PageRail;
@@ -28,6 +26,7 @@ class CostPage;
 class HandStation;
 class HelpMenu;
 class OperatePage;
+class PageStack;
 class PatternCollection;
 class PatternsPage;
 class RecordingControls;
@@ -95,7 +94,7 @@ private:
     PatternCollection* m_collection;
     RecordingFiles* m_recordings;
     chrome::PageRail* m_rail;
-    QStackedWidget* m_pages;
+    PageStack* m_pages;
     OperatePage* m_operate;
     PatternsPage* m_patterns;
     StudyPage* m_study;

@@ -93,9 +93,7 @@ MotorsView::MotorsView(QWidget* parent)
     m_title->setFont(base::sized(font(), base::kLargeText));
     m_heading->setFont(base::sized(font(), base::kLargeText));
     auto* top = new QHBoxLayout;
-    top->addWidget(m_title);
-    top->addSpacing(base::grid(this));
-    top->addWidget(m_state, 1);
+    top->addWidget(m_title, 1);
     for (const char* name : {"undo", "redo", "load", "copy", "reset", "save"})
         top->addWidget(addButton(name, this));
 
@@ -117,6 +115,7 @@ MotorsView::MotorsView(QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(base::grid(this), base::grid(this), base::grid(this), base::grid(this));
     layout->addLayout(top);
+    layout->addWidget(m_state);
     layout->addWidget(all, 1);
 
     connect(m_table, &MotorTable::motorSelected, this, &MotorsView::refresh);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/calibrate/calibrate_page.h"
 
+#include "app/console/page_stack.h"
 #include "widgets/base/theme.h"
 #include "widgets/calibrate/motors_view.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QListWidget>
-#include <QStackedWidget>
 #include <QVBoxLayout>
 
 namespace teleta::console {
@@ -16,7 +16,7 @@ CalibratePage::CalibratePage(BraceletStation& station, QWidget* parent)
     : QWidget(parent)
     , m_messages(new chrome::MessageBar(this))
     , m_parts(new QListWidget(this))
-    , m_contents(new QStackedWidget(this))
+    , m_contents(new PageStack(this))
     , m_motors(new MotorCalibrator(station, this))
     , m_camera(new CameraCalibrator) {
     m_parts->setFixedWidth(base::em(this, 12));
@@ -30,7 +30,7 @@ CalibratePage::CalibratePage(BraceletStation& station, QWidget* parent)
     layout->setSpacing(0);
     layout->addWidget(m_messages);
     layout->addLayout(row, 1);
-    connect(m_parts, &QListWidget::currentRowChanged, m_contents, &QStackedWidget::setCurrentIndex);
+    connect(m_parts, &QListWidget::currentRowChanged, m_contents, &PageStack::setCurrentIndex);
     connect(m_motors, &MotorCalibrator::trouble, this, [this](const QString& what, const QString& details) {
         m_messages->post({chrome::Message::Severity::error, what, details, QString()});
     });
@@ -46,11 +46,11 @@ CalibratePage::CalibratePage(BraceletStation& station, QWidget* parent)
 
 void CalibratePage::addPart(QWidget* content) {
     m_parts->addItem(QString());
-    m_contents->addWidget(content);
+    m_contents->addPage(content);
 }
 
 void CalibratePage::openPairs(const QString& path) {
-    m_parts->setCurrentRow(m_contents->indexOf(m_camera));
+    m_parts->setCurrentRow(1);
     m_camera->open(path);
 }
 

@@ -11,9 +11,10 @@
 #include <vector>
 
 class QListWidget;
-class QStackedWidget;
 
 namespace teleta::console {
+
+class PageStack;
 
 /// The Calibrate page: on the left what can be calibrated, on the right how. Thread: GUI.
 class CalibratePage : public QWidget {
@@ -39,7 +40,7 @@ private:
 
     chrome::MessageBar* m_messages;
     QListWidget* m_parts;
-    QStackedWidget* m_contents;
+    PageStack* m_contents;
     MotorCalibrator* m_motors;
     CameraCalibrator* m_camera;
 };
