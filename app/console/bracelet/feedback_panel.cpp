@@ -95,12 +95,18 @@ void FeedbackPanel::setOwnPatterns(std::vector<touch::PatternChoice> own) {
 }
 
 void FeedbackPanel::showLast(const FeedbackEvent& event) {
-    const QString what = event.sent.shape ? touch::TouchTexts::shape(*event.sent.shape)
-                                          : touch::TouchTexts::material(*event.sent.material);
     if (event.sent.shape)
         m_table->setRecognisedShape(*event.sent.shape);
     else
         m_table->setRecognisedStiffness(stiffness::level(*event.sent.material));
+    m_lastFelt = event;
+    writeLast(event);
+    showLatency();
+}
+
+void FeedbackPanel::writeLast(const FeedbackEvent& event) {
+    const QString what = event.sent.shape ? touch::TouchTexts::shape(*event.sent.shape)
+                                          : touch::TouchTexts::material(*event.sent.material);
     const QString touch = QString::number(event.sent.touch);
     const QString pattern = QString::fromStdString(event.sent.patternId);
     m_lastText = event.sent.missing
@@ -108,7 +114,6 @@ void FeedbackPanel::showLast(const FeedbackEvent& event) {
                  : pattern.isEmpty()
                      ? tr("%1: no pattern", "what was recognised").arg(what)
                      : tr("%1: %2", "what was recognised: id of a pattern").arg(what, pattern);
-    showLatency();
     if (pattern.isEmpty())
         m_last->setText(tr("Touch %1: %2. There is no pattern for it in the table.").arg(touch, what));
     else if (event.sent.missing)
@@ -144,7 +149,9 @@ void FeedbackPanel::retranslate() {
     m_mode->setItemText(2, tr("Shape"));
     m_mode->setItemText(3, tr("Nothing"));
     m_mode->setToolTip(tr("What of a touch is played on the bracelet"));
-    if (m_lastText.isEmpty())
+    if (m_lastFelt)
+        writeLast(*m_lastFelt);
+    else
         m_last->setText(tr("Nothing was recognised yet."));
 }
 

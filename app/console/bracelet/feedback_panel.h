@@ -7,6 +7,7 @@
 #include <QString>
 #include <QWidget>
 
+#include <optional>
 #include <vector>
 
 class QComboBox;
@@ -41,6 +42,7 @@ protected:
 
 private:
     void showLast(const FeedbackEvent& event);
+    void writeLast(const FeedbackEvent& event);
     void showLatency();
     void offerPatterns();
     void retranslate();
@@ -52,6 +54,7 @@ private:
     QLabel* m_latency;
     touch::PatternMapTable* m_table;
     std::vector<touch::PatternChoice> m_own;
+    std::optional<FeedbackEvent> m_lastFelt;
     QString m_lastText;
 };
 

@@ -233,6 +233,11 @@ void ArmViews::showContour(const pipeline::ExploredContour& contour) {
                        label);
 }
 
+void ArmViews::retranslate() {
+    if (m_arm && m_arm->generation() > 0)
+        showContour(m_arm->snapshot().contour);
+}
+
 void ArmViews::setProgramRunning(bool running) {
     if (!m_arm)
         return;

@@ -62,6 +62,8 @@ public:
     void setProgramRunning(bool running);
     /// Begins the program anew and forgets what was explored.
     void restartProgram();
+    /// Its own words, those in the reconstruction, in the language of now.
+    void retranslate();
     /// What is touched from now on is another object.
     void forgetContour();
     [[nodiscard]] FeedbackPanel& feedbackPanel() { return *m_feedback; }

@@ -425,8 +425,10 @@ void OperatePage::onBraceletFailed(const core::Error& error) {
 
 void OperatePage::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
+    if (event->type() == QEvent::LanguageChange) {
         retranslate();
+        m_arm->retranslate();
+    }
 }
 
 void OperatePage::setDemos(const std::vector<chrome::SourceChooser::Demo>& demos) {

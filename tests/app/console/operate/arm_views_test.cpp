@@ -27,6 +27,7 @@
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTranslator>
 
 #include <cmath>
 #include <memory>
@@ -117,9 +118,22 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(bracelet.lastEvent().has_value(), 30'000);
         QVERIFY(!bracelet.lastEvent()->onset_s);
         QVERIFY(!bracelet.reading());
-        QVERIFY(
-            m_window->operatePage().findChild<bracelet::BraceletView*>()->accessibleDescription().contains(
-                "stiffness.E.dynamic"));
+        const auto told = [this] {
+            return m_window->operatePage().findChild<bracelet::BraceletView*>()->accessibleDescription();
+        };
+        QVERIFY(told().contains("stiffness.E.dynamic"));
+        // What was felt before the language was changed is told in the new one, too.
+        struct Metal : QTranslator {
+            bool isEmpty() const override { return false; }
+            QString translate(const char*, const char* text, const char*, int) const override {
+                return QLatin1String(text) == QLatin1String("metal") ? QStringLiteral("m\u00e9tal")
+                                                                     : QString();
+            }
+        } translator;
+        QVERIFY(!told().contains(QStringLiteral("m\u00e9tal")));
+        QCoreApplication::installTranslator(&translator);
+        QTRY_VERIFY(told().contains(QStringLiteral("m\u00e9tal")));
+        QCoreApplication::removeTranslator(&translator);
     }
 
     void jogsWhileTheDeadManIsHeldAndStandsStillAfterwards() {
