@@ -8,6 +8,7 @@
 #include "backend/motors/motor_file.h"
 #include "widgets/calibrate/motors_view.h"
 
+#include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
 
@@ -81,7 +82,10 @@ void MotorCalibrator::tick() {
     calibrate::BraceletFacts facts;
     if (const auto& session = m_station.session()) {
         const core::BraceletDescription& description = session->source().description();
-        facts.name = QString::fromStdString(description.name);
+        // It was named in the language of the moment in which it was made.
+        facts.name = description.simulated
+                         ? QCoreApplication::translate("SimulatedBracelet", "Simulated bracelet")
+                         : QString::fromStdString(description.name);
         facts.serial = QString::fromStdString(description.serial);
         facts.simulated = description.simulated;
         facts.ready = m_station.isFree();

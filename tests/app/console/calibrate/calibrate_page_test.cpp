@@ -11,13 +11,16 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
+#include <QTranslator>
 
+#include <algorithm>
 #include <memory>
 
 using namespace teleta;
@@ -65,6 +68,26 @@ private slots:
         m_page.reset();
         m_station.reset();
         QFile::remove(QString::fromStdString(motors::profilePath("simulated")));
+    }
+
+    void aSimulatedBraceletIsNamedInTheLanguageOfNow() {
+        const auto isSaid = [this](const QString& text) {
+            return std::ranges::any_of(view().findChildren<QLabel*>(),
+                                       [&](const QLabel* label) { return label->text() == text; });
+        };
+        QVERIFY(isSaid("Simulated bracelet"));
+        struct French : QTranslator {
+            bool isEmpty() const override { return false; }
+            QString translate(const char*, const char* text, const char*, int) const override {
+                return QLatin1String(text) == QLatin1String("Simulated bracelet")
+                           ? QStringLiteral("Bracelet simul\u00e9")
+                           : QString();
+            }
+        } translator;
+        QCoreApplication::installTranslator(&translator);
+        QTRY_VERIFY(isSaid(QStringLiteral("Bracelet simul\u00e9")));
+        QCoreApplication::removeTranslator(&translator);
+        QTRY_VERIFY(isSaid("Simulated bracelet"));
     }
 
     void measuresASimulatedMotorThroughThePlayerAndFindsWhatItHides() {
