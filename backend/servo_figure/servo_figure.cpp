@@ -379,9 +379,13 @@ private:
         return axisOf(low, high, lane.leastSpan, m_laneHeight / kPxPerTick);
     }
 
-    /// Beside the axis, or in the lane where that is lower than its name is long.
+    /// Beside the axis, or all in their lanes where those are lower than a name is long.
     void nameLane(const QString& name, double upper) {
-        if (lengthOf(name) > m_laneHeight + kBetweenLanes) {
+        constexpr double kApart = 8.0;
+        const bool tooLong = std::ranges::any_of(m_lanes, [this](const Lane& lane) {
+            return lengthOf(lane.name) + kApart > m_laneHeight + kBetweenLanes;
+        });
+        if (tooLong) {
             m_canvas.text(m_left + 5.0, upper + 12.0, name, QStringLiteral("ink small"));
             return;
         }
