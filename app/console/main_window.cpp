@@ -451,19 +451,20 @@ void MainWindow::buildMenus() {
 
 void MainWindow::buildArmMenu() {
     QMenu* menu = menuBar()->addMenu(tr("&Arm"));
-    ArmViews& arm = m_operate->armViews();
-    const bool hasArm = m_sources.active() != nullptr && m_sources.active()->arm != nullptr;
-    const auto add = [&](const QString& text, const QKeySequence& key, auto call) {
-        QAction* action = menu->addAction(text, key, &arm, call);
-        action->setEnabled(hasArm);
+    const SourceManager::Item* item = m_sources.active();
+    const bool hasArm = item != nullptr && item->arm != nullptr;
+    const bool hasProgram = m_operate->hasProgram();
+    const auto add = [&](const QString& text, const QKeySequence& key, bool isPossible, auto call) {
+        QAction* action = menu->addAction(text, key, m_operate, call);
+        action->setEnabled(isPossible);
         return action;
     };
-    add(tr("&Run its program"), Qt::Key_F5, [&arm] { arm.setProgramRunning(true); });
-    add(tr("&Hold"), Qt::SHIFT | Qt::Key_F5, [&arm] { arm.setProgramRunning(false); });
-    add(tr("Begin &anew"), Qt::CTRL | Qt::Key_F5, [&arm] { arm.restartProgram(); });
+    add(tr("&Run its program"), Qt::Key_F5, hasProgram, [this] { m_operate->setProgramRunning(true); });
+    add(tr("&Hold"), Qt::SHIFT | Qt::Key_F5, hasProgram, [this] { m_operate->setProgramRunning(false); });
+    add(tr("Begin &anew"), Qt::CTRL | Qt::Key_F5, hasProgram, [this] { m_operate->restartProgram(); });
     menu->addSeparator();
-    add(tr("&Forget the explored contour"), Qt::CTRL | Qt::SHIFT | Qt::Key_N, [&arm] {
-        arm.forgetContour();
+    add(tr("&Forget the explored contour"), Qt::CTRL | Qt::SHIFT | Qt::Key_N, hasArm, [this] {
+        m_operate->armViews().forgetContour();
     })->setToolTip(tr("What is touched from now on is another object"));
 }
 

@@ -112,6 +112,7 @@ void TouchPipeline::carryOut(Request& request) {
                 event.arm =
                     std::make_shared<ArmChannel>(std::move(opened->arm), event.channel, opened->armSettings);
             event.servo = std::move(opened->servo);
+            event.scene = std::move(opened->scene);
             const Entry entry{request.key, event.channel, event.arm, event.camera};
             {
                 const std::scoped_lock lock(m_channelMutex);

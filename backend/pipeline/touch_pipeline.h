@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/core/error.h"
+#include "backend/core/scene_control.h"
 #include "backend/core/wakeup.h"
 #include "backend/pipeline/arm_channel.h"
 #include "backend/pipeline/touch_channel.h"
@@ -30,6 +31,8 @@ struct OpenedSource {
     ArmSettings armSettings = {};
     std::shared_ptr<servo::ServoLink> servo = nullptr; ///< of the servo that moves the array; null: none
     std::shared_ptr<CameraChannel> camera = nullptr;   ///< null unless the source is a camera
+    /// Of a simulated scene without an arm of its own program; null: nobody can hold it.
+    std::shared_ptr<core::SceneControl> scene = nullptr;
 };
 
 /// Opens a source: reads files, connects to a device. Runs on the pipeline's control thread and may take its
@@ -41,11 +44,12 @@ struct ChannelEvent {
     enum class Kind { opened, failed, closed };
     Kind kind = Kind::opened;
     ChannelKey key = 0;
-    std::shared_ptr<TouchChannel> channel;   ///< with opened, unless it is a camera
-    std::shared_ptr<ArmChannel> arm;         ///< with opened, when the source is the skin of an arm
-    std::shared_ptr<servo::ServoLink> servo; ///< with opened, when a servo moves the array
-    std::shared_ptr<CameraChannel> camera;   ///< with opened, when the source is a camera
-    core::Error error;                       ///< with failed
+    std::shared_ptr<TouchChannel> channel;     ///< with opened, unless it is a camera
+    std::shared_ptr<ArmChannel> arm;           ///< with opened, when the source is the skin of an arm
+    std::shared_ptr<servo::ServoLink> servo;   ///< with opened, when a servo moves the array
+    std::shared_ptr<CameraChannel> camera;     ///< with opened, when the source is a camera
+    std::shared_ptr<core::SceneControl> scene; ///< with opened, when the source is a scene that can be held
+    core::Error error;                         ///< with failed
 };
 
 /// The running system: opens and closes sources on a control thread, processes what they deliver on one

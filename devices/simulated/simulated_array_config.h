@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/core/pacing_clock.h"
+#include "backend/core/scene_control.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -28,7 +29,8 @@ struct SimulatedArrayConfig {
     /// A worker that is later than this does not catch up: the simulated world then stood still meanwhile.
     double longestCatchUp_s = 1.0;
     SimulatedFaults faults{};
-    std::uint64_t faultSeed = 1; ///< which frames are dropped
+    std::uint64_t faultSeed = 1;                         ///< which frames are dropped
+    std::shared_ptr<core::SceneControl> scene = nullptr; ///< null: nobody holds or restarts it
     std::shared_ptr<core::PacingClock> clock = std::make_shared<core::PacingClock>();
 };
 

@@ -13,7 +13,7 @@ namespace teleta::simulated {
 
 /// A simulated tactile array that behaves like a connected one: frames in real time, and faults on demand.
 ///   connecting -> live <-> stale; unplugged: lost -> reconnecting -> connecting; stop(): closed
-/// While STOP is engaged the simulated motion stands still and frames go on.
+/// While STOP is engaged or the scene is held, the simulated motion stands still and frames go on.
 /// Thread: start, stop from one controlling thread, setFaults from any; otherwise as core::TactileSource.
 class SimulatedArrayDevice : public core::TactileSource {
 public:

@@ -93,7 +93,13 @@ void SimulatedArrayWorker::readDue(const SimulatedFaults& faults, std::int64_t n
 
     core::SampleBlock block;
     for (std::size_t i = 0; i < kFramesPerBlock && m_link.due_ns(faults.lag_s) <= now_ns; ++i) {
-        m_generator->next(m_values, m_stopSwitch.engaged());
+        const bool stopped = m_stopSwitch.engaged();
+        if (m_config.scene && m_config.scene->takeRestart(stopped)) {
+            deliver(block); // a jump is told at the beginning of a block
+            m_generator->restart();
+            m_discontinuity = true;
+        }
+        m_generator->next(m_values, stopped || (m_config.scene && m_config.scene->isHeld()));
         m_link.count();
         if (m_link.happens(faults.dropShare)) {
             deliver(block); // frames of a block are consecutive

@@ -17,6 +17,7 @@
 #include <QVBoxLayout>
 
 #include <cmath>
+#include <utility>
 
 namespace teleta::servo {
 
@@ -159,6 +160,11 @@ void ServoPanel::setReport(const std::optional<ServoReport>& report) {
         showTuning(report->tuning, report->bounds);
 }
 
+void ServoPanel::setStopEngaged(bool engaged) {
+    if (std::exchange(m_stopEngaged, engaged) != engaged)
+        showTexts();
+}
+
 void ServoPanel::showTexts() {
     const base::StatusColours& colours = base::statusColours(palette());
     const auto paint = [](QLabel* label, const QColor& colour) {
@@ -178,8 +184,11 @@ void ServoPanel::showTexts() {
     }
     m_cost->setText(ServoTexts::cost(m_report->times, m_report->rate_Hz));
     const ServoOutput& output = m_report->output;
-    m_task->setText(m_report->stopped ? tr("STOP: the arm is held") : ServoTexts::task(output.kind));
-    paint(m_task, m_report->stopped ? colours.lost : palette().color(QPalette::WindowText));
+    const bool isHeld = m_report->stopped && !m_stopEngaged;
+    m_task->setText(isHeld              ? tr("The scene is held")
+                    : m_report->stopped ? tr("STOP: the arm is held")
+                                        : ServoTexts::task(output.kind));
+    paint(m_task, m_report->stopped && !isHeld ? colours.lost : palette().color(QPalette::WindowText));
     m_contact->setText(ServoTexts::contact(output.contact));
     const bool gone = output.contact == ContactState::lost;
     const bool searches = output.contact == ContactState::searching;

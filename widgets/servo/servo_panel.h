@@ -31,6 +31,9 @@ public:
     /// Nothing: no servo; the panel is disabled.
     void setReport(const std::optional<ServoReport>& report);
 
+    /// Tells what is held by STOP from a scene that somebody holds.
+    void setStopEngaged(bool engaged);
+
     /// Marks a servo that is not real in violet.
     void setProvenance(base::Provenance provenance);
 
@@ -66,6 +69,7 @@ private:
     QDoubleSpinBox* m_slide;
     QDoubleSpinBox* m_gain;
     QCheckBox* m_moment;
+    bool m_stopEngaged = true;
     base::Provenance m_shownProvenance = base::Provenance::live;
     std::optional<ServoReport> m_report;
     std::optional<ServoTuning> m_wish; ///< posted, and not yet in use

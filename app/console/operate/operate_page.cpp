@@ -8,6 +8,7 @@
 #include "widgets/chrome/demo_list.h"
 #include "widgets/chrome/empty_state.h"
 #include "widgets/chrome/playback_bar.h"
+#include "widgets/servo/servo_panel.h"
 #include "widgets/tactile/channel_settings_panel.h"
 #include "widgets/tactile/heatmap_view.h"
 #include "widgets/view3d/scene3d_view.h"
@@ -69,6 +70,7 @@ void drain(pipeline::CameraChannel& camera) {
 OperatePage::OperatePage(SourceManager& sources, core::StopSwitch& stop, QWidget* parent)
     : QWidget(parent)
     , m_sources(sources)
+    , m_stop(stop)
     , m_messages(new chrome::MessageBar(this))
     , m_chooser(new chrome::SourceChooser(this))
     , m_playback(new chrome::PlaybackBar(this))
@@ -181,6 +183,7 @@ void OperatePage::tick() {
     m_charts->refresh();
     m_bracelet->tick();
     m_arm->tick();
+    m_servo->panel().setStopEngaged(m_stop.engaged());
     m_servo->tick();
     SourceManager::Item* active = m_sources.active();
     if (m_camera->tick() && active != nullptr) {
@@ -369,6 +372,26 @@ void OperatePage::connectPlayback() {
     connect(m_playback, &chrome::PlaybackBar::speedRequested, this,
             forward(&core::PlaybackControl::setSpeed));
     connect(m_playback, &chrome::PlaybackBar::loopRequested, this, forward(&core::PlaybackControl::setLoop));
+}
+
+bool OperatePage::hasProgram() const {
+    const SourceManager::Item* item = m_sources.active();
+    if (item == nullptr)
+        return false;
+    return item->scene ||
+           (item->arm && item->arm->description().hasProgram && !item->arm->description().recorded);
+}
+
+void OperatePage::setProgramRunning(bool running) {
+    if (SourceManager::Item* item = m_sources.active(); item != nullptr && item->scene)
+        item->scene->setRunning(running);
+    m_arm->setProgramRunning(running);
+}
+
+void OperatePage::restartProgram() {
+    if (SourceManager::Item* item = m_sources.active(); item != nullptr && item->scene)
+        item->scene->restart();
+    m_arm->restartProgram();
 }
 
 void OperatePage::startPlayback() {

@@ -63,6 +63,11 @@ public:
     [[nodiscard]] CameraViews& cameraViews() { return *m_camera; }
     [[nodiscard]] BraceletStation& bracelet() { return *m_bracelet; }
     [[nodiscard]] MarkViews& marks() { return *m_marks; }
+    /// The shown source moves by itself in a way that can be held and begun anew: an arm's program or a
+    /// scene.
+    [[nodiscard]] bool hasProgram() const;
+    void setProgramRunning(bool running);
+    void restartProgram();
     void retranslate();
 
 signals:
@@ -93,6 +98,7 @@ private:
     void stepPlayback(int frames);
 
     SourceManager& m_sources;
+    core::StopSwitch& m_stop;
     chrome::MessageBar* m_messages;
     chrome::SourceChooser* m_chooser;
     chrome::PlaybackBar* m_playback;

@@ -77,6 +77,7 @@ void SourceManager::poll() {
             item->arm = std::move(event.arm);
             item->servo = std::move(event.servo);
             item->camera = std::move(event.camera);
+            item->scene = std::move(event.scene);
             item->waits = std::holds_alternative<PlaybackRequest>(item->request);
             emit opened(event.key);
             emit itemsChanged();

@@ -29,6 +29,7 @@ public:
         std::shared_ptr<servo::ServoLink> servo;         ///< null unless a servo moves the array
         std::uint64_t displayed = 0;                     ///< snapshots that were painted
         std::shared_ptr<pipeline::CameraChannel> camera = nullptr; ///< null unless the source is a camera
+        std::shared_ptr<core::SceneControl> scene = nullptr; ///< null unless it is a scene that can be held
 
         bool waits = false; ///< a playback that begins with the others of its recording
 

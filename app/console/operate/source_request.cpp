@@ -121,17 +121,27 @@ core::Expected<pipeline::OpenedSource> openArm(const scene::Scene& scene, std::u
     return pipeline::OpenedSource{std::move(skin), scene_run::channelSettings(scene), std::move(arm), {}};
 }
 
+pipeline::OpenedSource openedArray(std::unique_ptr<core::FrameGenerator> array, const scene::Scene& scene,
+                                   const core::StopSwitch& stop) {
+    auto control = std::make_shared<core::SceneControl>();
+    simulated::SimulatedArrayConfig config;
+    config.scene = control;
+    pipeline::OpenedSource opened{
+        std::make_unique<simulated::SimulatedArrayDevice>(std::move(array), stop, std::move(config)),
+        scene_run::channelSettings(scene)};
+    opened.scene = std::move(control);
+    return opened;
+}
+
 core::Expected<pipeline::OpenedSource> openServo(const scene::Scene& scene, std::uint64_t seed,
                                                  const core::StopSwitch& stop) {
     auto link = std::make_shared<servo::ServoLink>();
     auto array = simulation::makeServoArray(scene, seed, link);
     if (!array)
         return core::Unexpected(array.error());
-    return pipeline::OpenedSource{std::make_unique<simulated::SimulatedArrayDevice>(std::move(*array), stop),
-                                  scene_run::channelSettings(scene),
-                                  nullptr,
-                                  {},
-                                  std::move(link)};
+    pipeline::OpenedSource opened = openedArray(std::move(*array), scene, stop);
+    opened.servo = std::move(link);
+    return opened;
 }
 
 pipeline::OpenedSource openedCamera(std::shared_ptr<pipeline::CameraChannel> channel) {
@@ -143,7 +153,8 @@ pipeline::OpenedSource openedCamera(std::shared_ptr<pipeline::CameraChannel> cha
 core::Expected<pipeline::OpenedSource> openTube(const scene::Scene& scene, std::uint64_t seed,
                                                 const core::StopSwitch& stop) {
     auto link = std::make_shared<simulation::CarrierLink>();
-    auto made = simulation::makeTubeCamera(scene, seed, link);
+    auto control = std::make_shared<core::SceneControl>();
+    auto made = simulation::makeTubeCamera(scene, seed, link, control);
     if (!made)
         return core::Unexpected(made.error());
     const scene::CameraWorld& world = scene.camera();
@@ -155,7 +166,9 @@ core::Expected<pipeline::OpenedSource> openTube(const scene::Scene& scene, std::
         stop, std::move(reaction), {.tracker = scene_run::trackerSettings(world), .contacts = {}});
     if (!channel)
         return core::Unexpected(channel.error());
-    return openedCamera(std::move(*channel));
+    pipeline::OpenedSource opened = openedCamera(std::move(*channel));
+    opened.scene = std::move(control);
+    return opened;
 }
 
 core::Expected<pipeline::OpenedSource> openCamera(const CameraRequest& request,
@@ -190,8 +203,7 @@ core::Expected<pipeline::OpenedSource> openScene(const SceneRequest& request, co
     auto array = simulation::makeTactileArray(*scene, request.seed);
     if (!array)
         return core::Unexpected(array.error());
-    return pipeline::OpenedSource{std::make_unique<simulated::SimulatedArrayDevice>(std::move(*array), stop),
-                                  scene_run::channelSettings(*scene)};
+    return openedArray(std::move(*array), *scene, stop);
 }
 
 core::Expected<pipeline::OpenedSource> openWts(const WtsRequest& request) {

@@ -16,9 +16,10 @@ constexpr double kPixelNoise_px = 0.5;
 class TubeCameraGenerator : public core::CameraGenerator {
 public:
     TubeCameraGenerator(const scene::Scene& scene, std::unique_ptr<SimulatedTube> tube,
-                        std::shared_ptr<CarrierLink> link)
+                        std::shared_ptr<CarrierLink> link, std::shared_ptr<core::SceneControl> control)
         : m_tube(std::move(tube))
         , m_link(std::move(link))
+        , m_control(std::move(control))
         , m_end_s(scene.duration_s + kCarrierPause_s)
         , m_commandFrames(std::max(1, static_cast<int>(std::ceil(kCarrierCommand_s * scene.rate_Hz))))
         , m_description{.name = scene.name, .nominalRate_Hz = scene.rate_Hz, .simulated = true} {}
@@ -27,7 +28,9 @@ public:
 
     bool next(core::GreyImage& image, bool held) override {
         cv::Mat1b frame;
-        const bool anew = !held && m_tube->time_s() >= m_end_s;
+        const bool asked = m_control && m_control->takeRestart(held);
+        held = held || (m_control && m_control->isHeld());
+        const bool anew = asked || (!held && m_tube->time_s() >= m_end_s);
         if (anew) {
             m_tube->restart();
             m_asked = {};
@@ -70,6 +73,7 @@ private:
 
     std::unique_ptr<SimulatedTube> m_tube;
     std::shared_ptr<CarrierLink> m_link;
+    std::shared_ptr<core::SceneControl> m_control; ///< null: nobody's
     double m_end_s;
     int m_commandFrames;
     core::CameraDescription m_description;
@@ -83,14 +87,16 @@ private:
 } // namespace
 
 core::Expected<TubeCameraSource> makeTubeCamera(const scene::Scene& scene, std::uint64_t seed,
-                                                std::shared_ptr<CarrierLink> link) {
+                                                std::shared_ptr<CarrierLink> link,
+                                                std::shared_ptr<core::SceneControl> control) {
     auto tube = SimulatedTube::make(scene, seed);
     if (!tube)
         return core::Unexpected(tube.error());
     const vision::CylinderCamera& exact = (*tube)->camera();
     const vision::CylinderCamera camera(exact.camera(), exact.surface(), exact.covariance(), kPixelNoise_px);
-    return TubeCameraSource{std::make_unique<TubeCameraGenerator>(scene, std::move(*tube), std::move(link)),
-                            camera};
+    return TubeCameraSource{
+        std::make_unique<TubeCameraGenerator>(scene, std::move(*tube), std::move(link), std::move(control)),
+        camera};
 }
 
 } // namespace teleta::simulation

@@ -3,6 +3,7 @@
 
 #include "backend/core/camera_source.h"
 #include "backend/core/error.h"
+#include "backend/core/scene_control.h"
 #include "backend/scene/scene.h"
 #include "backend/simulation/camera/carrier_link.h"
 #include "backend/vision/cylinder_projection.h"
@@ -19,13 +20,15 @@ inline constexpr double kCarrierPause_s = 1.0;
 
 /// The camera of a scene with a soft tube, and the arm that carries it as somebody else commands it by the
 /// link. The first frame shows the tube untouched. When the scene has come to its end it begins anew, but not
-/// while it is held. Deterministic while nobody commands the arm.
+/// while it is held; also when control asks for it, which holds it as STOP does. Deterministic while nobody
+/// commands the arm or the scene.
 struct TubeCameraSource {
     std::unique_ptr<core::CameraGenerator> generator;
     vision::CylinderCamera camera;
 };
-/// link: not null. Error: badInput when the scene is not valid or not of a camera.
-[[nodiscard]] core::Expected<TubeCameraSource> makeTubeCamera(const scene::Scene& scene, std::uint64_t seed,
-                                                              std::shared_ptr<CarrierLink> link);
+/// link: not null. control: null for nobody. Error: badInput when the scene is not valid or not of a camera.
+[[nodiscard]] core::Expected<TubeCameraSource>
+makeTubeCamera(const scene::Scene& scene, std::uint64_t seed, std::shared_ptr<CarrierLink> link,
+               std::shared_ptr<core::SceneControl> control = nullptr);
 
 } // namespace teleta::simulation

@@ -11,6 +11,8 @@
 #include "widgets/chrome/page_rail.h"
 #include "widgets/chrome/playback_bar.h"
 #include "widgets/chrome/stop_button.h"
+#include "widgets/servo/servo_panel.h"
+#include "widgets/servo/servo_runs_view.h"
 #include "widgets/tactile/heatmap_view.h"
 #include "widgets/view3d/gl_setup.h"
 
@@ -465,6 +467,32 @@ private slots:
         // What is written afterwards is whole again.
         QCOMPARE(int(ConsoleSettings(false).found()),
                  int(kept == "console.ini" ? ConsoleSettings::Found::newer : ConsoleSettings::Found::usable));
+    }
+
+    void aServoSceneIsHeldAndBegunAnewInItsOwnSource() {
+        ConsoleOptions options;
+        options.scenes = {QStringLiteral(":/scenes/servo-bent-bar.toml")};
+        openWindow(options);
+        const auto* runs = child<servo::ServoRunsView>();
+        const auto* panel = child<servo::ServoPanel>();
+        QTRY_VERIFY_WITH_TIMEOUT(!runs->runs().runs().empty(), 60'000);
+        const auto key = m_window->sources().active()->key;
+        m_window->activateWindow();
+        QTRY_VERIFY(m_window->isActiveWindow());
+        QTest::keyClick(m_window.get(), Qt::Key_F5, Qt::ShiftModifier);
+        QTRY_COMPARE(panel->taskText(), QStringLiteral("The scene is held"));
+        m_stop->engage();
+        QTRY_COMPARE(panel->taskText(), QStringLiteral("STOP: the arm is held"));
+        m_stop->release();
+        QTest::keyClick(m_window.get(), Qt::Key_F5);
+        QTRY_VERIFY(panel->taskText() != QStringLiteral("The scene is held"));
+        const std::size_t before = runs->runs().runs().front().time_s.size();
+        QTest::keyClick(m_window.get(), Qt::Key_F5, Qt::ControlModifier);
+        QTRY_COMPARE(runs->runs().runs().size(), std::size_t{2});
+        QVERIFY(runs->runs().runs().front().time_s.size() >= before);
+        QVERIFY(runs->runs().runs().back().time_s.front() < runs->runs().runs().front().time_s.back());
+        QCOMPARE(m_window->sources().items().size(), std::size_t{1});
+        QCOMPARE(m_window->sources().active()->key, key);
     }
 
     void closingTheWindowStopsWhateverMoves() {

@@ -128,6 +128,37 @@ TEST_F(SimulatedArrayDeviceTest, deliversEveryFrameWhenItIsDueAndStampsIt) {
     EXPECT_NEAR(status.rate_Hz, 200.0, 1e-6);
 }
 
+TEST_F(SimulatedArrayDeviceTest, aSceneIsHeldAndBegunAnewWithoutASourceOfItsOwn) {
+    auto scene = std::make_shared<core::SceneControl>();
+    make({.scene = scene});
+    start();
+    advance_ms(20);
+    scene->setRunning(false);
+    advance_ms(20);
+    std::vector<core::SampleBlock> blocks = drain();
+    ASSERT_EQ(blocks.size(), 8U);
+    EXPECT_EQ(blocks.back().frame(0)[0], 8.0F);
+    EXPECT_EQ(blocks.back().frame(0)[1], 4.0F);
+    m_stop.engage();
+    scene->restart();
+    advance_ms(5);
+    m_stop.release();
+    advance_ms(5);
+    blocks = drain();
+    ASSERT_EQ(blocks.size(), 2U);
+    EXPECT_FALSE(blocks.back().discontinuity) << "what was asked under STOP is forgotten";
+    EXPECT_EQ(blocks.back().frame(0)[0], 10.0F);
+    scene->setRunning(false);
+    scene->restart();
+    advance_ms(10);
+    blocks = drain();
+    ASSERT_EQ(blocks.size(), 2U);
+    EXPECT_TRUE(blocks[0].discontinuity);
+    EXPECT_FALSE(blocks[1].discontinuity);
+    EXPECT_DOUBLE_EQ(blocks[0].sourceTime_s[0], 1.0 / 200.0);
+    EXPECT_EQ(blocks[1].frame(0)[1], 2.0F) << "one that was held runs from its beginning";
+}
+
 TEST_F(SimulatedArrayDeviceTest, keepsItsRateWhenItWakesLate) {
     make();
     start();

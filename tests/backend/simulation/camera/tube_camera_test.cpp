@@ -30,12 +30,13 @@ scene::Scene pressedScene() {
 
 struct Camera {
     explicit Camera(const scene::Scene& scene)
-        : source(std::move(*simulation::makeTubeCamera(scene, 1, link))) {}
+        : source(std::move(*simulation::makeTubeCamera(scene, 1, link, control))) {}
 
     bool next(bool held = false) { return source.generator->next(image, held); }
     [[nodiscard]] simulation::CarrierState state() const { return link->state.get(); }
 
     std::shared_ptr<CarrierLink> link = std::make_shared<CarrierLink>();
+    std::shared_ptr<core::SceneControl> control = std::make_shared<core::SceneControl>();
     TubeCameraSource source;
     core::GreyImage image;
 };
@@ -47,6 +48,26 @@ bool same(const core::GreyImage& a, const core::GreyImage& b) {
 }
 
 } // namespace
+
+TEST(TubeCamera, isHeldAndBegunAnewWhenSomebodyAsksForIt) {
+    Camera camera(pressedScene());
+    camera.next();
+    const core::GreyImage reference = camera.image;
+    for (int i = 0; i < 35; ++i)
+        EXPECT_FALSE(camera.next());
+    const core::GreyImage pressed = camera.image;
+    EXPECT_FALSE(same(pressed, reference));
+    camera.control->restart();
+    EXPECT_FALSE(camera.next(true)) << "nothing begins under STOP";
+    EXPECT_FALSE(camera.next());
+    camera.control->setRunning(false);
+    EXPECT_FALSE(camera.next());
+    EXPECT_TRUE(camera.state().held);
+    camera.control->restart();
+    EXPECT_TRUE(camera.next());
+    EXPECT_TRUE(same(camera.image, reference));
+    EXPECT_EQ(camera.state().restarts, 1U);
+}
 
 TEST(TubeCamera, showsTheTubeUntouchedFirstAndThePressLater) {
     Camera camera(pressedScene());
