@@ -60,6 +60,10 @@ std::size_t ArmChannel::process() {
         feedContactsUntil(next.time_ns - 1);
         if (auto touch = m_estimator.update(next))
             take(std::move(*touch));
+        // A touch that the jump ended is of the run before.
+        if (m_sourceTime_s && next.sourceTime_s < *m_sourceTime_s && !m_arm->description().recorded)
+            beginAnew(next.time_ns);
+        m_sourceTime_s = next.sourceTime_s;
         m_samples.push(core::JointSample(next));
     }
     feedContactsUntil(std::numeric_limits<std::int64_t>::max());
@@ -114,10 +118,18 @@ void ArmChannel::take(TouchRecord&& touch) {
     m_touches.push(std::move(touch));
 }
 
+void ArmChannel::beginAnew(std::int64_t time_ns) {
+    m_begun_ns = time_ns;
+    m_found.clear();
+    ++m_objectsRevision;
+    m_lastTouch.reset();
+}
+
 void ArmChannel::publish() {
     ArmSnapshot& snapshot = m_snapshots.back();
     snapshot.newest = m_newest;
     snapshot.drive = m_arm->drive();
+    snapshot.begun_ns = m_begun_ns;
     snapshot.phases = m_estimator.phases();
     snapshot.reference_Nm = m_estimator.reference_Nm();
     snapshot.contact = m_estimator.liveContact();

@@ -86,6 +86,8 @@ public:
 private:
     bool takeCommands(); ///< true when a view may see a change
     void take(TouchRecord&& touch);
+    /// What was found before is of another run.
+    void beginAnew(std::int64_t time_ns);
     void publish();
 
     std::unique_ptr<core::ArmSource> m_arm;
@@ -93,6 +95,8 @@ private:
     TouchEstimator m_estimator;
     FoundObjects m_found;
     std::uint64_t m_objectsRevision = 0;
+    std::int64_t m_begun_ns = 0; ///< see ArmSnapshot
+    std::optional<double> m_sourceTime_s;
 
     core::Mailbox<ArmSettings> m_changes;
     core::LatestCopy<ArmSettings> m_settingsInUse;

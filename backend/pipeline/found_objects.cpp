@@ -138,6 +138,11 @@ void FoundObjects::closeAll() {
         showContour(ContourExplorer(m_settings));
 }
 
+void FoundObjects::clear() {
+    closeAll();
+    m_objects.clear();
+}
+
 void FoundObjects::setSettings(const ContourSettings& settings) {
     m_settings = settings;
     for (Open& open : m_open) {

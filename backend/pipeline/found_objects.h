@@ -49,6 +49,8 @@ public:
     const FoundObject* add(const TouchRecord& touch);
     /// The next touch is of a new object, wherever it is; the former ones stay as they are.
     void closeAll();
+    /// There is none any more; the next one has the number 1.
+    void clear();
     void setSettings(const ContourSettings& settings);
 
     [[nodiscard]] const std::vector<FoundObject>& objects() const { return m_objects; }

@@ -302,11 +302,20 @@ void BraceletStation::timeLast() {
         emit felt(*m_last);
 }
 
-void BraceletStation::endFeedback() {
+bool BraceletStation::isFeedbackPlaying() const {
     const Felt felt = m_felt->get();
     const bool isNewest = m_session && felt.session.lock() == m_session && felt.number > m_asked;
-    if (isNewest && !m_reserved && !m_held && isPlaying(felt.number))
+    return isNewest && !m_reserved && !m_held && isPlaying(felt.number);
+}
+
+void BraceletStation::endFeedback() {
+    if (isFeedbackPlaying())
         m_session->player().stop();
+}
+
+void BraceletStation::forgetFeedback() {
+    endFeedback();
+    m_last.reset();
 }
 
 std::optional<BraceletStation::Latency> BraceletStation::touchToSkin() const {

@@ -77,6 +77,10 @@ public:
     void setLoop(bool loop);
     /// Ends what is played for a touch, as when the arm tells nothing any more; nothing else.
     void endFeedback();
+    /// As endFeedback(), and what was recognised last is not known any more.
+    void forgetFeedback();
+    /// What was sent for a touch is played now.
+    [[nodiscard]] bool isFeedbackPlaying() const;
     /// Goes on somewhere else in what is played.
     void seek(double time_s);
     void stopPlaying();

@@ -14,6 +14,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -86,12 +87,31 @@ void FeedbackPanel::offerPatterns() {
         choices.push_back({pattern.id, editor::displayName(pattern),
                            pattern.task == pattern::Task::shape ? tr("shape") : tr("stiffness"),
                            pattern.condition == pattern::Condition::dynamic ? tr("dynamic") : tr("static")});
+    m_choices = choices;
     m_table->setChoices(std::move(choices));
 }
 
 void FeedbackPanel::setOwnPatterns(std::vector<touch::PatternChoice> own) {
     m_own = std::move(own);
     offerPatterns();
+}
+
+QString FeedbackPanel::nameOf(const std::string& id) const {
+    const auto known = std::ranges::find(m_choices, id, &touch::PatternChoice::id);
+    return known != m_choices.end() ? known->name : QString::fromStdString(id);
+}
+
+QString FeedbackPanel::lastText() const {
+    return m_lastText.isEmpty() || m_station.isFeedbackPlaying()
+               ? m_lastText
+               : tr("Nothing is played (last: %1)", "what was recognised and its pattern").arg(m_lastText);
+}
+
+void FeedbackPanel::forgetLast() {
+    m_lastFelt.reset();
+    m_lastText.clear();
+    m_table->clearRecognised();
+    retranslate();
 }
 
 void FeedbackPanel::showLast(const FeedbackEvent& event) {
@@ -108,7 +128,7 @@ void FeedbackPanel::writeLast(const FeedbackEvent& event) {
     const QString what = event.sent.shape ? touch::TouchTexts::shape(*event.sent.shape)
                                           : touch::TouchTexts::material(*event.sent.material);
     const QString touch = QString::number(event.sent.touch);
-    const QString pattern = QString::fromStdString(event.sent.patternId);
+    const QString pattern = nameOf(event.sent.patternId);
     m_lastText = event.sent.missing
                      ? tr("%1: %2 is missing", "what was recognised: id of a pattern").arg(what, pattern)
                  : pattern.isEmpty()
@@ -158,8 +178,8 @@ void FeedbackPanel::retranslate() {
 void FeedbackPanel::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange) {
+        offerPatterns(); // whose names are told
         retranslate();
-        offerPatterns();
     }
 }
 

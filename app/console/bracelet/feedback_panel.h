@@ -8,6 +8,7 @@
 #include <QWidget>
 
 #include <optional>
+#include <string>
 #include <vector>
 
 class QComboBox;
@@ -23,8 +24,11 @@ class FeedbackPanel : public QWidget {
 public:
     explicit FeedbackPanel(BraceletStation& station, QWidget* parent = nullptr);
 
-    /// What was recognised last and the pattern that was sent for it; empty while nothing was.
-    [[nodiscard]] QString lastText() const { return m_lastText; }
+    /// What was recognised last and the pattern that was sent for it, for a title: whether it is played
+    /// still. Empty while nothing was.
+    [[nodiscard]] QString lastText() const;
+    /// As before anything was recognised.
+    void forgetLast();
     [[nodiscard]] pipeline::FeedbackMode mode() const;
     void setMode(pipeline::FeedbackMode mode);
     [[nodiscard]] const pattern::PatternMap& map() const;
@@ -44,6 +48,8 @@ private:
     void showLast(const FeedbackEvent& event);
     void writeLast(const FeedbackEvent& event);
     void showLatency();
+    /// As the table of patterns names it; one that is not there any more by its id.
+    [[nodiscard]] QString nameOf(const std::string& id) const;
     void offerPatterns();
     void retranslate();
 
@@ -55,6 +61,7 @@ private:
     touch::PatternMapTable* m_table;
     std::vector<touch::PatternChoice> m_own;
     std::optional<FeedbackEvent> m_lastFelt;
+    std::vector<touch::PatternChoice> m_choices;
     QString m_lastText;
 };
 

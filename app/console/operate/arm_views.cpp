@@ -87,7 +87,7 @@ void ArmViews::setArm(std::shared_ptr<pipeline::ArmChannel> arm, base::Provenanc
     if (m_arm) {
         m_arm->setFeedback(nullptr);
         m_kept.insert_or_assign(m_arm, Kept{m_sheet->model().takeNotes(), m_joints->takeContent(),
-                                            std::exchange(m_shownTouches, {})});
+                                            std::exchange(m_shownTouches, {}), m_begun_ns});
     }
     clear();
     m_arm = std::move(arm);
@@ -113,6 +113,7 @@ void ArmViews::setArm(std::shared_ptr<pipeline::ArmChannel> arm, base::Provenanc
     if (auto kept = m_kept.extract(m_arm)) {
         m_sheet->model().setNotes(std::move(kept.mapped().notes));
         m_joints->setContent(std::move(kept.mapped().joints));
+        m_begun_ns = kept.mapped().begun_ns;
         for (const pipeline::TouchRecord& record : kept.mapped().touches)
             showTouch(record);
     }
@@ -135,6 +136,7 @@ void ArmViews::clear() {
         m_scene.setSurface(view3d::Surface::plate);
     m_contourRevision = 0;
     m_objectsRevision = 0;
+    m_begun_ns = 0;
     m_silent = false;
     m_latency_s.reset();
 }
@@ -173,6 +175,8 @@ void ArmViews::tick() {
 }
 
 void ArmViews::show(const pipeline::ArmSnapshot& snapshot) {
+    if (std::exchange(m_begun_ns, snapshot.begun_ns) != snapshot.begun_ns)
+        beginAnew(snapshot.begun_ns);
     m_jog->setSample(snapshot.newest);
     m_jog->setDrive(snapshot.drive);
     showArm(snapshot);
@@ -201,6 +205,19 @@ void ArmViews::showTouch(const pipeline::TouchRecord& record) {
         m_gauge->setTouch(record.stiffness);
     else if (record.refusal)
         m_gauge->setRefusal(*record.refusal);
+}
+
+void ArmViews::beginAnew(std::int64_t begun_ns) {
+    m_gauge->setTouch(std::nullopt);
+    m_touches->clear();
+    m_sheet->clear();
+    m_bracelet.forgetFeedback();
+    m_feedback->forgetLast();
+    for (const pipeline::TouchRecord& record : std::exchange(m_shownTouches, {})) {
+        // Those that came in the same tick are of the new run.
+        if (record.ready_ns > begun_ns)
+            showTouch(record);
+    }
 }
 
 void ArmViews::showArm(const pipeline::ArmSnapshot& snapshot) {
@@ -252,7 +269,6 @@ void ArmViews::restartProgram() {
         return;
     m_jog->letGo();
     m_arm->device().restartProgram();
-    forgetContour();
 }
 
 void ArmViews::forgetContour() {

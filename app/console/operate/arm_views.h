@@ -60,7 +60,7 @@ public:
     [[nodiscard]] std::optional<double> latency_s() const { return m_latency_s; }
 
     void setProgramRunning(bool running);
-    /// Begins the program anew and forgets what was explored.
+    /// Begins the program anew; what was found until then is forgotten once it has begun.
     void restartProgram();
     /// Its own words, those in the reconstruction, in the language of now.
     void retranslate();
@@ -77,6 +77,7 @@ private:
         touch::RunSheetModel::Notes notes;
         charts::JointChartView::Content joints;
         std::vector<pipeline::TouchRecord> touches;
+        std::int64_t begun_ns = 0;
     };
 
     void takeTouches();
@@ -85,6 +86,8 @@ private:
     void showContour(const pipeline::ExploredContour& contour);
     void showArm(const pipeline::ArmSnapshot& snapshot);
     void clear();
+    /// What was felt before is of a run that is over.
+    void beginAnew(std::int64_t begun_ns);
 
     core::StopSwitch& m_stop;
     BraceletStation& m_bracelet;
@@ -106,7 +109,8 @@ private:
     std::vector<core::JointSample> m_samples; ///< of a tick
     std::uint64_t m_contourRevision = 0;
     std::uint64_t m_objectsRevision = 0;
-    bool m_silent = false; ///< the arm tells nothing any more
+    std::int64_t m_begun_ns = 0; ///< as in the snapshot that is shown
+    bool m_silent = false;       ///< the arm tells nothing any more
     std::optional<double> m_latency_s;
 };
 

@@ -121,7 +121,7 @@ private slots:
         const auto told = [this] {
             return m_window->operatePage().findChild<bracelet::BraceletView*>()->accessibleDescription();
         };
-        QVERIFY(told().contains("stiffness.E.dynamic"));
+        QVERIFY(told().contains(QString::fromStdString(pattern::findBuiltIn("stiffness.E.dynamic")->name)));
         // What was felt before the language was changed is told in the new one, too.
         struct Metal : QTranslator {
             bool isEmpty() const override { return false; }
@@ -134,6 +134,42 @@ private slots:
         QCoreApplication::installTranslator(&translator);
         QTRY_VERIFY(told().contains(QStringLiteral("m\u00e9tal")));
         QCoreApplication::removeTranslator(&translator);
+    }
+
+    void theTitleOfTheBraceletSaysWhatIsPlayedAndThatItHasEnded() {
+        openArm();
+        const auto* view = m_window->operatePage().findChild<bracelet::BraceletView*>();
+        const auto& bracelet = m_window->operatePage().bracelet();
+        const QString name = QString::fromStdString(pattern::findBuiltIn("stiffness.E.dynamic")->name);
+        const auto says = [&](const QString& text) { return view->accessibleDescription().contains(text); };
+        QTRY_VERIFY_WITH_TIMEOUT(bracelet.isFeedbackPlaying(), 30'000);
+        QTRY_VERIFY(says(name));
+        QVERIFY(!says(QStringLiteral("Nothing is played")));
+        m_window->operatePage().armViews().setProgramRunning(false); // no other touch
+        QTRY_VERIFY_WITH_TIMEOUT(says(QStringLiteral("Nothing is played (last: ")), 30'000);
+        QVERIFY(says(name));
+    }
+
+    void whatWasFoundIsForgottenWhenTheProgramBeginsAnew() {
+        openArm();
+        const auto* touches = child<touch::TouchTable>();
+        const auto* gauge = child<touch::StiffnessGauge>();
+        auto& sheet = child<touch::RunSheet>()->model();
+        QTRY_COMPARE_WITH_TIMEOUT(sheet.rowCount(), 1, 30'000);
+        const std::uint64_t number = sheet.object(0).number;
+        sheet.rename(number, QStringLiteral("post"));
+        QTRY_VERIFY(touches->touches() > 0 && gauge->content().touch);
+        QTest::keyClick(m_window.get(), Qt::Key_F5, Qt::ControlModifier);
+        QTRY_COMPARE(touches->touches(), 0);
+        QCOMPARE(sheet.rowCount(), 0);
+        QVERIFY(!gauge->content().touch);
+        QVERIFY(!child<touch::PatternMapTable>()->recognisedRow());
+        QVERIFY(!sheet.undoStack().canUndo());
+        // The same object is the first one again, without the name of before.
+        QTRY_COMPARE_WITH_TIMEOUT(sheet.rowCount(), 1, 30'000);
+        QCOMPARE(sheet.object(0).number, number);
+        QVERIFY(sheet.nameOf(number).isEmpty());
+        QCOMPARE(touches->touches(), 1);
     }
 
     void jogsWhileTheDeadManIsHeldAndStandsStillAfterwards() {
