@@ -192,6 +192,13 @@ core::Expected<void> RecordingDatabase::openForReading() {
     return connect({}).and_then([&] { return migrate(schema); });
 }
 
+core::Expected<void> RecordingDatabase::openForWriting() {
+    int schema = 0;
+    const core::Expected<void> opened =
+        checkFile().and_then([&] { return connect({}); }).and_then([&] { return checkKind(schema); });
+    return opened && schema != currentSchema() ? migrate(schema) : opened;
+}
+
 core::Expected<void> RecordingDatabase::migrate(int from) {
     auto begun = run(QStringLiteral("BEGIN IMMEDIATE"));
     if (!begun)

@@ -33,6 +33,9 @@ public:
     /// ioFailed.
     [[nodiscard]] core::Expected<void> openForReading();
 
+    /// Opens a file that is complete, to change it. Error: as openForReading().
+    [[nodiscard]] core::Expected<void> openForWriting();
+
     /// Makes the file complete by itself: without a write-ahead log. While somebody else reads it the log
     /// cannot be folded in; after a second it is left, and goes into the file when it is opened for writing
     /// again.

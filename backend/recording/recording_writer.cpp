@@ -218,29 +218,8 @@ core::Expected<void> RecordingWriter::writeAll() {
         if (!done)
             return core::Unexpected(done.error());
     }
-    return writeMarkChanges();
-}
-
-core::Expected<void> RecordingWriter::writeMarkChanges() {
-    // In their order, after the marks themselves.
-    for (const MarkChange& change : m_markChanges) {
-        const auto number = static_cast<double>(change.number);
-        core::Expected<QSqlQuery> done;
-        if (change.restored_ns)
-            done = m_database.run(
-                QStringLiteral("INSERT INTO event (time_ns, kind, text, value) VALUES (?, ?, ?, ?)"),
-                {static_cast<qlonglong>(*change.restored_ns), QString::fromLatin1(kMark),
-                 textOf(change.note.value_or(std::string())), number});
-        else if (change.note)
-            done = m_database.run(QStringLiteral("UPDATE event SET text = ? WHERE kind = ? AND value = ?"),
-                                  {textOf(*change.note), QString::fromLatin1(kMark), number});
-        else
-            done = m_database.run(QStringLiteral("DELETE FROM event WHERE kind = ? AND value = ?"),
-                                  {QString::fromLatin1(kMark), number});
-        if (!done)
-            return core::Unexpected(done.error());
-    }
-    return {};
+    // After the marks themselves.
+    return writeMarkChanges(m_database, m_markChanges);
 }
 
 core::Expected<void> RecordingWriter::writeBlock(const Stream& stream, const core::TappedFrames& block) {

@@ -62,7 +62,6 @@ private:
 
     [[nodiscard]] core::Expected<void> writeAll();
     [[nodiscard]] core::Expected<void> writeBlock(const Stream& stream, const core::TappedFrames& block);
-    [[nodiscard]] core::Expected<void> writeMarkChanges();
     [[nodiscard]] core::Expected<void> writeAnchor();
 
     RecordingDatabase m_database;

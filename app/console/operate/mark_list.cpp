@@ -77,6 +77,9 @@ void MarkList::edit(std::uint64_t number) {
     if (found == m_rows.end() || !m_editable)
         return;
     auto* item = m_table->item(static_cast<int>(found - m_rows.begin()), textColumn);
+    // A table that is asked twice complains.
+    if (m_table->isPersistentEditorOpen(item))
+        return;
     m_table->setCurrentItem(item);
     m_table->editItem(item);
 }

@@ -71,14 +71,16 @@ void MarkViews::showInCharts() {
 
 void MarkViews::showList() {
     std::vector<MarkList::Row> rows;
-    if (!m_live && !m_played.empty()) {
+    const bool isPlayed = !m_live && !m_played.empty();
+    if (isPlayed) {
         for (const core::PlaybackMark& mark : m_played)
             rows.push_back({0, mark.time_s, QString::fromStdString(mark.text)});
     } else {
         for (const RecordingMark& mark : m_recorded)
             rows.push_back({mark.number, mark.time_s, mark.text});
     }
-    m_list->setMarks(std::move(rows), m_live);
+    // Of what was recorded they can be changed after its end too.
+    m_list->setMarks(std::move(rows), !isPlayed);
 }
 
 } // namespace teleta::console

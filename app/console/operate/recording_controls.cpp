@@ -77,6 +77,13 @@ RecordingControls::RecordingControls(SourceManager& sources, OperatePage& page, 
                                 tr("%1 was recorded.", "a file").arg(QFileInfo(path).fileName()),
                                 tr("Open > Open recording plays it."), path});
     });
+    connect(&m_station, &RecordingStation::marksNotKept, this, [this](const core::Error& error) {
+        m_page.messages().post({chrome::Message::Severity::error,
+                                tr("The marks of %1 could not be changed.", "a file")
+                                    .arg(QFileInfo(m_station.path()).fileName()),
+                                tr("Close whatever else uses the file, and change them again."),
+                                QString::fromStdString(core::describe(error))});
+    });
     MarkViews& marks = m_page.marks();
     connect(&m_station, &RecordingStation::marksChanged, this,
             [this, &marks] { marks.setRecorded(m_station.marks(), m_station.isRecording()); });

@@ -8,6 +8,7 @@
 #include "backend/pipeline/camera_channel.h"
 #include "backend/pipeline/recorded_camera.h"
 #include "backend/pipeline/recorded_streams.h"
+#include "backend/recording/mark_changes.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -166,6 +167,10 @@ RecordingStation::~RecordingStation() {
         m_stopping.wait();
     if (m_recorder)
         (void)m_recorder->stop();
+    if (m_keeping.valid())
+        m_keeping.wait();
+    if (!m_markChanges.empty())
+        (void)recording::changeMarks(m_path.toStdString(), m_markChanges);
 }
 
 QString RecordingStation::suggestedName() const {
@@ -270,6 +275,7 @@ void RecordingStation::close() {
     if (const auto session = m_braceletSession.lock())
         session->record(nullptr);
     m_braceletSession.reset();
+    // What was done while it was recorded is not undone by mistake long after its end.
     m_undo.clear();
     m_stopping = std::async(std::launch::async, [recorder = m_recorder] { return recorder->stop(); });
     enter(State::stopping);
@@ -281,6 +287,10 @@ void RecordingStation::enter(State state) {
 }
 
 void RecordingStation::tick() {
+    if (isReady(m_keeping)) {
+        if (const core::Expected<void> kept = m_keeping.get(); !kept)
+            emit marksNotKept(kept.error());
+    }
     if (isReady(m_starting)) {
         Started started = m_starting.get();
         if (!started) {
@@ -308,6 +318,7 @@ void RecordingStation::tick() {
     m_status = m_recorder->status();
     m_recorder.reset();
     enter(State::idle);
+    keepInFile();
     if (done)
         emit finished(m_path);
     else
@@ -427,14 +438,41 @@ void RecordingStation::mark(std::int64_t time_ns) {
 
 void RecordingStation::renameMark(std::uint64_t number, const QString& text) {
     const auto found = std::ranges::find(m_marks, number, &RecordingMark::number);
-    if (isRecording() && found != m_marks.end() && found->text != text)
+    if (found != m_marks.end() && found->text != text)
         m_undo.push(new MarkCommand(*this, MarkCommand::What::rename, *found, text));
 }
 
 void RecordingStation::removeMark(std::uint64_t number) {
     const auto found = std::ranges::find(m_marks, number, &RecordingMark::number);
-    if (isRecording() && found != m_marks.end())
+    if (found != m_marks.end())
         m_undo.push(new MarkCommand(*this, MarkCommand::What::remove, *found));
+}
+
+void RecordingStation::keep(recording::MarkChange change) {
+    if (!isRecording()) {
+        m_markChanges.push_back(std::move(change));
+        keepInFile();
+    } else if (change.restored_ns) {
+        m_recorder->restoreMark(change.number, std::move(*change.note), *change.restored_ns);
+    } else if (change.note) {
+        m_recorder->renameMark(change.number, std::move(*change.note));
+    } else {
+        m_recorder->removeMark(change.number);
+    }
+}
+
+void RecordingStation::keepInFile() {
+    if (m_markChanges.empty() || m_state != State::idle)
+        return;
+    // After those of before; the first failure is told.
+    m_keeping = std::async(std::launch::async,
+                           [before = m_keeping.share(), path = m_path.toStdString(),
+                            changes = std::exchange(m_markChanges, {})]() -> core::Expected<void> {
+                               const core::Expected<void> first =
+                                   before.valid() ? before.get() : core::Expected<void>();
+                               const core::Expected<void> kept = recording::changeMarks(path, changes);
+                               return first ? kept : first;
+                           });
 }
 
 void RecordingStation::addMark(RecordingMark& mark) {
@@ -442,14 +480,14 @@ void RecordingStation::addMark(RecordingMark& mark) {
     if (mark.number == 0)
         mark.number = m_recorder->mark(mark.text.toStdString(), mark.time_ns);
     else
-        m_recorder->restoreMark(mark.number, mark.text.toStdString(), mark.time_ns);
+        keep({mark.number, mark.text.toStdString(), mark.time_ns});
     const auto place = std::ranges::upper_bound(m_marks, mark.time_ns, {}, &RecordingMark::time_ns);
     m_marks.insert(place, mark);
     emit marksChanged();
 }
 
 void RecordingStation::dropMark(std::uint64_t number) {
-    m_recorder->removeMark(number);
+    keep({number, std::nullopt});
     std::erase_if(m_marks, [&](const RecordingMark& mark) { return mark.number == number; });
     emit marksChanged();
 }
@@ -458,7 +496,7 @@ void RecordingStation::setMarkText(std::uint64_t number, const QString& text) {
     const auto found = std::ranges::find(m_marks, number, &RecordingMark::number);
     if (found == m_marks.end())
         return;
-    m_recorder->renameMark(number, text.toStdString());
+    keep({number, text.toStdString()});
     found->text = text;
     emit marksChanged();
 }

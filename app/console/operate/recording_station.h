@@ -60,7 +60,7 @@ public:
     /// Marks now, or an earlier moment of the recording; only while it is recorded. Can be undone.
     void mark();
     void mark(std::int64_t time_ns);
-    /// Can be undone. A recording that has ended keeps its marks as they are.
+    /// Can be undone; in a recording that has ended too, whose file is changed on another thread.
     void renameMark(std::uint64_t number, const QString& text);
     void removeMark(std::uint64_t number);
     /// Of the recording that runs, or of the last one, in order of time.
@@ -75,6 +75,8 @@ signals:
     /// The recording could not be begun, or ended by itself. What was written before can be read.
     void failed(const core::Error& error, bool begun);
     void finished(const QString& path);
+    /// A mark of a recording that has ended could not be changed in its file.
+    void marksNotKept(const core::Error& error);
     void marksChanged();
 
 private:
@@ -97,6 +99,9 @@ private:
     [[nodiscard]] static Started startRecorder(const QString& path, recording::RecordingHead head,
                                                const std::string& sceneFile);
     void addMark(RecordingMark& mark);
+    /// To the recording that runs, or to the file of the last one.
+    void keep(recording::MarkChange change);
+    void keepInFile();
     void dropMark(std::uint64_t number);
     void setMarkText(std::uint64_t number, const QString& text);
 
@@ -120,6 +125,8 @@ private:
 
     std::vector<RecordingMark> m_marks;
     QUndoStack m_undo;
+    std::vector<recording::MarkChange> m_markChanges; ///< for the file, once it is complete
+    std::future<core::Expected<void>> m_keeping;
 };
 
 } // namespace teleta::console

@@ -15,6 +15,7 @@
 #include <QFile>
 #include <QLineEdit>
 #include <QMimeData>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTableWidget>
 #include <QTemporaryDir>
@@ -390,6 +391,51 @@ private slots:
         m_window->close();
         m_window.reset();
         QCOMPARE(inFile(closed), std::vector<std::string>{"the last word"});
+    }
+
+    void theTextOfAMarkIsTypedWhileItIsRecordedAndAfterwards() {
+        QTest::failOnWarning(QRegularExpression("edit"));
+        openScene("tactile-indenter");
+        const QString path = m_folder.filePath("afterwards.teleta");
+        station().start(path);
+        QTRY_VERIFY_WITH_TIMEOUT(station().isRecording(), kPatience_ms);
+        QTest::keyClick(m_window.get(), Qt::Key_M);
+        QTest::keyClick(m_window.get(), Qt::Key_M);
+        page().docks().bringForward("marks");
+        auto* table = page().marks().list().findChild<QTableWidget*>();
+        QTRY_VERIFY(table->isVisible());
+        const auto type = [&](int row, const char* text) {
+            const QPoint cell = table->visualItemRect(table->item(row, 1)).center();
+            QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, cell);
+            QTest::mouseDClick(table->viewport(), Qt::LeftButton, {}, cell);
+            QTRY_VERIFY(table->findChild<QLineEdit*>() != nullptr);
+            auto* editor = table->findChild<QLineEdit*>();
+            editor->selectAll();
+            QTest::keyClicks(editor, text);
+            QTest::keyClick(editor, Qt::Key_Return);
+            QTRY_COMPARE(station().marks()[static_cast<std::size_t>(row)].text, QString(text));
+            QTRY_VERIFY(table->findChild<QLineEdit*>() == nullptr);
+        };
+        const auto inFile = [&] {
+            const auto recording = recording::Recording::open(path.toStdString());
+            return recording ? marksOf(*recording) : std::vector<std::string>{};
+        };
+        type(0, "it slipped");
+        station().stop();
+        QTRY_COMPARE_WITH_TIMEOUT(station().state(), RecordingStation::State::idle, kPatience_ms);
+        QCOMPARE(inFile(), (std::vector<std::string>{"it slipped", ""}));
+        type(1, "it fell");
+        type(0, "it held");
+        QTRY_COMPARE(inFile(), (std::vector<std::string>{"it held", "it fell"}));
+        station().removeMark(station().marks()[0].number);
+        QTRY_COMPARE(inFile(), std::vector<std::string>{"it fell"});
+        station().undoStack().undo();
+        QTRY_COMPARE(inFile(), (std::vector<std::string>{"it held", "it fell"}));
+        QCOMPARE(page().messages().count(), 1); // that it was recorded
+        // A file that is gone is told.
+        QVERIFY(QFile::remove(path));
+        type(1, "too late");
+        QTRY_COMPARE(page().messages().count(), 2);
     }
 
     void theSourcesOfARecordingBeginTogetherWhenAllAreOpen() {
