@@ -251,6 +251,8 @@ HoldButton* JogPanel::directionButton(std::size_t axis, bool up) const {
 QString JogPanel::refusal() const {
     if (!m_arm)
         return tr("No arm is connected. Open a scene or a device with an arm.");
+    if (m_arm->recorded)
+        return tr("A recording is played: what its arm did is over, and nothing can be moved.");
     if (m_stopEngaged)
         return tr("STOP is engaged. Hold the STOP button to release it, then jog.");
     if (m_readingsOld)
@@ -261,6 +263,7 @@ QString JogPanel::refusal() const {
 void JogPanel::enableParts() {
     const QString reason = refusal();
     const bool able = reason.isEmpty();
+    const bool isRecorded = m_arm && m_arm->recorded;
     if (!able) {
         m_handReady = false;
         releaseAll();
@@ -271,8 +274,8 @@ void JogPanel::enableParts() {
                        : tip        ? tr("Hold Shift and a button, or Shift with D A (x), W S (y), E Q (z).")
                              : tr("Hold Shift and a button, or Shift with Q W E R (up), A S D F (down)."));
     QPalette colours = palette();
-    colours.setColor(QPalette::WindowText,
-                     able ? palette().color(QPalette::PlaceholderText) : base::statusColours(palette()).lost);
+    colours.setColor(QPalette::WindowText, able || isRecorded ? palette().color(QPalette::PlaceholderText)
+                                                              : base::statusColours(palette()).lost);
     m_message->setPalette(colours);
     m_deadMan->setEnabled(able);
     m_clutch->setEnabled(able && m_way == Way::position);
@@ -286,7 +289,7 @@ void JogPanel::enableParts() {
     for (QPushButton* button : {m_run, m_hold, m_restart})
         button->setEnabled(able && m_arm->hasProgram);
     // What can only make it safer stays possible.
-    m_hold->setEnabled(m_arm && m_arm->hasProgram && !m_stopEngaged);
+    m_hold->setEnabled(m_arm && m_arm->hasProgram && !isRecorded && !m_stopEngaged);
 }
 
 void JogPanel::setArm(const std::optional<core::ArmDescription>& arm) {

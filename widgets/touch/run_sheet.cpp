@@ -70,9 +70,17 @@ void RunSheet::retranslate() {
         tr("<p>The objects that were found, told apart by their place. Stiffness is the median of "
            "their touches, with its 95 % interval.</p><p>F2 names an object, Delete takes it off the "
            "sheet, Ctrl+Z brings it back.</p>"));
-    m_empty->setText(tr("No object was found yet. Drive the arm until it touches something."));
+    showHint();
     m_model->retranslate();
     update();
+}
+
+void RunSheet::showHint() {
+    const bool isRecorded =
+        m_provenance == base::Provenance::recorded || m_provenance == base::Provenance::recordedSimulation;
+    m_empty->setText(isRecorded
+                         ? tr("No object was found yet. Play the recording until the arm touches something.")
+                         : tr("No object was found yet. Drive the arm until it touches something."));
 }
 
 void RunSheet::restyle() {
@@ -112,6 +120,7 @@ void RunSheet::clear() {
 
 void RunSheet::setProvenance(base::Provenance provenance) {
     m_provenance = provenance;
+    showHint();
     update();
 }
 

@@ -58,6 +58,7 @@ private:
     void retranslate();
     void restyle();
     void showEmptiness();
+    void showHint();
 
     RunSheetModel* m_model;
     QTableView* m_view;

@@ -6,6 +6,7 @@
 #include "widgets/touch/jog_panel.h"
 #include "widgets/touch/joint_range.h"
 
+#include <QAbstractButton>
 #include <QApplication>
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -328,6 +329,23 @@ private slots:
         QVERIFY(!desk.panel->directionButton(0, true)->isEnabled());
         desk.move();
         QVERIFY(!desk.panel->isMoving());
+    }
+
+    void anArmThatWasRecordedCannotBeMovedAndThePanelSaysWhy() {
+        Desk desk;
+        core::ArmDescription arm = test::sampleArm();
+        arm.recorded = true;
+        desk.panel->setArm(arm);
+        QVERIFY(desk.panel->refusal().contains("recording"));
+        const auto buttons = desk.panel->findChildren<QAbstractButton*>();
+        QVERIFY(buttons.size() > 8);
+        for (const QAbstractButton* button : buttons)
+            QVERIFY2(!button->isEnabled(), qPrintable(button->text()));
+        desk.move();
+        QVERIFY(!desk.panel->isMoving());
+        QCOMPARE(desk.requests.size(), 0);
+        desk.panel->setArm(test::sampleArm());
+        QVERIFY(desk.panel->directionButton(0, true)->isEnabled());
     }
 
     void theTipMovesAlongTheAxesOfTheBase() {

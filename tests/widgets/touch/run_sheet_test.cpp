@@ -2,6 +2,7 @@
 #include "tests/widgets/test_registry.h"
 #include "widgets/touch/run_sheet.h"
 
+#include <QLabel>
 #include <QLineEdit>
 #include <QTableView>
 #include <QTest>
@@ -68,6 +69,18 @@ private slots:
         QCOMPARE(cell(desk.sheet, 0, RunSheetModel::stiffness), QString::fromUtf8("282 N/m (275 … 290 N/m)"));
         QCOMPARE(cell(desk.sheet, 0, RunSheetModel::material), QString("sponge, SAFE"));
         QCOMPARE(cell(desk.sheet, 0, RunSheetModel::shape), QString("circle (97 %)"));
+    }
+
+    void anEmptySheetSaysWhatFillsIt() {
+        RunSheet sheet;
+        const auto hint = [&] { return sheet.view()->viewport()->findChild<QLabel*>()->text(); };
+        QVERIFY(hint().contains("Drive the arm"));
+        for (const auto recorded : {base::Provenance::recorded, base::Provenance::recordedSimulation}) {
+            sheet.setProvenance(recorded);
+            QVERIFY(hint().contains("Play the recording"));
+        }
+        sheet.setProvenance(base::Provenance::simulated);
+        QVERIFY(hint().contains("Drive the arm"));
     }
 
     void aNameIsTypedAndUndone() {
