@@ -156,7 +156,8 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     connect(m_operate, &OperatePage::demoRequested, this, &MainWindow::openDemo);
     connect(m_operate, &OperatePage::firstStepsRequested, m_help, &HelpMenu::openFirstSteps);
     connect(m_operate, &OperatePage::openRecordingRequested, this, [this] {
-        askForFile(tr("Open recording"), tr("Recordings (*.teleta *.csv)"), &MainWindow::openRecording);
+        askForFile(tr("Open recording"), tr("Recordings (*.teleta *.csv)"), &MainWindow::openRecording,
+                   m_recordings->folder(m_recording->folder()));
     });
     connect(m_operate, &OperatePage::openListRequested, this, [this] {
         askForFile(tr("Open source list"), tr("Source lists (*.toml)"), &MainWindow::openList);
@@ -356,8 +357,8 @@ void MainWindow::addRecent(const QString& path) {
 }
 
 void MainWindow::askForFile(const QString& title, const QString& filter,
-                            void (MainWindow::*open)(const QString&)) {
-    auto* dialog = new QFileDialog(this, title, QString(), filter);
+                            void (MainWindow::*open)(const QString&), const QString& folder) {
+    auto* dialog = new QFileDialog(this, title, folder, filter);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, open);

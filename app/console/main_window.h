@@ -79,7 +79,8 @@ private:
     void openRecording(const QString& path);
     void openList(const QString& path);
     void addRecent(const QString& path);
-    void askForFile(const QString& title, const QString& filter, void (MainWindow::*open)(const QString&));
+    void askForFile(const QString& title, const QString& filter, void (MainWindow::*open)(const QString&),
+                    const QString& folder = {});
     void openScene(const QString& path);
     void openScenes(const QStringList& scenes, const QString& study, bool rehearse);
     void openStudy(const QString& study, bool rehearse);

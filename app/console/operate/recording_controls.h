@@ -43,12 +43,13 @@ public:
     /// Ends the recording, with the text of a mark that is being typed.
     void stop();
     void tick();
+    /// Where recordings are kept.
+    [[nodiscard]] QString folder() const;
 
 private:
     void mark(std::int64_t time_ns);
     void askForFolder();
     void exportCsv();
-    [[nodiscard]] QString folder() const;
     void update();
     void onFailed(const core::Error& error, bool begun);
 

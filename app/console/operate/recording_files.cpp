@@ -33,6 +33,20 @@ void RecordingFiles::open(const QString& path) {
         });
 }
 
+QString RecordingFiles::folder(const QString& otherwise) const {
+    QString folder = otherwise;
+    for (const QString& path : m_settings.recentFiles()) {
+        if (isRecordingName(path) || path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
+            folder = QFileInfo(path).absolutePath();
+            break;
+        }
+    }
+    // A dialog would show the working directory in place of a folder that is missing.
+    while (!QFileInfo(folder).isDir() && folder != QFileInfo(folder).absolutePath())
+        folder = QFileInfo(folder).absolutePath();
+    return folder;
+}
+
 void RecordingFiles::openAs(const ConsoleOptions::Recording& recording) {
     if (isRecordingName(recording.path)) {
         play(recording.path);

@@ -23,6 +23,9 @@ public:
     void open(const QString& path);
     /// Asks nothing: what the command line does not say is guessed.
     void openAs(const ConsoleOptions::Recording& recording);
+    /// Where the newest recording is that was opened, or else that folder; of one that is not there, where it
+    /// would be.
+    [[nodiscard]] QString folder(const QString& otherwise) const;
 
 signals:
     void opened(const QString& path);

@@ -22,6 +22,7 @@
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QFileDialog>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
@@ -493,6 +494,36 @@ private slots:
         QVERIFY(runs->runs().runs().back().time_s.front() < runs->runs().runs().front().time_s.back());
         QCOMPARE(m_window->sources().items().size(), std::size_t{1});
         QCOMPARE(m_window->sources().active()->key, key);
+    }
+
+    void recordingsAreOpenedFromWhereTheyAre() {
+        const QTemporaryDir kept; // settings that are kept
+        const QDir folder(m_folder.path());
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, kept.path());
+        m_window.reset();
+        m_stop = std::make_unique<core::StopSwitch>();
+        m_settings = std::make_unique<ConsoleSettings>(false);
+        m_window = std::make_unique<MainWindow>(ConsoleOptions(), *m_settings, *m_stop);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        const auto shown = [this] {
+            m_window->operatePage().findChild<QPushButton*>("openRecording")->click();
+            auto* dialog = m_window->findChild<QFileDialog*>();
+            const QString path = dialog != nullptr ? dialog->directory().canonicalPath() : QString();
+            delete dialog;
+            return path;
+        };
+        QVERIFY(folder.mkdir("kept") && folder.mkdir("used"));
+        m_settings->setRecordingFolder(folder.filePath("kept"));
+        QCOMPARE(shown(), QDir(folder.filePath("kept")).canonicalPath());
+        // One that is not made yet.
+        m_settings->setRecordingFolder(folder.filePath("none/of/these"));
+        QCOMPARE(shown(), folder.canonicalPath());
+        m_settings->addRecentFile(folder.filePath("used/run.teleta"));
+        m_settings->addRecentFile(folder.filePath("sources.toml"));
+        QCOMPARE(shown(), QDir(folder.filePath("used")).canonicalPath());
+        m_window.reset();
+        m_settings.reset();
     }
 
     void closingTheWindowStopsWhateverMoves() {
