@@ -9031,6 +9031,14 @@ Aire %6</translation>
         <source>probed hole</source>
         <translation>trou palpé</translation>
     </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rétablir</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::CameraDialog</name>
@@ -9269,6 +9277,14 @@ Aire %6</translation>
         <source>Open a demo with a camera</source>
         <translation>Ouvrir une démo avec une caméra</translation>
     </message>
+    <message>
+        <source>Being measured</source>
+        <translation>Mesure en cours</translation>
+    </message>
+    <message>
+        <source>Ending…</source>
+        <translation>Arrêt en cours…</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::ExportDialog</name>
@@ -9385,6 +9401,11 @@ Aire %6</translation>
     <message>
         <source>Of the newest touches, with the link between the two sites on the way</source>
         <translation>Pour les touchers les plus récents, liaison entre les deux sites comprise</translation>
+    </message>
+    <message>
+        <source>Nothing is played (last: %1)</source>
+        <comment>what was recognised and its pattern</comment>
+        <translation>Rien n’est joué (dernier&#xa0;: %1)</translation>
     </message>
 </context>
 <context>
@@ -10756,6 +10777,15 @@ Aire %6</translation>
         <source>Choose another folder in the menu Recording.</source>
         <translation>Choisissez un autre dossier dans le menu Enregistrement.</translation>
     </message>
+    <message>
+        <source>The marks of %1 could not be changed.</source>
+        <comment>a file</comment>
+        <translation>Les marques de %1 n’ont pas pu être modifiées.</translation>
+    </message>
+    <message>
+        <source>Close whatever else uses the file, and change them again.</source>
+        <translation>Fermez ce qui utilise encore le fichier, puis modifiez-les à nouveau.</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::RecordingDialog</name>
@@ -12090,6 +12120,10 @@ Aire %6</translation>
         <source>Off: the controller without the distance to the zero-moment point</source>
         <translation>Désactivé&#xa0;: le régulateur sans la distance au point de moment nul</translation>
     </message>
+    <message>
+        <source>The scene is held</source>
+        <translation>La scène est maintenue</translation>
+    </message>
 </context>
 <context>
     <name>teleta::servo::ServoPicture</name>
@@ -13113,6 +13147,10 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <source>A step, while Shift is held; key Shift+%1</source>
         <translation>Un pas, tant que Shift est maintenu&#xa0;; touche Shift+%1</translation>
     </message>
+    <message>
+        <source>A recording is played: what its arm did is over, and nothing can be moved.</source>
+        <translation>Un enregistrement est lu&#xa0;: ce que son bras a fait est passé, rien ne peut être déplacé.</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::JointRange</name>
@@ -13289,6 +13327,10 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <source>run-sheet</source>
         <comment>name of a file</comment>
         <translation>relevé-des-objets</translation>
+    </message>
+    <message>
+        <source>No object was found yet. Play the recording until the arm touches something.</source>
+        <translation>Aucun objet n’a encore été trouvé. Lisez l’enregistrement jusqu’à ce que le bras touche quelque chose.</translation>
     </message>
 </context>
 <context>

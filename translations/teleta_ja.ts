@@ -9011,6 +9011,14 @@ x %4, y %5
         <source>probed hole</source>
         <translation>穴のプロービング</translation>
     </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>元に戻す(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>やり直す(&amp;R)</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::CameraDialog</name>
@@ -9249,6 +9257,14 @@ x %4, y %5
         <source>Open a demo with a camera</source>
         <translation>カメラのデモを開く</translation>
     </message>
+    <message>
+        <source>Being measured</source>
+        <translation>測定中</translation>
+    </message>
+    <message>
+        <source>Ending…</source>
+        <translation>終了しています…</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::ExportDialog</name>
@@ -9365,6 +9381,11 @@ x %4, y %5
     <message>
         <source>Of the newest touches, with the link between the two sites on the way</source>
         <translation>最近のタッチについて。途中にある2拠点間の回線を含みます</translation>
+    </message>
+    <message>
+        <source>Nothing is played (last: %1)</source>
+        <comment>what was recognised and its pattern</comment>
+        <translation>再生していません(直前: %1)</translation>
     </message>
 </context>
 <context>
@@ -10732,6 +10753,15 @@ x %4, y %5
         <source>Choose another folder in the menu Recording.</source>
         <translation>「記録」メニューで別のフォルダーを選んでください。</translation>
     </message>
+    <message>
+        <source>The marks of %1 could not be changed.</source>
+        <comment>a file</comment>
+        <translation>%1 のマークを変更できませんでした。</translation>
+    </message>
+    <message>
+        <source>Close whatever else uses the file, and change them again.</source>
+        <translation>このファイルを使っているものを閉じてから、もう一度変更してください。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::RecordingDialog</name>
@@ -12065,6 +12095,10 @@ x %4, y %5
         <source>Off: the controller without the distance to the zero-moment point</source>
         <translation>オフ: ゼロモーメント点までの距離を使わない制御器</translation>
     </message>
+    <message>
+        <source>The scene is held</source>
+        <translation>シーンは保持されています</translation>
+    </message>
 </context>
 <context>
     <name>teleta::servo::ServoPicture</name>
@@ -13086,6 +13120,10 @@ Double-click to type the upper end.</source>
         <source>A step, while Shift is held; key Shift+%1</source>
         <translation>Shiftを押している間の1ステップ。キー Shift+%1</translation>
     </message>
+    <message>
+        <source>A recording is played: what its arm did is over, and nothing can be moved.</source>
+        <translation>記録を再生しています。アームの動きは過去のものなので、動かすことはできません。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::JointRange</name>
@@ -13261,6 +13299,10 @@ Double-click to type the upper end.</source>
         <source>run-sheet</source>
         <comment>name of a file</comment>
         <translation>探索シート</translation>
+    </message>
+    <message>
+        <source>No object was found yet. Play the recording until the arm touches something.</source>
+        <translation>物体はまだ見つかっていません。アームが何かに触れるまで記録を再生してください。</translation>
     </message>
 </context>
 <context>

@@ -9011,6 +9011,14 @@ x %4，y %5
         <source>probed hole</source>
         <translation>探测孔</translation>
     </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>重做(&amp;R)</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::CameraDialog</name>
@@ -9249,6 +9257,14 @@ x %4，y %5
         <source>Open a demo with a camera</source>
         <translation>打开带相机的演示</translation>
     </message>
+    <message>
+        <source>Being measured</source>
+        <translation>正在测量</translation>
+    </message>
+    <message>
+        <source>Ending…</source>
+        <translation>正在结束…</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::ExportDialog</name>
@@ -9365,6 +9381,11 @@ x %4，y %5
     <message>
         <source>Of the newest touches, with the link between the two sites on the way</source>
         <translation>针对最近的触碰，包含途中两地之间的链路</translation>
+    </message>
+    <message>
+        <source>Nothing is played (last: %1)</source>
+        <comment>what was recognised and its pattern</comment>
+        <translation>未在播放（上一个：%1）</translation>
     </message>
 </context>
 <context>
@@ -10732,6 +10753,15 @@ x %4，y %5
         <source>Choose another folder in the menu Recording.</source>
         <translation>请在“记录”菜单中选择其他文件夹。</translation>
     </message>
+    <message>
+        <source>The marks of %1 could not be changed.</source>
+        <comment>a file</comment>
+        <translation>无法更改 %1 的标记。</translation>
+    </message>
+    <message>
+        <source>Close whatever else uses the file, and change them again.</source>
+        <translation>请关闭正在使用该文件的其他程序，然后再次更改。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::RecordingDialog</name>
@@ -12065,6 +12095,10 @@ x %4，y %5
         <source>Off: the controller without the distance to the zero-moment point</source>
         <translation>关闭：控制器不使用到零力矩点的距离</translation>
     </message>
+    <message>
+        <source>The scene is held</source>
+        <translation>场景处于保持状态</translation>
+    </message>
 </context>
 <context>
     <name>teleta::servo::ServoPicture</name>
@@ -13086,6 +13120,10 @@ Double-click to type the upper end.</source>
         <source>A step, while Shift is held; key Shift+%1</source>
         <translation>按住 Shift 时走一步；按键 Shift+%1</translation>
     </message>
+    <message>
+        <source>A recording is played: what its arm did is over, and nothing can be moved.</source>
+        <translation>正在回放记录：机械臂的动作已成过去，无法再移动。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::JointRange</name>
@@ -13261,6 +13299,10 @@ Double-click to type the upper end.</source>
         <source>run-sheet</source>
         <comment>name of a file</comment>
         <translation>物体清单</translation>
+    </message>
+    <message>
+        <source>No object was found yet. Play the recording until the arm touches something.</source>
+        <translation>尚未发现物体。请回放记录，直到机械臂触碰到物体。</translation>
     </message>
 </context>
 <context>
