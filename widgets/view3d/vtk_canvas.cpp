@@ -142,13 +142,16 @@ void VtkCanvas::paintEvent(QPaintEvent* /*event*/) {
         return;
     }
     setDeviceSize(device, devicePixelRatio());
-    if (m_frame.size() != device || !paintsOnScreen()) {
+    const bool fits = m_frame.size() == device && m_frame.devicePixelRatio() == m_pixelScale;
+    if (!fits || !paintsOnScreen()) {
         if (m_stale) {
             beginFrame();
         }
         if (m_drawing) {
             endFrame();
         }
+    } else if (m_stale) {
+        requestRender(); // nobody asked while it was hidden
     }
     QPainter painter(this);
     painter.drawImage(QPointF(), m_frame);

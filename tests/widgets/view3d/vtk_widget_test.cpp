@@ -185,6 +185,26 @@ private slots:
         QCOMPARE(view.framesRendered(), frames + 2);
     }
 
+    void whatChangedWhileTheViewWasHiddenIsOnTheScreenWhenItAppears() {
+        QWidget window;
+        auto* view = new VtkWidget(&window);
+        const SquareScene scene(*view);
+        window.resize(320, 240);
+        view->resize(320, 240);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        const auto isOnScreen = [&](QRgb colour) {
+            return near(window.screen()->grabWindow(window.winId()).toImage().pixel(160, 120), colour);
+        };
+        QVERIFY(QTest::qWaitFor([&] { return isOnScreen(kSquare); }));
+        view->hide();
+        scene.actor->GetProperty()->SetColor(0.0, 1.0, 0.0);
+        view->requestRender();
+        QCoreApplication::processEvents();
+        view->show(); // and nobody asks again
+        QVERIFY(QTest::qWaitFor([&] { return isOnScreen(qRgb(0, 255, 0)); }));
+    }
+
     void resizingKeepsTheSceneInShape() {
         VtkWidget view;
         const SquareScene scene(view);
