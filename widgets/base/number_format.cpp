@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/base/number_format.h"
 
+#include "widgets/base/quantity_text.h"
 #include "widgets/base/tabular_text.h"
-
-#include <QLocale>
 
 #include <array>
 #include <cmath>
@@ -23,16 +22,6 @@ QString undefinedText() {
     return filled(QString(QChar(0x2014)));
 }
 
-QString number(double value, int decimals) {
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    QString text = locale.toString(std::abs(value), 'f', decimals);
-    const bool zero = std::round(std::abs(value) * std::pow(10.0, decimals)) == 0.0;
-    if (value < 0.0 && !zero)
-        text.prepend(kMinus);
-    return text;
-}
-
 /// Decimals for three significant digits, after rounding: 9.996 is 10.0.
 int decimalsFor(double value) {
     const double magnitude = std::abs(value);
@@ -48,7 +37,7 @@ QString threeDigits(std::optional<double> value) {
         return undefinedText();
     if (std::isinf(*value))
         return filled(*value < 0.0 ? QString(kMinus) + QChar(0x221e) : QString(QChar(0x221e)));
-    return filled(number(*value, decimalsFor(*value)));
+    return filled(fixedDigits(*value, decimalsFor(*value)));
 }
 
 double threeDigitResolution(double value) {
@@ -59,7 +48,7 @@ double threeDigitResolution(double value) {
 QString wholeNumber(std::optional<double> value) {
     if (!value || !std::isfinite(*value))
         return undefinedText();
-    return filled(number(*value, 0));
+    return filled(fixedDigits(*value, 0));
 }
 
 QString siQuantity(std::optional<double> value, const QString& unit) {
@@ -78,7 +67,7 @@ QString siQuantity(std::optional<double> value, const QString& unit) {
         mantissa *= 1000.0;
         --index;
     }
-    return filled(number(mantissa, decimalsFor(mantissa))) + kNoBreakSpace +
+    return filled(fixedDigits(mantissa, decimalsFor(mantissa))) + kNoBreakSpace +
            QChar(kPrefixes[static_cast<std::size_t>(index)]) + unit;
 }
 
@@ -102,7 +91,7 @@ QString shortCount(quint64 count) {
     const double step = std::pow(10.0, decimals);
     // The small term keeps exact counts such as 1230 from falling to the step below in binary.
     const double down = std::floor(mantissa * step + 1e-9) / step;
-    return number(down, decimals) + kNoBreakSpace + QChar(kSuffixes[index]);
+    return fixedDigits(down, decimals) + kNoBreakSpace + QChar(kSuffixes[index]);
 }
 
 bool SteadyNumber::update(std::optional<double> value) {
