@@ -194,7 +194,8 @@ private slots:
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));
         const auto isOnScreen = [&](QRgb colour) {
-            return near(window.screen()->grabWindow(window.winId()).toImage().pixel(160, 120), colour);
+            const QImage screen = window.screen()->grabWindow(window.winId()).toImage();
+            return near(screen.pixel(screen.width() / 2, screen.height() / 2), colour);
         };
         QVERIFY(QTest::qWaitFor([&] { return isOnScreen(kSquare); }));
         view->hide();
