@@ -96,6 +96,7 @@ ChannelSettingsPanel::ChannelSettingsPanel(QWidget* parent)
     connect(m_clearTare, &QPushButton::clicked, this, &ChannelSettingsPanel::clearTareRequested);
     for (QDoubleSpinBox* box : {m_gain, m_threshold, m_noiseHeight, m_edgeRatio, m_pointRatio})
         connect(box, &QDoubleSpinBox::valueChanged, this, &ChannelSettingsPanel::changed);
+    connect(m_minimumTaxels, &QSpinBox::valueChanged, this, &ChannelSettingsPanel::showUnits);
     connect(m_minimumTaxels, &QSpinBox::valueChanged, this, &ChannelSettingsPanel::changed);
     for (QCheckBox* box : {m_inverted, m_automatic})
         connect(box, &QCheckBox::toggled, this, &ChannelSettingsPanel::changed);
@@ -128,8 +129,7 @@ void ChannelSettingsPanel::setSettings(const pipeline::ChannelSettings& settings
     m_edgeRatio->setValue(settings.features.edgeRatio);
     m_pointRatio->setMaximum(settings.features.edgeRatio - kRatioGap);
     m_pointRatio->setValue(settings.features.pointRatio);
-    const QString unit = QString::fromStdString(settings.loadUnit);
-    m_threshold->setSuffix(unit.isEmpty() ? QString() : QLatin1Char(' ') + unit);
+    showUnits();
     showTare();
     m_showing = false;
 }
@@ -158,6 +158,17 @@ void ChannelSettingsPanel::changed() {
     m_pointRatio->setMaximum(m_edgeRatio->value() - kRatioGap);
     m_settings = settings();
     emit settingsChanged(m_settings);
+}
+
+void ChannelSettingsPanel::showUnits() {
+    const QString unit = QString::fromStdString(m_settings.loadUnit);
+    m_gain->setSuffix(unit.isEmpty() ? QString()
+                                     : tr(" %1/raw unit", "of a gain: load per raw unit").arg(unit));
+    m_threshold->setSuffix(unit.isEmpty() ? QString() : QLatin1Char(' ') + unit);
+    m_noiseHeight->setSuffix(tr(" %"));
+    m_minimumTaxels->setSuffix(m_minimumTaxels->value() == 1 ? tr(" taxel") : tr(" taxels"));
+    for (QDoubleSpinBox* ratio : {m_edgeRatio, m_pointRatio})
+        ratio->setSuffix(QStringLiteral("\u00a0:\u00a01"));
 }
 
 void ChannelSettingsPanel::showTare() {
@@ -208,7 +219,6 @@ void ChannelSettingsPanel::retranslate() {
         m_noiseLabel, m_noiseHeight, tr("&Noise height:"),
         tr("Two summits are one contact when the lower one rises less than this above the saddle between "
            "them, in percent of the frame's peak"));
-    m_noiseHeight->setSuffix(tr(" %"));
     describe(m_minimumLabel, m_minimumTaxels, tr("&Smallest contact:"),
              tr("In taxels; contacts of fewer are ignored"));
     describe(m_orientationLabel, m_orientation, tr("&Orientation:"),
@@ -225,6 +235,7 @@ void ChannelSettingsPanel::retranslate() {
              tr("The contact becomes a point when the ratio of the eigenvalues falls below this"));
     m_defaults->setText(tr("&Defaults"));
     m_defaults->setToolTip(tr("Default values for everything but the tare"));
+    showUnits();
 }
 
 } // namespace teleta::tactile

@@ -38,6 +38,7 @@ protected:
 
 private:
     void changed();
+    void showUnits();
     void showTare();
     void retranslate();
     QLabel* addRow(QFormLayout* form, QWidget* field);

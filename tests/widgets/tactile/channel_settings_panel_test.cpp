@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/tactile/channel_settings_panel.h"
 
+#include <QAbstractSpinBox>
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QTest>
 
 #include <limits>
@@ -55,6 +57,20 @@ class ChannelSettingsPanelTest : public QObject {
 
 private slots:
     void initTestCase() { qRegisterMetaType<ChannelSettings>(); }
+
+    void everyNumberHasItsUnit() {
+        ChannelSettingsPanel panel;
+        ChannelSettings settings = unusual();
+        panel.setSettings(settings);
+        QCOMPARE(named<QDoubleSpinBox>(panel, "Gain")->suffix(), QStringLiteral(" counts/raw unit"));
+        QCOMPARE(named<QDoubleSpinBox>(panel, "Threshold")->suffix(), QStringLiteral(" counts"));
+        QCOMPARE(named<QSpinBox>(panel, "Smallest contact")->suffix(), QStringLiteral(" taxels"));
+        settings.segmentation.minimumTaxels = 1;
+        panel.setSettings(settings);
+        QCOMPARE(named<QSpinBox>(panel, "Smallest contact")->suffix(), QStringLiteral(" taxel"));
+        for (const auto* field : panel.findChildren<QAbstractSpinBox*>())
+            QVERIFY2(!field->property("suffix").toString().isEmpty(), qPrintable(field->accessibleName()));
+    }
 
     void givesBackWhatItShowsWithoutASignal() {
         ChannelSettingsPanel panel;
