@@ -2,6 +2,7 @@
 #include "widgets/camera/camera_panel.h"
 
 #include "backend/vision/contacts/contact_ladder.h"
+#include "widgets/base/quantity_text.h"
 #include "widgets/base/theme.h"
 #include "widgets/camera/camera_view.h"
 #include "widgets/camera/stage_bar.h"
@@ -30,6 +31,37 @@ void colour(QLabel* label, const QColor& colour) {
 
 QString nameOf(std::string_view rung) {
     return QString::fromLatin1(rung.data(), static_cast<qsizetype>(rung.size()));
+}
+
+/// What a rung does, in a sentence or two.
+QString explanationOf(const vision::ContactRung& rung) {
+    if (rung.paper)
+        return CameraPanel::tr("As in the published work: dense flow in a picture of 512 \u00d7 288, and the "
+                               "mean of what has moved there");
+    QString preset;
+    switch (rung.method) {
+    case vision::FlowMethod::dots:
+        return CameraPanel::tr("Each printed dot is followed in the whole picture. The default.");
+    case vision::FlowMethod::disUltrafast:
+        preset = CameraPanel::tr("the quickest and coarsest");
+        break;
+    case vision::FlowMethod::disFast:
+        preset = CameraPanel::tr("a quick one");
+        break;
+    case vision::FlowMethod::disMedium:
+        preset = CameraPanel::tr("the slowest and finest");
+        break;
+    }
+    QString text =
+        rung.scale < 1.0
+            ? CameraPanel::tr("Dense flow by a preset of OpenCV (%1), in a picture %2 times smaller")
+                  .arg(preset, base::significantDigits(1.0 / rung.scale, 2))
+            : CameraPanel::tr("Dense flow by a preset of OpenCV (%1), in the whole picture").arg(preset);
+    if (rung.changedOnly)
+        text += QLatin1Char('\n') + CameraPanel::tr("Only around what differs from the reference");
+    if (rung.warmStart)
+        text += QLatin1Char('\n') + CameraPanel::tr("Begun with the flow of the picture before");
+    return text;
 }
 
 } // namespace
@@ -208,6 +240,14 @@ void CameraPanel::retranslate() {
     m_rungs->setAccessibleName(tr("Finder"));
     m_rungs->setToolTip(tr("How contacts are found: the printed dots alone, or dense flow by one of OpenCV's "
                            "presets; the number divides the image's size"));
+    QString all;
+    for (const vision::ContactRung& rung : vision::contactLadder()) {
+        const QString text = explanationOf(rung);
+        m_rungs->setItemData(m_rungs->findText(nameOf(rung.name)), text, Qt::ToolTipRole);
+        all += QStringLiteral("<p><b>%1</b>: %2</p>")
+                   .arg(nameOf(rung.name), QString(text).replace(u'\n', QStringLiteral(". ")));
+    }
+    m_rungs->setWhatsThis(QStringLiteral("<p>%1</p>").arg(m_rungs->toolTip()) + all);
     m_arrows->setText(tr("&Displacement"));
     m_arrows->setToolTip(tr("Show how far the pattern on the skin has moved"));
     m_reference->setText(tr("New &reference"));

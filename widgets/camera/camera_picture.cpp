@@ -175,8 +175,8 @@ void CameraPicture::paintArrows(QPainter& painter, const QSizeF& size) const {
 
 void CameraPicture::paintContacts(QPainter& painter, const QSizeF& size) const {
     const QFontMetricsF metrics(font);
-    QFont bold = font;
-    bold.setBold(true);
+    const QFont large = base::sized(font, 1.2);
+    painter.setFont(large);
     for (const FollowedContact& followed : shown.contacts) {
         if (followed.event == ContactEvent::ends)
             continue;
@@ -195,7 +195,6 @@ void CameraPicture::paintContacts(QPainter& painter, const QSizeF& size) const {
         painter.setPen(QPen(kRim, 1.0));
         painter.setBrush(colour);
         painter.drawEllipse(centre_px, 4.0, 4.0);
-        painter.setFont(bold);
         const QRectF box = outline.boundingRect();
         QString text = QString::number(contact.id);
         if (isBumped)
@@ -203,8 +202,18 @@ void CameraPicture::paintContacts(QPainter& painter, const QSizeF& size) const {
         else if (shown.carrier && shown.carrier->doing == pipeline::CarrierReport::Doing::follows &&
                  shown.carrier->contact == contact.id)
             text += QLatin1Char(' ') + tr("followed");
-        paintHalo(painter, {box.right() + 0.3 * metrics.height(), box.top() + 0.4 * metrics.height()}, text,
-                  colour);
+        // A label of its own: bare digits are lost among the light and dark of the skin.
+        QRectF label(QPointF(box.right() + 0.3 * metrics.height(), box.top() - 0.3 * metrics.height()),
+                     base::badgeSize(large, text));
+        if (box.intersects(QRectF(QPointF(), size))) { // as much as is seen of it
+            label.moveRight(std::min(label.right(), size.width() - 2.0));
+            label.moveTop(std::clamp(label.top(), 2.0, std::max(2.0, size.height() - label.height() - 2.0)));
+        }
+        const QRectF rim = label.adjusted(-1.5, -1.5, 1.5, 1.5);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(kRim);
+        painter.drawRoundedRect(rim, 0.2 * rim.height(), 0.2 * rim.height());
+        base::paintBadge(painter, label, text, colour);
     }
     painter.setFont(font);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/camera/sample_camera.h"
 #include "tests/widgets/test_registry.h"
+#include "widgets/base/colour_maps.h"
 #include "widgets/base/theme.h"
 #include "widgets/camera/camera_panel.h"
 #include "widgets/camera/camera_view.h"
@@ -13,6 +14,7 @@
 #include <QComboBox>
 #include <QGuiApplication>
 #include <QPushButton>
+#include <QSet>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTest>
@@ -58,6 +60,36 @@ private slots:
         QVERIFY(with.pixelColor(rim) != without.pixelColor(rim));
         QCOMPARE(without.pixelColor(rim), QColor(90, 90, 90));
         QCOMPARE(with.pixelColor(inView(view, 200.0, 500.0).toPoint()), QColor(90, 90, 90));
+    }
+
+    void theNumberOfAContactStandsOnALabelInItsColour() {
+        CameraView view;
+        view.resize(820, 616);
+        const pipeline::CameraSnapshot snapshot = test::sampleCamera();
+        view.setSnapshot(&snapshot);
+        const QImage picture = view.grab().toImage();
+        const double dpr = picture.devicePixelRatio();
+        const QSizeF label = base::badgeSize(view.font(), QStringLiteral("3"));
+        const QPointF corner = inView(view, 410.0 + 60.0, 308.0 - 60.0);
+        const QRectF around(corner - QPointF(0.0, label.height()), 3.0 * label);
+        const QRect pixels = QRectF(dpr * around.topLeft(), dpr * around.size()).toAlignedRect();
+        int coloured = 0;
+        for (int y = pixels.top(); y < pixels.bottom(); ++y)
+            for (int x = pixels.left(); x < pixels.right(); ++x)
+                coloured += picture.pixelColor(x, y) == base::identityColour(3, true) ? 1 : 0;
+        QVERIFY(coloured > 0.5 * dpr * dpr * label.width() * label.height());
+    }
+
+    void everyFinderIsExplained() {
+        CameraPanel panel;
+        const auto* rungs = panel.findChild<QComboBox*>("cameraRung");
+        QSet<QString> told;
+        for (int i = 0; i < rungs->count(); ++i) {
+            const QString text = rungs->itemData(i, Qt::ToolTipRole).toString();
+            QVERIFY2(!text.isEmpty() && !told.contains(text), qPrintable(rungs->itemText(i)));
+            told.insert(text);
+            QVERIFY(rungs->whatsThis().contains(rungs->itemText(i)));
+        }
     }
 
     void displacementsAreDrawnEnlargedAndCanBeHidden() {
