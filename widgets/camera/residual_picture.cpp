@@ -67,7 +67,7 @@ QRectF ResidualPicture::extent() const {
 
 QRectF ResidualPicture::plotRect(const QSizeF& size) const {
     const double em = emOf(font);
-    const QRectF all(3.6 * em, 1.8 * em, size.width() - 4.6 * em, size.height() - 5.4 * em);
+    const QRectF all(3.6 * em, 2.4 * em, size.width() - 4.6 * em, size.height() - 6.0 * em);
     if (surface == Surface::cylinder || all.width() <= 0.0 || all.height() <= 0.0)
         return all;
     // Pixels are square.
@@ -217,8 +217,9 @@ void ResidualPicture::paintAxes(QPainter& painter, const QSizeF& size, const QPa
                          Qt::AlignRight | Qt::AlignVCenter, label(y));
     }
     const QString axes = image ? tr("u to the right, v down, px") : tr("angle, degrees; z upwards, mm");
-    painter.drawText(QRectF(plot.left(), plot.bottom() + 1.2 * em, plot.width(), 1.1 * em), Qt::AlignRight,
-                     axes);
+    // In all of the picture's width: the plot itself may be narrower than its words.
+    painter.drawText(QRectF(0.5 * em, plot.bottom() + 1.2 * em, plot.right() - 0.5 * em, 1.1 * em),
+                     Qt::AlignRight, axes);
     if (!image || !shown.camera)
         return;
     const vision::CameraParameters& camera = shown.camera->parameters();
@@ -304,23 +305,33 @@ void ResidualPicture::paintScale(QPainter& painter, const QSizeF& size, const QP
     painter.setFont(base::sized(font, base::kSmallText));
     painter.setPen(palette.color(QPalette::Text));
     QString text = tr("arrows %1 times").arg(base::wholeNumber(enlargement(size)).trimmed());
+    const QFontMetricsF metrics(painter.font());
+    const double right = size.width() - 0.5 * em;
     QRectF line(plot.left(), plot.bottom() + 2.2 * em, plot.width(), 1.1 * em);
     if (surface == Surface::image) {
         text += QStringLiteral("   ") + tr("x: wrong pair   o: excluded   dashed: valid radius");
-        painter.drawText(line, Qt::AlignLeft, text);
+        line.setLeft(std::clamp(right - metrics.horizontalAdvance(text), 0.5 * em, plot.left()));
+        line.setRight(right);
+        painter.drawText(line, Qt::AlignLeft, metrics.elidedText(text, Qt::ElideRight, line.width()));
         return;
     }
-    painter.drawText(line, Qt::AlignLeft, text);
-    const double width = 8.0 * em;
-    const QRectF bar(plot.right() - width - 5.0 * em, line.top() + 0.2 * em, width, 0.7 * em);
+    const QString limit = base::threeDigits(limit_mm).trimmed();
+    const QString low = tr("along z \u2212%1").arg(limit);
+    const QString high = tr("+%1 mm").arg(limit);
+    const double low_px = metrics.horizontalAdvance(low) + 0.5 * em;
+    const double high_px = metrics.horizontalAdvance(high) + 0.5 * em;
+    // The scale keeps clear of the words on its left.
+    const double room_px = right - line.left() - metrics.horizontalAdvance(text) - em;
+    const double width = std::clamp(room_px - low_px - high_px, 2.0 * em, 8.0 * em);
+    const QRectF bar(right - high_px - width, line.top() + 0.2 * em, width, 0.7 * em);
+    line.setRight(bar.left() - low_px - 0.5 * em);
+    painter.drawText(line, Qt::AlignLeft, metrics.elidedText(text, Qt::ElideRight, line.width()));
     for (int i = 0; i < static_cast<int>(bar.width()); ++i)
         painter.fillRect(QRectF(bar.left() + i, bar.top(), 1.5, bar.height()),
                          QColor::fromRgb(base::colourAt(base::diverging(), i / bar.width())));
-    const QString limit = base::threeDigits(limit_mm).trimmed();
-    painter.drawText(QRectF(bar.left() - 8.2 * em, line.top(), 8.0 * em, 1.1 * em), Qt::AlignRight,
-                     tr("along z \u2212%1").arg(limit));
-    painter.drawText(QRectF(bar.right() + 0.2 * em, line.top(), 5.0 * em, 1.1 * em), Qt::AlignLeft,
-                     tr("+%1 mm").arg(limit));
+    painter.drawText(QRectF(bar.left() - low_px, line.top(), low_px - 0.2 * em, 1.1 * em), Qt::AlignRight,
+                     low);
+    painter.drawText(QRectF(bar.right() + 0.2 * em, line.top(), high_px, 1.1 * em), Qt::AlignLeft, high);
 }
 
 } // namespace teleta::camera

@@ -56,6 +56,36 @@ private slots:
         }
     }
 
+    void theWordsUnderAPlotThatIsNarrowerAreWhole() {
+        ResidualView view(ResidualPicture::Surface::image);
+        CalibratedPairs pairs = threePairs();
+        pairs.pairs[2].pixel = {static_cast<double>(pairs.width_px), static_cast<double>(pairs.height_px)};
+        view.setPairs(pairs);
+        const int em = base::em(&view, 1);
+        view.resize(44 * em, 16 * em); // low: the plot with its square pixels is narrow
+        const QImage picture = view.grab().toImage();
+        const double dpr = picture.devicePixelRatio();
+        const QPointF corner = view.picture().position(2, QSizeF(view.size()));
+        QVERIFY(corner.x() < 32 * em);
+        int inked = 0;
+        for (double y = corner.y() + 2.2 * em; y < corner.y() + 3.3 * em; y += 1.0 / dpr)
+            for (double x = corner.x() + em; x < view.width() - em; x += 1.0 / dpr)
+                inked +=
+                    picture.pixelColor((QPointF(x, y) * dpr).toPoint()) != picture.pixelColor(1, 1) ? 1 : 0;
+        QVERIFY(inked > 0);
+    }
+
+    void theHeadlineKeepsClearOfTheScale() {
+        ResidualView view(ResidualPicture::Surface::cylinder);
+        view.setPairs(threePairs());
+        const int em = base::em(&view, 1);
+        view.resize(44 * em, 30 * em);
+        const QImage picture = view.grab().toImage();
+        const int y = static_cast<int>(1.8 * em * picture.devicePixelRatio());
+        for (int x = 0; x < 3.4 * em * picture.devicePixelRatio(); ++x)
+            QCOMPARE(picture.pixelColor(x, y), picture.pixelColor(1, 1));
+    }
+
     void theImageIsToScaleWithVDownwardsAndTheCylinderHasZUpwards() {
         ResidualView image(ResidualPicture::Surface::image);
         image.setPairs(threePairs());
