@@ -5,6 +5,9 @@
 #include "widgets/base/theme.h"
 #include "widgets/chrome/message_log.h"
 
+#include <QAccessible>
+#include <QApplication>
+#include <QEvent>
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -18,6 +21,9 @@
 namespace teleta::chrome {
 
 namespace {
+
+/// Wide enough for a sentence, and short of the controls on the left of a view.
+constexpr double kWidest_em = 50.0;
 
 QColor severityColour(Message::Severity severity, const QPalette& palette) {
     const base::StatusColours& colours = base::statusColours(palette);
@@ -90,11 +96,17 @@ private:
 
 MessageBar::MessageBar(QWidget* parent)
     : QWidget(parent)
-    , m_layout(new QVBoxLayout(this)) {
+    , m_layout(new QVBoxLayout(this))
+    , m_tabStop(new QWidget(this)) {
+    m_tabStop->setFixedSize(0, 0);
+    m_tabStop->setFocusPolicy(Qt::ClickFocus); // Qt puts nothing behind one without a policy
     m_layout->setContentsMargins(0, 0, 0, 0);
     m_layout->setSpacing(1);
     setAccessibleName(tr("Messages"));
+    setAutoFillBackground(true);
     hide();
+    if (parent != nullptr)
+        parent->installEventFilter(this);
 }
 
 void MessageBar::post(const Message& message) {
@@ -111,6 +123,9 @@ void MessageBar::post(const Message& message) {
         m_entries.push_back({message, QDateTime::currentDateTime(), 1, false});
     }
     rebuild();
+    // What comes by itself is read out.
+    QAccessibleEvent alert(m_layout->itemAt(0)->widget(), QAccessible::Alert);
+    QAccessible::updateAccessibility(&alert);
 }
 
 void MessageBar::clear() {
@@ -118,7 +133,49 @@ void MessageBar::clear() {
     rebuild();
 }
 
+void MessageBar::settle() {
+    QWidget* view = parentWidget();
+    if (view == nullptr)
+        return;
+    if (view->layout() != nullptr)
+        view->layout()->removeWidget(this);
+    QRect seen = view->rect();
+    if (!view->isWindow() && view->parentWidget() != nullptr)
+        seen &= view->parentWidget()->rect().translated(-view->pos());
+    const int width = std::min(seen.width(), base::em(this, kWidest_em));
+    const int height =
+        m_layout->hasHeightForWidth() ? m_layout->heightForWidth(width) : m_layout->sizeHint().height();
+    setGeometry(seen.right() + 1 - width, seen.top(), width, std::min(height, seen.height()));
+    raise();
+}
+
+bool MessageBar::event(QEvent* event) {
+    if (event->type() == QEvent::LayoutRequest && isVisible())
+        settle();
+    return QWidget::event(event);
+}
+
+bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
+    const bool isMoved = event->type() == QEvent::Resize || event->type() == QEvent::Move;
+    if (watched == parentWidget() && isMoved && !isHidden())
+        settle();
+    return QWidget::eventFilter(watched, event);
+}
+
 void MessageBar::rebuild() {
+    // A button that was pressed by a key is made anew, and has the keyboard again.
+    QString button;
+    QString message;
+    int place = 0;
+    QWidget* focus = QApplication::focusWidget();
+    for (int index = 0; focus != nullptr && index < m_layout->count(); ++index) {
+        const QWidget* row = m_layout->itemAt(index)->widget();
+        if (row->isAncestorOf(focus)) {
+            button = focus->objectName();
+            message = row->accessibleName();
+            place = index;
+        }
+    }
     while (QLayoutItem* item = m_layout->takeAt(0)) {
         item->widget()->hide();
         item->widget()->deleteLater();
@@ -135,8 +192,26 @@ void MessageBar::rebuild() {
         more->setFont(base::sized(font(), base::kSmallText));
         more->setContentsMargins(base::grid(this, 2), 0, 0, 0);
         m_layout->addWidget(more);
+        more->show();
     }
+    if (!m_entries.empty())
+        settle();
     setVisible(!m_entries.empty());
+    if (shown == 0)
+        return;
+    QWidget* before = m_tabStop;
+    QWidget* next = m_layout->itemAt(std::min(place, static_cast<int>(shown) - 1))->widget();
+    for (std::size_t index = 0; index < shown; ++index) {
+        QWidget* row = m_layout->itemAt(static_cast<int>(index))->widget();
+        if (row->accessibleName() == message)
+            next = row;
+        for (auto* each : row->findChildren<QToolButton*>()) {
+            setTabOrder(before, each);
+            before = each;
+        }
+    }
+    if (auto* same = button.isEmpty() ? nullptr : next->findChild<QToolButton*>(button))
+        same->setFocus(Qt::OtherFocusReason);
 }
 
 QWidget* MessageBar::makeRow(std::size_t index) {
@@ -170,17 +245,21 @@ QWidget* MessageBar::makeRow(std::size_t index) {
     };
     if (!entry.message.details.isEmpty()) {
         auto* details = new QToolButton(row);
+        details->setObjectName(QStringLiteral("details"));
         details->setText(entry.open ? tr("Hide details") : tr("Details"));
+        details->setAccessibleDescription(entry.message.text);
         details->setAutoRaise(true);
         connect(details, &QToolButton::clicked, this,
                 rememberAndRebuild([this, index] { m_entries[index].open = !m_entries[index].open; }));
         line->addWidget(details, 0, Qt::AlignTop);
     }
     auto* dismiss = new QToolButton(row);
+    dismiss->setObjectName(QStringLiteral("dismiss"));
     dismiss->setIcon(base::themeIcon(base::Icon::close));
     dismiss->setAutoRaise(true);
     dismiss->setToolTip(tr("Dismiss"));
     dismiss->setAccessibleName(tr("Dismiss"));
+    dismiss->setAccessibleDescription(entry.message.text);
     connect(dismiss, &QToolButton::clicked, this, rememberAndRebuild([this, index] {
                 m_entries.erase(m_entries.begin() + static_cast<std::ptrdiff_t>(index));
             }));

@@ -21,9 +21,11 @@ struct Message {
     QString details; ///< shown on demand: file, line, column, expected
 };
 
-/// Notices above a view, newest first: what happened, since when, what to do, details on demand. One that
-/// repeats counts up instead of filling the view; at most three are shown, older ones wait behind them.
-/// Nothing blocks. All of them are kept in the MessageLog. Thread: GUI.
+/// Notices at the top of a view, newest first: what happened, since when, what to do, details on demand. One
+/// that repeats counts up instead of filling the view; at most three are shown, older ones wait behind them.
+/// They lie over the upper right corner of the part of the view that is seen, and claim no room in a layout
+/// that they are put into: nothing moves away under the mouse. Nothing blocks. All of them are kept in the
+/// MessageLog. Thread: GUI.
 class MessageBar : public QWidget {
     Q_OBJECT
 
@@ -39,6 +41,10 @@ public:
     /// How often the newest message came.
     [[nodiscard]] int repeats() const { return m_entries.empty() ? 0 : m_entries.back().repeats; }
 
+protected:
+    bool event(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     struct Entry {
         Message message;
@@ -47,9 +53,12 @@ private:
         bool open = false;
     };
     void rebuild();
+    /// To where it belongs over the view.
+    void settle();
     [[nodiscard]] QWidget* makeRow(std::size_t index);
 
     QVBoxLayout* m_layout;
+    QWidget* m_tabStop; ///< behind it in the chain of Tab come the buttons
     std::vector<Entry> m_entries;
 };
 

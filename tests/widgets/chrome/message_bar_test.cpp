@@ -1,13 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/chrome/message_bar.h"
 
+#include <QApplication>
 #include <QFrame>
 #include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTest>
 #include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
 
 using teleta::chrome::Message;
 using teleta::chrome::MessageBar;
+
+namespace {
+
+/// A view with a field before its notices and one after them.
+struct View : public QWidget {
+    explicit View(QWidget* parent = nullptr)
+        : QWidget(parent)
+        , before(new QPushButton(QStringLiteral("before"), this))
+        , bar(new MessageBar(this))
+        , after(new QPushButton(QStringLiteral("after"), this)) {
+        auto* column = new QVBoxLayout(this);
+        column->addWidget(before);
+        column->addWidget(bar);
+        column->addWidget(after, 1);
+    }
+
+    QPushButton* before;
+    MessageBar* bar;
+    QPushButton* after;
+};
+
+} // namespace
 
 /// Notices above a view.
 class MessageBarTest : public QObject {
@@ -82,6 +111,70 @@ private slots:
             bar.post(message(QString::number(number)));
         QCOMPARE(bar.count(), MessageBar::kKept);
         QVERIFY(showsText(rows(bar).first(), QString::number(3 * MessageBar::kKept - 1)));
+    }
+
+    void movesNothingAwayUnderTheMouse() {
+        View view;
+        view.resize(view.fontMetrics().height() * 40, view.fontMetrics().height() * 30);
+        view.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&view));
+        const QRect before = view.before->geometry();
+        const QRect after = view.after->geometry();
+        view.bar->post(message("one"));
+        view.bar->post(message("two"));
+        QTRY_VERIFY(view.bar->isVisible());
+        QCoreApplication::processEvents();
+        QCOMPARE(view.before->geometry(), before);
+        QCOMPARE(view.after->geometry(), after);
+        QVERIFY(view.rect().contains(view.bar->geometry()));
+        QCOMPARE(view.bar->geometry().topRight(), view.rect().topRight());
+        for (const QWidget* row : rows(*view.bar))
+            QVERIFY(row->height() >= row->minimumSizeHint().height());
+    }
+
+    void liesOverThePartOfAViewThatIsSeen() {
+        QScrollArea room;
+        auto* view = new View;
+        const int line = room.fontMetrics().height();
+        view->setFixedSize(line * 60, line * 60);
+        room.setWidget(view);
+        room.resize(line * 30, line * 30);
+        room.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&room));
+        view->bar->post(message("one"));
+        const auto seen = [&] {
+            return QRect(view->bar->mapTo(room.viewport(), QPoint()), view->bar->size());
+        };
+        QVERIFY(room.viewport()->rect().contains(seen()));
+        room.verticalScrollBar()->setValue(line * 20);
+        QTRY_COMPARE(seen().top(), 0);
+        QVERIFY(room.viewport()->rect().contains(seen()));
+    }
+
+    void isReachedByTheKeyboardWhichItKeeps() {
+        View view;
+        view.show();
+        view.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&view));
+        view.bar->post(message("first"));
+        view.bar->post(message("second"));
+        const auto button = [&](int row, const char* name) {
+            return rows(*view.bar)[row]->findChild<QWidget*>(QLatin1String(name));
+        };
+        view.before->setFocus(Qt::TabFocusReason);
+        QTest::keyClick(view.before, Qt::Key_Tab);
+        QCOMPARE(QApplication::focusWidget(), button(0, "details"));
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+        QVERIFY(showsText(rows(*view.bar).first(), "file.csv:3:1"));
+        QCOMPARE(QApplication::focusWidget(), button(0, "details"));
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        QCOMPARE(QApplication::focusWidget(), button(0, "dismiss"));
+        QCOMPARE(QApplication::focusWidget()->accessibleDescription(), QStringLiteral("second"));
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+        QCOMPARE(view.bar->count(), 1);
+        QCOMPARE(QApplication::focusWidget(), button(0, "dismiss"));
+        view.bar->post(message("third"));
+        QCOMPARE(QApplication::focusWidget(), button(1, "dismiss"));
     }
 
     void showsTextAsItIsAndNotAsMarkup() {
