@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace teleta::chrome {
@@ -27,6 +28,18 @@ QString cutToWidth(QString text, double width, const QFontMetricsF& metrics) {
     while (!text.isEmpty() && base::tabularWidth(metrics, text + ellipsis) > width)
         text.chop(1);
     return text.trimmed() + ellipsis;
+}
+
+/// The width that none may exceed so that all of them together take the room.
+double fairShare(std::vector<double> widths, double room) {
+    std::ranges::sort(widths);
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+        const double share = room / static_cast<double>(widths.size() - i);
+        if (widths[i] > share)
+            return std::max(0.0, std::floor(share));
+        room -= widths[i];
+    }
+    return std::numeric_limits<double>::infinity();
 }
 
 } // namespace
@@ -51,7 +64,7 @@ void DeviceStrip::setReadings(const std::vector<DeviceReading>& readings) {
                                                      : std::nullopt);
         cell.latency_ms.update(now.latency_s ? std::optional(*now.latency_s * 1e3) : std::nullopt);
         const QString before = cell.text;
-        cell.text = compose(cell, Detail::all);
+        cell.text = compose(cell, Detail::all, now.name);
         changed = changed || before != cell.text;
     }
     if (!changed)
@@ -84,13 +97,13 @@ QString DeviceStrip::shownText(int index) const {
                : QString();
 }
 
-QString DeviceStrip::compose(const Cell& cell, Detail detail) const {
+QString DeviceStrip::compose(const Cell& cell, Detail detail, const QString& name) const {
     const DeviceReading& reading = cell.reading;
     QString word = base::statusWord(reading.state);
     if (reading.state == core::DeviceState::stale || reading.state == core::DeviceState::lost)
         word = tr("%1 for %2", "state of a device and its age").arg(word, base::ageText(reading.age_s));
     const bool live = reading.state == core::DeviceState::live;
-    QStringList parts{reading.name};
+    QStringList parts{name};
     // A device that is as it should be has its glyph to say so.
     if (!live || detail < Detail::troubles)
         parts << word;
@@ -105,6 +118,15 @@ QString DeviceStrip::compose(const Cell& cell, Detail detail) const {
     return parts.join(QStringLiteral("  "));
 }
 
+QString DeviceStrip::cutShort(const Cell& cell, double room_px) const {
+    const QFontMetricsF metrics(font());
+    const QString rest = compose(cell, Detail::cutShort, {});
+    const QString whole =
+        cutToWidth(cell.reading.name, room_px - base::tabularWidth(metrics, rest), metrics) + rest;
+    return base::tabularWidth(metrics, whole) <= room_px ? whole
+                                                         : cutToWidth(rest.trimmed(), room_px, metrics);
+}
+
 double DeviceStrip::besideText(const Cell& cell) const {
     const QString provenance = base::provenanceText(cell.reading.provenance);
     const double badge =
@@ -115,13 +137,20 @@ double DeviceStrip::besideText(const Cell& cell) const {
 int DeviceStrip::place(Detail detail) {
     const QFontMetricsF metrics(font());
     const int gap = base::grid(this, 2);
-    const auto count = static_cast<double>(m_cells.size());
-    int left = 0;
+    std::vector<double> widths;
     for (Cell& cell : m_cells) {
-        cell.shown = compose(cell, detail);
+        cell.shown = compose(cell, detail, cell.reading.name);
+        widths.push_back(std::ceil(besideText(cell) + base::tabularWidth(metrics, cell.shown)));
+    }
+    const double most = detail == Detail::cutShort
+                            ? fairShare(widths, width() - (static_cast<double>(m_cells.size()) - 1.0) * gap)
+                            : std::numeric_limits<double>::infinity();
+    int left = 0;
+    for (std::size_t index = 0; index < m_cells.size(); ++index) {
+        Cell& cell = m_cells[index];
         const double beside = besideText(cell);
-        if (detail == Detail::cutShort)
-            cell.shown = cutToWidth(cell.shown, (width() - (count - 1.0) * gap) / count - beside, metrics);
+        if (widths[index] > most)
+            cell.shown = cutShort(cell, most - beside);
         const double width = beside + base::tabularWidth(metrics, cell.shown);
         cell.rect = QRect(left, 0, static_cast<int>(std::ceil(width)), base::em(this, 1.75));
         left = cell.rect.right() + 1 + gap;

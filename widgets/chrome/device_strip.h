@@ -30,9 +30,9 @@ struct DeviceReading {
 };
 
 /// The devices in the status bar: glyph, name, word, rate and losses of each. Where there is little room for
-/// them all, each says less: first without latencies, then without what is as it should be, at last with
-/// names cut short; the tool tip and assistive tools always have all of it. A click asks for the device's
-/// views. Thread: GUI. Numbers change only by what can be seen, so nothing flickers.
+/// them all, each says less: first without latencies, then without what is as it should be, at last the
+/// longest with their names cut short; the tool tip and assistive tools always have all of it. A click asks
+/// for the device's views. Thread: GUI. Numbers change only by what can be seen, so nothing flickers.
 class DeviceStrip : public QWidget {
     Q_OBJECT
 
@@ -69,7 +69,9 @@ private:
         QString shown;
         QRect rect;
     };
-    [[nodiscard]] QString compose(const Cell& cell, Detail detail) const;
+    [[nodiscard]] QString compose(const Cell& cell, Detail detail, const QString& name) const;
+    /// What is wrong with the device, behind as much of its name as there is room for.
+    [[nodiscard]] QString cutShort(const Cell& cell, double room_px) const;
     /// What a cell takes beside its text.
     [[nodiscard]] double besideText(const Cell& cell) const;
     /// Says so much in each cell; returns the width that all take.

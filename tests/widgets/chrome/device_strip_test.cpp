@@ -121,6 +121,23 @@ private slots:
         QCOMPARE(strip.shownText(2), strip.text(2));
     }
 
+    void whatIsLostIsToldLongerThanTheName() {
+        DeviceStrip strip;
+        DeviceReading camera = live("a camera with a long name");
+        camera.lost = 103;
+        strip.show();
+        strip.setReadings({camera, live("joints")});
+        strip.resize(strip.sizeHint());
+        while (!strip.shownText(0).contains(QChar(0x2026)) && strip.width() > 0)
+            strip.resize(strip.width() - 1, strip.height());
+        for (int step = 0; step < 20; ++step) {
+            QVERIFY2(strip.shownText(0).endsWith("103 lost"), qPrintable(strip.shownText(0)));
+            QCOMPARE(strip.shownText(1), QStringLiteral("joints")); // a short one makes no room
+            strip.resize(strip.width() - 1, strip.height());
+        }
+        QVERIFY(strip.text(0).contains("a camera with a long name"));
+    }
+
     void hasADefinedTextForAnIndexThatIsNotThere() {
         DeviceStrip strip;
         QCOMPARE(strip.text(0), QString());
