@@ -3,12 +3,12 @@
 #include "app/console/console_options.h"
 #include "app/console/console_settings.h"
 #include "app/console/help/about.h"
+#include "app/console/help/log_window.h"
 #include "app/console/language_menu.h"
 #include "app/console/main_window.h"
 #include "app/console/unattended.h"
 #include "backend/core/stop_switch.h"
 #include "widgets/base/theme.h"
-#include "widgets/chrome/message_log.h"
 #include "widgets/view3d/gl_setup.h"
 
 #include <QApplication>
@@ -58,7 +58,7 @@ int main(int argc, char* argv[]) {
     QGuiApplication::setDesktopFileName(QStringLiteral("org.teleta.Console"));
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/teleta-console.svg")));
     app::installTranslator(application, QLocale::system());
-    chrome::MessageLog::instance().takeQtMessages();
+    console::beginLog();
 
     const console::ParsedOptions parsed = console::parseOptions(QCoreApplication::arguments());
     if (!parsed.options)

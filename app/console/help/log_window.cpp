@@ -15,10 +15,21 @@
 #include <QSaveFile>
 #include <QScrollBar>
 #include <QShortcut>
+#include <QSysInfo>
 #include <QTableView>
 #include <QVBoxLayout>
 
 namespace teleta::console {
+
+void beginLog() {
+    chrome::MessageLog& log = chrome::MessageLog::instance();
+    log.append(chrome::Message::Severity::information,
+               QStringLiteral("%1 %2, Qt %3, %4, %5, %6")
+                   .arg(QCoreApplication::applicationName(), QCoreApplication::applicationVersion(),
+                        QString::fromLatin1(qVersion()), QSysInfo::prettyProductName(),
+                        QSysInfo::currentCpuArchitecture(), QGuiApplication::platformName()));
+    log.takeQtMessages();
+}
 
 LogWindow::LogWindow(QWidget* parent)
     : QWidget(parent, Qt::Window)

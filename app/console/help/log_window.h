@@ -8,6 +8,10 @@ class QTableView;
 
 namespace teleta::console {
 
+/// Begins the log with what a report of a fault needs: program, Qt and system with their versions; from now
+/// on the messages of Qt come, too. Once, when there is an application. Thread: GUI.
+void beginLog();
+
 /// What the program has told since it began (chrome::MessageLog), to read, copy and save as text. Stays at
 /// its end while more comes, unless one has scrolled up. Thread: GUI.
 class LogWindow : public QWidget {

@@ -9,6 +9,7 @@
 #include <QGuiApplication>
 #include <QMenu>
 #include <QPushButton>
+#include <QSysInfo>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
@@ -90,6 +91,17 @@ private slots:
         table->scrollToTop();
         tell(100);
         QVERIFY(!isLastSeen());
+    }
+
+    void beginsWithProgramQtAndSystem() {
+        MessageLog& log = MessageLog::instance();
+        const int before = log.rowCount();
+        console::beginLog();
+        QTRY_VERIFY(log.rowCount() > before);
+        const QString line = log.data(log.index(before, MessageLog::kText), Qt::DisplayRole).toString();
+        for (const QString& part : {QCoreApplication::applicationName(), QString::fromLatin1(qVersion()),
+                                    QSysInfo::prettyProductName(), QGuiApplication::platformName()})
+            QVERIFY2(line.contains(part), qPrintable(line));
     }
 };
 
