@@ -12,6 +12,12 @@
 
 namespace teleta::console {
 
+namespace {
+
+constexpr double kRow_em = 2.2; ///< of the list: what a finger hits
+
+} // namespace
+
 CalibratePage::CalibratePage(BraceletStation& station, QWidget* parent)
     : QWidget(parent)
     , m_messages(new chrome::MessageBar(this))
@@ -46,6 +52,7 @@ CalibratePage::CalibratePage(BraceletStation& station, QWidget* parent)
 
 void CalibratePage::addPart(QWidget* content) {
     m_parts->addItem(QString());
+    m_parts->item(m_parts->count() - 1)->setSizeHint(QSize(0, base::em(this, kRow_em)));
     m_contents->addPage(content);
 }
 

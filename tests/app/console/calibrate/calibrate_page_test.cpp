@@ -12,6 +12,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QLabel>
+#include <QListWidget>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QStandardPaths>
@@ -68,6 +69,13 @@ private slots:
         m_page.reset();
         m_station.reset();
         QFile::remove(QString::fromStdString(motors::profilePath("simulated")));
+    }
+
+    void theListOfPartsHasRowsThatAFingerHits() {
+        const auto* parts = m_page->findChild<QListWidget*>();
+        QCOMPARE(parts->count(), 2);
+        for (int row = 0; row < parts->count(); ++row)
+            QVERIFY(parts->visualItemRect(parts->item(row)).height() >= base::em(parts, 2.0));
     }
 
     void aSimulatedBraceletIsNamedInTheLanguageOfNow() {
