@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/servo/force_strip.h"
 
+#include "widgets/base/number_format.h"
 #include "widgets/base/quantity_text.h"
 #include "widgets/base/tabular_text.h"
 #include "widgets/base/theme.h"
@@ -12,6 +13,12 @@
 #include <algorithm>
 
 namespace teleta::servo {
+
+namespace {
+
+constexpr int kTickStep_s = 5;
+
+} // namespace
 
 ForceStrip::ForceStrip(QWidget* parent)
     : QWidget(parent) {
@@ -32,7 +39,7 @@ void ForceStrip::changeEvent(QEvent* event) {
 }
 
 QSize ForceStrip::sizeHint() const {
-    return {base::em(this, 22), base::em(this, 6.5)};
+    return {base::em(this, 22), base::em(this, 7.7)};
 }
 
 void ForceStrip::setReport(const std::optional<ServoReport>& report) {
@@ -63,7 +70,7 @@ void ForceStrip::paintEvent(QPaintEvent*) {
     const QColor text = palette().color(QPalette::WindowText);
     const QColor window = palette().color(QPalette::Window);
     const QColor quiet = base::mixed(text, window, 0.35);
-    const QRectF plot(2.6 * em, 1.5 * em, width() - 3.1 * em, height() - 1.9 * em);
+    const QRectF plot(2.6 * em, 1.5 * em, width() - 3.1 * em, height() - 3.1 * em);
 
     painter.setFont(base::sized(font(), base::kSmallText));
     painter.setPen(text);
@@ -96,6 +103,16 @@ void ForceStrip::paintEvent(QPaintEvent*) {
         base::drawTabularText(painter, QRectF(0.0, y(tick) - 0.7 * em, 2.3 * em, 1.4 * em),
                               Qt::AlignRight | Qt::AlignVCenter,
                               base::fixedDigits(tick, span < 10.0 ? 1 : 0));
+    }
+    for (int tick_s = 0; tick_s <= static_cast<int>(kSpan_s); tick_s += kTickStep_s) {
+        const double x = plot.right() - plot.width() * tick_s / kSpan_s;
+        painter.setPen(base::mixed(text, window, 0.8));
+        painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom() + 0.2 * em));
+        const QString name = base::withUnit(base::fixedDigits(-tick_s, 0), QStringLiteral("s"));
+        const double width_px = metrics.horizontalAdvance(name) + 1.0;
+        const double left = std::min(x - 0.5 * width_px, width() - width_px);
+        painter.setPen(quiet);
+        painter.drawText(QRectF(left, plot.bottom() + 0.2 * em, width_px, 1.2 * em), Qt::AlignCenter, name);
     }
     if (m_steps.empty())
         return;

@@ -13,7 +13,8 @@
 
 namespace teleta::servo {
 
-/// The force that the array reads and the one that is wanted, over the last 20 s. Thread: GUI.
+/// The force that the array reads and the one that is wanted, over the last 20 s; 0 s is the newest step.
+/// Thread: GUI.
 class ForceStrip : public QWidget {
     Q_OBJECT
 public:

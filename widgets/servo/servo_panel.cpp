@@ -12,6 +12,7 @@
 #include <QDoubleSpinBox>
 #include <QEvent>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -43,13 +44,13 @@ bool same(const ServoTuning& a, const ServoTuning& b) {
 ServoPanel::ServoPanel(QWidget* parent)
     : QWidget(parent)
     , m_provenance(new QLabel(this))
-    , m_task(new QLabel(this))
-    , m_contact(new QLabel(this))
+    , m_state(new QLabel(this))
     , m_limits(new QLabel(this))
     , m_picture(new ServoPicture(this))
     , m_force20s(new ForceStrip(this))
     , m_cost(new QLabel(this))
     , m_form(new QFormLayout)
+    , m_tasksName(new QLabel(this))
     , m_tasks(new QComboBox(this))
     , m_force(spinBox(this, ServoTuning::kLeastForce_N, ServoTuning::kHighestForce_N, 0.5, 1))
     , m_slide(spinBox(this, 0.0, 1e3 * ServoTuning::kHighestSlide_mPerS, 0.5, 1))
@@ -59,7 +60,8 @@ ServoPanel::ServoPanel(QWidget* parent)
     bold.setBold(true);
     m_provenance->setFont(bold);
     m_provenance->hide();
-    m_task->setFont(base::sized(font(), base::kLargeText));
+    m_state->setFont(base::sized(font(), base::kLargeText));
+    m_state->setWordWrap(true);
     m_limits->setWordWrap(true);
     m_cost->setWordWrap(true);
     m_cost->setFont(base::sized(font(), base::kSmallText));
@@ -77,13 +79,17 @@ ServoPanel::ServoPanel(QWidget* parent)
     layout->setContentsMargins(margin, margin, margin, margin);
     layout->setSpacing(margin / 2);
     layout->addWidget(m_provenance);
-    layout->addWidget(m_task);
-    layout->addWidget(m_contact);
+    auto* task = new QHBoxLayout;
+    task->setSpacing(margin);
+    m_tasksName->setBuddy(m_tasks);
+    task->addWidget(m_tasksName);
+    task->addWidget(m_tasks, 1);
+    layout->addLayout(task);
+    layout->addWidget(m_state);
     layout->addWidget(m_limits);
     layout->addWidget(m_force20s);
     layout->addWidget(m_picture);
-    for (QWidget* field : {static_cast<QWidget*>(m_tasks), static_cast<QWidget*>(m_force),
-                           static_cast<QWidget*>(m_slide), static_cast<QWidget*>(m_gain)}) {
+    for (QWidget* field : {m_force, m_slide, m_gain}) {
         auto* name = new QLabel(this);
         name->setBuddy(field);
         m_form->addRow(name, field);
@@ -132,7 +138,11 @@ void ServoPanel::setProvenance(base::Provenance provenance) {
 }
 
 QString ServoPanel::taskText() const {
-    return m_task->text();
+    return m_tasks->currentText();
+}
+
+QString ServoPanel::stateText() const {
+    return m_state->text();
 }
 
 QString ServoPanel::limitText() const {
@@ -176,8 +186,8 @@ void ServoPanel::showTexts() {
     m_provenance->setVisible(m_report && m_shownProvenance != base::Provenance::live);
     paint(m_provenance, colours.simulated);
     if (!m_report) {
-        m_task->setText(tr("No servo"));
-        m_contact->clear();
+        m_state->setText(tr("No servo"));
+        paint(m_state, palette().color(QPalette::WindowText));
         m_limits->clear();
         m_cost->clear();
         return;
@@ -185,14 +195,15 @@ void ServoPanel::showTexts() {
     m_cost->setText(ServoTexts::cost(m_report->times, m_report->rate_Hz));
     const ServoOutput& output = m_report->output;
     const bool isHeld = m_report->stopped && !m_stopEngaged;
-    m_task->setText(isHeld              ? tr("The scene is held")
-                    : m_report->stopped ? tr("STOP: the arm is held")
-                                        : ServoTexts::task(output.kind));
-    paint(m_task, m_report->stopped && !isHeld ? colours.lost : palette().color(QPalette::WindowText));
-    m_contact->setText(ServoTexts::contact(output.contact));
-    const bool gone = output.contact == ContactState::lost;
-    const bool searches = output.contact == ContactState::searching;
-    paint(m_contact, gone ? colours.lost : searches ? colours.stale : colours.neutral);
+    m_state->setText(isHeld              ? tr("The scene is held")
+                     : m_report->stopped ? tr("STOP: the arm is held")
+                                         : ServoTexts::contact(output.contact));
+    const bool isStopped = m_report->stopped && !isHeld;
+    const bool gone = !m_report->stopped && output.contact == ContactState::lost;
+    const bool searches = !m_report->stopped && output.contact == ContactState::searching;
+    paint(m_state, isStopped || gone ? colours.lost
+                   : searches        ? colours.stale
+                                     : palette().color(QPalette::WindowText));
     const QString limits = ServoTexts::limits(m_report->recentLimits);
     m_limits->setText(limits.isEmpty() ? tr("No limit acts.") : tr("Limits that act: %1").arg(limits));
     paint(m_limits, limits.isEmpty() ? colours.neutral : colours.stale);
@@ -249,7 +260,10 @@ void ServoPanel::retranslate() {
         field->setToolTip(toolTip);
         field->setAccessibleName(QString(text).remove(QLatin1Char('&')));
     };
-    label(m_tasks, tr("&Task"), tr("The running task; choose one to begin it now"));
+    const QString task = tr("&Task");
+    m_tasksName->setText(task);
+    m_tasks->setToolTip(tr("The running task; choose one to begin it now"));
+    m_tasks->setAccessibleName(QString(task).remove(QLatin1Char('&')));
     label(m_force, tr("&Force"), tr("Force with which the array presses"));
     label(m_slide, tr("&Sliding speed"), tr("Along the edge, while it is explored"));
     label(m_gain, tr("&Gains"), tr("All gains of the regulators, in percent of the scene's"));

@@ -38,8 +38,9 @@ public:
     void setProvenance(base::Provenance provenance);
 
     [[nodiscard]] ServoTuning tuning() const;
-    /// The lines of text, for tests.
+    /// The texts, for tests: the task that runs, whether it does, the limits, what a cycle takes.
     [[nodiscard]] QString taskText() const;
+    [[nodiscard]] QString stateText() const;
     [[nodiscard]] QString limitText() const;
     [[nodiscard]] QString costText() const;
 
@@ -57,13 +58,13 @@ private:
     void showTuning(const ServoTuning& tuning, const TuningBounds& bounds);
 
     QLabel* m_provenance;
-    QLabel* m_task;
-    QLabel* m_contact;
+    QLabel* m_state;
     QLabel* m_limits;
     ServoPicture* m_picture;
     ForceStrip* m_force20s;
     QLabel* m_cost;
     QFormLayout* m_form;
+    QLabel* m_tasksName;
     QComboBox* m_tasks;
     QDoubleSpinBox* m_force;
     QDoubleSpinBox* m_slide;

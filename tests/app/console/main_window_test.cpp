@@ -481,12 +481,12 @@ private slots:
         m_window->activateWindow();
         QTRY_VERIFY(m_window->isActiveWindow());
         QTest::keyClick(m_window.get(), Qt::Key_F5, Qt::ShiftModifier);
-        QTRY_COMPARE(panel->taskText(), QStringLiteral("The scene is held"));
+        QTRY_COMPARE(panel->stateText(), QStringLiteral("The scene is held"));
         m_stop->engage();
-        QTRY_COMPARE(panel->taskText(), QStringLiteral("STOP: the arm is held"));
+        QTRY_COMPARE(panel->stateText(), QStringLiteral("STOP: the arm is held"));
         m_stop->release();
         QTest::keyClick(m_window.get(), Qt::Key_F5);
-        QTRY_VERIFY(panel->taskText() != QStringLiteral("The scene is held"));
+        QTRY_VERIFY(panel->stateText() != QStringLiteral("The scene is held"));
         const std::size_t before = runs->runs().runs().front().time_s.size();
         QTest::keyClick(m_window.get(), Qt::Key_F5, Qt::ControlModifier);
         QTRY_COMPARE(runs->runs().runs().size(), std::size_t{2});

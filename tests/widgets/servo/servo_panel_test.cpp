@@ -74,7 +74,7 @@ private slots:
     void withoutAServoNothingCanBeChanged() {
         ServoPanel panel;
         QVERIFY(!panel.isEnabled());
-        QCOMPARE(panel.taskText(), QStringLiteral("No servo"));
+        QCOMPARE(panel.stateText(), QStringLiteral("No servo"));
     }
 
     void taskContactAndLimitsAreNamed() {
@@ -82,7 +82,8 @@ private slots:
         ServoReport report = exploring();
         panel.setReport(report);
         QVERIFY(panel.isEnabled());
-        QCOMPARE(panel.taskText(), QStringLiteral("Explore"));
+        QCOMPARE(panel.taskText(), QStringLiteral("4. Explore"));
+        QCOMPARE(panel.stateText(), QStringLiteral("in contact"));
         QCOMPARE(panel.limitText(), QStringLiteral("No limit acts."));
         report.recentLimits.set(Limit::force);
         report.recentLimits.set(Limit::deviation);
@@ -91,7 +92,31 @@ private slots:
                  QStringLiteral("Limits that act: force, distance from the measured pose"));
         report.stopped = true;
         panel.setReport(report);
-        QCOMPARE(panel.taskText(), QStringLiteral("STOP: the arm is held"));
+        QCOMPARE(panel.taskText(), QStringLiteral("4. Explore"));
+        QCOMPARE(panel.stateText(), QStringLiteral("STOP: the arm is held"));
+    }
+
+    void theRunningTaskIsNamedOnce() {
+        ServoPanel panel;
+        panel.setReport(exploring());
+        for (const QLabel* label : panel.findChildren<QLabel*>())
+            QVERIFY2(!label->text().contains(QStringLiteral("Explore")), qPrintable(label->text()));
+    }
+
+    void theForceHasATimeAxis() {
+        ForceStrip strip;
+        strip.resize(strip.sizeHint());
+        const QImage picture = strip.grab().toImage();
+        // Its words are under the plot, at the right end and in the left half.
+        const auto inked = [&](double left, double right) {
+            int count = 0;
+            for (int y = picture.height() * 85 / 100; y < picture.height() * 92 / 100; ++y)
+                for (int x = static_cast<int>(left * picture.width()); x < right * picture.width(); ++x)
+                    count += picture.pixel(x, y) != picture.pixel(0, picture.height() - 1) ? 1 : 0;
+            return count;
+        };
+        QVERIFY(inked(0.75, 1.0) > 0);
+        QVERIFY(inked(0.15, 0.5) > 0);
     }
 
     void theForceIsKeptFor20sAndForgottenWithAnotherRun() {
@@ -128,10 +153,10 @@ private slots:
         report.times.of(CyclePart::contact) = 12e-6;
         report.times.of(CyclePart::dynamics) = 8e-6;
         panel.setReport(report);
-        QCOMPARE(panel.costText(),
-                 QStringLiteral(
-                     "Simulated cycle: 10.0 \u00b5s, 100 times real time. Contact 60 %, kinematics 0 %, "
-                     "features 0 %, control 0 %, dynamics 40 %."));
+        QCOMPARE(
+            panel.costText(),
+            QStringLiteral("Simulated cycle: 10.0\u00a0\u00b5s, 100 times real time. Contact 60\u00a0%, "
+                           "kinematics 0\u00a0%, features 0\u00a0%, control 0\u00a0%, dynamics 40\u00a0%."));
     }
 
     void aServoThatIsNotRealSaysSo() {

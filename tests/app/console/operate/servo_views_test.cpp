@@ -20,6 +20,8 @@ void publish(servo::ServoLink& link, servo::TaskKind kind) {
     servo::ServoReport& report = link.reports.back();
     report = {};
     report.output.kind = kind;
+    report.tasks = 1;
+    report.plan[0] = kind;
     for (std::size_t i = 0; i < report.p_Base_Joint.size(); ++i)
         report.p_Base_Joint[i] = Eigen::Vector3d(0.0, 0.0, 0.15 * static_cast<double>(i));
     report.X_Base_Sensor.translation() = Eigen::Vector3d(0.0, 0.0, 1.1);
@@ -55,7 +57,7 @@ private slots:
         publish(*link, servo::TaskKind::explore);
         views.tick();
         QVERIFY(views.panel().isEnabled());
-        QCOMPARE(views.panel().taskText(), QStringLiteral("Explore"));
+        QCOMPARE(views.panel().taskText(), QStringLiteral("1. Explore"));
         QVERIFY(!link->tuning.take().has_value());
         views.panel().findChild<QCheckBox*>(QStringLiteral("servoMoment"))->click();
         const auto wish = link->tuning.take();
@@ -190,7 +192,7 @@ private slots:
             views.setServo(bar, QStringLiteral("bar"), base::Provenance::simulated);
             views.tick();
             QVERIFY(views.panel().isEnabled());
-            QCOMPARE(views.panel().taskText(), QStringLiteral("Explore"));
+            QCOMPARE(views.panel().taskText(), QStringLiteral("1. Explore"));
             QCOMPARE(views.edge_m().size(), std::size_t{2});
             QVERIFY(!scene.armBox_m().isEmpty());
         }
