@@ -462,7 +462,7 @@ void MainWindow::buildArmMenu() {
     };
     add(tr("&Run its program"), Qt::Key_F5, hasProgram, [this] { m_operate->setProgramRunning(true); });
     add(tr("&Hold"), Qt::SHIFT | Qt::Key_F5, hasProgram, [this] { m_operate->setProgramRunning(false); });
-    add(tr("Begin &anew"), Qt::CTRL | Qt::Key_F5, hasProgram, [this] { m_operate->restartProgram(); });
+    add(tr("Re&start"), Qt::CTRL | Qt::Key_F5, hasProgram, [this] { m_operate->restartProgram(); });
     menu->addSeparator();
     add(tr("&Forget the explored contour"), Qt::CTRL | Qt::SHIFT | Qt::Key_N, hasArm, [this] {
         m_operate->armViews().forgetContour();

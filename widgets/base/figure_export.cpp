@@ -152,21 +152,21 @@ FigureExport::FigureExport(QWidget* view, std::function<Figure()> make)
 }
 
 void FigureExport::addActions(QMenu& menu) {
-    menu.addAction(tr("&Copy Picture"), this, [this] { copyPicture(m_make()); });
-    menu.addAction(tr("Copy &Data"), this, [this] { copyData(m_make()); });
-    menu.addAction(tr("&Save Picture…"), this, [this] { askAndSave(true); });
-    menu.addAction(tr("Save Da&ta…"), this, [this] { askAndSave(false); });
+    menu.addAction(tr("&Copy picture"), this, [this] { copyPicture(m_make()); });
+    menu.addAction(tr("Copy &data"), this, [this] { copyData(m_make()); });
+    menu.addAction(tr("&Save picture…"), this, [this] { askAndSave(true); });
+    menu.addAction(tr("Save da&ta…"), this, [this] { askAndSave(false); });
 }
 
 void FigureExport::addDataActions(QMenu& menu) {
-    menu.addAction(tr("Copy &Data"), this, [this] { copyData(m_make()); });
-    menu.addAction(tr("Save Da&ta…"), this, [this] { askAndSave(false); });
+    menu.addAction(tr("Copy &data"), this, [this] { copyData(m_make()); });
+    menu.addAction(tr("Save da&ta…"), this, [this] { askAndSave(false); });
 }
 
 void FigureExport::askAndSave(bool picture) {
     // Made now: what is saved is what was on the screen when the user asked.
     const Figure figure = m_make();
-    auto* dialog = new QFileDialog(m_view, picture ? tr("Save Picture") : tr("Save Data"));
+    auto* dialog = new QFileDialog(m_view, picture ? tr("Save picture") : tr("Save data"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     const QStringList filters = picture ? QStringList{tr("SVG picture (*.svg)"), tr("PDF document (*.pdf)"),

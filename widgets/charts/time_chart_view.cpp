@@ -107,10 +107,10 @@ void TimeChartView::addTimeActions(QMenu& menu) {
 void TimeChartView::addPlotActions(QMenu& menu, std::optional<int> lane) {
     if (lane) {
         menu.addSeparator();
-        menu.addAction(tr("&Type Range of %1…").arg(m_plot->laneTitle(*lane)), this,
+        menu.addAction(tr("&Type range of %1…").arg(m_plot->laneTitle(*lane)), this,
                        [this, lane] { editRange(*lane); });
         QAction* automatic =
-            menu.addAction(tr("&Automatic Range"), this, [this, lane] { applyRangeText(*lane, {}); });
+            menu.addAction(tr("&Automatic range"), this, [this, lane] { applyRangeText(*lane, {}); });
         automatic->setCheckable(true);
         automatic->setChecked(!m_plot->fixedLaneRange(*lane));
     }
@@ -129,7 +129,7 @@ void TimeChartView::retranslate() {
 }
 
 void TimeChartView::showPause() {
-    m_pause->setText(isPaused() ? tr("Go Live") : tr("Pause"));
+    m_pause->setText(isPaused() ? tr("Go live") : tr("Pause"));
     m_pause->setIcon(base::themeIcon(isPaused() ? base::Icon::play : base::Icon::pause));
 }
 

@@ -79,9 +79,9 @@ ServoRunsView::ServoRunsView(QWidget* parent)
 }
 
 void ServoRunsView::retranslate() {
-    m_add->setText(tr("&Add Recorded Run…"));
+    m_add->setText(tr("&Add recorded run…"));
     m_add->setToolTip(tr("A run that teleta simulate --out has written: its servo.csv"));
-    m_forget->setText(tr("&Forget Other Runs"));
+    m_forget->setText(tr("&Forget other runs"));
     m_forget->setToolTip(tr("Keeps only the run that goes on"));
     m_menu->setText(tr("&Picture"));
     m_menu->setToolTip(tr("Copies or saves the chart or its data"));
@@ -118,7 +118,7 @@ void ServoRunsView::addRecorded(const QString& path) {
 }
 
 void ServoRunsView::askForRecording() {
-    auto* dialog = new QFileDialog(this, tr("Add Recorded Run"));
+    auto* dialog = new QFileDialog(this, tr("Add recorded run"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
     dialog->setNameFilters({tr("Servo runs (servo.csv)"), tr("Comma-separated values (*.csv)")});

@@ -78,10 +78,10 @@ void HeatmapView::retranslate() {
         action->setToolTip(tip);
     };
     name(Overlay::contacts, tr("&Contacts"), tr("Outline each contact and show its number"));
-    name(Overlay::centreOfPressure, tr("Centre of &Pressure"), tr("Mark the load-weighted centre with ×"));
-    name(Overlay::centreOfContact, tr("Centre of C&ontact"),
+    name(Overlay::centreOfPressure, tr("Centre of &pressure"), tr("Mark the load-weighted centre with ×"));
+    name(Overlay::centreOfContact, tr("Centre of c&ontact"),
          tr("Mark the centre of the touched area with ○"));
-    name(Overlay::principalAxis, tr("Principal &Axis"),
+    name(Overlay::principalAxis, tr("Principal &axis"),
          tr("Draw the axis along which the touched area is longest"));
     name(Overlay::values, tr("&Numbers"), tr("Write each load into its taxel where there is room"));
     update();
@@ -367,7 +367,7 @@ void HeatmapView::populateMenu(QMenu& menu) {
         menu.addAction(action);
     menu.addSeparator();
 
-    QMenu* range = menu.addMenu(tr("Colour &Range"));
+    QMenu* range = menu.addMenu(tr("Colour &range"));
     auto* group = new QActionGroup(range);
     const auto choice = [&](const QString& text, bool checked, auto&& chosen) {
         QAction* action = range->addAction(text);
@@ -381,9 +381,9 @@ void HeatmapView::populateMenu(QMenu& menu) {
     choice(tr("&Fixed at %1").arg(top), m_fixedTop.has_value(),
            [this] { setFixedRange(m_content.rangeTop); });
     range->addSeparator();
-    range->addAction(tr("&Type Upper End…"), this, &HeatmapView::editRange);
+    range->addAction(tr("&Type upper end…"), this, &HeatmapView::editRange);
 
-    QAction* reset = menu.addAction(tr("Show &Whole Array"), this, &HeatmapView::resetZoom);
+    QAction* reset = menu.addAction(tr("Show &whole array"), this, &HeatmapView::resetZoom);
     reset->setEnabled(m_content.zoom.factor > 1.0);
     menu.addSeparator();
     m_export->addActions(menu);

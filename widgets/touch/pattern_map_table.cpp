@@ -303,7 +303,7 @@ core::Expected<void> PatternMapTable::exportTo(const QString& path) const {
 }
 
 void PatternMapTable::askForFile(bool save) {
-    auto* dialog = new QFileDialog(this, save ? tr("Export Patterns") : tr("Import Patterns"));
+    auto* dialog = new QFileDialog(this, save ? tr("Export patterns") : tr("Import patterns"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(save ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
     dialog->setFileMode(save ? QFileDialog::AnyFile : QFileDialog::ExistingFile);

@@ -227,11 +227,11 @@ base::Figure TouchTable::figure() const {
 void TouchTable::populateMenu(QMenu& menu) {
     QAction* copy = menu.addAction(tr("&Copy"), this, &TouchTable::copySelection);
     copy->setShortcut(QKeySequence::Copy);
-    menu.addAction(tr("Select &All"), m_view, &QTableView::selectAll)->setShortcut(QKeySequence::SelectAll);
+    menu.addAction(tr("Select &all"), m_view, &QTableView::selectAll)->setShortcut(QKeySequence::SelectAll);
     menu.addSeparator();
     m_export->addDataActions(menu);
     menu.addSeparator();
-    menu.addAction(tr("&Newest First"), this, [this] {
+    menu.addAction(tr("&Newest first"), this, [this] {
         m_view->sortByColumn(TouchModel::number, Qt::DescendingOrder);
         m_view->scrollToTop();
     });

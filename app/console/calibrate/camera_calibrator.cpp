@@ -235,17 +235,17 @@ void CameraCalibrator::build() {
 
 void CameraCalibrator::retranslate() {
     setWindowTitle(tr("Cylinder camera"));
-    m_load->setText(tr("&Load pairs..."));
+    m_load->setText(tr("&Load pairs\u2026"));
     m_load->setToolTip(tr("Pairs of pixels and points: CSV with u_px,v_px,x_m,y_m,z_m"));
-    m_savePairs->setText(tr("Save pai&rs..."));
+    m_savePairs->setText(tr("Save pai&rs\u2026"));
     m_savePairs->setToolTip(tr("All pairs, those that are left out too, as they are loaded"));
-    m_save->setText(tr("&Save camera..."));
+    m_save->setText(tr("&Save camera\u2026"));
     m_save->setToolTip(tr("The camera of the chosen method, for teleta locate and the camera view"));
     m_probe->setText(tr("&Probe the simulated tube"));
     m_probe->setToolTip(
         tr("Collect pairs: a simulated person presses a stick on the marked places of a simulated "
            "tube, and takes one in ten for its neighbour"));
-    m_probeWith->setText(tr("Probe with a &camera..."));
+    m_probeWith->setText(tr("Probe with a &camera\u2026"));
     m_probeWith->setToolTip(
         tr("Collect pairs: press a stick through the holes of a shell while a camera, or a "
            "video of it, is watched"));
@@ -503,7 +503,7 @@ QString CameraCalibrator::verdict() const {
                         "below, or probe a tube.");
     const Answer* chosen = answer();
     if (m_fitting || chosen == nullptr)
-        return tr("Calibrating...");
+        return tr("Calibrating\u2026");
     if (!chosen->calibration)
         return tr("No calibration: %1.").arg(chosen->refusal);
     const vision::Calibration& found = *chosen->calibration;

@@ -67,7 +67,7 @@ ExportDialog::ExportDialog(pattern::MotorProfiles motors, QString suggested, QWi
     m_rate->setSuffix(QStringLiteral(" Hz"));
     m_content->addItem(tr("commanded intensities"));
     m_content->addItem(tr("what the motors are predicted to do"));
-    auto* where = m_buttons->addButton(tr("Choose File\u2026"), QDialogButtonBox::AcceptRole);
+    auto* where = m_buttons->addButton(tr("Choose file\u2026"), QDialogButtonBox::AcceptRole);
     where->setDefault(true);
     auto* form = new QFormLayout(this);
     form->addRow(tr("&Format:"), m_format);

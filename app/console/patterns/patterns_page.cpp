@@ -437,8 +437,8 @@ void PatternsPage::showRecovery() {
         text += QLatin1Char(' ') +
                 tr("There are %n more.", nullptr, static_cast<int>(m_keeper->lost().size()) - 1);
     m_recoveryText->setText(text);
-    m_recover->setText(tr("Open the Edits"));
-    m_discard->setText(tr("Discard Them"));
+    m_recover->setText(tr("Open the edits"));
+    m_discard->setText(tr("Discard them"));
 }
 
 void PatternsPage::recover() {

@@ -14,6 +14,7 @@
 #include "widgets/servo/servo_panel.h"
 #include "widgets/servo/servo_runs_view.h"
 #include "widgets/tactile/heatmap_view.h"
+#include "widgets/touch/jog_panel.h"
 #include "widgets/view3d/gl_setup.h"
 
 #include <QApplication>
@@ -175,6 +176,16 @@ private slots:
             QCOMPARE(pages, QStringList({"operate", "patterns", "study", "calibrate", "cost"}));
         }
         m_window->findChild<QMenu*>("languages")->actions().front()->trigger();
+    }
+
+    void aProgramIsRestartedByOneWord() {
+        openWindow();
+        QStringList words;
+        for (const auto* button : child<touch::JogPanel>()->findChildren<QPushButton*>())
+            words << button->text().remove(u'&');
+        for (const auto* action : m_window->findChildren<QAction*>())
+            if (action->shortcut() == QKeySequence(Qt::CTRL | Qt::Key_F5))
+                QVERIFY2(words.contains(action->text().remove(u'&')), qPrintable(action->text()));
     }
 
     void theHandbookOpensAtThePageThatIsShown() {

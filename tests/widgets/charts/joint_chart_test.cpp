@@ -243,7 +243,7 @@ private slots:
             QMenu menu;
             chart.view.populateMenu(menu, JointPlot::Row::torque);
             for (const QAction* action : menu.actions())
-                if (action->text().remove(u'&') == QStringLiteral("Automatic Range"))
+                if (action->text().remove(u'&') == QStringLiteral("Automatic range"))
                     return action->isChecked();
             return false;
         };

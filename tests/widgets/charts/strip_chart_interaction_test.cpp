@@ -319,8 +319,8 @@ private slots:
         QStringList texts;
         for (QAction* action : menu.actions())
             texts << action->text().remove(u'&');
-        for (const char* wanted : {"Strips", "Span", "Pause", "Mark", "Automatic Range", "Copy Picture",
-                                   "Copy Data", "Save Picture…", "Save Data…"})
+        for (const char* wanted : {"Strips", "Span", "Pause", "Mark", "Automatic range", "Copy picture",
+                                   "Copy data", "Save picture…", "Save data…"})
             QVERIFY2(texts.contains(QString::fromUtf8(wanted)), wanted);
     }
 
