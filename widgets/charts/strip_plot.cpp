@@ -24,7 +24,7 @@ constexpr Strip stripOfLane(int lane) {
 
 StripPlot::StripPlot(QWidget* parent)
     : TimePlot({.width_em = 26.0,
-                .laneHeight_em = 4.2, // title and two values
+                .laneHeight_em = 3.6, // title and two values
                 .panelWidth_em = 10.5,
                 .widestTick = QStringLiteral("\u221288.8")},
                parent)

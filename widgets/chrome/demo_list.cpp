@@ -49,11 +49,20 @@ void DemoList::setDemos(const std::vector<SourceChooser::Demo>& demos) {
     }
     m_columns = 0;
     arrange();
+    updateGeometry();
+}
+
+QSize DemoList::sizeHint() const {
+    const int width = viewport()->width();
+    const int height =
+        m_grid->hasHeightForWidth() ? m_grid->heightForWidth(width) : m_grid->sizeHint().height();
+    return {kMostColumns * base::em(this, kButton_em), height + 2 * frameWidth()};
 }
 
 void DemoList::resizeEvent(QResizeEvent* event) {
     QScrollArea::resizeEvent(event);
     arrange();
+    updateGeometry();
 }
 
 void DemoList::arrange() {

@@ -21,6 +21,8 @@ public:
 
     void setDemos(const std::vector<SourceChooser::Demo>& demos);
     [[nodiscard]] int columns() const { return m_columns; }
+    /// All of them without scrolling, at the width that there is.
+    [[nodiscard]] QSize sizeHint() const override;
 
 signals:
     void demoRequested(const QString& path);

@@ -57,7 +57,8 @@ QPushButton* EmptyState::addAction(const QString& text, const QString& toolTip) 
 
 void EmptyState::setMore(QWidget* more) {
     m_layout->insertSpacing(m_layout->count() - 1, base::grid(this, 3));
-    m_layout->insertWidget(m_layout->count() - 1, more, 12);
+    // No stretch: of what is stretched Qt looks at the least size only, and this is to have the one it wants.
+    m_layout->insertWidget(m_layout->count() - 1, more);
 }
 
 void EmptyState::changeEvent(QEvent* event) {

@@ -24,7 +24,7 @@ public:
     void setTexts(const QString& headline, const QString& sentence);
     /// The first action is the default one.
     QPushButton* addAction(const QString& text, const QString& toolTip);
-    /// More to choose from, below the actions; it takes what room is left.
+    /// More to choose from, below the actions: as large as it wants to be where there is room.
     void setMore(QWidget* more);
 
 protected:

@@ -113,12 +113,16 @@ JogPanel::JogPanel(QWidget* parent)
     speed->addWidget(m_speed, 1);
     speed->addWidget(m_speedText);
     auto* layout = new QVBoxLayout(this);
+    const int margin = base::grid(this);
+    layout->setContentsMargins(margin, margin / 2, margin, margin / 2);
+    layout->setSpacing(margin / 2);
     layout->addLayout(program);
     layout->addWidget(m_message);
+    // What moves the arm comes first: the panel may have to be low.
     layout->addLayout(grid);
+    layout->addLayout(hold);
     layout->addLayout(kind);
     layout->addLayout(speed);
-    layout->addLayout(hold);
     layout->addWidget(m_handText);
     layout->addStretch(1);
 
@@ -195,7 +199,7 @@ void JogPanel::retranslate() {
     m_hold->setText(tr("&Hold"));
     m_hold->setToolTip(tr("Hold the arm where it is"));
     m_restart->setText(tr("R&estart"));
-    m_restart->setToolTip(tr("Begin the arm's program anew"));
+    m_restart->setToolTip(tr("Restart the arm's program"));
     m_modeBox->setItemText(0, tr("Joints"));
     m_modeBox->setItemText(1, tr("Tip, x y z"));
     m_modeBox->setAccessibleName(tr("What is moved"));

@@ -78,7 +78,7 @@ void ArmViews::addTo(OperateDocks& docks) {
     docks.add(OperateDocks::joints, m_joints);
     docks.add(OperateDocks::touches, m_touches);
     docks.add(OperateDocks::objects, m_sheet);
-    docks.add(OperateDocks::jog, m_jog);
+    docks.addScrolling(OperateDocks::jog, m_jog);
     docks.add(OperateDocks::contour, m_contour);
     docks.add(OperateDocks::feedback, m_feedback);
 }

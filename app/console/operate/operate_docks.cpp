@@ -7,8 +7,11 @@
 #include <QApplication>
 #include <QDataStream>
 #include <QDockWidget>
+#include <QEvent>
 #include <QIODevice>
 #include <QScreen>
+#include <QScrollArea>
+#include <QStyle>
 
 #include <algorithm>
 #include <utility>
@@ -23,6 +26,24 @@ constexpr qint32 kLayoutVersion = 7;
 constexpr std::array<const char*, OperateDocks::kDocks> kNames{
     "heatmap",  "reconstruction", "charts", "processing", "stiffness", "bracelet", "joints", "touches", "jog",
     "feedback", "contour",        "servo",  "runs",       "objects",   "camera",   "events", "marks"};
+
+/// As wide as what is in it, at least, and any height.
+class LowRoom : public QScrollArea {
+public:
+    using QScrollArea::QScrollArea;
+
+    [[nodiscard]] QSize minimumSizeHint() const override {
+        const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, this);
+        return {widget()->minimumSizeHint().width() + bar, QScrollArea::minimumSizeHint().height()};
+    }
+
+protected:
+    bool event(QEvent* event) override {
+        if (event->type() == QEvent::LayoutRequest)
+            updateGeometry();
+        return QScrollArea::event(event);
+    }
+};
 
 } // namespace
 
@@ -86,6 +107,16 @@ void OperateDocks::add(Dock dock, QWidget* view) {
     m_docks[dock] = frame;
     // One that was closed is opened where it was, which may be nowhere by now.
     connect(frame, &QDockWidget::visibilityChanged, this, &OperateDocks::bringBack, Qt::QueuedConnection);
+}
+
+void OperateDocks::addScrolling(Dock dock, QWidget* view) {
+    auto* room = new LowRoom(this);
+    room->setFocusPolicy(Qt::NoFocus); // its fields are what Tab goes to
+    room->setWidgetResizable(true);
+    room->setFrameShape(QFrame::NoFrame);
+    room->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    room->setWidget(view);
+    add(dock, room);
 }
 
 void OperateDocks::begin() {
@@ -275,10 +306,11 @@ void OperateDocks::shareSpace() {
     resizeDocks({m_docks[heatmap], m_docks[joints]}, {height() * 11 / 20, height() * 9 / 20}, Qt::Vertical);
     resizeDocks({m_docks[heatmap], m_docks[reconstruction], m_docks[stiffness]},
                 {rest * 9 / 20, rest * 11 / 20, side}, Qt::Horizontal);
-    const int gauge = base::em(this, 14);
-    const int picture = base::em(this, 13);
+    // The hand controls are whole where there is room, and scroll before the pictures are cut.
+    const int hand = m_docks[jog]->sizeHint().height() + base::em(this, 2);
+    const int pictures = std::clamp(height() - hand, base::em(this, 23), base::em(this, 27));
     resizeDocks({m_docks[stiffness], m_docks[bracelet], m_docks[jog]},
-                {gauge, picture, std::max(height() - gauge - picture, picture)}, Qt::Vertical);
+                {pictures * 14 / 27, pictures * 13 / 27, std::max(height() - pictures, 1)}, Qt::Vertical);
 }
 
 void OperateDocks::showEvent(QShowEvent* event) {

@@ -59,6 +59,8 @@ public:
 
     /// Puts a view into its dock, which owns it; once for each dock, before anything is shown.
     void add(Dock dock, QWidget* view);
+    /// The same with a view that scrolls where its dock is low: fields, which cannot be drawn smaller.
+    void addScrolling(Dock dock, QWidget* view);
     /// When all views are there: the default layouts.
     void begin();
 

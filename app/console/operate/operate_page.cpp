@@ -16,7 +16,6 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -93,16 +92,10 @@ OperatePage::OperatePage(SourceManager& sources, core::StopSwitch& stop, QWidget
     top->addWidget(m_playback, 1);
     top->addStretch(0);
 
-    auto* scroll = new QScrollArea(this);
-    scroll->setFocusPolicy(Qt::NoFocus); // its fields are what Tab goes to
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setWidget(m_settings);
     m_docks->add(OperateDocks::heatmap, m_heatmap);
     m_docks->add(OperateDocks::reconstruction, m_scene);
     m_docks->add(OperateDocks::charts, m_charts);
-    m_docks->add(OperateDocks::processing, scroll);
+    m_docks->addScrolling(OperateDocks::processing, m_settings);
     m_arm->addTo(*m_docks);
     m_servo->addTo(*m_docks);
     m_camera->addTo(*m_docks);

@@ -5,8 +5,6 @@
 #include "widgets/servo/servo_runs_view.h"
 #include "widgets/view3d/scene3d_view.h"
 
-#include <QScrollArea>
-
 #include <Eigen/Geometry>
 
 #include <array>
@@ -51,13 +49,7 @@ ServoViews::ServoViews(view3d::Scene3dView& scene, QWidget* parent)
 }
 
 void ServoViews::addTo(OperateDocks& docks) {
-    auto* scroll = new QScrollArea(&docks);
-    scroll->setFocusPolicy(Qt::NoFocus); // its fields are what Tab goes to
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setWidget(m_panel);
-    docks.add(OperateDocks::servo, scroll);
+    docks.addScrolling(OperateDocks::servo, m_panel);
     docks.add(OperateDocks::runs, m_runs);
 }
 

@@ -41,13 +41,6 @@ using console::ConsoleOptions;
 using console::ConsoleSettings;
 using console::MainWindow;
 
-namespace {
-
-/// The smallest screen on which all of the window, STOP too, has room.
-constexpr QSize kSmallScreen{1024, 700};
-
-} // namespace
-
 /// The window as a whole, on a real display.
 class MainWindowTest : public QObject {
     Q_OBJECT
@@ -132,50 +125,6 @@ private slots:
         choose(QStringLiteral("English"));
         QTRY_COMPARE(firstMenu(), QStringLiteral("&File"));
         QCOMPARE(decimalSigns(), QStringLiteral("."));
-    }
-
-    void everyPageFitsASmallScreenInEveryLanguage_data() {
-        QTest::addColumn<QString>("scene");
-        QTest::newRow("no source") << QString();
-        QTest::newRow("arm") << QStringLiteral(":/scenes/teleta-touch.toml");
-    }
-    void everyPageFitsASmallScreenInEveryLanguage() {
-        QFETCH(QString, scene);
-        ConsoleOptions options;
-        options.size = kSmallScreen;
-        if (!scene.isEmpty())
-            options.scenes = {scene};
-        openWindow(options);
-        if (!scene.isEmpty())
-            QTRY_VERIFY_WITH_TIMEOUT(showsData(), 20'000);
-        auto* stop = child<chrome::StopButton>();
-        const auto count = m_window->findChild<QMenu*>("languages")->actions().size();
-        for (auto i = count - 1; i >= 0; --i) {
-            // The menus are made anew in each language.
-            QAction* language = m_window->findChild<QMenu*>("languages")->actions()[i];
-            if (language->isSeparator())
-                continue;
-            const QString name = language->text();
-            language->trigger();
-            m_window->activateWindow();
-            QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-            QStringList pages;
-            for (const auto key : {Qt::Key_1, Qt::Key_2, Qt::Key_3, Qt::Key_4, Qt::Key_5}) {
-                QTest::keyClick(m_window.get(), key, Qt::ControlModifier);
-                QCoreApplication::processEvents();
-                const QSize least = m_window->minimumSizeHint();
-                const QString where = name + ' ' + child<chrome::PageRail>()->currentPage();
-                pages << child<chrome::PageRail>()->currentPage();
-                QVERIFY2(least.width() <= kSmallScreen.width() && least.height() <= kSmallScreen.height(),
-                         qPrintable(where));
-                QCOMPARE(m_window->size(), kSmallScreen);
-                QVERIFY2(
-                    m_window->rect().contains(QRect(stop->mapTo(m_window.get(), QPoint()), stop->size())),
-                    qPrintable(where));
-            }
-            QCOMPARE(pages, QStringList({"operate", "patterns", "study", "calibrate", "cost"}));
-        }
-        m_window->findChild<QMenu*>("languages")->actions().front()->trigger();
     }
 
     void aProgramIsRestartedByOneWord() {

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/main_window.h"
+#include "app/console/operate/operate_page.h"
+#include "widgets/base/theme.h"
+#include "widgets/chrome/demo_list.h"
+#include "widgets/chrome/page_rail.h"
+#include "widgets/chrome/stop_button.h"
+#include "widgets/view3d/gl_setup.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QMenu>
+#include <QScrollBar>
+#include <QTest>
+
+#include <memory>
+
+using namespace teleta;
+using console::ConsoleOptions;
+using console::ConsoleSettings;
+using console::MainWindow;
+
+namespace {
+
+/// The smallest screen on which all of the window, STOP too, has room.
+constexpr QSize kSmallScreen{1024, 700};
+
+} // namespace
+
+/// What has room in the window.
+class MainWindowRoomTest : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<core::StopSwitch> m_stop;
+    std::unique_ptr<ConsoleSettings> m_settings;
+    std::unique_ptr<MainWindow> m_window;
+
+    void openWindow(const ConsoleOptions& options = {}) {
+        m_window.reset();
+        m_stop = std::make_unique<core::StopSwitch>();
+        m_settings = std::make_unique<ConsoleSettings>(true);
+        m_window = std::make_unique<MainWindow>(options, *m_settings, *m_stop);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        m_window->openRequested(options);
+    }
+
+    template <typename Widget>
+    Widget* child() const {
+        return m_window->findChild<Widget*>();
+    }
+
+    bool showsData() const {
+        auto* item = m_window->sources().active();
+        return item != nullptr && item->displayed > 0;
+    }
+
+private slots:
+    void initTestCase() { base::applyTheme(base::ThemeChoice::light); }
+    void cleanup() { m_window.reset(); }
+
+    void everyPageFitsASmallScreenInEveryLanguage_data() {
+        QTest::addColumn<QString>("scene");
+        QTest::newRow("no source") << QString();
+        QTest::newRow("arm") << QStringLiteral(":/scenes/teleta-touch.toml");
+    }
+    void everyPageFitsASmallScreenInEveryLanguage() {
+        QFETCH(QString, scene);
+        ConsoleOptions options;
+        options.size = kSmallScreen;
+        if (!scene.isEmpty())
+            options.scenes = {scene};
+        openWindow(options);
+        if (!scene.isEmpty())
+            QTRY_VERIFY_WITH_TIMEOUT(showsData(), 20'000);
+        auto* stop = child<chrome::StopButton>();
+        const auto count = m_window->findChild<QMenu*>("languages")->actions().size();
+        for (auto i = count - 1; i >= 0; --i) {
+            // The menus are made anew in each language.
+            QAction* language = m_window->findChild<QMenu*>("languages")->actions()[i];
+            if (language->isSeparator())
+                continue;
+            const QString name = language->text();
+            language->trigger();
+            m_window->activateWindow();
+            QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+            QStringList pages;
+            for (const auto key : {Qt::Key_1, Qt::Key_2, Qt::Key_3, Qt::Key_4, Qt::Key_5}) {
+                QTest::keyClick(m_window.get(), key, Qt::ControlModifier);
+                QCoreApplication::processEvents();
+                const QSize least = m_window->minimumSizeHint();
+                const QString where = name + ' ' + child<chrome::PageRail>()->currentPage();
+                pages << child<chrome::PageRail>()->currentPage();
+                QVERIFY2(least.width() <= kSmallScreen.width() && least.height() <= kSmallScreen.height(),
+                         qPrintable(where));
+                QCOMPARE(m_window->size(), kSmallScreen);
+                QVERIFY2(
+                    m_window->rect().contains(QRect(stop->mapTo(m_window.get(), QPoint()), stop->size())),
+                    qPrintable(where));
+            }
+            QCOMPARE(pages, QStringList({"operate", "patterns", "study", "calibrate", "cost"}));
+        }
+        m_window->findChild<QMenu*>("languages")->actions().front()->trigger();
+    }
+
+    void everyDemoIsSeenOnTheStartPageAtTheUsualSize() {
+        openWindow();
+        const auto languages = [this] { return m_window->findChild<QMenu*>("languages")->actions(); };
+        for (auto i = languages().size() - 1; i >= 0; --i) {
+            if (languages()[i]->isSeparator())
+                continue;
+            const QString name = languages()[i]->text();
+            languages()[i]->trigger();
+            QCoreApplication::processEvents();
+            const auto* demos = child<chrome::DemoList>();
+            const auto isWhole = [demos] {
+                return demos->height() >= demos->sizeHint().height() &&
+                       !demos->verticalScrollBar()->isVisible();
+            };
+            QTRY_VERIFY2(isWhole(), qPrintable(name));
+        }
+        languages().front()->trigger();
+    }
+
+    void nothingOfOperateScrollsOnASmallScreen_data() {
+        QTest::addColumn<QString>("scene");
+        QTest::newRow("arm") << QStringLiteral(":/scenes/teleta-touch.toml");
+        QTest::newRow("array") << QStringLiteral(":/scenes/tactile-two-contacts.toml");
+        QTest::newRow("servo") << QStringLiteral(":/scenes/servo-bent-bar.toml");
+        QTest::newRow("camera") << QStringLiteral(":/scenes/vtacarm-multicontact.toml");
+    }
+    void nothingOfOperateScrollsOnASmallScreen() {
+        QFETCH(QString, scene);
+        ConsoleOptions options;
+        options.size = kSmallScreen;
+        options.scenes = {scene};
+        openWindow(options);
+        QTRY_VERIFY_WITH_TIMEOUT(showsData(), 60'000);
+        auto& page = m_window->operatePage();
+        const auto languages = [this] { return m_window->findChild<QMenu*>("languages")->actions(); };
+        for (auto i = languages().size() - 1; i >= 0; --i) {
+            if (languages()[i]->isSeparator())
+                continue;
+            const QString name = languages()[i]->text();
+            languages()[i]->trigger();
+            QCoreApplication::processEvents();
+            const auto fits = [&page] {
+                const QSize room = page.parentWidget()->size();
+                return page.width() <= room.width() && page.height() <= room.height();
+            };
+            QTRY_VERIFY2(fits(), qPrintable(name));
+        }
+        languages().front()->trigger();
+    }
+};
+
+int main(int argc, char* argv[]) {
+    view3d::configureOpenGlBeforeApplication();
+    QApplication application(argc, argv);
+    MainWindowRoomTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "main_window_room_test.moc"
