@@ -23,7 +23,7 @@ namespace teleta::chrome {
 namespace {
 
 /// Wide enough for a sentence, and short of the controls on the left of a view.
-constexpr double kWidest_em = 50.0;
+constexpr double kWidest_em = 44.0;
 
 QColor severityColour(Message::Severity severity, const QPalette& palette) {
     const base::StatusColours& colours = base::statusColours(palette);
@@ -140,8 +140,10 @@ void MessageBar::settle() {
     if (view->layout() != nullptr)
         view->layout()->removeWidget(this);
     QRect seen = view->rect();
-    if (!view->isWindow() && view->parentWidget() != nullptr)
-        seen &= view->parentWidget()->rect().translated(-view->pos());
+    if (QWidget* room = view->isWindow() ? nullptr : view->parentWidget()) {
+        seen &= room->rect().translated(-view->pos());
+        room->installEventFilter(this); // a view that scrolls keeps its size when there is more to see of it
+    }
     const int width = std::min(seen.width(), base::em(this, kWidest_em));
     const int height =
         m_layout->hasHeightForWidth() ? m_layout->heightForWidth(width) : m_layout->sizeHint().height();
@@ -157,7 +159,7 @@ bool MessageBar::event(QEvent* event) {
 
 bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
     const bool isMoved = event->type() == QEvent::Resize || event->type() == QEvent::Move;
-    if (watched == parentWidget() && isMoved && !isHidden())
+    if (isMoved && !isHidden())
         settle();
     return QWidget::eventFilter(watched, event);
 }

@@ -149,6 +149,8 @@ private slots:
         room.verticalScrollBar()->setValue(line * 20);
         QTRY_COMPARE(seen().top(), 0);
         QVERIFY(room.viewport()->rect().contains(seen()));
+        room.resize(line * 40, line * 30);
+        QTRY_COMPARE(seen().right(), room.viewport()->rect().right());
     }
 
     void isReachedByTheKeyboardWhichItKeeps() {
