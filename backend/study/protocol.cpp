@@ -10,8 +10,10 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QString>
+#include <QStringList>
 
 #include <set>
+#include <utility>
 
 namespace teleta::study {
 
@@ -26,6 +28,8 @@ struct ProtocolText {
 
 constexpr long long kMostRepetitions = 1000;
 constexpr long long kMostTrials = 100'000;
+constexpr char kBuiltIn[] = ":/studies";
+constexpr char kPaper[] = "teleta.toml";
 
 PhaseSettings readPhase(TomlTable table) {
     PhaseSettings phase;
@@ -159,7 +163,22 @@ core::Expected<Protocol> readProtocol(const std::string& path) {
 }
 
 core::Expected<Protocol> paperProtocol() {
-    return readProtocol(":/studies/teleta.toml");
+    return readProtocol(std::string(kBuiltIn) + '/' + kPaper);
+}
+
+core::Expected<std::vector<Protocol>> builtInProtocols() {
+    QStringList files =
+        QDir(QLatin1String(kBuiltIn)).entryList({QStringLiteral("*.toml")}, QDir::Files, QDir::Name);
+    files.removeAll(QLatin1String(kPaper));
+    files.prepend(QLatin1String(kPaper));
+    std::vector<Protocol> protocols;
+    for (const QString& file : files) {
+        core::Expected<Protocol> protocol = readProtocol(std::string(kBuiltIn) + '/' + file.toStdString());
+        if (!protocol)
+            return core::Unexpected(protocol.error());
+        protocols.push_back(std::move(*protocol));
+    }
+    return protocols;
 }
 
 std::vector<PlannedSession> planSessions(const Protocol& protocol, std::uint64_t studySeed,

@@ -85,6 +85,9 @@ struct Protocol {
 /// practice, 30 and 25 test trials. It is the resource :/studies/teleta.toml. Thread: any.
 [[nodiscard]] core::Expected<Protocol> paperProtocol();
 
+/// All protocols that come with the program (:/studies/NAME.toml), the paper's first. Thread: any.
+[[nodiscard]] core::Expected<std::vector<Protocol>> builtInProtocols();
+
 /// One participant's way through a condition of a task.
 struct PlannedSession {
     std::size_t task = 0;

@@ -7,6 +7,7 @@
 #include "app/console/study/server_fields.h"
 #include "app/console/study/server_study_dialog.h"
 #include "app/console/study/study_writing.h"
+#include "backend/study/protocol_text.h"
 #include "widgets/base/theme.h"
 #include "widgets/chrome/empty_state.h"
 #include "widgets/study/confusion_view.h"
@@ -36,6 +37,7 @@
 #include <optional>
 #include <utility>
 
+#include <vector>
 namespace teleta::console {
 
 namespace {
@@ -97,8 +99,10 @@ void StudyPage::build() {
         empty->addAction(tr("Watch a rehearsal"), tr("Simulated participants go through the whole study"));
     watch->setObjectName(QStringLiteral("watchRehearsal"));
     connect(watch, &QPushButton::clicked, this, [this] { watchRehearsal(); });
-    connect(empty->addAction(tr("New study\u2026"), tr("A study of the paper's protocol")),
-            &QPushButton::clicked, this, [this] { beginNewStudy(study::Mode::run); });
+    QPushButton* make =
+        empty->addAction(tr("New study\u2026"), tr("Of the paper's protocol, or of one of your own"));
+    make->setObjectName(QStringLiteral("newStudyButton"));
+    connect(make, &QPushButton::clicked, this, [this] { askForNewStudy(study::Mode::run); });
     connect(empty->addAction(tr("Open a study\u2026"), tr("The folder of a study")), &QPushButton::clicked,
             this, &StudyPage::askForStudy);
     connect(empty->addAction(tr("Study on a server\u2026"), tr("A study that several stations share")),
@@ -189,7 +193,7 @@ void StudyPage::connectViews() {
     connect(m_session, &SessionPanel::participantWindowRequested, this, &StudyPage::showParticipantWindow);
 
     using studyview::StudyPanel;
-    connect(m_study, &StudyPanel::newRequested, this, [this] { beginNewStudy(study::Mode::run); });
+    connect(m_study, &StudyPanel::newRequested, this, [this] { askForNewStudy(study::Mode::run); });
     connect(m_study, &StudyPanel::openRequested, this, &StudyPage::askForStudy);
     connect(m_study, &StudyPanel::openServerRequested, this, &StudyPage::askForServer);
     connect(m_study, &StudyPanel::protocolRequested, this,
@@ -291,24 +295,29 @@ void StudyPage::watchScene(const study::StudyScene& scene, std::uint64_t seed, c
     m_controller.rehearse(folder.isEmpty() ? newFolder(QStringLiteral("rehearsal")) : folder, scene, seed);
 }
 
-void StudyPage::beginNewStudy(study::Mode mode) {
+/// protocol: what is chosen at first; otherwise the paper's.
+void StudyPage::askForNewStudy(study::Mode mode, std::optional<study::Protocol> protocol) {
     runInBackground(
-        this, [] { return study::paperProtocol(); },
-        [this, mode](const core::Expected<study::Protocol>& protocol) {
-            if (protocol)
-                askForNewStudy(*protocol, mode);
-            else
-                report(tr("The paper's protocol could not be read."), protocol.error());
+        this, [] { return study::builtInProtocols(); },
+        [this, mode, own = std::move(protocol)](const core::Expected<std::vector<study::Protocol>>& all) {
+            if (!all) {
+                report(tr("The protocols that come with the program could not be read."), all.error());
+                return;
+            }
+            const QString builtIn = tr("comes with the program", "a protocol");
+            const study::Protocol first = own.value_or(all->front());
+            auto* dialog = new NewStudyDialog(first, newFolder(QStringLiteral("study")), this,
+                                              own ? QString() : builtIn);
+            for (const study::Protocol& other : *all) {
+                if (study::protocolText(other) != study::protocolText(first))
+                    dialog->offer(other, builtIn);
+            }
+            dialog->setAttribute(Qt::WA_DeleteOnClose);
+            dialog->setMode(mode);
+            connect(dialog, &QDialog::accepted, this,
+                    [this, dialog] { m_controller.create(dialog->location(), dialog->head()); });
+            dialog->open();
         });
-}
-
-void StudyPage::askForNewStudy(const study::Protocol& protocol, study::Mode mode) {
-    auto* dialog = new NewStudyDialog(protocol, newFolder(QStringLiteral("study")), this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setMode(mode);
-    connect(dialog, &QDialog::accepted, this,
-            [this, dialog] { m_controller.create(dialog->location(), dialog->head()); });
-    dialog->open();
 }
 
 /// In place of the form that may be open.
@@ -330,7 +339,7 @@ void StudyPage::showProtocol(const study::Protocol& protocol) {
     });
     connect(dialog, &ProtocolDialog::studyRequested, this, [this, dialog](const study::Protocol& valid) {
         dialog->close();
-        askForNewStudy(valid, study::Mode::run);
+        askForNewStudy(study::Mode::run, valid);
     });
     dialog->show();
 }

@@ -13,6 +13,7 @@
 #include <QWidget>
 
 #include <memory>
+#include <optional>
 
 class QComboBox;
 class QLabel;
@@ -83,8 +84,7 @@ private:
     void showParticipant();
     void showSession();
     void doNextStep();
-    void askForNewStudy(const study::Protocol& protocol, study::Mode mode);
-    void beginNewStudy(study::Mode mode);
+    void askForNewStudy(study::Mode mode, std::optional<study::Protocol> protocol = {});
     void askForStudy();
     void askForServer();
     void showProtocol(const study::Protocol& protocol);

@@ -57,6 +57,13 @@ TEST(Protocol, ofThePaperHasItsTrialsAndTimes) {
     EXPECT_EQ(sessions[3].test.size(), 25U);
 }
 
+TEST(Protocol, ofThePaperIsTheFirstOfThoseThatComeWithTheProgram) {
+    const core::Expected<std::vector<Protocol>> all = builtInProtocols();
+    ASSERT_TRUE(all) << core::describe(all.error());
+    ASSERT_FALSE(all->empty());
+    EXPECT_EQ(all->front().source, paperProtocol()->source);
+}
+
 TEST(Protocol, hasRestsWhereItSaysSo) {
     EXPECT_EQ(parseProtocol(kSmall, "p.toml")->rest.everyTrials, 0U);
     const std::string rests = with(kSmall, "[masking_noise]",
