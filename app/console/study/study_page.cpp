@@ -14,6 +14,7 @@
 #include "widgets/study/participant_window.h"
 #include "widgets/study/results_view.h"
 #include "widgets/study/session_panel.h"
+#include "widgets/study/study_names.h"
 #include "widgets/study/study_panel.h"
 
 #include <QComboBox>
@@ -495,7 +496,7 @@ void StudyPage::analyse() {
     studyview::ResultsScene scene;
     scene.mode = overview.head.mode;
     for (const study::StudyTask& task : overview.head.protocol.tasks)
-        scene.taskNames.insert(QString::fromStdString(task.id), QString::fromStdString(task.name));
+        scene.taskNames.insert(QString::fromStdString(task.id), studyview::displayName(task));
     runInBackground(
         this, [location = overview.location] { return resultsOf(location); },
         [this, scene](core::Expected<std::vector<study::TaskResults>> results) mutable {
@@ -545,5 +546,9 @@ void StudyPage::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LanguageChange)
         retranslate();
 }
+    // The names on the answers, and of the tasks.
+    m_choicesOf.clear();
+    m_outdated = true;
 
+    analyse();
 } // namespace teleta::console

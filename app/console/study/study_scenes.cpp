@@ -3,6 +3,7 @@
 
 #include "app/console/study/trial_lines.h"
 #include "backend/study/stimulus_set.h"
+#include "widgets/study/study_names.h"
 
 #include <QLocale>
 
@@ -14,6 +15,8 @@ namespace teleta::console {
 
 using study::Phase;
 using study::Stage;
+using studyview::displayCondition;
+using studyview::displayName;
 using studyview::Tone;
 using Hold = StudyRunner::Hold;
 
@@ -55,7 +58,8 @@ bool isOver(const StudyRunner& runner) {
 
 QString StudyScenes::sessionName(const study::Protocol& protocol, const study::PlannedSession& plan) {
     const study::StudyTask& task = protocol.tasks[plan.task];
-    return tr("%1, %2", "task, condition").arg(text(task.name), text(task.conditions[plan.condition]));
+    return tr("%1, %2", "task, condition")
+        .arg(displayName(task), displayCondition(task, task.conditions[plan.condition]));
 }
 
 QString StudyScenes::protocolText(const study::StudyHead& head) {
@@ -64,9 +68,9 @@ QString StudyScenes::protocolText(const study::StudyHead& head) {
     for (const study::StudyTask& task : protocol.tasks) {
         QStringList conditions;
         for (const std::string& condition : task.conditions)
-            conditions << text(condition);
+            conditions << displayCondition(task, condition);
         lines << tr("%1: %n pattern(s); %2", "task; conditions", static_cast<int>(task.patterns.size()))
-                     .arg(text(task.name), conditions.join(QStringLiteral(", ")));
+                     .arg(displayName(task), conditions.join(QStringLiteral(", ")));
     }
     const QLocale locale;
     lines << tr("Repetitions of each pattern: %1 in practice, %2 in the test; %3 test trials a participant")
@@ -108,7 +112,7 @@ studyview::StudyScene StudyScenes::study(const StudyController& controller) {
         for (const SessionOverview& session : person.sessions) {
             const study::StudyTask& task = protocol.tasks[session.plan.task];
             if (session.plan.task == 0)
-                order << text(task.conditions[session.plan.condition]);
+                order << displayCondition(task, task.conditions[session.plan.condition]);
             studyview::SessionLine one;
             one.name = sessionName(protocol, session.plan);
             one.kept = session.kept;
@@ -424,7 +428,7 @@ studyview::ParticipantScene StudyScenes::participant(const StudyController& cont
     if (runner.session() == nullptr)
         return scene;
     const study::Session& session = *runner.session();
-    scene.title = text(controller.task()->name);
+    scene.title = displayName(*controller.task());
     scene.mode = controller.overview()->head.mode;
     scene.phase =
         session.stage() == Stage::feedback ? runner.results().back().planned.phase : phaseNow(runner);
@@ -520,7 +524,7 @@ std::vector<studyview::AnswerChoice> StudyScenes::choices(const StudyController&
         return choices;
     const std::string& condition = task->conditions[controller.plan()->condition];
     for (const study::StudyPattern& pattern : task->patterns) {
-        studyview::AnswerChoice choice{text(pattern.letter), text(pattern.name), {}};
+        studyview::AnswerChoice choice{text(pattern.letter), displayName(*task, pattern), {}};
         const std::string id = study::stimulusId(*task, pattern, condition);
         if (const pattern::Pattern* stimulus = controller.overview()->head.stimuli.find(id))
             choice.diagram = studyview::diagramOf(*stimulus, controller.overview()->head.protocol.stimulus_s);

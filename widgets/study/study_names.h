@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/study/protocol.h"
+
+#include <QString>
+
+#include <string>
+
+namespace teleta::studyview {
+
+/// Names to show: those of the protocols that come with the program in the language of the program, any other
+/// as it is written. Files and rows have the identifiers and letters, in every language. Thread: any (pure).
+[[nodiscard]] QString displayName(const study::StudyTask& task);
+[[nodiscard]] QString displayName(const study::StudyTask& task, const study::StudyPattern& pattern);
+[[nodiscard]] QString displayCondition(const study::StudyTask& task, const std::string& condition);
+
+} // namespace teleta::studyview
