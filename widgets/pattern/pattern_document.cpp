@@ -404,7 +404,7 @@ void PatternDocument::overdrive() {
     if (!helped)
         emit refused(QString::fromStdString(core::describe(helped.error())));
     else if (*helped == m_pattern)
-        emit refused(tr("No motor needs help here: the pattern stays as it is."));
+        emit told(tr("No motor needs help here: the pattern stays as it is."));
     else
         apply(std::move(*helped), tr("Overdrive"), {});
 }

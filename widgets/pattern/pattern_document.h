@@ -109,7 +109,8 @@ public:
     /// Error text by refused().
     void bakeObject(std::size_t index);
     void bakeAll();
-    /// Helps motors() up, pattern::overdriven. Error text by refused(), also where none needs help.
+    /// Helps motors() up, pattern::overdriven. Error text by refused(); that none needs help by
+    /// told().
     void overdrive();
     void fix(const pattern::Finding& finding);
 
@@ -135,6 +136,8 @@ signals:
     void autosaveDue(const teleta::pattern::Pattern& pattern);
     /// An edit could not be done.
     void refused(const QString& message);
+    /// All is well, and there was nothing to do.
+    void told(const QString& message);
 
 private:
     class Edit;

@@ -126,10 +126,13 @@ void PatternLibrary::fill() {
     m_undo->setText(tr("Undo"));
     m_undo->setToolTip(tr("Undo what was done to the library last (Ctrl+Z in the list)"));
     m_tree->setAccessibleName(tr("Patterns"));
-    m_tree->setWhatsThis(tr(
+    const QString keys = tr(
         "<p>Double-click or <b>Enter</b> opens a pattern. Built-in patterns stay as they are: the first edit "
         "makes a copy. In one's own: <b>F2</b> renames, <b>Ctrl+D</b> duplicates, <b>Delete</b> deletes, "
-        "<b>Ctrl+Z</b> takes that back.</p>"));
+        "<b>Ctrl+Z</b> takes that back.</p>");
+    m_tree->setWhatsThis(
+        keys + tr("<p>The pattern in bold, with a sign before it, is open in the editor; the keys are "
+                  "for the highlighted one.</p>"));
     const QSignalBlocker quiet(m_tree);
     const QString selected = currentKey();
     const int scrolled = m_tree->verticalScrollBar()->value();
@@ -172,6 +175,10 @@ void PatternLibrary::fill() {
             QFont font = m_tree->font();
             font.setBold(true);
             (*at)->setFont(0, font);
+            if ((*at)->icon(0).isNull()) // a damaged one has a sign already
+                (*at)->setIcon(0, base::themeIcon(base::Icon::patterns));
+            (*at)->setToolTip(1, tr("Open in the editor"));
+            (*at)->setData(0, Qt::AccessibleDescriptionRole, tr("Open in the editor"));
         }
         if (key == (selected.isEmpty() ? m_current : selected))
             m_tree->setCurrentItem(*at);

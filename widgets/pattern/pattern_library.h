@@ -36,8 +36,8 @@ public:
     explicit PatternLibrary(QWidget* parent = nullptr);
 
     void setOwn(std::vector<OwnPattern> own);
-    /// Marks what is open, and selects it, now or as soon as it is in the list: an id of a built-in pattern
-    /// or a path.
+    /// Marks what is open by a sign and bold letters, and selects it, now or as soon as it is in the list: an
+    /// id of a built-in pattern or a path.
     void setCurrent(const QString& idOrPath);
     /// A line below the list on what was done last; with a button that undoes it.
     void setNotice(const QString& text, bool undoable);

@@ -145,6 +145,7 @@ void PatternsPage::connectEditor() {
     connect(document, &editor::PatternDocument::refused, this, [this](const QString& message) {
         m_messages->post({chrome::Message::Severity::warning, message, {}, {}});
     });
+    connect(document, &editor::PatternDocument::told, this, &PatternsPage::inform);
     connect(document, &editor::PatternDocument::autosaveDue, this, [this](const Pattern& pattern) {
         m_keeper->keep(
             {pattern, m_editor->document()->path().toStdString(), QDateTime::currentMSecsSinceEpoch()});

@@ -50,6 +50,24 @@ private slots:
         QCOMPARE(opened[0][0].toString(), QString("shape.A.static"));
     }
 
+    void whatIsOpenIsMarkedWhateverIsHighlighted() {
+        PatternLibrary library;
+        library.resize(300, 700);
+        library.show();
+        QTreeWidget* tree = library.tree();
+        library.setCurrent(QStringLiteral("shape.A.static"));
+        const QTreeWidgetItem* shapes = tree->topLevelItem(0);
+        QTest::mouseClick(tree->viewport(), Qt::LeftButton, {},
+                          tree->visualItemRect(shapes->child(3)).center());
+        QCOMPARE(tree->currentItem(), shapes->child(3));
+        for (int i = 0; i < shapes->childCount(); ++i) {
+            const QTreeWidgetItem* item = shapes->child(i);
+            QCOMPARE(!item->icon(0).isNull(), i == 0);
+            QCOMPARE(item->font(0).bold(), i == 0);
+            QCOMPARE(!item->data(0, Qt::AccessibleDescriptionRole).toString().isEmpty(), i == 0);
+        }
+    }
+
     void aLawIsFixedByItsButtonAndUndone() {
         PatternEditor editor;
         Pattern fast;
