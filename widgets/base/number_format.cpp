@@ -2,6 +2,7 @@
 #include "widgets/base/number_format.h"
 
 #include "widgets/base/quantity_text.h"
+#include "widgets/base/si_number.h"
 #include "widgets/base/tabular_text.h"
 
 #include <array>
@@ -22,14 +23,6 @@ QString undefinedText() {
     return filled(QString(QChar(0x2014)));
 }
 
-/// Decimals for three significant digits, after rounding: 9.996 is 10.0.
-int decimalsFor(double value) {
-    const double magnitude = std::abs(value);
-    if (magnitude < 9.995)
-        return 2;
-    return magnitude < 99.95 ? 1 : 0;
-}
-
 } // namespace
 
 QString threeDigits(std::optional<double> value) {
@@ -37,12 +30,12 @@ QString threeDigits(std::optional<double> value) {
         return undefinedText();
     if (std::isinf(*value))
         return filled(*value < 0.0 ? QString(kMinus) + QChar(0x221e) : QString(QChar(0x221e)));
-    return filled(fixedDigits(*value, decimalsFor(*value)));
+    return filled(fixedDigits(*value, threeDigitDecimals(*value)));
 }
 
 double threeDigitResolution(double value) {
     constexpr std::array<double, 3> kSteps{1.0, 0.1, 0.01};
-    return kSteps[static_cast<std::size_t>(decimalsFor(value))];
+    return kSteps[static_cast<std::size_t>(threeDigitDecimals(value))];
 }
 
 QString wholeNumber(std::optional<double> value) {
@@ -52,23 +45,11 @@ QString wholeNumber(std::optional<double> value) {
 }
 
 QString siQuantity(std::optional<double> value, const QString& unit) {
-    constexpr std::array<char16_t, 9> kPrefixes{u'p', u'n', u'\u00b5', u'm', u'\u2007',
-                                                u'k', u'M', u'G',      u'T'};
-    constexpr int kNoPrefix = 4;
     if (!value || !std::isfinite(*value))
         return undefinedText() + kNoBreakSpace + kFigureSpace + unit;
-    int index = kNoPrefix;
-    double mantissa = *value;
-    while (std::abs(mantissa) >= 999.5 && index + 1 < static_cast<int>(kPrefixes.size())) {
-        mantissa /= 1000.0;
-        ++index;
-    }
-    while (mantissa != 0.0 && std::abs(mantissa) < 0.9995 && index > 0) {
-        mantissa *= 1000.0;
-        --index;
-    }
-    return filled(fixedDigits(mantissa, decimalsFor(mantissa))) + kNoBreakSpace +
-           QChar(kPrefixes[static_cast<std::size_t>(index)]) + unit;
+    const auto [mantissa, prefix] = siNumber(*value);
+    return filled(fixedDigits(mantissa, threeDigitDecimals(mantissa))) + kNoBreakSpace +
+           (prefix != 0 ? QChar(prefix) : kFigureSpace) + unit;
 }
 
 QString withUnit(const QString& number, const QString& unit) {

@@ -3,6 +3,7 @@
 
 #include "backend/core/number_text.h"
 #include "widgets/base/number_format.h"
+#include "widgets/base/si_number.h"
 
 #include <QLocale>
 
@@ -39,6 +40,14 @@ QString significantDigits(std::optional<double> value, int digits) {
         return noValue();
     const QString text = magnitude(*value, 'g', digits);
     return *value < 0.0 ? kMinusSign + text : text;
+}
+
+QString siText(std::optional<double> value, const QString& unit, int moreDigits) {
+    if (!value || !std::isfinite(*value))
+        return withUnit(noValue(), unit);
+    const auto [mantissa, prefix] = siNumber(*value);
+    return withUnit(fixedDigits(mantissa, threeDigitDecimals(mantissa) + moreDigits),
+                    prefix != 0 ? QString(QChar(prefix)) + unit : unit);
 }
 
 QString millimetres(double length_m) {

@@ -15,6 +15,10 @@ namespace teleta::base {
 /// as fixedDigits().
 [[nodiscard]] QString significantDigits(std::optional<double> value, int digits);
 
+/// Value with an SI prefix from pico to tera, with three significant digits and so many more, for use inside
+/// a sentence: "12.3 mN".
+[[nodiscard]] QString siText(std::optional<double> value, const QString& unit, int moreDigits = 0);
+
 /// A length of so many metres as "12.3 mm", for use inside a sentence.
 [[nodiscard]] QString millimetres(double length_m);
 

@@ -2,6 +2,7 @@
 #include "widgets/touch/run_sheet_model.h"
 
 #include "widgets/base/number_format.h"
+#include "widgets/base/quantity_text.h"
 #include "widgets/touch/touch_texts.h"
 
 #include <QCoreApplication>
@@ -223,12 +224,12 @@ QVariant RunSheetModel::data(const QModelIndex& index, int role) const {
         return nameOf(object.number);
     case time:
         return base::withUnit(locale.toString(object.first_s, 'f', 1), QStringLiteral("s"));
-    case place:
-        return base::withUnit(
-            QStringLiteral("%1, %2").arg(
-                locale.toString(static_cast<int>(std::lround(1e3 * object.p_Base_Centre_m.x()))),
-                locale.toString(static_cast<int>(std::lround(1e3 * object.p_Base_Centre_m.y())))),
-            QStringLiteral("mm"));
+    case place: {
+        const auto millimetres = [](double value_m) { return base::fixedDigits(1e3 * value_m, 0); };
+        return base::withUnit(QStringLiteral("%1, %2").arg(millimetres(object.p_Base_Centre_m.x()),
+                                                           millimetres(object.p_Base_Centre_m.y())),
+                              QStringLiteral("mm"));
+    }
     case touches:
         return locale.toString(static_cast<qulonglong>(object.touches));
     case contact:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/touch/touch_texts.h"
 
-#include "widgets/base/number_format.h"
+#include "widgets/base/quantity_text.h"
 
 namespace teleta::touch {
 
@@ -12,8 +12,8 @@ using stiffness::Method;
 using stiffness::Refusal;
 
 namespace {
-constexpr QChar kFigureSpace(0x2007);
 constexpr QChar kNoBreakSpace(0x00a0);
+constexpr int kMostDigitsMore = 4;
 } // namespace
 
 QString TouchTexts::material(Material material) {
@@ -118,8 +118,8 @@ QString TouchTexts::drive(ArmDrive drive) {
     return {};
 }
 
-QString TouchTexts::newtonPerMetre(double stiffness_NPerM) {
-    return base::siQuantity(stiffness_NPerM, tr("N/m")).remove(kFigureSpace);
+QString TouchTexts::newtonPerMetre(double stiffness_NPerM, int moreDigits) {
+    return base::siText(stiffness_NPerM, tr("N/m"), moreDigits);
 }
 
 QString TouchTexts::estimate(const stiffness::Stiffness& stiffness) {
@@ -133,10 +133,16 @@ QString TouchTexts::estimate(const stiffness::Stiffness& stiffness) {
 QString TouchTexts::interval(const stiffness::Stiffness& stiffness) {
     if (stiffness.onlyBound() || !stiffness.lower95_NPerM)
         return {};
-    const QString low = newtonPerMetre(*stiffness.lower95_NPerM);
+    QString low = newtonPerMetre(*stiffness.lower95_NPerM);
     if (!stiffness.upper95_NPerM)
         return tr("%1 … rigid").arg(low);
-    const QString high = newtonPerMetre(*stiffness.upper95_NPerM);
+    QString high = newtonPerMetre(*stiffness.upper95_NPerM);
+    for (int more = 1; low == high && more <= kMostDigitsMore; ++more) {
+        low = newtonPerMetre(*stiffness.lower95_NPerM, more);
+        high = newtonPerMetre(*stiffness.upper95_NPerM, more);
+    }
+    if (low == high)
+        return {};
     const auto unitOf = [](const QString& text) { return text.section(kNoBreakSpace, 1); };
     return tr("%1 … %2").arg(unitOf(low) == unitOf(high) ? low.section(kNoBreakSpace, 0, 0) : low, high);
 }

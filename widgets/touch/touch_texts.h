@@ -31,11 +31,12 @@ public:
     [[nodiscard]] static QString drive(core::ArmDrive drive);
 
     /// Three significant digits with unit: "282 N/m", "7.22 kN/m".
-    [[nodiscard]] static QString newtonPerMetre(double stiffness_NPerM);
+    [[nodiscard]] static QString newtonPerMetre(double stiffness_NPerM, int moreDigits = 0);
     /// "1.25 kN/m", or "at least 34.7 kN/m (95 %)" when only a bound is known; a dash for neither.
     [[nodiscard]] static QString estimate(const stiffness::Stiffness& stiffness);
-    /// The 95 % interval, "1.20 … 1.31 kN/m"; "1.20 kN/m … rigid" when rigid is not excluded; empty without
-    /// one, or when only a bound is known.
+    /// The 95 % interval, "1.20 … 1.31 kN/m", with more digits where its ends would look the same; "1.20 kN/m
+    /// … rigid" when rigid is not excluded; empty without one, when only a bound is known, or when its ends
+    /// are the same.
     [[nodiscard]] static QString interval(const stiffness::Stiffness& stiffness);
 };
 

@@ -37,6 +37,15 @@ private slots:
         QCOMPARE(significantDigits(2.5, 4), QStringLiteral("2,5"));
     }
 
+    void aQuantityInASentenceIsNotFilledUpAndCanHaveMoreDigits() {
+        QCOMPARE(siText(295.04, QStringLiteral("N/m")), QStringLiteral("295\u00a0N/m"));
+        QCOMPARE(siText(295.04, QStringLiteral("N/m"), 1), QStringLiteral("295.0\u00a0N/m"));
+        QCOMPARE(siText(-1250.0, QStringLiteral("N/m"), 1), QStringLiteral("\u22121.250\u00a0kN/m"));
+        QCOMPARE(siText(0.012, QStringLiteral("N")), QStringLiteral("12.0\u00a0mN"));
+        QCOMPARE(siText(999.7, QStringLiteral("N")), QStringLiteral("1.00\u00a0kN"));
+        QCOMPARE(siText(std::nullopt, QStringLiteral("N")), QStringLiteral("\u2014\u00a0N"));
+    }
+
     void whatIsUndefinedIsADashOnTheScreenAndNAInAFile() {
         for (const double value :
              {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {

@@ -63,12 +63,27 @@ private slots:
         QCOMPARE(desk.rows(), 3);
         QCOMPARE(cell(desk.sheet, 0, RunSheetModel::number), QString("1"));
         QCOMPARE(cell(desk.sheet, 0, RunSheetModel::time), QString("12.5 s"));
-        QCOMPARE(cell(desk.sheet, 0, RunSheetModel::place).remove(u'-').remove(QChar(0x2212)),
-                 QString("190, 12 mm"));
+        QCOMPARE(cell(desk.sheet, 0, RunSheetModel::place), QString::fromUtf8("190, \u221212 mm"));
         QCOMPARE(cell(desk.sheet, 0, RunSheetModel::contact), QString("edge"));
         QCOMPARE(cell(desk.sheet, 0, RunSheetModel::stiffness), QString::fromUtf8("282 N/m (275 … 290 N/m)"));
         QCOMPARE(cell(desk.sheet, 0, RunSheetModel::material), QString("sponge, SAFE"));
         QCOMPARE(cell(desk.sheet, 0, RunSheetModel::shape), QString("circle (97 %)"));
+    }
+
+    void theEndsOfANarrowIntervalCanBeToldApart() {
+        Desk desk;
+        const auto shown = [&](double low_NPerM, double high_NPerM) {
+            auto object = objectOf(1);
+            object.stiffness = stiffness::Stiffness{.value_NPerM = 295.0,
+                                                    .se_NPerM = {},
+                                                    .lower95_NPerM = low_NPerM,
+                                                    .upper95_NPerM = high_NPerM};
+            desk.sheet.setObjects({object, objectOf(2), objectOf(3)});
+            return cell(desk.sheet, 0, RunSheetModel::stiffness);
+        };
+        QCOMPARE(shown(294.6, 295.3), QString::fromUtf8("295 N/m (294.6 … 295.3 N/m)"));
+        QCOMPARE(shown(294.98, 295.01), QString::fromUtf8("295 N/m (294.98 … 295.01 N/m)"));
+        QCOMPARE(shown(295.0, 295.0), QString("295 N/m"));
     }
 
     void anEmptySheetSaysWhatFillsIt() {
