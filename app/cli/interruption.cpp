@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 
 #include <csignal>
+#include <poll.h>
 #include <unistd.h>
 
 namespace teleta::cli {
@@ -48,6 +49,16 @@ core::Error interruption() {
                 .toStdString(),
             {},
             {}};
+}
+
+bool readerIsGone() {
+    pollfd output{STDOUT_FILENO, 0, 0};
+    return poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0;
+}
+
+void endUnread() {
+    std::signal(SIGPIPE, SIG_DFL);
+    (void)std::raise(SIGPIPE);
 }
 
 } // namespace teleta::cli

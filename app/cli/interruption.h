@@ -15,4 +15,10 @@ void catchInterruptions();
 /// The error with which interrupted work ends.
 [[nodiscard]] core::Error interruption();
 
+/// Standard output is a pipe that nobody reads any more.
+[[nodiscard]] bool readerIsGone();
+
+/// Ends the program as such a pipe ends others: by SIGPIPE, without a word. Whoever started it sees why.
+void endUnread();
+
 } // namespace teleta::cli

@@ -17,6 +17,7 @@
 #include "app/cli/commands/study_command.h"
 #include "app/cli/commands/track_command.h"
 #include "app/cli/commands/tradeoff_command.h"
+#include "app/cli/interruption.h"
 
 #include <QCoreApplication>
 
@@ -120,6 +121,8 @@ int runProgram(int argc, const char* const* argv) {
             const core::Expected<void> done = command->run();
             if (done)
                 return kDone;
+            if (done.error().kind == core::ErrorKind::cancelled && readerIsGone())
+                endUnread();
             printError(done.error());
             return exitCode(done.error());
         }

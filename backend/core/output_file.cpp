@@ -68,9 +68,18 @@ void OutputFile::keepError() {
 }
 
 void OutputFile::flush() {
-    const auto size = static_cast<qint64>(m_buffer.size());
-    if (m_state && size > 0 && m_device->write(m_buffer.data(), size) != size)
-        keepError();
+    // A device that takes a part tells why only when the rest is written.
+    const char* rest = m_buffer.data();
+    auto left = static_cast<qint64>(m_buffer.size());
+    while (m_state && left > 0) {
+        const qint64 taken = m_device->write(rest, left);
+        if (taken > 0) {
+            rest += taken;
+            left -= taken;
+        } else {
+            keepError();
+        }
+    }
     m_buffer.clear();
 }
 
