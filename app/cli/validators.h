@@ -11,5 +11,7 @@ namespace teleta::cli {
 [[nodiscard]] CLI::Validator positive();
 /// lower <= value <= upper.
 [[nodiscard]] CLI::Validator between(double lower, double upper);
+/// A whole number of 64 bits without a sign, in decimal digits.
+[[nodiscard]] CLI::Validator seed();
 
 } // namespace teleta::cli

@@ -116,7 +116,7 @@ void SimulateCommand::declare(CLI::App& app) {
                    help(QT_TRANSLATE_NOOP("SimulateCommand", "Seed of all random numbers of the scene")))
         ->type_name("N")
         ->capture_default_str()
-        ->check(between(0, 1.8e19));
+        ->check(seed());
     app.add_option("--duration", m_duration_s,
                    help(QT_TRANSLATE_NOOP("SimulateCommand",
                                           "Simulated time in seconds; otherwise what the scene says")))
@@ -217,8 +217,13 @@ core::Expected<void> SimulateCommand::run() {
     if (m_scenePath.empty())
         throw CLI::ValidationError("scene", SimulateText::tr("is required").toStdString());
     const core::Expected<app::AnyScene> scene = app::readAnyScene(m_scenePath);
-    if (!scene)
-        return core::Unexpected(scene.error());
+    if (!scene) {
+        core::Error error = scene.error();
+        if (error.kind == core::ErrorKind::notFound)
+            error.expected =
+                SimulateText::tr("a scene file, or a name that teleta simulate --list prints").toStdString();
+        return core::Unexpected(std::move(error));
+    }
     if (m_ablate)
         return ablate(*scene);
     const auto* study = std::get_if<study::StudyScene>(&*scene);

@@ -16,6 +16,7 @@
 #include "backend/study/trial_source.h"
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QFileInfo>
 
 #include <CLI/CLI.hpp>
@@ -154,7 +155,8 @@ void StudyCommand::declareRehearse(CLI::App& app) {
         ->add_option("--seed", m_seed,
                      help(QT_TRANSLATE_NOOP("StudyCommand", "Seed of all orders and answers")))
         ->type_name("S")
-        ->capture_default_str();
+        ->capture_default_str()
+        ->check(seed());
     m_rehearse
         ->add_option(
             "--lapses", m_lapses,
@@ -252,7 +254,8 @@ void StudyCommand::declareNoise(CLI::App& app) {
         ->check(between(-90, 0));
     m_noise->add_option("--seed", m_seed, help(QT_TRANSLATE_NOOP("StudyCommand", "Seed of the noise")))
         ->type_name("S")
-        ->capture_default_str();
+        ->capture_default_str()
+        ->check(seed());
     declareJson(*m_noise, m_json);
 }
 
@@ -404,7 +407,17 @@ core::Expected<void> StudyCommand::runAnalyze() const {
     const std::vector<study::TaskResults> results = study::studyResults(tally);
     if (const core::Expected<void> written = writeAll(results, modes, tally.frames()); !written)
         return written;
-    return m_json ? printDocument(toJson(results)) : printFields(toFields(results));
+    const QString report = QDir(QString::fromStdString(m_outFolder)).filePath(QStringLiteral("report.html"));
+    if (m_json) {
+        nlohmann::ordered_json document = toJson(results);
+        document["folder"] = m_outFolder;
+        document["report"] = report.toStdString();
+        return printDocument(document);
+    }
+    std::vector<std::pair<QString, QString>> fields = toFields(results);
+    fields.emplace_back(StudyText::tr("Report"), report);
+    fields.emplace_back(StudyText::tr("Tables and figures"), QString::fromStdString(m_outFolder));
+    return printFields(fields);
 }
 
 core::Expected<void> StudyCommand::runNoise() const {

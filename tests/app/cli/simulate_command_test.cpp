@@ -256,7 +256,9 @@ TEST_F(SimulateCommand, completesItsFilesWhenItIsInterrupted) {
 }
 
 TEST_F(SimulateCommand, refusesAMissingSceneAWrongOneAndAFolderThatCannotBeMade) {
-    EXPECT_EQ(run({"simulate", "no-such-scene"}).exitCode, 3);
+    const ProgramResult unknown = run({"simulate", "no-such-scene"});
+    EXPECT_EQ(unknown.exitCode, 3);
+    EXPECT_NE(unknown.err.find("teleta simulate --list"), std::string::npos) << unknown.err;
     EXPECT_EQ(run({"simulate", m_folder.path("none.toml")}).exitCode, 3);
 
     const std::string wrong = m_folder.write("wrong.toml", "name = \"x\"\nduration_s = -1\n");
@@ -271,7 +273,13 @@ TEST_F(SimulateCommand, refusesAMissingSceneAWrongOneAndAFolderThatCannotBeMade)
     EXPECT_NE(blocked.err.find("file/run"), std::string::npos) << blocked.err;
 
     EXPECT_EQ(run({"simulate", kScenes + "tactile-indenter.toml", "--duration", "0"}).exitCode, 2);
-    EXPECT_EQ(run({"simulate", kScenes + "tactile-indenter.toml", "--seed", "-1"}).exitCode, 2);
+    for (const std::string seed : {"-1", "18446744073709551616", "1e3", "x"}) {
+        const ProgramResult result = run({"simulate", kScenes + "tactile-indenter.toml", "--seed", seed});
+        EXPECT_EQ(result.exitCode, 2);
+        EXPECT_NE(result.err.find(seed + " is given, a whole number from 0 to 18446744073709551615"),
+                  std::string::npos)
+            << result.err;
+    }
 }
 
 TEST_F(SimulateCommand, measuresTheFiveMaterialsOfTheTouchScene) {

@@ -66,6 +66,7 @@ TEST_F(StudyCommand, wrongUsageIsTold) {
     EXPECT_EQ(run({"study"}).exitCode, 2);
     EXPECT_EQ(run({"study", "rehearse"}).exitCode, 2);
     EXPECT_EQ(run({"study", "rehearse", "--participants", "0", "--out", folder()}).exitCode, 2);
+    EXPECT_EQ(run({"study", "rehearse", "--seed", "-1", "--out", folder()}).exitCode, 2);
 }
 
 TEST_F(StudyCommand, analyzesAStudyAndHandMadeFiles) {
@@ -77,6 +78,9 @@ TEST_F(StudyCommand, analyzesAStudyAndHandMadeFiles) {
     EXPECT_EQ(tasks[0]["task"], "shape");
     EXPECT_EQ(tasks[0]["groups"][0]["participants"], 3);
     EXPECT_TRUE(std::filesystem::exists(m_folder.path("r/anova.csv")));
+    EXPECT_EQ(ordered_json::parse(analyzed.out)["report"], m_folder.path("r/report.html"));
+    const ProgramResult table = run({"study", "analyze", folder(), "--out", m_folder.path("t")});
+    EXPECT_NE(table.out.find(m_folder.path("t/report.html")), std::string::npos) << table.out;
 
     const std::string csv =
         m_folder.write("hand.csv", "participant_id,task,condition,phase,stimulus,response\n"
