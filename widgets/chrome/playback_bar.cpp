@@ -34,6 +34,12 @@ QString clockText(double time_s) {
         .arg(tenths % 10);
 }
 
+/// Time of the first frame on the clock of the marks, which counts from the recording's start, as it did
+/// while it was recorded.
+double beginOf(const std::vector<core::PlaybackMark>& marks) {
+    return marks.empty() ? 0.0 : marks.front().sourceTime_s - marks.front().time_s;
+}
+
 } // namespace
 
 PlaybackBar::PlaybackBar(QWidget* parent)
@@ -87,10 +93,11 @@ void PlaybackBar::setPosition(const core::PlaybackPosition& position) {
         const QSignalBlocker blocked(m_slider);
         m_slider->setValue(qRound(share * kSliderSteps));
     }
-    const QString total = clockText(position.duration_s);
-    const QString text =
-        tr("%1 / %2", "time and duration")
-            .arg(clockText(position.time_s), position.indexed ? total : total + QStringLiteral(" \u2026"));
+    const double begin_s = beginOf(m_marks);
+    const QString total = clockText(begin_s + position.duration_s);
+    const QString text = tr("%1 / %2", "time and duration")
+                             .arg(clockText(begin_s + position.time_s),
+                                  position.indexed ? total : total + QStringLiteral(" \u2026"));
     if (m_time->text() != text) {
         m_time->setText(text);
         m_time->setToolTip(tr("Frame %1 of %2").arg(position.frame + 1).arg(position.frames));

@@ -25,7 +25,7 @@ public:
     explicit PlaybackBar(QWidget* parent = nullptr);
 
     void setPosition(const core::PlaybackPosition& position);
-    /// marks: in order of time.
+    /// marks: in order of time. With them the clock counts as they do, from the recording's start.
     void setMarks(std::vector<core::PlaybackMark> marks);
 
 signals:

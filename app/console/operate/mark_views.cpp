@@ -3,6 +3,7 @@
 
 #include "widgets/charts/strip_chart_view.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace teleta::console {
@@ -13,8 +14,9 @@ MarkViews::MarkViews(charts::StripChartView& charts, QWidget* parent)
     , m_list(new MarkList(parent)) {
     connect(&m_charts, &charts::StripChartView::markRequested, this, &MarkViews::markRequested);
     connect(m_list, &MarkList::timeChosen, this, [this](double time_s) {
-        if (!m_live && !m_played.empty())
-            emit seekRequested(time_s);
+        const auto chosen = std::ranges::find(m_played, time_s, &core::PlaybackMark::sourceTime_s);
+        if (!m_live && chosen != m_played.end())
+            emit seekRequested(chosen->time_s);
     });
 }
 
@@ -74,7 +76,8 @@ void MarkViews::showList() {
     const bool isPlayed = !m_live && !m_played.empty();
     if (isPlayed) {
         for (const core::PlaybackMark& mark : m_played)
-            rows.push_back({0, mark.time_s, QString::fromStdString(mark.text)});
+            // From the recording's start, as while it was recorded.
+            rows.push_back({0, mark.sourceTime_s, QString::fromStdString(mark.text)});
     } else {
         for (const RecordingMark& mark : m_recorded)
             rows.push_back({mark.number, mark.time_s, mark.text});

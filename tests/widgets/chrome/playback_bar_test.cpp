@@ -111,6 +111,14 @@ private slots:
         QVERIFY(bar.findChild<QToolButton*>("loop")->isChecked());
     }
 
+    void countsAsTheMarksDo() {
+        PlaybackBar bar;
+        bar.setMarks({{7.5, 10.0, "a"}});
+        bar.setPosition(position(15.0, false));
+        QCOMPARE(bar.findChild<QLabel*>()->text(), QStringLiteral("0:17.5 / 1:02.5"));
+        QCOMPARE(bar.findChild<QSlider*>()->value() * 4, bar.findChild<QSlider*>()->maximum());
+    }
+
     void saysThatTheDurationIsNotKnownYet() {
         PlaybackBar bar;
         PlaybackPosition growing = position(1.0, false);

@@ -16,6 +16,9 @@ using console::RecordingMark;
 
 namespace {
 
+/// Time of the first frame since the recording's start.
+constexpr double kFirstFrame_s = 0.125;
+
 /// A recording of 2 s with a mark at 1 s.
 class MarkedPlayback : public core::PlaybackControl {
 public:
@@ -26,7 +29,9 @@ public:
     void seek(double /*time_s*/) override {}
     void setLoop(bool /*loop*/) override {}
     [[nodiscard]] core::PlaybackPosition position() const override { return {}; }
-    [[nodiscard]] std::vector<core::PlaybackMark> marks() const override { return {{1.0, 1.0, "slip"}}; }
+    [[nodiscard]] std::vector<core::PlaybackMark> marks() const override {
+        return {{1.0 - kFirstFrame_s, 1.0, "slip"}};
+    }
 };
 
 constexpr std::int64_t kBegin_ns = 7'000'000'000;
@@ -75,6 +80,25 @@ private slots:
         for (int pass = 0; pass < 5; ++pass)
             feed(0.0, 2.0, kBegin_ns + pass * 2'000'000'000LL, 10'000'000);
         QCOMPARE(m_charts->marks(), std::size_t(1));
+    }
+
+    void aMarkHasTheSameTimeWhereverItIsListed() {
+        const MarkedPlayback playback;
+        QSignalSpy sought(m_marks.get(), &MarkViews::seekRequested);
+        m_marks->setRecorded({{1, kBegin_ns, 1.0, "slip"}}, true);
+        const double live_s = m_marks->list().marks().at(0).time_s;
+        m_marks->setRecorded({}, false);
+        m_marks->setSource(&playback);
+        QCOMPARE(m_marks->list().marks().size(), std::size_t(1));
+        QCOMPARE(m_marks->list().marks()[0].time_s, live_s);
+        // The playback's own times are from its first frame.
+        auto* table = m_marks->list().findChild<QTableWidget*>();
+        m_marks->list().resize(400, 200);
+        m_marks->list().show();
+        table->setCurrentCell(0, 0);
+        QTest::keyClick(table, Qt::Key_Return);
+        QCOMPARE(sought.size(), 1);
+        QCOMPARE(sought[0][0].toDouble(), 1.0 - kFirstFrame_s);
     }
 
     void aMarkIsAskedForWhenTheSampleAtTheCursorCame() {
