@@ -8,6 +8,7 @@
 #include <QCoreApplication>
 #include <QString>
 
+#include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
@@ -41,6 +42,14 @@ constexpr double kLongestGap = 1e6; ///< frames; what is longer is a damaged tim
 const bool kWaitIsLimited [[maybe_unused]] =
     ::setenv("OPENCV_VIDEOIO_V4L_SELECT_TIMEOUT", std::to_string(VideoStream::kLongestWait_s).c_str(), 0) ==
     0;
+
+/// What is wrong is told as an error; OpenCV would write more beside it. Who looks for a fault in OpenCV sets
+/// its variable.
+const bool kIsQuiet [[maybe_unused]] = [] {
+    if (std::getenv("OPENCV_LOG_LEVEL") == nullptr)
+        cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+    return true;
+}();
 
 std::optional<int> cameraNumber(const std::string& source) {
     int number = 0;

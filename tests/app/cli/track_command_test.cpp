@@ -135,6 +135,9 @@ TEST_F(TrackCommand, saysWhatIsWrongWithItsInput) {
     EXPECT_EQ(run({"track", m_folder.write("text.avi", "text"), "--camera", m_camera}).exitCode, 3);
     EXPECT_EQ(run({"track", m_video, "--camera", m_folder.path("no.json")}).exitCode, 3);
     EXPECT_EQ(run({"track", m_video, "--camera", m_folder.write("bad.json", "{")}).exitCode, 3);
+    const ProgramResult away = run({"track", "63", "--camera", m_camera});
+    EXPECT_EQ(away.exitCode, 1);
+    EXPECT_EQ(away.err, "teleta: 63: camera 63 cannot be opened\n");
     // Images of another size than the camera's are no frames of it.
     ASSERT_TRUE(cv::imwrite(m_folder.path("small_0.png"), cv::Mat1b(100, 100, std::uint8_t{100})));
     const ProgramResult small = run({"track", m_folder.path("small_%d.png"), "--camera", m_camera});
