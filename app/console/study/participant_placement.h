@@ -14,20 +14,28 @@ namespace teleta::console {
 /// to the right, then furthest down; -1: there is none. screens: their geometries. Thread: any (pure).
 [[nodiscard]] int participantScreen(const QList<QRect>& screens, int console);
 
-/// Puts the participant's window on a screen of its own, as large as it is, and brings it back beside the
-/// console when that screen goes away: it must never cover the experimenter's. Thread: GUI.
+/// The largest place in room that leaves taken free, at most wanted and at least least large; null: there is
+/// none. Thread: any (pure).
+[[nodiscard]] QRect placeBeside(const QRect& room, const QRect& taken, const QSize& wanted,
+                                const QSize& least);
+
+/// Puts the participant's window on a screen of its own, as large as it is. Where there is no other screen,
+/// or that screen goes away, the window stands beside the console; where there is no room, over the parts of
+/// it that are not needed while a session runs: it must never cover the experimenter's controls. Thread: GUI.
 class ParticipantPlacement : public QObject {
     Q_OBJECT
 
 public:
-    /// Both must outlive it.
-    ParticipantPlacement(QWidget& window, QWidget& console);
+    /// controls: the part of the console that has to be seen and reached. All must outlive it.
+    ParticipantPlacement(QWidget& window, QWidget& console, QWidget& controls);
 
     void show();
 
 signals:
     /// The participant's screen was lost while the window was on it.
     void screenLost();
+    /// There is no place in which the window leaves the controls free.
+    void consoleCovered();
 
 private:
     void onScreenRemoved(QScreen* screen);
@@ -35,6 +43,7 @@ private:
 
     QWidget& m_window;
     QWidget& m_console;
+    QWidget& m_controls;
     QPointer<QScreen> m_screen; ///< null: the window is beside the console
 };
 

@@ -37,8 +37,8 @@
 #include <array>
 #include <optional>
 #include <utility>
-
 #include <vector>
+
 namespace teleta::console {
 
 namespace {
@@ -76,7 +76,7 @@ StudyPage::StudyPage(BraceletStation& station, core::StopSwitch& stop, StudyCont
     , m_speedLabel(new QLabel(this))
     // A window of nobody's: a dialog of the experimenter would block one of the console's.
     , m_participant(std::make_unique<studyview::ParticipantWindow>([this] { return m_controller.now_ns(); }))
-    , m_placement(*m_participant, *this)
+    , m_placement(*m_participant, *this, *m_session)
     , m_results(new studyview::ResultsView(this))
     , m_leaving(new StudyLeaving(m_controller, *this)) {
     m_participant->setAttribute(Qt::WA_QuitOnClose, false); // it does not keep the program open
@@ -168,6 +168,14 @@ void StudyPage::connectViews() {
             {chrome::Message::Severity::warning, tr("The participant's screen was lost."),
              tr("The participant's window is beside the console now, and the session pauses. Plug the "
                 "screen in and show the window again."),
+             QString()});
+    });
+
+    connect(&m_placement, &ParticipantPlacement::consoleCovered, this, [this] {
+        m_messages->post(
+            {chrome::Message::Severity::warning, tr("The participant's window covers a part of the console."),
+             tr("There is no other screen, and no room beside the console. Plug in a second screen, or make "
+                "the console smaller, and show the window again."),
              QString()});
     });
 
@@ -538,7 +546,11 @@ void StudyPage::retranslate() {
     for (int i = 1; i < m_speed->count(); ++i)
         m_speed->setItemText(i, tr("%1 times real time, not played").arg(m_speed->itemData(i).toInt()));
     m_speed->setToolTip(tr("How fast simulated participants are; it can be changed between sessions"));
+    // The names on the answers, and of the tasks.
+    m_choicesOf.clear();
+    m_outdated = true;
     refresh();
+    analyse();
 }
 
 void StudyPage::changeEvent(QEvent* event) {
@@ -546,9 +558,5 @@ void StudyPage::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LanguageChange)
         retranslate();
 }
-    // The names on the answers, and of the tasks.
-    m_choicesOf.clear();
-    m_outdated = true;
 
-    analyse();
 } // namespace teleta::console

@@ -12,6 +12,7 @@
 using namespace teleta;
 using console::ParticipantPlacement;
 using console::participantScreen;
+using console::placeBeside;
 
 /// With two screens of Qt's offscreen platform. That one of them is unplugged is told by the signal that Qt
 /// sends.
@@ -19,6 +20,7 @@ class ParticipantPlacementTest : public QObject {
     Q_OBJECT
 
     QWidget m_console;
+    QWidget m_controls{&m_console};
     QWidget m_participant;
 
 private slots:
@@ -43,8 +45,25 @@ private slots:
         QCOMPARE(participantScreen({left, left}, 0), -1); // mirrored
     }
 
+    void thePlaceBesideIsTheLargestOne() {
+        const QRect room(0, 0, 1280, 800);
+        const QSize wanted(640, 500);
+        const QSize least(300, 400);
+        const QRect right = placeBeside(room, QRect(100, 0, 600, 800), wanted, least);
+        QCOMPARE(right.size(), QSize(580, 500));
+        QVERIFY(room.contains(right) && right.left() >= 700);
+        const QRect left = placeBeside(room, QRect(900, 100, 600, 800), wanted, least);
+        QCOMPARE(left.size(), wanted);
+        QVERIFY(room.contains(left) && left.right() < 900);
+        const QRect below = placeBeside(room, QRect(0, 0, 1280, 390), wanted, least);
+        QCOMPARE(below.size(), QSize(640, 410));
+        QVERIFY(room.contains(below) && below.top() >= 390);
+        QVERIFY(placeBeside(room, QRect(200, 0, 900, 800), wanted, least).isNull());
+        QVERIFY(placeBeside(room, room, wanted, least).isNull());
+    }
+
     void fillsTheSecondScreen() {
-        ParticipantPlacement placement(m_participant, m_console);
+        ParticipantPlacement placement(m_participant, m_console, m_controls);
         placement.show();
         QVERIFY(m_participant.isFullScreen());
         QCOMPARE(m_participant.screen(), QGuiApplication::screens()[1]);
@@ -52,7 +71,7 @@ private slots:
     }
 
     void comesBackBesideTheConsoleWhenItsScreenIsLost() {
-        ParticipantPlacement placement(m_participant, m_console);
+        ParticipantPlacement placement(m_participant, m_console, m_controls);
         QSignalSpy lost(&placement, &ParticipantPlacement::screenLost);
         placement.show();
         emit qGuiApp->screenRemoved(QGuiApplication::screens()[0]);
@@ -63,6 +82,7 @@ private slots:
         QVERIFY(m_participant.isVisible());
         QVERIFY(!m_participant.isFullScreen());
         QVERIFY(m_console.screen()->geometry().contains(m_participant.geometry()));
+        QVERIFY(!m_console.frameGeometry().intersects(m_participant.frameGeometry()));
         emit qGuiApp->screenRemoved(QGuiApplication::screens()[1]);
         QCOMPARE(lost.count(), 1);
         placement.show();
@@ -70,7 +90,7 @@ private slots:
     }
 
     void aWindowThatIsNotShownStaysHidden() {
-        ParticipantPlacement placement(m_participant, m_console);
+        ParticipantPlacement placement(m_participant, m_console, m_controls);
         QSignalSpy lost(&placement, &ParticipantPlacement::screenLost);
         placement.show();
         m_participant.hide();
