@@ -11,10 +11,16 @@ FrameConditioner::FrameConditioner(std::size_t taxels, ConditioningSettings sett
     : m_settings(std::move(settings)) {
     if (m_settings.tare.size() != taxels)
         m_settings.tare.clear();
+    if (m_settings.taxelGain.size() != taxels)
+        m_settings.taxelGain.clear();
     if (m_settings.dead.size() != taxels)
         m_settings.dead.clear();
     m_tare = m_settings.tare;
     m_tare.resize(taxels, 0.0F);
+    m_gain.assign(m_settings.taxelGain.begin(), m_settings.taxelGain.end());
+    m_gain.resize(taxels, 1.0);
+    for (double& gain : m_gain)
+        gain *= m_settings.inverted ? -m_settings.gain : m_settings.gain;
     m_dead = m_settings.dead;
     m_dead.resize(taxels, 0);
 }
@@ -22,16 +28,15 @@ FrameConditioner::FrameConditioner(std::size_t taxels, ConditioningSettings sett
 std::size_t FrameConditioner::apply(std::span<const float> raw, std::span<float> load_N,
                                     std::span<std::uint8_t> dead) const {
     const std::size_t taxels = std::min({m_tare.size(), raw.size(), load_N.size(), dead.size()});
-    const double gain = m_settings.inverted ? -m_settings.gain : m_settings.gain;
     constexpr std::uint32_t kMagnitude = 0x7fffffffU;
     constexpr std::uint32_t kInfinity = 0x7f800000U;
 
     std::size_t count = 0;
     for (std::size_t i = 0; i < taxels; ++i) {
         const auto load =
-            static_cast<float>(gain * (static_cast<double>(raw[i]) - static_cast<double>(m_tare[i])));
-        // A value or a tare that is not finite makes a load that is not finite. By its bits, since comparing
-        // NaN raises the floating-point exception "invalid".
+            static_cast<float>(m_gain[i] * (static_cast<double>(raw[i]) - static_cast<double>(m_tare[i])));
+        // A value, tare or gain that is not finite makes a load that is not finite. By its bits, since
+        // comparing NaN raises the floating-point exception "invalid".
         const bool finite = (std::bit_cast<std::uint32_t>(load) & kMagnitude) < kInfinity;
         const bool usable = m_dead[i] == 0 && finite;
         const float clean = usable ? load : 0.0F;

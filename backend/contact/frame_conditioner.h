@@ -14,17 +14,20 @@ struct ConditioningSettings {
         tare;              ///< value of each unloaded taxel in raw units; empty: zero. NaN marks a dead taxel
     double gain = 1.0;     ///< N (or the unit shown) per raw unit; finite, not zero
     bool inverted = false; ///< the raw value falls under load
+    /// What each taxel's load is multiplied with, so that all tell the same of the same load
+    /// (findTaxelGains()); empty: 1. NaN marks a dead taxel.
+    std::vector<float> taxelGain = {};
     std::vector<std::uint8_t> dead; ///< 1 marks a taxel that is never used; empty: none
 };
 
 /// Turns a raw frame into loads.
-///   load = max(0, s gain (raw - tare)), s = -1 when inverted, else 1
-/// A taxel that is marked dead, or whose raw value, tare or load is not finite, is dead in this frame: load
-/// 0, mask 1. A load below zero (drift after tare) carries nothing and is 0. Thread: one; apply() allocates
-/// nothing.
+///   load = max(0, s gain taxelGain (raw - tare)), s = -1 when inverted, else 1
+/// A taxel that is marked dead, or whose raw value, tare, gain or load is not finite, is dead in this frame:
+/// load 0, mask 1. A load below zero (drift after tare) carries nothing and is 0. Thread: one; apply()
+/// allocates nothing.
 class FrameConditioner {
 public:
-    /// tare and dead must be empty or have taxels entries; a wrong size is treated as empty.
+    /// tare, taxelGain and dead must be empty or have taxels entries; a wrong size is treated as empty.
     FrameConditioner(std::size_t taxels, ConditioningSettings settings);
 
     /// raw, load_N, dead: taxels entries each. Returns the number of dead taxels.
@@ -36,6 +39,7 @@ public:
 private:
     ConditioningSettings m_settings;
     std::vector<float> m_tare;        ///< settings' tare, or zeros
+    std::vector<double> m_gain;       ///< load of a raw unit, with its sign
     std::vector<std::uint8_t> m_dead; ///< settings' mask, or zeros
 };
 

@@ -119,6 +119,26 @@ Expected<void> FrameFile::seek(std::uint64_t offset, long long line) {
     return done;
 }
 
+Expected<std::vector<float>> readFrames(const std::string& path, const ArrayLayout& layout,
+                                        const std::function<bool()>& goOn) {
+    Expected<FrameFile> file = FrameFile::open(path, layout);
+    if (!file)
+        return Unexpected(file.error());
+    std::vector<float> frame(layout.taxels());
+    std::vector<float> frames;
+    double time_s = 0.0;
+    for (;;) {
+        const Expected<bool> any = file->next(time_s, frame);
+        if (!any)
+            return Unexpected(any.error());
+        if (!*any)
+            return frames;
+        if (goOn && !goOn())
+            return Unexpected(Error{ErrorKind::cancelled, {}, {}, {}});
+        frames.insert(frames.end(), frame.begin(), frame.end());
+    }
+}
+
 Expected<std::vector<float>> readTare(const std::string& path, const ArrayLayout& layout) {
     Expected<FrameFile> file = FrameFile::open(path, layout);
     if (!file)

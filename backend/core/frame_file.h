@@ -5,6 +5,7 @@
 #include "backend/core/csv_reader.h"
 #include "backend/core/error.h"
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -46,6 +47,11 @@ private:
     std::optional<double> m_lastTime_s;
     bool m_anyFrame = false; ///< also true after seek(): an offset was known, so there was a frame
 };
+
+/// All frames of a recording one after another, layout.taxels() values each. goOn is asked now and then; when
+/// it says no, the error is ErrorKind::cancelled without a text.
+[[nodiscard]] Expected<std::vector<float>> readFrames(const std::string& path, const ArrayLayout& layout,
+                                                      const std::function<bool()>& goOn = {});
 
 /// Mean of all finite frames of an unloaded recording, taxel by taxel: what is subtracted as tare.
 /// A taxel that is never finite gets NaN and is dead from then on.

@@ -24,6 +24,7 @@ const std::map<std::string, Target> kTargets{
     {"cost_csv", teleta::fuzz::costCsv},
     {"csv", teleta::fuzz::csv},
     {"frame_csv", teleta::fuzz::frameCsv},
+    {"gain_csv", teleta::fuzz::gainCsv},
     {"hid_bracelet_file", teleta::fuzz::hidBraceletFile},
     {"hid_reports", teleta::fuzz::hidReports},
     {"motor_profile", teleta::fuzz::motorProfile},

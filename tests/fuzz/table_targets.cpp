@@ -7,6 +7,7 @@
 #include "backend/contour/shape_recogniser.h"
 #include "backend/core/csv_reader.h"
 #include "backend/core/frame_file.h"
+#include "backend/equilibration/taxel_gain_file.h"
 #include "backend/stiffness/stiffness_estimator.h"
 #include "tests/fuzz/memory_file.h"
 #include "tests/support/floating_point_traps.h"
@@ -133,6 +134,16 @@ bool frameCsv(Bytes bytes) {
     std::vector<float> load_N(layout.taxels());
     std::vector<std::uint8_t> dead(layout.taxels());
     const core::Expected<std::vector<float>> tare = core::readTare(file.path(), layout);
+    if (const auto press = core::readFrames(file.path(), layout)) {
+        const test::FloatingPointTraps traps;
+        const auto gains = equilibration::findTaxelGains(layout, std::span(&*press, 1), {});
+        for (std::size_t i = 0; gains && i < gains->taxels.size(); ++i) {
+            const equilibration::TaxelGain& taxel = gains->taxels[i];
+            require(!taxel.isGood() || (std::isfinite(taxel.gain) && taxel.gain > 0.0 &&
+                                        std::isfinite(taxel.error) && taxel.error >= 0.0),
+                    "a good taxel has a gain");
+        }
+    }
     contact::ConditioningSettings conditioning;
     conditioning.tare = tare.value_or(std::vector<float>());
     const contact::FrameConditioner conditioner(layout.taxels(), std::move(conditioning));
@@ -162,6 +173,23 @@ bool frameCsv(Bytes bytes) {
                         std::isfinite(contact.y_m) && std::isfinite(contact.force_N),
                     "contacts have a place and a force");
     }
+}
+
+bool gainCsv(Bytes bytes) {
+    const MemoryFile file(bytes);
+    constexpr core::ArrayLayout kLayout{.rows = 2, .columns = 3};
+    const core::Expected<equilibration::TaxelGains> gains =
+        equilibration::readTaxelGains(file.path(), kLayout);
+    if (!gains) {
+        requireExplained(gains.error(), file.path());
+        return false;
+    }
+    require(gains->taxels.size() == kLayout.taxels(), "each taxel has a row");
+    for (const equilibration::TaxelGain& taxel : gains->taxels)
+        require(taxel.isGood() ? std::isfinite(taxel.gain) && taxel.gain > 0.0 && taxel.error >= 0.0
+                               : std::isnan(taxel.gain) && std::isnan(taxel.error),
+                "a taxel that is used has a gain, and no other");
+    return true;
 }
 
 bool contourCsv(Bytes bytes) {

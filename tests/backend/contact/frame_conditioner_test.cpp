@@ -61,6 +61,20 @@ TEST(FrameConditioner, aLoadBelowZeroIsZero) {
     EXPECT_FALSE(std::signbit(frame.load_N[0]));
 }
 
+TEST(FrameConditioner, eachTaxelHasItsOwnGain) {
+    const Conditioned result = condition({.tare = {1.0F, 1.0F, 1.0F, 1.0F},
+                                          .gain = 2.0,
+                                          .taxelGain = {1.0F, 0.5F, std::nanf(""), 3.0F},
+                                          .dead = {}},
+                                         {2.0F, 5.0F, 2.0F, 0.0F});
+    EXPECT_EQ(result.load_N, (std::vector<float>{2.0F, 4.0F, 0.0F, 0.0F}));
+    EXPECT_EQ(result.dead, (std::vector<std::uint8_t>{0, 0, 1, 0}));
+    EXPECT_EQ(result.count, 1U);
+    // Of another size: none.
+    EXPECT_EQ(condition({.tare = {}, .taxelGain = {9.0F}, .dead = {}}, {1.0F, 2.0F}).load_N,
+              (std::vector<float>{1.0F, 2.0F}));
+}
+
 TEST(FrameConditioner, valuesThatAreNotFiniteAreDeadAndCounted) {
     const Conditioned frame = condition({}, {kNan, kInfinity, -kInfinity, 1.0F});
     EXPECT_EQ(frame.dead, (std::vector<std::uint8_t>{1, 1, 1, 0}));

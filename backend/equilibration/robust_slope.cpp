@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/equilibration/robust_slope.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+
+namespace teleta::equilibration {
+
+namespace {
+
+constexpr double kHuber = 1.345;
+constexpr double kNormalMad = 1.482602218505602; // 1 / the upper quartile of the normal distribution
+constexpr int kMostSteps = 50;
+
+} // namespace
+
+double medianOf(std::span<double> values) {
+    const std::size_t half = values.size() / 2;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(half);
+    std::nth_element(values.begin(), middle, values.end());
+    if (values.size() % 2 == 1)
+        return *middle;
+    return std::midpoint(*middle, *std::max_element(values.begin(), middle));
+}
+
+Slope robustSlope(std::span<const double> x, std::span<const double> y, std::vector<double>& buffer) {
+    const std::size_t n = x.size();
+    buffer.resize(n);
+    double largest = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+        buffer[i] = y[i] / x[i];
+        largest = std::max(largest, std::abs(y[i]));
+    }
+    Slope result{.slope = medianOf(buffer)};
+    // Residuals that are rounding errors are none.
+    const double exact = 4.0 * std::numeric_limits<double>::epsilon() * largest;
+    double squares = 0.0;
+    double weighted = 0.0;
+    for (int step = 0; step < kMostSteps; ++step) {
+        for (std::size_t i = 0; i < n; ++i)
+            buffer[i] = std::abs(y[i] - result.slope * x[i]);
+        result.noise = kNormalMad * medianOf(buffer);
+        if (result.noise <= exact)
+            result.noise = 0.0;
+        const double bound = std::max(kHuber * result.noise, exact);
+        double xy = 0.0;
+        weighted = squares = 0.0;
+        for (std::size_t i = 0; i < n; ++i) {
+            const double residual = std::abs(y[i] - result.slope * x[i]);
+            const double weight = residual <= bound ? 1.0 : bound / residual;
+            weighted += weight * x[i] * x[i];
+            xy += weight * x[i] * y[i];
+            squares += weight * residual * residual;
+        }
+        const double before = result.slope;
+        result.slope = xy / weighted;
+        if (std::abs(result.slope - before) <= 1e-12 * std::abs(before))
+            break;
+    }
+    if (n > 1)
+        result.error = std::sqrt(squares / static_cast<double>(n - 1) / weighted);
+    return result;
+}
+
+} // namespace teleta::equilibration

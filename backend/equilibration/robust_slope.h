@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace teleta::equilibration {
+
+struct Slope {
+    double slope = 0.0;
+    double error = 0.0; ///< standard error, for noise that is independent from value to value
+    double noise = 0.0; ///< standard deviation of y about the line; 0 when more than half lie on it
+};
+
+/// Slope of y = b x through the origin: least squares with Huber's weights, c = 1.345, and the scale of the
+/// median absolute deviation. Begins at the median of y / x.
+/// x: not 0; as many as y, at least one; all finite. buffer: any, is overwritten.
+/// Source: P. J. Huber, Robust Statistics, section 7.8. Thread: any (pure).
+[[nodiscard]] Slope robustSlope(std::span<const double> x, std::span<const double> y,
+                                std::vector<double>& buffer);
+
+/// Median of the values, which are reordered; the mean of the middle two when their number is even. At least
+/// one.
+[[nodiscard]] double medianOf(std::span<double> values);
+
+} // namespace teleta::equilibration

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/equilibration/taxel_gain_file.h"
+
+#include "backend/core/csv_number.h"
+#include "backend/core/csv_reader.h"
+#include "backend/core/csv_writer.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace teleta::equilibration {
+
+namespace {
+
+struct GainFileText {
+    Q_DECLARE_TR_FUNCTIONS(TaxelGainFile)
+};
+
+constexpr std::size_t kNeeded = 4; ///< of the columns; the others may be missing
+constexpr double kLeast = 1e-3;
+constexpr double kMost = 1e3;
+constexpr double kNA = std::numeric_limits<double>::quiet_NaN();
+
+/// A table of gains while it is read.
+class GainTable {
+public:
+    GainTable(core::CsvReader csv, const core::ArrayLayout& layout)
+        : m_csv(std::move(csv))
+        , m_seen(layout.taxels(), false) {
+        m_gains.layout = layout;
+        m_gains.taxels.resize(layout.taxels());
+    }
+
+    [[nodiscard]] core::Expected<TaxelGains> read() {
+        const auto columns = m_csv.columns(std::span(kTaxelGainColumns).first<kNeeded>());
+        if (!columns)
+            return core::Unexpected(columns.error());
+        std::copy(columns->begin(), columns->end(), m_columns.begin());
+        m_error = optional("gain_se");
+        m_state = optional("state");
+        std::vector<std::string_view> fields;
+        for (;;) {
+            const auto any = m_csv.nextText(fields);
+            if (!any)
+                return core::Unexpected(any.error());
+            if (!*any)
+                break;
+            if (const auto taken = takeRow(fields); !taken)
+                return core::Unexpected(taken.error());
+        }
+        for (std::size_t taxel = 0; taxel < m_seen.size(); ++taxel) {
+            if (!m_seen[taxel])
+                return core::Unexpected(
+                    core::Error{core::ErrorKind::badInput,
+                                GainFileText::tr("taxel %1 is missing").arg(taxel).toStdString(),
+                                GainFileText::tr("the taxels 0 to %1").arg(m_seen.size() - 1).toStdString(),
+                                {m_csv.path(), m_csv.nextLine(), 1}});
+        }
+        return std::move(m_gains);
+    }
+
+private:
+    /// Index of a column that may be missing; as many as there are when it is.
+    [[nodiscard]] std::size_t optional(std::string_view name) const {
+        const std::vector<std::string>& header = m_csv.header();
+        return static_cast<std::size_t>(std::find(header.begin(), header.end(), name) - header.begin());
+    }
+
+    [[nodiscard]] core::Unexpected bad(std::size_t column, const QString& message,
+                                       const QString& expected) const {
+        return core::Unexpected(core::Error{core::ErrorKind::badInput, message.toStdString(),
+                                            expected.toStdString(), m_csv.place(column)});
+    }
+
+    [[nodiscard]] core::Expected<std::size_t> index(std::span<const std::string_view> fields,
+                                                    std::size_t which, std::size_t count) const {
+        const std::string_view text = fields[m_columns[which]];
+        std::size_t value = 0;
+        const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (code != std::errc() || end != text.data() + text.size() || value >= count)
+            return bad(m_columns[which],
+                       GainFileText::tr("the %1 is \"%2\"", "a column of a table")
+                           .arg(QString::fromUtf8(kTaxelGainColumns[which].data(),
+                                                  static_cast<qsizetype>(kTaxelGainColumns[which].size())),
+                                QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())).left(40)),
+                       GainFileText::tr("a whole number from 0 to %1").arg(count - 1));
+        return value;
+    }
+
+    [[nodiscard]] core::Expected<void> takeRow(std::span<const std::string_view> fields) {
+        const core::ArrayLayout& layout = m_gains.layout;
+        const auto taxel = index(fields, 0, layout.taxels());
+        if (!taxel)
+            return core::Unexpected(taxel.error());
+        const auto row = index(fields, 1, static_cast<std::size_t>(layout.rows));
+        if (!row)
+            return core::Unexpected(row.error());
+        const auto column = index(fields, 2, static_cast<std::size_t>(layout.columns));
+        if (!column)
+            return core::Unexpected(column.error());
+        const std::size_t expected = *row * static_cast<std::size_t>(layout.columns) + *column;
+        if (*taxel != expected)
+            return bad(m_columns[0],
+                       GainFileText::tr("taxel %1 is said to be in row %2, column %3")
+                           .arg(*taxel)
+                           .arg(*row)
+                           .arg(*column),
+                       GainFileText::tr("%1, in an array of %2 rows x %3 columns")
+                           .arg(expected)
+                           .arg(layout.rows)
+                           .arg(layout.columns));
+        if (m_seen[*taxel])
+            return bad(m_columns[0], GainFileText::tr("taxel %1 is there twice").arg(*taxel),
+                       GainFileText::tr("each taxel once"));
+        m_seen[*taxel] = true;
+
+        const std::size_t gainColumn = m_columns[3];
+        const std::optional<double> gain = core::numberOrNA(fields[gainColumn]);
+        if (!gain || (!std::isnan(*gain) && !(*gain >= kLeast && *gain <= kMost)))
+            return bad(gainColumn, GainFileText::tr("the gain is out of range or no number"),
+                       GainFileText::tr("a number from %1 to %2, or NA").arg(kLeast).arg(kMost));
+        TaxelGain& taken = m_gains.taxels[*taxel];
+        taken.gain = *gain;
+        taken.state = std::isnan(*gain) ? TaxelState::dead : TaxelState::good;
+        taken.error = std::isnan(*gain) ? kNA : 0.0;
+        if (m_error < fields.size()) {
+            const std::optional<double> error = core::numberOrNA(fields[m_error]);
+            if (!error || *error < 0.0)
+                return bad(m_error, GainFileText::tr("the standard error is out of range or no number"),
+                           GainFileText::tr("a number from 0 on, or NA"));
+            if (taken.isGood() && !std::isnan(*error))
+                taken.error = *error;
+        }
+        if (m_state < fields.size()) {
+            const std::optional<TaxelState> state = taxelState(fields[m_state]);
+            if (fields[m_state] != "NA" && (!state || (*state == TaxelState::good) != taken.isGood()))
+                return bad(m_state, GainFileText::tr("the state does not fit the gain"),
+                           taken.isGood() ? QStringLiteral("good")
+                                          : QStringLiteral("dead, weak, strong, stuck"));
+            if (state)
+                taken.state = *state;
+        }
+        return {};
+    }
+
+    core::CsvReader m_csv;
+    TaxelGains m_gains;
+    std::vector<bool> m_seen;
+    std::array<std::size_t, kNeeded> m_columns{};
+    std::size_t m_error = 0;
+    std::size_t m_state = 0;
+};
+
+} // namespace
+
+core::Expected<TaxelGains> readTaxelGains(const std::string& path, const core::ArrayLayout& layout) {
+    auto csv = core::CsvReader::open(path);
+    if (!csv)
+        return core::Unexpected(csv.error());
+    return GainTable(std::move(*csv), layout).read();
+}
+
+core::Expected<void> writeTaxelGains(const TaxelGains& gains, const std::string& path) {
+    QDir().mkpath(QFileInfo(QString::fromStdString(path)).absolutePath());
+    auto csv = core::CsvWriter::create(path, kTaxelGainColumns);
+    if (!csv)
+        return core::Unexpected(csv.error());
+    writeTaxelGainRows(gains, *csv);
+    return csv->finish();
+}
+
+} // namespace teleta::equilibration

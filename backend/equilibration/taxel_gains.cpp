@@ -1,0 +1,519 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/equilibration/taxel_gains.h"
+
+#include "backend/core/quantile.h"
+#include "backend/equilibration/robust_slope.h"
+
+#include <QCoreApplication>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace teleta::equilibration {
+
+namespace {
+
+struct GainText {
+    Q_DECLARE_TR_FUNCTIONS(TaxelGains)
+};
+
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+constexpr std::array<std::string_view, 5> kStates{"good", "dead", "weak", "strong", "stuck"};
+
+constexpr double kPeak = 0.95;        ///< quantile of the levels that is the highest load
+constexpr double kLoaded = 0.5;       ///< share of it from which a frame is used
+constexpr double kExtreme = 10.0;     ///< a response that differs more from the median is none
+constexpr double kSignificance = 5.0; ///< standard errors
+constexpr int kMostRounds = 20;
+constexpr double kSettled = 1e-9;
+constexpr double kStuck = 0.9; ///< share of the frames in which a stuck taxel reads one value
+constexpr double kStepsExpected = 3.0;
+constexpr double kClipped = 3.0; ///< noise by which a clipped taxel reads too little
+
+core::Unexpected refused(const QString& message, const QString& expected,
+                         core::ErrorKind kind = core::ErrorKind::refused) {
+    return core::Unexpected(core::Error{kind, message.toStdString(), expected.toStdString(), {}});
+}
+
+/// What one press tells.
+struct PressFit {
+    std::vector<TaxelState> states;
+    std::vector<double> response; ///< mean 1 over the good taxels
+    std::vector<double> error;    ///< of the response
+    std::size_t frames = 0;
+    double level = 0.0;
+    double scatter = 0.0;
+};
+
+/// Fits one press; see findTaxelGains().
+class PressFitter {
+public:
+    PressFitter(std::size_t taxels, std::span<const float> raw, const contact::ConditioningSettings& settings)
+        : m_taxels(taxels)
+        , m_frames(raw.size() / taxels)
+        , m_reading(raw.size())
+        , m_states(taxels, TaxelState::good)
+        , m_response(taxels, 1.0)
+        , m_error(taxels, 0.0)
+        , m_noise(taxels, 0.0) {
+        const double sign = settings.inverted != (settings.gain < 0.0) ? -1.0 : 1.0;
+        for (std::size_t i = 0; i < raw.size(); ++i) {
+            const std::size_t taxel = i % taxels;
+            const float tare = settings.tare.size() == taxels ? settings.tare[taxel] : 0.0F;
+            m_reading[i] = sign * (static_cast<double>(raw[i]) - static_cast<double>(tare));
+        }
+        if (settings.dead.size() == taxels) {
+            for (std::size_t i = 0; i < taxels; ++i) {
+                if (settings.dead[i] != 0)
+                    m_states[i] = TaxelState::dead;
+            }
+        }
+    }
+
+    [[nodiscard]] core::Expected<PressFit> fit() {
+        const auto wanted = static_cast<std::size_t>(std::ranges::count(m_states, TaxelState::good));
+        leaveOutDead();
+        if (const auto found = findLoadedFrames(); !found)
+            return core::Unexpected(found.error());
+        leaveOutStuck();
+        for (int round = 0; round < kMostRounds && good() > 0; ++round) {
+            const double change = fitResponses();
+            fitLevels();
+            if (change < kSettled)
+                break;
+        }
+        if (good() == 0 || 2 * good() < wanted)
+            return refused(GainText::tr("Only %1 of %2 taxels feel the load.").arg(good()).arg(wanted),
+                           GainText::tr("a load on the whole array, and a tare without any"));
+        return result();
+    }
+
+private:
+    [[nodiscard]] double reading(std::size_t frame, std::size_t taxel) const {
+        return m_reading[frame * m_taxels + taxel];
+    }
+    [[nodiscard]] bool isGood(std::size_t taxel) const { return m_states[taxel] == TaxelState::good; }
+    [[nodiscard]] std::size_t good() const {
+        return static_cast<std::size_t>(std::ranges::count(m_states, TaxelState::good));
+    }
+
+    void leaveOutDead() {
+        for (std::size_t taxel = 0; taxel < m_taxels; ++taxel) {
+            std::size_t finite = 0;
+            for (std::size_t frame = 0; frame < m_frames; ++frame)
+                finite += std::isfinite(reading(frame, taxel)) ? 1 : 0;
+            if (2 * finite <= m_frames)
+                m_states[taxel] = TaxelState::dead;
+        }
+    }
+
+    /// The frames of at least half the highest load, by the median of the taxels, which is the first level.
+    [[nodiscard]] core::Expected<void> findLoadedFrames() {
+        std::vector<double> levels(m_frames, -std::numeric_limits<double>::infinity());
+        for (std::size_t frame = 0; frame < m_frames; ++frame) {
+            m_x.clear();
+            for (std::size_t taxel = 0; taxel < m_taxels; ++taxel) {
+                if (isGood(taxel) && std::isfinite(reading(frame, taxel)))
+                    m_x.push_back(reading(frame, taxel));
+            }
+            if (2 * m_x.size() > good())
+                levels[frame] = medianOf(m_x);
+        }
+        std::vector<double> sorted = levels;
+        std::ranges::sort(sorted);
+        std::erase_if(sorted, [](double level) { return !std::isfinite(level); });
+        const double peak = sorted.empty() ? 0.0 : core::quantileOf(sorted, kPeak);
+        for (std::size_t frame = 0; frame < m_frames; ++frame) {
+            if (peak > 0.0 && levels[frame] >= kLoaded * peak) {
+                m_loaded.push_back(frame);
+                m_level.push_back(levels[frame]);
+            }
+        }
+        if (m_loaded.size() < kFewestPressFrames)
+            return refused(GainText::tr("Only %1 frames are under load.").arg(m_loaded.size()),
+                           GainText::tr("at least %1").arg(kFewestPressFrames));
+        return {};
+    }
+
+    /// A taxel that reads one value although the others' change makes it expect several steps of the
+    /// readings.
+    void leaveOutStuck() {
+        struct Constant {
+            std::size_t taxel;
+            double reading;
+        };
+        std::vector<Constant> constant;
+        std::vector<double> usuals;
+        std::vector<double> ranges;
+        std::vector<double> steps;
+        for (std::size_t taxel = 0; taxel < m_taxels; ++taxel) {
+            if (!isGood(taxel))
+                continue;
+            m_x.clear();
+            for (const std::size_t frame : m_loaded) {
+                if (std::isfinite(reading(frame, taxel)))
+                    m_x.push_back(reading(frame, taxel));
+            }
+            if (m_x.empty()) {
+                m_states[taxel] = TaxelState::dead;
+                continue;
+            }
+            std::ranges::sort(m_x);
+            const double usual = core::quantileOf(m_x, 0.5);
+            usuals.push_back(usual);
+            if (static_cast<double>(std::ranges::count(m_x, usual)) >=
+                kStuck * static_cast<double>(m_x.size())) {
+                constant.push_back({taxel, usual});
+                continue;
+            }
+            ranges.push_back(core::quantileOf(m_x, 0.95) - core::quantileOf(m_x, 0.05));
+            double step = std::numeric_limits<double>::infinity();
+            for (std::size_t i = 1; i < m_x.size(); ++i) {
+                if (m_x[i] > m_x[i - 1])
+                    step = std::min(step, m_x[i] - m_x[i - 1]);
+            }
+            steps.push_back(step);
+        }
+        if (ranges.empty() || constant.empty())
+            return;
+        const double range = medianOf(ranges);
+        const double step = medianOf(steps);
+        const double usual = medianOf(usuals);
+        if (!(usual > 0.0))
+            return;
+        for (const Constant& taxel : constant) {
+            if (range * std::clamp(taxel.reading / usual, 0.0, 1.0) > kStepsExpected * step)
+                m_states[taxel.taxel] = TaxelState::stuck;
+        }
+    }
+
+    /// Frames of a taxel and their levels, in m_x and m_y; those in which it reads its highest value apart.
+    void collect(std::size_t taxel) {
+        m_x.clear();
+        m_y.clear();
+        m_topX.clear();
+        double top = -std::numeric_limits<double>::infinity();
+        for (const std::size_t frame : m_loaded) {
+            if (std::isfinite(reading(frame, taxel)))
+                top = std::max(top, reading(frame, taxel));
+        }
+        m_top = top;
+        for (std::size_t i = 0; i < m_loaded.size(); ++i) {
+            const double y = reading(m_loaded[i], taxel);
+            if (!std::isfinite(y) || !(m_level[i] > 0.0))
+                continue;
+            if (y < top) {
+                m_x.push_back(m_level[i]);
+                m_y.push_back(y);
+            } else {
+                m_topX.push_back(m_level[i]);
+            }
+        }
+    }
+
+    /// Empty when no frame tells it.
+    [[nodiscard]] std::optional<Slope> responseOf(std::size_t taxel) {
+        collect(taxel);
+        if (m_x.empty() && m_topX.empty())
+            return std::nullopt;
+        if (m_topX.size() > 1 && m_x.size() >= kFewestPressFrames / 2) {
+            const Slope below = robustSlope(m_x, m_y, m_buffer);
+            double excess = 0.0;
+            for (const double level : m_topX)
+                excess += below.slope * level - m_top;
+            if (excess / static_cast<double>(m_topX.size()) > std::max(kClipped * below.noise, 1e-9 * m_top))
+                return below;
+        }
+        m_y.insert(m_y.end(), m_topX.size(), m_top);
+        m_x.insert(m_x.end(), m_topX.begin(), m_topX.end());
+        return robustSlope(m_x, m_y, m_buffer);
+    }
+
+    /// Returns the largest relative change.
+    double fitResponses() {
+        const std::vector<double> before = m_response;
+        for (std::size_t taxel = 0; taxel < m_taxels; ++taxel) {
+            if (!isGood(taxel))
+                continue;
+            const Slope slope = responseOf(taxel).value_or(Slope());
+            m_response[taxel] = slope.slope;
+            m_error[taxel] = slope.error;
+            m_noise[taxel] = slope.noise;
+        }
+        leaveOutExtremes();
+        double mean = 0.0;
+        for (std::size_t taxel = 0; taxel < m_taxels; ++taxel)
+            mean += isGood(taxel) ? m_response[taxel] / static_cast<double>(good()) : 0.0;
+        double change = 0.0;
+        for (std::size_t taxel = 0; taxel < m_taxels; ++taxel) {
+            if (!isGood(taxel))
+                continue;
+            m_response[taxel] /= mean;
+            m_error[taxel] /= mean;
+            change = std::max(change, std::abs(m_response[taxel] - before[taxel]));
+        }
+        return change;
+    }
+
+    void leaveOutExtremes() {
+        m_buffer.clear();
+        for (std::size_t taxel = 0; taxel < m_taxels; ++taxel) {
+            if (isGood(taxel))
+                m_buffer.push_back(m_response[taxel]);
+        }
+        if (m_buffer.empty())
+            return;
+        const double usual = medianOf(m_buffer);
+        for (std::size_t taxel = 0; taxel < m_taxels; ++taxel) {
+            if (!isGood(taxel))
+                continue;
+            if (!(m_response[taxel] > std::max(usual / kExtreme, 0.0)) ||
+                m_response[taxel] < kSignificance * m_error[taxel])
+                m_states[taxel] = TaxelState::weak;
+            else if (m_response[taxel] > usual * kExtreme)
+                m_states[taxel] = TaxelState::strong;
+        }
+    }
+
+    void fitLevels() {
+        for (std::size_t i = 0; i < m_loaded.size(); ++i) {
+            m_x.clear();
+            m_y.clear();
+            for (std::size_t taxel = 0; taxel < m_taxels; ++taxel) {
+                const double y = reading(m_loaded[i], taxel);
+                if (isGood(taxel) && std::isfinite(y)) {
+                    m_x.push_back(m_response[taxel]);
+                    m_y.push_back(y);
+                }
+            }
+            if (!m_x.empty())
+                m_level[i] = robustSlope(m_x, m_y, m_buffer).slope;
+        }
+    }
+
+    [[nodiscard]] PressFit result() const {
+        PressFit result;
+        result.states = m_states;
+        result.response = m_response;
+        result.error = m_error;
+        result.frames = m_loaded.size();
+        for (const double level : m_level)
+            result.level += level / static_cast<double>(m_level.size());
+        double squares = 0.0;
+        for (std::size_t taxel = 0; taxel < m_taxels; ++taxel) {
+            if (isGood(taxel))
+                squares += std::pow(m_noise[taxel] / (m_response[taxel] * result.level), 2);
+        }
+        result.scatter = std::sqrt(squares / static_cast<double>(good()));
+        return result;
+    }
+
+    std::size_t m_taxels;
+    std::size_t m_frames;
+    std::vector<double> m_reading; ///< raw units above the tare, rising with the load
+    std::vector<TaxelState> m_states;
+    std::vector<double> m_response;
+    std::vector<double> m_error;
+    std::vector<double> m_noise;
+    std::vector<std::size_t> m_loaded;
+    std::vector<double> m_level; ///< of each loaded frame
+    std::vector<double> m_x;
+    std::vector<double> m_y;
+    std::vector<double> m_topX;
+    double m_top = 0.0;
+    std::vector<double> m_buffer;
+};
+
+/// Logarithms of the responses of all presses, each press shifted so that the taxels that are good in all of
+/// them have the mean 0; NaN where a taxel is not good. Empty when there is no such taxel.
+std::vector<std::vector<double>> alignedLogarithms(std::span<const PressFit> fits) {
+    std::vector<std::vector<double>> logarithms;
+    for (const PressFit& fit : fits) {
+        std::vector<double>& logarithm = logarithms.emplace_back(fit.response.size(), kNothing);
+        double sum = 0.0;
+        std::size_t common = 0;
+        for (std::size_t i = 0; i < logarithm.size(); ++i) {
+            if (fit.states[i] != TaxelState::good)
+                continue;
+            logarithm[i] = std::log(fit.response[i]);
+            if (std::ranges::all_of(
+                    fits, [i](const PressFit& other) { return other.states[i] == TaxelState::good; })) {
+                sum += logarithm[i];
+                ++common;
+            }
+        }
+        if (common == 0)
+            return {};
+        for (double& value : logarithm)
+            value -= sum / static_cast<double>(common);
+    }
+    return logarithms;
+}
+
+/// A plane through the logarithms of the responses.
+void findTilt(TaxelGains& gains, std::span<const double> logarithms) {
+    const core::ArrayLayout& layout = gains.layout;
+    const std::size_t n = gains.good();
+    const bool hasX = layout.columns > 1;
+    const bool hasY = layout.rows > 1;
+    const Eigen::Index unknowns = 1 + (hasX ? 1 : 0) + (hasY ? 1 : 0);
+    if (unknowns == 1 || static_cast<Eigen::Index>(n) <= unknowns + 2)
+        return;
+    Eigen::MatrixXd a(static_cast<Eigen::Index>(n), unknowns);
+    Eigen::VectorXd b(static_cast<Eigen::Index>(n));
+    Eigen::Index row = 0;
+    for (std::size_t i = 0; i < gains.taxels.size(); ++i) {
+        if (!gains.taxels[i].isGood())
+            continue;
+        const auto columns = static_cast<std::size_t>(layout.columns);
+        // -1/2 .. 1/2 from end to end, so that a slope is the change over the whole array.
+        const double x = hasX ? static_cast<double>(i % columns) / (layout.columns - 1) - 0.5 : 0.0;
+        const double y = hasY ? static_cast<double>(i / columns) / (layout.rows - 1) - 0.5 : 0.0;
+        a(row, 0) = 1.0;
+        if (hasX)
+            a(row, 1) = x;
+        if (hasY)
+            a(row, unknowns - 1) = y;
+        b(row++) = logarithms[i];
+    }
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(a);
+    // The good taxels lie on one line.
+    if (qr.rank() < unknowns)
+        return;
+    const Eigen::VectorXd plane = qr.solve(b);
+    const double variance = (b - a * plane).squaredNorm() / static_cast<double>(n - unknowns);
+    const Eigen::MatrixXd covariance = variance * (a.transpose() * a).inverse();
+    // Of a normal variable, once in 1700 by chance; of Student's with the 78 degrees of a 6 x 14 array, in
+    // 1300.
+    constexpr double kNotByChance = 3.5;
+    const auto take = [&](Eigen::Index k, double& tilt) {
+        // Over the array by the factor exp(slope): (e^s - 1) over the mean of both ends.
+        tilt = 2.0 * std::tanh(0.5 * plane(k));
+        if (std::abs(tilt) > kTilt && std::abs(plane(k)) > kNotByChance * std::sqrt(covariance(k, k)))
+            gains.isTilted = true;
+    };
+    if (hasX)
+        take(1, gains.tilt_x);
+    if (hasY)
+        take(unknowns - 1, gains.tilt_y);
+}
+
+/// Of all presses, which agree on some taxels.
+TaxelGains combined(const core::ArrayLayout& layout, std::span<const PressFit> fits,
+                    const std::vector<std::vector<double>>& logarithms) {
+    TaxelGains gains;
+    gains.layout = layout;
+    gains.presses = fits.size();
+    gains.taxels.resize(layout.taxels());
+    std::vector<double> mean(layout.taxels(), kNothing);
+    std::vector<std::size_t> counts(layout.taxels(), 0);
+    double between = 0.0; // sum of squares about the taxels' means
+    std::size_t freedom = 0;
+    std::size_t pressed = 0;
+    for (std::size_t i = 0; i < gains.taxels.size(); ++i) {
+        double sum = 0.0;
+        for (const std::vector<double>& logarithm : logarithms) {
+            if (std::isfinite(logarithm[i])) {
+                sum += logarithm[i];
+                ++counts[i];
+            }
+        }
+        if (counts[i] == 0) {
+            gains.taxels[i] = {.state = fits.front().states[i], .gain = kNothing, .error = kNothing};
+            continue;
+        }
+        mean[i] = sum / static_cast<double>(counts[i]);
+        for (const std::vector<double>& logarithm : logarithms) {
+            if (std::isfinite(logarithm[i]))
+                between += std::pow(logarithm[i] - mean[i], 2);
+        }
+        freedom += counts[i] - 1;
+        pressed += counts[i];
+    }
+    const double betweenVariance = freedom > 0 ? between / static_cast<double>(freedom) : 0.0;
+    gains.repeatability = pressed > 0 ? std::sqrt(between / static_cast<double>(pressed)) : 0.0;
+
+    double response = 0.0;
+    for (std::size_t i = 0; i < gains.taxels.size(); ++i)
+        response += gains.taxels[i].isGood() ? std::exp(mean[i]) / static_cast<double>(gains.good()) : 0.0;
+    for (std::size_t i = 0; i < gains.taxels.size(); ++i) {
+        TaxelGain& taxel = gains.taxels[i];
+        if (!taxel.isGood())
+            continue;
+        const auto count = static_cast<double>(counts[i]);
+        double within = 0.0;
+        for (std::size_t press = 0; press < fits.size(); ++press) {
+            if (std::isfinite(logarithms[press][i]))
+                within += std::pow(fits[press].error[i] / fits[press].response[i] / count, 2);
+        }
+        taxel.gain = response / std::exp(mean[i]);
+        // What differs from press to press contains their noise.
+        taxel.error = taxel.gain * std::sqrt(std::max(within, betweenVariance / count));
+    }
+    double weight = 0.0;
+    for (const PressFit& fit : fits) {
+        const auto frames = static_cast<double>(fit.frames);
+        gains.frames += fit.frames;
+        weight += frames;
+        gains.level += (fit.level - gains.level) * frames / weight;
+        gains.scatter += (fit.scatter - gains.scatter) * frames / weight;
+    }
+    findTilt(gains, mean);
+    return gains;
+}
+
+} // namespace
+
+std::string_view toString(TaxelState state) {
+    return kStates[static_cast<std::size_t>(state)];
+}
+
+std::optional<TaxelState> taxelState(std::string_view text) {
+    const auto found = std::find(kStates.begin(), kStates.end(), text);
+    if (found == kStates.end())
+        return std::nullopt;
+    return static_cast<TaxelState>(found - kStates.begin());
+}
+
+std::size_t TaxelGains::good() const {
+    return static_cast<std::size_t>(
+        std::count_if(taxels.begin(), taxels.end(), [](const TaxelGain& taxel) { return taxel.isGood(); }));
+}
+
+std::vector<float> TaxelGains::values() const {
+    std::vector<float> values;
+    values.reserve(taxels.size());
+    for (const TaxelGain& taxel : taxels)
+        values.push_back(taxel.isGood() ? static_cast<float>(taxel.gain)
+                                        : std::numeric_limits<float>::quiet_NaN());
+    return values;
+}
+
+core::Expected<TaxelGains> findTaxelGains(const core::ArrayLayout& layout,
+                                          std::span<const std::vector<float>> presses,
+                                          const contact::ConditioningSettings& settings) {
+    if (presses.empty())
+        return refused(GainText::tr("There is no press."), GainText::tr("at least one"));
+    std::vector<PressFit> fits;
+    for (const std::vector<float>& press : presses) {
+        if (press.size() % layout.taxels() != 0)
+            return refused(GainText::tr("The frames have %1 values in all.").arg(press.size()),
+                           GainText::tr("a multiple of %1").arg(layout.taxels()), core::ErrorKind::badInput);
+        auto fit = PressFitter(layout.taxels(), press, settings).fit();
+        if (!fit)
+            return core::Unexpected(fit.error());
+        fits.push_back(std::move(*fit));
+    }
+    const std::vector<std::vector<double>> logarithms = alignedLogarithms(fits);
+    if (logarithms.empty())
+        return refused(GainText::tr("No taxel is good in all presses."),
+                       GainText::tr("presses of the whole array"));
+    return combined(layout, fits, logarithms);
+}
+
+} // namespace teleta::equilibration
