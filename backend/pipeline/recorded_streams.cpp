@@ -31,10 +31,10 @@ constexpr double kHuge = 1e12;
 constexpr double kMostTaxels =
     static_cast<double>(core::ArrayLayout::kMaximumSide) * core::ArrayLayout::kMaximumSide;
 
-/// Taxels that are dead have no tare.
-ordered_json tareJson(const std::vector<float>& tare) {
+/// A number a taxel; those that are dead have none.
+ordered_json taxelsJson(const std::vector<float>& values) {
     ordered_json list = ordered_json::array();
-    for (const float value : tare)
+    for (const float value : values)
         list.push_back(std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr));
     return list;
 }
@@ -42,7 +42,8 @@ ordered_json tareJson(const std::vector<float>& tare) {
 ordered_json settingsJson(const ChannelSettings& settings) {
     return {{"gain", settings.conditioning.gain},
             {"inverted", settings.conditioning.inverted},
-            {"tare", tareJson(settings.conditioning.tare)},
+            {"tare", taxelsJson(settings.conditioning.tare)},
+            {"taxel_gains", taxelsJson(settings.conditioning.taxelGain)},
             {"dead", settings.conditioning.dead},
             {"threshold", settings.features.threshold_N},
             {"automatic_threshold", settings.features.automaticThreshold},
@@ -57,6 +58,19 @@ ordered_json settingsJson(const ChannelSettings& settings) {
             {"load_unit", settings.loadUnit}};
 }
 
+/// Empty when there are none.
+std::vector<float> readTaxels(core::JsonReader& reader, const ordered_json& json, const char* key,
+                              std::size_t taxels, double lowest) {
+    std::vector<float> values;
+    const ordered_json* list = reader.find(json, key);
+    if (list == nullptr || list->empty())
+        return values;
+    for (const ordered_json& value : reader.array(*list, taxels, taxels))
+        values.push_back(value.is_null() ? std::numeric_limits<float>::quiet_NaN()
+                                         : static_cast<float>(reader.number(value, lowest, kHuge)));
+    return values;
+}
+
 ChannelSettings readSettings(core::JsonReader& reader, const ordered_json& json, std::size_t taxels) {
     ChannelSettings settings;
     contact::ConditioningSettings& conditioning = settings.conditioning;
@@ -64,12 +78,8 @@ ChannelSettings readSettings(core::JsonReader& reader, const ordered_json& json,
     contact::SegmentationSettings& segmentation = settings.segmentation;
     conditioning.gain = reader.number(json, "gain", -kHuge, kHuge, conditioning.gain);
     conditioning.inverted = reader.boolean(json, "inverted", false);
-    if (const ordered_json* tare = reader.find(json, "tare"); tare != nullptr && !tare->empty()) {
-        for (const ordered_json& value : reader.array(*tare, taxels, taxels))
-            conditioning.tare.push_back(value.is_null()
-                                            ? std::numeric_limits<float>::quiet_NaN()
-                                            : static_cast<float>(reader.number(value, -kHuge, kHuge)));
-    }
+    conditioning.tare = readTaxels(reader, json, "tare", taxels, -kHuge);
+    conditioning.taxelGain = readTaxels(reader, json, "taxel_gains", taxels, 0.0);
     if (const ordered_json* dead = reader.find(json, "dead"); dead != nullptr && !dead->empty()) {
         for (const ordered_json& value : reader.array(*dead, taxels, taxels))
             conditioning.dead.push_back(static_cast<std::uint8_t>(reader.integer(value, 0, 1)));

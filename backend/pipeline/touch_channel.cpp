@@ -42,8 +42,8 @@ TouchChannel::~TouchChannel() {
     m_source->stop();
 }
 
-void TouchChannel::post(ChannelSettings settings, bool keepTare) {
-    m_changes.post({std::move(settings), keepTare});
+void TouchChannel::post(ChannelSettings settings) {
+    m_changes.post(std::move(settings));
 }
 
 void TouchChannel::requestTare(double duration_s) {
@@ -54,9 +54,14 @@ void TouchChannel::clearTare() {
     m_tareRequests.post({.clear = true});
 }
 
+void TouchChannel::setTaxelGain(std::vector<float> gain) {
+    m_gainChanges.post(std::move(gain));
+}
+
 std::size_t TouchChannel::process(std::vector<SkinContact>* contacts, double circumference_m) {
     const bool changed = takeCommands();
     const std::shared_ptr<const TouchTaps> taps = m_taps.get();
+    const std::shared_ptr<core::StreamTap> collector = m_collector.get();
     std::size_t frames = 0;
     // What comes meanwhile waits for the next time: a source that is as fast as its reader would never let
     // go.
@@ -80,6 +85,10 @@ std::size_t TouchChannel::process(std::vector<SkinContact>* contacts, double cir
         }
         if (taps)
             record(*taps);
+        if (collector)
+            collector->append(std::span<const std::int64_t>(m_block.time_ns),
+                              std::span<const double>(m_block.sourceTime_s),
+                              std::span<const float>(m_block.values), m_block.discontinuity);
         frames += m_block.frames();
     }
     if (frames > 0) {
@@ -103,9 +112,14 @@ void TouchChannel::record(const TouchTaps& taps) {
 bool TouchChannel::takeCommands() {
     const std::uint64_t before = m_revision.load(std::memory_order_relaxed);
     if (auto change = m_changes.take()) {
-        if (change->keepTare)
-            change->settings.conditioning.tare = m_settings.conditioning.tare;
-        applySettings(std::move(change->settings));
+        change->conditioning.tare = m_settings.conditioning.tare;
+        change->conditioning.taxelGain = m_settings.conditioning.taxelGain;
+        applySettings(std::move(*change));
+    }
+    if (auto gain = m_gainChanges.take()) {
+        ChannelSettings changed = m_settings;
+        changed.conditioning.taxelGain = std::move(*gain);
+        applySettings(std::move(changed));
     }
     if (const auto request = m_tareRequests.take()) {
         m_tareRun.reset();

@@ -24,7 +24,8 @@ namespace teleta::pipeline {
 ///
 /// Three sides, one thread each:
 /// - pipeline thread: process() drains the source's blocks and publishes a snapshot and feature samples;
-/// - viewer (one thread, the GUI's): update(), snapshot(), popSample(), post(), requestTare();
+/// - viewer (one thread, the GUI's): update(), snapshot(), popSample(), post(), requestTare(),
+/// setTaxelGain();
 /// - any thread: description(), status(), settings(), counters.
 class TouchChannel {
 public:
@@ -49,12 +50,14 @@ public:
     bool popSample(FeatureSample& sample) { return m_samples.pop(sample); }
     [[nodiscard]] std::uint64_t samplesNotShown() const { return m_samples.overflow(); }
 
-    /// New settings, used from the next frame on; the latest wins. tare is kept when the new one is empty and
-    /// keepTare is set, so that a panel needs not carry it along.
-    void post(ChannelSettings settings, bool keepTare = true);
+    /// New settings, used from the next frame on; the latest wins. What was measured of the array, its tare
+    /// and the gains of its taxels, stays as it is.
+    void post(ChannelSettings settings);
     /// Averages the next frames of this length (at least one frame) and uses the mean as tare.
     void requestTare(double duration_s = 0.5);
     void clearTare();
+    /// New gains of the taxels, one each; empty: 1.
+    void setTaxelGain(std::vector<float> gain);
     /// The settings in use, with a revision that grows by one when the pipeline takes new ones.
     [[nodiscard]] ChannelSettings settings() const { return m_settingsInUse.get(); }
     [[nodiscard]] std::uint64_t settingsRevision() const {
@@ -63,6 +66,8 @@ public:
 
     /// Who gets copies of frames and features from the next ones on; null: nobody. Any thread.
     void record(std::shared_ptr<const TouchTaps> taps) { m_taps.set(std::move(taps)); }
+    /// Who gets a copy of the raw frames besides, to calibrate the array; null: nobody. Any thread.
+    void collect(std::shared_ptr<core::StreamTap> frames) { m_collector.set(std::move(frames)); }
 
     [[nodiscard]] std::uint64_t framesProcessed() const {
         return m_framesProcessed.load(std::memory_order_relaxed);
@@ -75,10 +80,6 @@ public:
     std::size_t process(std::vector<SkinContact>* contacts = nullptr, double circumference_m = 0.0);
 
 private:
-    struct Change {
-        ChannelSettings settings;
-        bool keepTare = true;
-    };
     struct TareRequest {
         bool clear = false;
         double duration_s = 0.0;
@@ -104,9 +105,11 @@ private:
     ChannelSettings m_settings;
     core::LatestCopy<ChannelSettings> m_settingsInUse;
     std::atomic<std::uint64_t> m_revision{0};
-    core::Mailbox<Change> m_changes;
+    core::Mailbox<ChannelSettings> m_changes;
+    core::Mailbox<std::vector<float>> m_gainChanges;
     core::Mailbox<TareRequest> m_tareRequests;
     core::LatestCopy<std::shared_ptr<const TouchTaps>> m_taps;
+    core::LatestCopy<std::shared_ptr<core::StreamTap>> m_collector;
     std::vector<double> m_recordedFeatures; ///< of the block at hand
 
     contact::FrameConditioner m_conditioner;

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <limits>
+#include <memory>
 
 using teleta::contact::ContactType;
 using teleta::core::ArrayLayout;
@@ -150,6 +152,48 @@ TEST(TouchChannel, appliesNewSettingsToTheLastFrameOfAPausedSource) {
     EXPECT_DOUBLE_EQ(channel->snapshot().features.force_N, 20.0);
     EXPECT_EQ(channel->settingsRevision(), 1U);
     EXPECT_EQ(channel->framesProcessed(), 1U) << "looking again at a frame is not a new frame";
+}
+
+TEST(TouchChannel, newSettingsLeaveWhatWasMeasuredOfTheArray) {
+    Channel channel;
+    channel->setTaxelGain({2, 1, 1, 1, 1, 0.5F});
+    channel.source->push({1, 0, 0, 0, 0, 8}, 0.0);
+    channel->process();
+    ASSERT_TRUE(channel->update());
+    EXPECT_EQ(channel->snapshot().load_N, (std::vector<float>{2, 0, 0, 0, 0, 4}));
+
+    ChannelSettings settings; // of a panel that knows neither tare nor gains
+    settings.conditioning.gain = 10.0;
+    channel->post(settings);
+    channel->process();
+    ASSERT_TRUE(channel->update());
+    EXPECT_EQ(channel->snapshot().load_N, (std::vector<float>{20, 0, 0, 0, 0, 40}));
+    EXPECT_EQ(channel->settings().conditioning.taxelGain.size(), kLayout.taxels());
+
+    channel->setTaxelGain({});
+    channel->process();
+    ASSERT_TRUE(channel->update());
+    EXPECT_EQ(channel->snapshot().load_N, (std::vector<float>{10, 0, 0, 0, 0, 80}));
+}
+
+TEST(TouchChannel, handsRawFramesToWhoCollectsThem) {
+    Channel channel;
+    const auto tap = std::make_shared<teleta::core::StreamTap>(8);
+    channel->collect(tap);
+    channel->setTaxelGain({2, 2, 2, 2, 2, 2});
+    channel.source->push({1, 2, 3, 4, 5, 6}, 0.5);
+    channel->process();
+    channel->collect(nullptr);
+    channel.source->push({7, 7, 7, 7, 7, 7}, 0.6);
+    channel->process();
+    teleta::core::TappedFrames frames;
+    ASSERT_TRUE(tap->pop(frames));
+    EXPECT_EQ(frames.sourceTime_s, std::vector<double>{0.5});
+    std::vector<float> raw(6);
+    ASSERT_EQ(frames.values.size(), 6 * sizeof(float));
+    std::memcpy(raw.data(), frames.values.data(), frames.values.size());
+    EXPECT_EQ(raw, (std::vector<float>{1, 2, 3, 4, 5, 6}));
+    EXPECT_FALSE(tap->pop(frames));
 }
 
 TEST(TouchChannel, taresWithTheMeanOfTheFramesInTheGivenTime) {
