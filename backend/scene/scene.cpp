@@ -70,6 +70,7 @@ struct EffectIsValid {
         return isNotNegative(spec.delay_s) && spec.delay_s <= 1.0;
     }
     bool operator()(const NonlinearResponseSpec& spec) const { return std::abs(spec.bow) <= 0.25; }
+    bool operator()(const GainSpreadSpec& spec) const { return isNotNegative(spec.sd) && spec.sd <= 1.0; }
     bool operator()(const TorqueNoiseSpec& spec) const { return isNotNegative(spec.sd_Nm); }
     bool operator()(const EncoderQuantizationSpec& spec) const { return isPositive(spec.step_rad); }
     bool operator()(const GravityErrorSpec& spec) const { return std::isfinite(spec.share); }
@@ -106,6 +107,7 @@ struct EffectName {
     std::string_view operator()(const DriftSpec&) const { return "drift"; }
     std::string_view operator()(const LatencySpec&) const { return "latency"; }
     std::string_view operator()(const NonlinearResponseSpec&) const { return "nonlinear_response"; }
+    std::string_view operator()(const GainSpreadSpec&) const { return "gain_spread"; }
     std::string_view operator()(const TorqueNoiseSpec&) const { return "torque_noise"; }
     std::string_view operator()(const EncoderQuantizationSpec&) const { return "encoder_quantization"; }
     std::string_view operator()(const GravityErrorSpec&) const { return "gravity_error"; }

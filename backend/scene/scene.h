@@ -68,6 +68,11 @@ struct NonlinearResponseSpec {
     double bow = 0.0; ///< -0.25 .. 0.25, so that the reading rises with the load
 };
 
+/// No two taxels are made alike: each reads its load times a factor of its own, whose logarithm is normal.
+struct GainSpreadSpec {
+    double sd = 0.0; ///< of the logarithm; 0 .. 1
+};
+
 /// Gaussian noise of each joint torque, independent from sample to sample.
 struct TorqueNoiseSpec {
     double sd_Nm = 0.0;
@@ -131,20 +136,21 @@ struct FrictionSpec {
     double coefficient = 0.0; ///< >= 0
 };
 
-/// One imperfection that the scene calls for. What is not listed is not simulated. The first nine are of
+/// One imperfection that the scene calls for. What is not listed is not simulated. The first ten are of
 /// taxels, the next six of an arm, the next four of an array that an arm carries, the last six of a camera.
 struct Effect {
     std::string why; ///< what the scene would lose without it
     std::variant<NoiseSpec, QuantizationSpec, SaturationSpec, DeadTaxelsSpec, CrosstalkSpec, HysteresisSpec,
-                 DriftSpec, LatencySpec, NonlinearResponseSpec, TorqueNoiseSpec, EncoderQuantizationSpec,
-                 GravityErrorSpec, GearRippleSpec, NonlinearObjectSpec, LinkDelaySpec, BorderStiffeningSpec,
-                 HousingRimSpec, ContactDampingSpec, FrictionSpec, LensDistortionSpec, UnevenLightSpec,
-                 SensorNoiseSpec, MotionBlurSpec, MarkerPrintErrorSpec, VignettingSpec>
+                 DriftSpec, LatencySpec, NonlinearResponseSpec, GainSpreadSpec, TorqueNoiseSpec,
+                 EncoderQuantizationSpec, GravityErrorSpec, GearRippleSpec, NonlinearObjectSpec,
+                 LinkDelaySpec, BorderStiffeningSpec, HousingRimSpec, ContactDampingSpec, FrictionSpec,
+                 LensDistortionSpec, UnevenLightSpec, SensorNoiseSpec, MotionBlurSpec, MarkerPrintErrorSpec,
+                 VignettingSpec>
         parameters;
 };
 
 /// Kinds of effects that every tactile array can have; those after them need the world that they are of.
-inline constexpr std::size_t kTaxelEffectKinds = 9;
+inline constexpr std::size_t kTaxelEffectKinds = 10;
 inline constexpr std::size_t kArmEffectKinds = 6;
 /// Kinds that a camera can have, the last ones.
 inline constexpr std::size_t kCameraEffectKinds = 6;

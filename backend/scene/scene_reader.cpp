@@ -176,6 +176,10 @@ constexpr std::array kTaxelEffects{
                      return NonlinearResponseSpec{.bow =
                                                       table.number("bow", NumberRange::between(-0.25, 0.25))};
                  }},
+    EffectReader{"gain_spread",
+                 [](TomlTable& table, const core::ArrayLayout&) -> EffectParameters {
+                     return GainSpreadSpec{.sd = table.number("sd", NumberRange::between(0.0, 1.0))};
+                 }},
 };
 
 constexpr std::array kArmEffects{

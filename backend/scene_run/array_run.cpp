@@ -3,15 +3,18 @@
 
 #include "backend/contact/contact_segmenter.h"
 #include "backend/contact/frame_conditioner.h"
+#include "backend/equilibration/taxel_gains.h"
 #include "backend/scene_run/contact_errors.h"
 #include "backend/scene_run/frame_log.h"
 #include "backend/scene_run/scene_recording.h"
 #include "backend/scene_run/scene_settings.h"
+#include "backend/simulation/effects/gain_spread.h"
 #include "backend/simulation/simulated_array.h"
 
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace teleta::scene_run {
@@ -19,6 +22,29 @@ namespace teleta::scene_run {
 namespace {
 
 constexpr std::uint64_t kFramesBetweenReports = 256;
+constexpr std::uint64_t kMostGainFrames = 4000;
+
+/// How wrong the gains are that are found from these frames, rms, relative; empty when none can be found.
+std::optional<double> gainError(const scene::Scene& scene, const scene::GainSpreadSpec& spec,
+                                std::uint64_t seed, const std::vector<float>& frames) {
+    const core::ArrayLayout& layout = scene.array().sensor.layout;
+    const auto gains = equilibration::findTaxelGains(layout, std::span(&frames, 1), {});
+    if (!gains)
+        return std::nullopt;
+    const std::vector<double> factors =
+        simulation::gainFactors(spec, layout.taxels(), simulation::RandomStream(seed, "gain_spread"));
+    // Nobody knows the load: the gains are right when all products are the same.
+    double sum = 0.0;
+    double squares = 0.0;
+    for (std::size_t i = 0; i < factors.size(); ++i)
+        sum += gains->taxels[i].isGood() ? gains->taxels[i].gain * factors[i] : 0.0;
+    const auto good = static_cast<double>(gains->good());
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+        if (gains->taxels[i].isGood())
+            squares += std::pow(gains->taxels[i].gain * factors[i] * good / sum - 1.0, 2);
+    }
+    return std::sqrt(squares / good);
+}
 
 } // namespace
 
@@ -49,6 +75,8 @@ core::Expected<SceneSummary> runArrayScene(const scene::Scene& scene, const RunO
     ContactErrors errors;
     std::optional<double> firstContact_s;
     std::vector<bool> pressing(scene.array().indenters.size(), false);
+    const auto* spread = scene.listed<scene::GainSpreadSpec>();
+    std::vector<float> press;
     std::uint64_t frame = 0;
     for (; frame < frames && !log->failed(); ++frame) {
         if (frame % kFramesBetweenReports == 0 && options.goOn &&
@@ -59,6 +87,8 @@ core::Expected<SceneSummary> runArrayScene(const scene::Scene& scene, const RunO
         (*array)->next(values, false);
         log->add((*array)->time_s(), values);
         recording->addFrame((*array)->time_s(), values);
+        if (spread != nullptr && frame < kMostGainFrames)
+            press.insert(press.end(), values.begin(), values.end());
         conditioner.apply(values, load_N, dead);
         const auto found = segmenter.segment(load_N, dead);
         if (!found.empty() && !firstContact_s)
@@ -86,6 +116,8 @@ core::Expected<SceneSummary> runArrayScene(const scene::Scene& scene, const RunO
     for (const simulation::EffectTime& effect : (*array)->effectTimes())
         summary.effects.push_back({std::string(effect.name), effect.time_s});
     errors.report(summary.measures);
+    if (spread != nullptr)
+        summary.measures["taxel_gain_error_rms"] = orNull(gainError(scene, *spread, options.seed, press));
     summary.measures["first_contact_s"] = orNull(firstContact_s);
     summary.measures["frames"] = frame;
     summary.measures["frames_lost"] = 0;

@@ -4,6 +4,7 @@
 #include "backend/simulation/effects/crosstalk.h"
 #include "backend/simulation/effects/dead_taxels.h"
 #include "backend/simulation/effects/drift.h"
+#include "backend/simulation/effects/gain_spread.h"
 #include "backend/simulation/effects/hysteresis.h"
 #include "backend/simulation/effects/latency.h"
 #include "backend/simulation/effects/noise.h"
@@ -42,6 +43,10 @@ std::vector<std::unique_ptr<Effect>> makeEffects(const scene::Scene& scene, doub
         scene, effects, [&](Name name, const scene::NonlinearResponseSpec& spec) {
             return std::make_unique<NonlinearResponse>(name, spec, fullScale_N);
         });
+    addListed<scene::GainSpreadSpec>(scene, effects, [&](Name name, const scene::GainSpreadSpec& spec) {
+        return std::make_unique<GainSpread>(name,
+                                            gainFactors(spec, layout.taxels(), RandomStream(seed, name)));
+    });
     addListed<scene::DriftSpec>(scene, effects, [&](Name name, const scene::DriftSpec& spec) {
         return std::make_unique<Drift>(name, spec, layout, 1.0 / frameRate_Hz, RandomStream(seed, name));
     });

@@ -134,11 +134,12 @@ TEST(ArmScene, readsAnOperatorHisLinkAndWhatHeDoesNotKnow) {
     EXPECT_EQ(spec->outage_s, 0.5);
     EXPECT_EQ(nameOf(scene->effects[0]), "link_delay");
 
-    EXPECT_EQ(errorOf(kHead + kArm + kSkin + kProgram + kObject + link),
-              "s.toml:35:8: unknown value \"link_delay\" of \"name\" (expected one of: noise, quantization, "
-              "saturation, dead_taxels, crosstalk, hysteresis, drift, latency, nonlinear_response, "
-              "torque_noise, encoder_quantization, "
-              "gravity_error, gear_ripple, nonlinear_object)");
+    EXPECT_EQ(
+        errorOf(kHead + kArm + kSkin + kProgram + kObject + link),
+        "s.toml:35:8: unknown value \"link_delay\" of \"name\" (expected one of: noise, quantization, "
+        "saturation, dead_taxels, crosstalk, hysteresis, drift, latency, nonlinear_response, gain_spread, "
+        "torque_noise, encoder_quantization, "
+        "gravity_error, gear_ripple, nonlinear_object)");
     Scene copy = *scene;
     copy.arm().program = YieldProgram{};
     EXPECT_FALSE(checkScene(copy)); // nobody is at the other end of the link
@@ -170,7 +171,7 @@ why = "w"
     EXPECT_EQ(
         errorOf(kHead + array),
         "s.toml:18:8: unknown value \"torque_noise\" of \"name\" (expected one of: noise, quantization, "
-        "saturation, dead_taxels, crosstalk, hysteresis, drift, latency, nonlinear_response)");
+        "saturation, dead_taxels, crosstalk, hysteresis, drift, latency, nonlinear_response, gain_spread)");
 }
 
 TEST(CheckScene, refusesAnArmThatNoFileCouldDescribe) {

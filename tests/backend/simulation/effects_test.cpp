@@ -2,6 +2,7 @@
 #include "backend/simulation/effects/crosstalk.h"
 #include "backend/simulation/effects/dead_taxels.h"
 #include "backend/simulation/effects/drift.h"
+#include "backend/simulation/effects/gain_spread.h"
 #include "backend/simulation/effects/hysteresis.h"
 #include "backend/simulation/effects/latency.h"
 #include "backend/simulation/effects/noise.h"
@@ -273,6 +274,25 @@ TEST(Latency, oneShorterThanHalfAFrameIsNone) {
     std::vector<double> load_N(84, 1.5);
     latency.apply(load_N);
     EXPECT_EQ(load_N, std::vector<double>(84, 1.5));
+}
+
+TEST(GainSpread, multipliesEachTaxelWithItsOwnFactor) {
+    const teleta::scene::GainSpreadSpec spec{.sd = 0.2};
+    const std::vector<double> factors = gainFactors(spec, 5000, RandomStream(1, "gain_spread"));
+    double mean = 0.0;
+    double squares = 0.0;
+    for (const double factor : factors) {
+        mean += std::log(factor) / 5000.0;
+        squares += std::log(factor) * std::log(factor) / 5000.0;
+    }
+    EXPECT_NEAR(mean, 0.0, 4.0 * 0.2 / std::sqrt(5000.0));
+    EXPECT_NEAR(std::sqrt(squares), 0.2, 4.0 * 0.2 / std::sqrt(10000.0));
+
+    GainSpread spread("gain_spread", {2.0, 0.5, 1.0});
+    std::vector<double> load_N{1.0, 1.0, 0.0};
+    spread.apply(load_N);
+    spread.apply(load_N);
+    EXPECT_EQ(load_N, (std::vector<double>{4.0, 0.25, 0.0}));
 }
 
 TEST(NonlinearResponse, isExactAtBothEndsAndWrongByTheBowHalfWay) {
