@@ -22,7 +22,7 @@ public:
     [[nodiscard]] virtual const char* name() const = 0;
     /// One line for the list of commands; translated.
     [[nodiscard]] virtual QString summary() const = 0;
-    /// A command line that works, shown under the command's help.
+    /// Command lines that work as they are in an empty folder, shown under the command's help.
     [[nodiscard]] virtual const char* example() const = 0;
 
     /// Declares arguments and options, which are written into members of this object.

@@ -77,7 +77,8 @@ QString CalibrateCommand::summary() const {
 }
 
 const char* CalibrateCommand::example() const {
-    return "teleta calibrate pairs.csv --out camera.json --residuals residuals.csv";
+    return "teleta simulate vtacarm-calibration --out run\n"
+           "  teleta calibrate run/pairs.csv --out camera.json --residuals residuals.csv";
 }
 
 void CalibrateCommand::declare(CLI::App& app) {

@@ -15,7 +15,8 @@ QString ContactsCommand::summary() const {
 }
 
 const char* ContactsCommand::example() const {
-    return "teleta contacts press.csv --tare empty.csv --threshold 0.3 --json";
+    return "teleta simulate tactile-indenter --out run\n"
+           "  teleta contacts run/frames.csv --threshold 0.3 --json";
 }
 
 core::Expected<void> ContactsCommand::run() {

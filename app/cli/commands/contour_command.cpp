@@ -118,7 +118,8 @@ QString ContourCommand::summary() const {
 }
 
 const char* ContourCommand::example() const {
-    return "teleta contour points.csv --spline interpolating --curve curve.csv";
+    return "teleta simulate teleta-contour-circle --out run\n"
+           "  teleta contour run/contour.csv --closed --curve curve.csv";
 }
 
 void ContourCommand::declare(CLI::App& app) {

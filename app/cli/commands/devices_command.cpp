@@ -240,7 +240,7 @@ QString DevicesCommand::summary() const {
 }
 
 const char* DevicesCommand::example() const {
-    return "teleta devices --probe motor-driver.toml --json";
+    return "teleta devices --json";
 }
 
 void DevicesCommand::declare(CLI::App& app) {

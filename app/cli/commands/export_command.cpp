@@ -59,7 +59,8 @@ QString ExportCommand::summary() const {
 }
 
 const char* ExportCommand::example() const {
-    return "teleta export run/recording.teleta --csv run/csv";
+    return "teleta simulate tactile-indenter --out run\n"
+           "  teleta export run/recording.teleta --csv run/csv";
 }
 
 void ExportCommand::declare(CLI::App& app) {

@@ -13,7 +13,8 @@ QString FeaturesCommand::summary() const {
 }
 
 const char* FeaturesCommand::example() const {
-    return "teleta features press.csv --tare empty.csv --rows 6 --columns 14 --out features.csv";
+    return "teleta simulate tactile-indenter --out run\n"
+           "  teleta features run/frames.csv --threshold 0.3 --out features.csv";
 }
 
 core::Expected<void> FeaturesCommand::run() {

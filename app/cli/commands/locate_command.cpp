@@ -43,7 +43,8 @@ QString LocateCommand::summary() const {
 }
 
 const char* LocateCommand::example() const {
-    return "teleta locate camera.json pixels.csv --out points.csv";
+    return "teleta simulate vtacarm-calibration --out run\n"
+           "  teleta locate run/camera.json run/pairs.csv --out points.csv";
 }
 
 void LocateCommand::declare(CLI::App& app) {

@@ -69,7 +69,8 @@ QString ReplayCommand::summary() const {
 }
 
 const char* ReplayCommand::example() const {
-    return "teleta replay run/recording.teleta --out features.csv";
+    return "teleta simulate tactile-indenter --out run\n"
+           "  teleta replay run/recording.teleta --out features.csv";
 }
 
 void ReplayCommand::declare(CLI::App& app) {

@@ -58,7 +58,7 @@ TEST(CommandLine, helpIsNoErrorAndHasAnExampleForEachCommand) {
         EXPECT_NE(program.out.find(command), std::string::npos);
         const ProgramResult help = run({command, "--help"});
         EXPECT_EQ(help.exitCode, 0);
-        EXPECT_NE(help.out.find("teleta " + command + " press.csv"), std::string::npos);
+        EXPECT_NE(help.out.find("teleta " + command + " run/frames.csv"), std::string::npos);
         EXPECT_NE(help.out.find("--pitch-mm"), std::string::npos);
         EXPECT_EQ(help.err, "");
     }
