@@ -5,11 +5,13 @@
 #include "app/cli/progress_bar.h"
 #include "app/cli/validators.h"
 #include "backend/core/frame_file.h"
+#include "backend/equilibration/taxel_gain_file.h"
 
 #include <QCoreApplication>
 
 #include <CLI/CLI.hpp>
 
+#include <array>
 #include <filesystem>
 #include <utility>
 
@@ -21,41 +23,25 @@ struct FrameOptionText {
     Q_DECLARE_TR_FUNCTIONS(FrameOptionText)
 };
 
-/// What the options say of the array, and the tare.
+/// What the options say of the array and its taxels.
 core::Expected<contact::ConditioningSettings> conditioning(const FrameOptions& options) {
-    contact::ConditioningSettings settings;
-    settings.gain = options.gain;
-    settings.inverted = options.inverted;
-    const std::size_t taxels = options.layout().taxels();
-    if (!options.dead.empty())
-        settings.dead.assign(taxels, 0);
-    for (const int taxel : options.dead) {
-        if (taxel < 0 || static_cast<std::size_t>(taxel) >= taxels)
-            throw CLI::ValidationError("--dead",
-                                       FrameOptionText::tr("%1 is given, a taxel from 0 to %2 is expected")
-                                           .arg(taxel)
-                                           .arg(taxels - 1)
-                                           .toStdString());
-        settings.dead[static_cast<std::size_t>(taxel)] = 1;
-    }
-    if (!options.tarePath.empty()) {
-        core::Expected<std::vector<float>> tare = core::readTare(options.tarePath, options.layout());
-        if (!tare)
-            return core::Unexpected(tare.error());
-        settings.tare = std::move(*tare);
+    core::Expected<contact::ConditioningSettings> settings = options.array.conditioning();
+    if (!settings)
+        return settings;
+    settings->gain = options.gain;
+    if (!options.gainsPath.empty()) {
+        const auto gains = equilibration::readTaxelGains(options.gainsPath, options.layout());
+        if (!gains)
+            return core::Unexpected(gains.error());
+        settings->taxelGain = gains->values();
     }
     return settings;
 }
 
 } // namespace
 
-void FrameOptions::declare(CLI::App& app) {
+void ArrayOptions::declare(CLI::App& app) {
     constexpr int kSide = core::ArrayLayout::kMaximumSide;
-    app.add_option("FRAMES.csv", path,
-                   FrameOptionText::tr("Recorded frames: time_s,t0,t1,... with one row a frame, row-major")
-                       .toStdString())
-        ->type_name("")
-        ->required();
     app.add_option("--rows", rows, FrameOptionText::tr("Rows of the array").toStdString())
         ->check(between(1, kSide))
         ->capture_default_str();
@@ -66,23 +52,68 @@ void FrameOptions::declare(CLI::App& app) {
                    FrameOptionText::tr("Distance of neighbouring taxels in mm").toStdString())
         ->check(positive())
         ->capture_default_str();
-    app.add_option("--threshold", threshold_N,
-                   FrameOptionText::tr("Load in N from which a taxel is in contact").toStdString())
-        ->check(positive())
-        ->capture_default_str();
     app.add_option(
            "--tare", tarePath,
            FrameOptionText::tr("Frames of the unloaded array; their mean is subtracted").toStdString())
         ->type_name("FILE");
     app.add_flag("--invert", inverted, FrameOptionText::tr("The raw values fall under load").toStdString());
-    app.add_option("--gain", gain, FrameOptionText::tr("N per raw unit").toStdString())
-        ->check(nonZero())
-        ->capture_default_str();
     app.add_option("--dead", dead,
                    FrameOptionText::tr("Numbers of taxels to leave out, such as 0,17").toStdString())
         ->delimiter(',')
         ->allow_extra_args(false)
         ->type_name("LIST");
+}
+
+core::Expected<contact::ConditioningSettings> ArrayOptions::conditioning() const {
+    contact::ConditioningSettings settings;
+    settings.inverted = inverted;
+    const std::size_t taxels = layout().taxels();
+    if (!dead.empty())
+        settings.dead.assign(taxels, 0);
+    for (const int taxel : dead) {
+        if (taxel < 0 || static_cast<std::size_t>(taxel) >= taxels)
+            throw CLI::ValidationError("--dead",
+                                       FrameOptionText::tr("%1 is given, a taxel from 0 to %2 is expected")
+                                           .arg(taxel)
+                                           .arg(taxels - 1)
+                                           .toStdString());
+        settings.dead[static_cast<std::size_t>(taxel)] = 1;
+    }
+    if (!tarePath.empty()) {
+        core::Expected<std::vector<float>> tare = core::readTare(tarePath, layout());
+        if (!tare)
+            return core::Unexpected(tare.error());
+        settings.tare = std::move(*tare);
+    }
+    return settings;
+}
+
+void refuseToReplace(const std::string& output, std::span<const std::string> inputs) {
+    for (const std::string& input : inputs) {
+        std::error_code missing;
+        if (!output.empty() && std::filesystem::equivalent(input, output, missing))
+            throw CLI::ValidationError(
+                "--out", FrameOptionText::tr("the output would replace the input").toStdString());
+    }
+}
+
+void FrameOptions::declare(CLI::App& app) {
+    app.add_option("FRAMES.csv", path,
+                   FrameOptionText::tr("Recorded frames: time_s,t0,t1,... with one row a frame, row-major")
+                       .toStdString())
+        ->type_name("")
+        ->required();
+    array.declare(app);
+    app.add_option("--threshold", threshold_N,
+                   FrameOptionText::tr("Load in N from which a taxel is in contact").toStdString())
+        ->check(positive())
+        ->capture_default_str();
+    app.add_option("--gain", gain, FrameOptionText::tr("N per raw unit").toStdString())
+        ->check(nonZero())
+        ->capture_default_str();
+    app.add_option("--gains", gainsPath,
+                   FrameOptionText::tr("Gains of the taxels, as \"teleta gains\" writes them").toStdString())
+        ->type_name("GAINS.csv");
     app.add_flag(
         "--weighted", weighted,
         FrameOptionText::tr("Weight the taxels with their load to find the principal axis").toStdString());
@@ -102,7 +133,7 @@ void FrameOptions::declare(CLI::App& app) {
         ->capture_default_str();
     app.add_option("--min-taxels", minimumTaxels,
                    FrameOptionText::tr("Contacts of fewer taxels are dropped").toStdString())
-        ->check(between(1, kSide * kSide))
+        ->check(between(1, core::ArrayLayout::kMaximumSide * core::ArrayLayout::kMaximumSide))
         ->capture_default_str();
     declareJson(app, output.json);
     declareOut(app, output.outPath);
@@ -128,13 +159,8 @@ contact::SegmentationSettings FrameOptions::segmentationSettings() const {
 
 core::Expected<void> processFrames(const FrameOptions& options, std::span<const std::string_view> columns,
                                    const std::function<void(const ConditionedFrame&, RowOutput&)>& write) {
-    for (const std::string& input : {options.path, options.tarePath}) {
-        std::error_code missing;
-        if (!options.output.outPath.empty() &&
-            std::filesystem::equivalent(input, options.output.outPath, missing))
-            throw CLI::ValidationError(
-                "--out", FrameOptionText::tr("the output would replace the input").toStdString());
-    }
+    const std::array inputs{options.path, options.array.tarePath, options.gainsPath};
+    refuseToReplace(options.output.outPath, inputs);
     core::Expected<contact::ConditioningSettings> settings = conditioning(options);
     if (!settings)
         return core::Unexpected(settings.error());

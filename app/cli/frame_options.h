@@ -21,17 +21,33 @@ class App;
 
 namespace teleta::cli {
 
-/// Arguments and options of the commands that read tactile frames, the same for all of them.
-struct FrameOptions {
-    std::string path;
+/// Options that say what the array of some frames is, the same for all commands that read frames.
+struct ArrayOptions {
     int rows = core::ArrayLayout{}.rows;
     int columns = core::ArrayLayout{}.columns;
     double pitch_mm = 3.4;
-    double threshold_N = 0.2;
     std::string tarePath;
     bool inverted = false;
-    double gain = 1.0;
     std::vector<int> dead; ///< numbers of taxels that are not used
+
+    void declare(CLI::App& app);
+
+    [[nodiscard]] core::ArrayLayout layout() const { return {rows, columns, pitch_mm * 1e-3}; }
+    /// Tare, direction and dead taxels. Reads the tare's file. Throws CLI::ValidationError when a dead taxel
+    /// is none of the array.
+    [[nodiscard]] core::Expected<contact::ConditioningSettings> conditioning() const;
+};
+
+/// Throws CLI::ValidationError when the output would replace one of the inputs.
+void refuseToReplace(const std::string& output, std::span<const std::string> inputs);
+
+/// Arguments and options of the commands that compute something of each tactile frame.
+struct FrameOptions {
+    std::string path;
+    ArrayOptions array;
+    double threshold_N = 0.2;
+    double gain = 1.0;
+    std::string gainsPath; ///< of the taxels
     bool weighted = false;
     bool automaticThreshold = false;
     bool activeOnly = false;
@@ -41,7 +57,7 @@ struct FrameOptions {
 
     void declare(CLI::App& app);
 
-    [[nodiscard]] core::ArrayLayout layout() const { return {rows, columns, pitch_mm * 1e-3}; }
+    [[nodiscard]] core::ArrayLayout layout() const { return array.layout(); }
     [[nodiscard]] contact::FeatureSettings featureSettings() const;
     [[nodiscard]] contact::SegmentationSettings segmentationSettings() const;
 };

@@ -9,6 +9,7 @@
 #include "app/cli/commands/devices_command.h"
 #include "app/cli/commands/export_command.h"
 #include "app/cli/commands/features_command.h"
+#include "app/cli/commands/gains_command.h"
 #include "app/cli/commands/locate_command.h"
 #include "app/cli/commands/pattern_command.h"
 #include "app/cli/commands/replay_command.h"
@@ -36,6 +37,7 @@ std::vector<std::unique_ptr<Command>> makeCommands() {
     std::vector<std::unique_ptr<Command>> commands;
     commands.push_back(std::make_unique<FeaturesCommand>());
     commands.push_back(std::make_unique<ContactsCommand>());
+    commands.push_back(std::make_unique<GainsCommand>());
     commands.push_back(std::make_unique<StiffnessCommand>());
     commands.push_back(std::make_unique<ContourCommand>());
     commands.push_back(std::make_unique<CalibrateCommand>());

@@ -78,9 +78,10 @@ TEST_F(TradeoffCommand, printsOneDocument) {
 TEST_F(TradeoffCommand, listsItsLadders) {
     const ProgramResult list = run({"tradeoff", "--list", "--json"});
     ASSERT_EQ(list.exitCode, 0) << list.err;
-    EXPECT_EQ(ordered_json::parse(list.out).size(), 9U);
-    for (const char* name : {"contact-flow", "camera-calibration", "undistortion", "contour", "stiffness",
-                             "tactile-features", "simulation-step", "scene-effects", "statistics"})
+    EXPECT_EQ(ordered_json::parse(list.out).size(), 10U);
+    for (const char* name :
+         {"contact-flow", "camera-calibration", "undistortion", "contour", "stiffness", "tactile-features",
+          "taxel-gains", "simulation-step", "scene-effects", "statistics"})
         EXPECT_TRUE(std::ranges::any_of(ordered_json::parse(list.out), [&](const ordered_json& ladder) {
             return ladder["ladder"] == name && !ladder["truth"].get<std::string>().empty();
         })) << name;
