@@ -4,9 +4,9 @@
 namespace teleta::cost {
 
 std::vector<Ladder> allLadders() {
-    return {contactFlowLadder(),    cameraCalibrationLadder(), undistortionLadder(),
-            contourLadder(),        stiffnessLadder(),         tactileFeaturesLadder(),
-            simulationStepLadder(), sceneEffectsLadder(),      statisticsLadder()};
+    return {contactFlowLadder(),  cameraCalibrationLadder(), undistortionLadder(), contourLadder(),
+            stiffnessLadder(),    tactileFeaturesLadder(),   taxelGainsLadder(),   simulationStepLadder(),
+            sceneEffectsLadder(), statisticsLadder()};
 }
 
 } // namespace teleta::cost

@@ -30,6 +30,10 @@ namespace teleta::cost {
 /// pressure, summit of a paraboloid. Loads come from the foundation model.
 [[nodiscard]] Ladder tactileFeaturesLadder();
 
+/// Gains of an array's taxels from a press whose readings are lost now and then, and spark: ratio of the
+/// means, robust fit, 50..1000 frames. Readings are written from the taxels' responses.
+[[nodiscard]] Ladder taxelGainsLadder();
+
 /// An arm that touches rubber: implicit steps of 0.1..10 ms, explicit ones where they are stable, against a
 /// solution with steps of 2 us. How taxels are coupled is an effect of its own: see sceneEffectsLadder().
 [[nodiscard]] Ladder simulationStepLadder();

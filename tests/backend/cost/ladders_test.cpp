@@ -76,6 +76,17 @@ TEST(ContourLadder, interpolatingIsNearerWithFewPointsAndApproximatingSmoothsThe
     EXPECT_GT(errors.at("approximating-8"), 0.001);
 }
 
+// A spark of 30 in 0.5 % of the readings adds 0.15 to every mean, which changes the ratios of taxels that
+// differ by 20 %; with few frames some taxels have a spark and others none.
+TEST(TaxelGainsLadder, aRobustFitIsNearerThanTheRatioOfMeansAndGainsByMoreFrames) {
+    const auto errors = meanErrors(ladderNamed("taxel-gains"), 10);
+    EXPECT_LT(errors.at("robust-50"), 0.2 * errors.at("ratio-of-means-50"));
+    EXPECT_LT(errors.at("robust-1000"), 0.1 * errors.at("ratio-of-means-1000"));
+    // Noise of 2 % over the square root of the frames, and what sparks add to it.
+    EXPECT_LT(errors.at("robust-1000"), 0.002);
+    EXPECT_LT(errors.at("robust-1000"), 0.4 * errors.at("robust-50"));
+}
+
 TEST(TactileFeaturesLadder, aSummitIsNearerThanACentroidWhereTheBorderCutsTheContact) {
     const auto errors = meanErrors(ladderNamed("tactile-features"), 8);
     EXPECT_LT(errors.at("weighted"), errors.at("binarised"));
