@@ -78,7 +78,10 @@ double quantileOf(std::vector<double> values, double probability) {
 /// Tells what the event loop was longest busy with, to find what holds it up.
 class TimedApplication : public QApplication {
 public:
-    using QApplication::QApplication;
+    TimedApplication(int& argc, char** argv)
+        : QApplication(argc, argv) {
+        m_running.start();
+    }
 
     bool notify(QObject* receiver, QEvent* event) override {
         if (m_depth > 0)
@@ -93,15 +96,17 @@ public:
         const double wall_s = 1e-9 * static_cast<double>(wall.nsecsElapsed());
         --m_depth;
         if (wall_s > kNoted_s)
-            m_longest.push_back({wall_s, threadTime_s() - begin_s, name, type});
+            m_longest.push_back({wall_s, threadTime_s() - begin_s,
+                                 1e-3 * static_cast<double>(m_running.elapsed()), name, type});
         return taken;
     }
 
     void tell() {
         std::ranges::sort(m_longest, {}, [](const Busy& busy) { return -busy.wall_s; });
         for (std::size_t i = 0; i < std::min<std::size_t>(m_longest.size(), 15); ++i)
-            std::printf("busy for %.1f ms, of the processor %.1f: %s, event %d\n", 1e3 * m_longest[i].wall_s,
-                        1e3 * m_longest[i].thread_s, m_longest[i].receiver.constData(), m_longest[i].type);
+            std::printf("busy for %.1f ms, of the processor %.1f, %.0f s after the start: %s, event %d\n",
+                        1e3 * m_longest[i].wall_s, 1e3 * m_longest[i].thread_s, m_longest[i].ended_s,
+                        m_longest[i].receiver.constData(), m_longest[i].type);
     }
 
 private:
@@ -109,6 +114,7 @@ private:
     struct Busy {
         double wall_s;
         double thread_s;
+        double ended_s;
         QByteArray receiver;
         QEvent::Type type;
     };
@@ -119,6 +125,7 @@ private:
     }
 
     std::vector<Busy> m_longest;
+    QElapsedTimer m_running;
     int m_depth = 0;
 };
 
