@@ -102,6 +102,7 @@ std::optional<RecordingRequest> ConsoleSettings::recording(const QString& path) 
     request.layout.columns = value("columns").toInt();
     request.layout.pitch_m = value("pitch_m").toDouble();
     request.tarePath = value("tare").toString().toStdString();
+    request.gainsPath = value("gains").toString().toStdString();
     request.inverted = value("inverted").toBool();
     request.gain = value("gain").toDouble();
     request.threshold_N = value("threshold").toDouble();
@@ -121,6 +122,7 @@ void ConsoleSettings::setRecording(const RecordingRequest& request) {
     set(group + QStringLiteral("columns"), request.layout.columns);
     set(group + QStringLiteral("pitch_m"), request.layout.pitch_m);
     set(group + QStringLiteral("tare"), QString::fromStdString(request.tarePath));
+    set(group + QStringLiteral("gains"), QString::fromStdString(request.gainsPath));
     set(group + QStringLiteral("inverted"), request.inverted);
     set(group + QStringLiteral("gain"), request.gain);
     set(group + QStringLiteral("threshold"), request.threshold_N);

@@ -89,7 +89,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
           options.dataFolder.isEmpty() ? QString() : options.dataFolder + QStringLiteral("/recovery"), this))
     , m_study(
           new StudyPage(m_operate->bracelet(), stop, core::steadyNow_ns, QDateTime::currentDateTimeUtc, this))
-    , m_calibrate(new CalibratePage(m_operate->bracelet(), this))
+    , m_calibrate(new CalibratePage(m_operate->bracelet(), m_sources, this))
     , m_cost(new CostPage(cost::allLadders,
                           options.dataFolder.isEmpty()
                               ? QString()
@@ -110,8 +110,9 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
                     tr("What the bracelet can say: edit, check and play patterns"));
     m_rail->addPage(QLatin1String(kStudy), base::Icon::study, tr("Study"),
                     tr("User studies: from the first practice trial to confusion matrices and ANOVA"));
-    m_rail->addPage(QLatin1String(kCalibrate), base::Icon::calibrate, tr("Calibrate"),
-                    tr("What has to be measured: the motors of the bracelet, the camera in the tube"));
+    m_rail->addPage(
+        QLatin1String(kCalibrate), base::Icon::calibrate, tr("Calibrate"),
+        tr("What has to be measured: the motors of the bracelet, the camera in the tube, the taxels"));
     m_rail->addPage(QLatin1String(kCost), base::Icon::cost, tr("Cost"),
                     tr("What accuracy costs in time on this machine, and the rung that the camera uses"));
     for (QWidget* page : std::initializer_list<QWidget*>{m_operate, m_patterns, m_study, m_calibrate, m_cost})
@@ -165,6 +166,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     connect(m_cost, &CostPage::demoCameraRequested, this,
             [this] { openScene(QStringLiteral(":/scenes/vtacarm-multicontact.toml")); });
     auto& chooser = m_operate->chooser();
+    connect(m_calibrate, &CalibratePage::demoRequested, this, &MainWindow::openScene);
     connect(&chooser, &chrome::SourceChooser::demoRequested, this, &MainWindow::openScene);
     connect(&chooser, &chrome::SourceChooser::openRecordingRequested, m_operate,
             &OperatePage::openRecordingRequested);
@@ -560,8 +562,9 @@ void MainWindow::changeEvent(QEvent* event) {
                          tr("What the bracelet can say: edit, check and play patterns"));
         m_rail->setTitle(QLatin1String(kStudy), tr("Study"),
                          tr("User studies: from the first practice trial to confusion matrices and ANOVA"));
-        m_rail->setTitle(QLatin1String(kCalibrate), tr("Calibrate"),
-                         tr("What has to be measured: the motors of the bracelet, the camera in the tube"));
+        m_rail->setTitle(
+            QLatin1String(kCalibrate), tr("Calibrate"),
+            tr("What has to be measured: the motors of the bracelet, the camera in the tube, the taxels"));
         m_rail->setTitle(
             QLatin1String(kCost), tr("Cost"),
             tr("What accuracy costs in time on this machine, and the rung that the camera uses"));

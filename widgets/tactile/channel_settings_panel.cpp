@@ -105,6 +105,7 @@ ChannelSettingsPanel::ChannelSettingsPanel(QWidget* parent)
     connect(m_defaults, &QPushButton::clicked, this, [this] {
         pipeline::ChannelSettings defaults;
         defaults.conditioning.tare = m_settings.conditioning.tare;
+        defaults.conditioning.taxelGain = m_settings.conditioning.taxelGain;
         defaults.conditioning.dead = m_settings.conditioning.dead;
         defaults.loadUnit = m_settings.loadUnit;
         setSettings(defaults);
@@ -177,6 +178,8 @@ void ChannelSettingsPanel::showTare() {
     QString text = tare.empty() ? tr("Not tared") : tr("Tared");
     if (dead > 0)
         text = tr("Tared, %n taxel(s) without a reading", nullptr, static_cast<int>(dead));
+    if (!m_settings.conditioning.taxelGain.empty())
+        text += QStringLiteral(" \u00b7 ") + tr("taxel gains in use");
     m_tareState->setText(text);
     m_clearTare->setEnabled(!tare.empty());
 }
@@ -234,7 +237,7 @@ void ChannelSettingsPanel::retranslate() {
     describe(m_pointLabel, m_pointRatio, tr("&Point below:"),
              tr("The contact becomes a point when the ratio of the eigenvalues falls below this"));
     m_defaults->setText(tr("&Defaults"));
-    m_defaults->setToolTip(tr("Default values for everything but the tare"));
+    m_defaults->setToolTip(tr("Default values for everything but the tare and the gains of the taxels"));
     showUnits();
 }
 

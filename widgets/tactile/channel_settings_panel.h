@@ -16,7 +16,8 @@ class QSpinBox;
 namespace teleta::tactile {
 
 /// How the frames of the shown array are turned into contacts and features. Every change takes effect at
-/// once, on a paused picture too; "Defaults" takes all back but the tare. Thread: GUI.
+/// once, on a paused picture too; "Defaults" takes all back but the tare and the gains of the
+/// taxels. Thread: GUI.
 class ChannelSettingsPanel : public QWidget {
     Q_OBJECT
 

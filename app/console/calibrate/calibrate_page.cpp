@@ -3,6 +3,7 @@
 
 #include "app/console/page_stack.h"
 #include "widgets/base/theme.h"
+#include "widgets/calibrate/gains_view.h"
 #include "widgets/calibrate/motors_view.h"
 
 #include <QEvent>
@@ -18,13 +19,14 @@ constexpr double kRow_em = 2.2; ///< of the list: what a finger hits
 
 } // namespace
 
-CalibratePage::CalibratePage(BraceletStation& station, QWidget* parent)
+CalibratePage::CalibratePage(BraceletStation& station, SourceManager& sources, QWidget* parent)
     : QWidget(parent)
     , m_messages(new chrome::MessageBar(this))
     , m_parts(new QListWidget(this))
     , m_contents(new PageStack(this))
     , m_motors(new MotorCalibrator(station, this))
-    , m_camera(new CameraCalibrator) {
+    , m_camera(new CameraCalibrator)
+    , m_gains(new GainCalibrator(sources, this)) {
     m_parts->setFixedWidth(base::em(this, 12));
     m_parts->setFrameShape(QFrame::NoFrame);
     auto* row = new QHBoxLayout;
@@ -37,15 +39,20 @@ CalibratePage::CalibratePage(BraceletStation& station, QWidget* parent)
     layout->addWidget(m_messages);
     layout->addLayout(row, 1);
     connect(m_parts, &QListWidget::currentRowChanged, m_contents, &PageStack::setCurrentIndex);
-    connect(m_motors, &MotorCalibrator::trouble, this, [this](const QString& what, const QString& details) {
+    const auto tell = [this](const QString& what, const QString& details) {
         m_messages->post({chrome::Message::Severity::error, what, details, QString()});
-    });
+    };
+    connect(m_motors, &MotorCalibrator::trouble, this, tell);
+    connect(m_gains, &GainCalibrator::trouble, this, tell);
+    connect(m_gains, &GainCalibrator::demoRequested, this,
+            [this] { emit demoRequested(QStringLiteral(":/scenes/tactile-even-load.toml")); });
     connect(m_camera, &CameraCalibrator::message, this, [this](const QString& text, bool isError) {
         using Severity = chrome::Message::Severity;
         m_messages->post({isError ? Severity::error : Severity::information, text, QString(), QString()});
     });
     addPart(&m_motors->view());
     addPart(m_camera);
+    addPart(&m_gains->view());
     m_parts->setCurrentRow(0);
     retranslate();
 }
@@ -63,12 +70,14 @@ void CalibratePage::openPairs(const QString& path) {
 
 void CalibratePage::tick() {
     m_motors->tick();
+    m_gains->tick();
 }
 
 void CalibratePage::retranslate() {
     m_parts->setAccessibleName(tr("What can be calibrated"));
     m_parts->item(0)->setText(tr("Bracelet motors"));
     m_parts->item(1)->setText(tr("Cylinder camera"));
+    m_parts->item(2)->setText(tr("Taxel gains"));
 }
 
 void CalibratePage::changeEvent(QEvent* event) {

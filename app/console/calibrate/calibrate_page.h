@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/console/calibrate/camera_calibrator.h"
+#include "app/console/calibrate/gain_calibrator.h"
 #include "app/console/calibrate/motor_calibrator.h"
 #include "widgets/chrome/message_bar.h"
 
@@ -21,15 +22,21 @@ class CalibratePage : public QWidget {
     Q_OBJECT
 
 public:
-    explicit CalibratePage(BraceletStation& station, QWidget* parent = nullptr);
+    /// station and sources outlive this.
+    CalibratePage(BraceletStation& station, SourceManager& sources, QWidget* parent = nullptr);
 
     [[nodiscard]] chrome::MessageBar& messages() { return *m_messages; }
     [[nodiscard]] MotorCalibrator& motors() { return *m_motors; }
     [[nodiscard]] CameraCalibrator& camera() { return *m_camera; }
+    [[nodiscard]] GainCalibrator& gains() { return *m_gains; }
     /// Brings the camera forward and reads its pairs.
     void openPairs(const QString& path);
     /// Shows what the devices do.
     void tick();
+
+signals:
+    /// A scene to try the calibration with.
+    void demoRequested(const QString& scene);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -43,6 +50,7 @@ private:
     PageStack* m_contents;
     MotorCalibrator* m_motors;
     CameraCalibrator* m_camera;
+    GainCalibrator* m_gains;
 };
 
 } // namespace teleta::console

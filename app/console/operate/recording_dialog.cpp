@@ -41,6 +41,7 @@ RecordingDialog::RecordingDialog(RecordingRequest request, QWidget* parent)
     , m_columns(new QSpinBox)
     , m_pitch_mm(makeNumber(m_request.layout.pitch_m * 1e3, 0.001, 10'000.0, 3))
     , m_tare(new QLineEdit(QString::fromStdString(m_request.tarePath)))
+    , m_gains(new QLineEdit(QString::fromStdString(m_request.gainsPath)))
     , m_inverted(new QCheckBox(tr("The &values fall under load")))
     , m_gain(makeNumber(m_request.gain, 1e-6, 1e6, 6))
     , m_threshold(makeNumber(m_request.threshold_N, 1e-6, 1e9, 3))
@@ -58,18 +59,10 @@ RecordingDialog::RecordingDialog(RecordingRequest request, QWidget* parent)
     m_rate_Hz->setSpecialValueText(tr("as recorded"));
     m_inverted->setChecked(m_request.inverted);
     m_loop->setChecked(m_request.loop);
-    m_tare->setPlaceholderText(tr("none"));
-    m_tare->setClearButtonEnabled(true);
-    m_tare->setMinimumWidth(base::em(this, 20));
-
-    auto* choose = new QToolButton;
-    choose->setText(tr("\u2026"));
-    choose->setToolTip(tr("Choose the recording of the unloaded array"));
-    choose->setAccessibleName(choose->toolTip());
-    connect(choose, &QToolButton::clicked, this, &RecordingDialog::chooseTare);
-    auto* tareRow = new QHBoxLayout;
-    tareRow->addWidget(m_tare, 1);
-    tareRow->addWidget(choose);
+    auto* tareRow = fileRow(m_tare, tr("Choose the recording of the unloaded array"),
+                            tr("Recording of the unloaded array"), tr("Frames (*.csv)"));
+    auto* gainsRow = fileRow(m_gains, tr("Choose the gains of the taxels"), tr("Gains of the taxels"),
+                             tr("Gains (*.csv)"));
 
     auto* sizeRow = new QHBoxLayout;
     sizeRow->addWidget(m_rows);
@@ -88,6 +81,7 @@ RecordingDialog::RecordingDialog(RecordingRequest request, QWidget* parent)
     form->addRow(QString(), m_verdict);
     form->addRow(tr("&Pitch:"), m_pitch_mm);
     base::addFormRow(*form, tr("&Unloaded (tare):"), tareRow, m_tare);
+    base::addFormRow(*form, tr("Gains of the ta&xels:"), gainsRow, m_gains);
     form->addRow(QString(), m_inverted);
     form->addRow(tr("&Gain:"), m_gain);
     form->addRow(tr("Unit of the &load:"), m_unit);
@@ -113,6 +107,7 @@ RecordingRequest RecordingDialog::request() const {
     RecordingRequest request = m_request;
     request.layout = {m_rows->value(), m_columns->value(), m_pitch_mm->value() * 1e-3};
     request.tarePath = m_tare->text().trimmed().toStdString();
+    request.gainsPath = m_gains->text().trimmed().toStdString();
     request.inverted = m_inverted->isChecked();
     request.gain = m_gain->value();
     request.threshold_N = m_threshold->value();
@@ -135,14 +130,27 @@ void RecordingDialog::check() {
     m_accept->setEnabled(fits);
 }
 
-void RecordingDialog::chooseTare() {
-    auto* dialog =
-        new QFileDialog(this, tr("Recording of the unloaded array"),
-                        QFileInfo(QString::fromStdString(m_request.path)).path(), tr("Frames (*.csv)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, m_tare, &QLineEdit::setText);
-    dialog->open();
+QHBoxLayout* RecordingDialog::fileRow(QLineEdit* line, const QString& toolTip, const QString& title,
+                                      const QString& filter) {
+    line->setPlaceholderText(tr("none"));
+    line->setClearButtonEnabled(true);
+    line->setMinimumWidth(base::em(this, 20));
+    auto* choose = new QToolButton;
+    choose->setText(tr("\u2026"));
+    choose->setToolTip(toolTip);
+    choose->setAccessibleName(toolTip);
+    connect(choose, &QToolButton::clicked, this, [this, line, title, filter] {
+        auto* dialog =
+            new QFileDialog(this, title, QFileInfo(QString::fromStdString(m_request.path)).path(), filter);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        dialog->setFileMode(QFileDialog::ExistingFile);
+        connect(dialog, &QFileDialog::fileSelected, line, &QLineEdit::setText);
+        dialog->open();
+    });
+    auto* row = new QHBoxLayout;
+    row->addWidget(line, 1);
+    row->addWidget(choose);
+    return row;
 }
 
 } // namespace teleta::console

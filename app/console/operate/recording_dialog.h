@@ -7,6 +7,7 @@
 
 class QCheckBox;
 class QDoubleSpinBox;
+class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QSpinBox;
@@ -25,7 +26,9 @@ public:
 
 private:
     void check();
-    void chooseTare();
+    /// A line for a file, with a button that asks for it.
+    QHBoxLayout* fileRow(QLineEdit* line, const QString& toolTip, const QString& title,
+                         const QString& filter);
 
     RecordingRequest m_request;
     std::size_t m_taxels;
@@ -33,6 +36,7 @@ private:
     QSpinBox* m_columns;
     QDoubleSpinBox* m_pitch_mm;
     QLineEdit* m_tare;
+    QLineEdit* m_gains;
     QCheckBox* m_inverted;
     QDoubleSpinBox* m_gain;
     QDoubleSpinBox* m_threshold;

@@ -46,6 +46,8 @@ RecordingRequest readRecordingSource(scene::TomlTable& table, const std::string&
     request.layout.pitch_m = table.number("pitch_m", scene::NumberRange::positive(), request.layout.pitch_m);
     if (table.has("tare"))
         request.tarePath = besideList(listPath, table.text("tare"));
+    if (table.has("gains"))
+        request.gainsPath = besideList(listPath, table.text("gains"));
     request.inverted = table.boolean("inverted", request.inverted);
     request.gain = table.number("gain", scene::NumberRange::positive(), request.gain);
     request.threshold_N = table.number("threshold", scene::NumberRange::positive(), request.threshold_N);
@@ -84,6 +86,8 @@ WtsRequest readWtsSource(scene::TomlTable& table, const std::string& listPath) {
     request.config.runLength = table.boolean("run_length", request.config.runLength);
     request.config.tare = table.boolean("tare", request.config.tare);
     request.gain = table.number("gain", scene::NumberRange::positive(), request.gain);
+    if (table.has("gains"))
+        request.gainsPath = besideList(listPath, table.text("gains"));
     if (table.has("threshold"))
         request.threshold = table.number("threshold", scene::NumberRange::positive());
     request.loadUnit = table.text("unit", request.loadUnit);

@@ -3,6 +3,7 @@
 
 #include "app/common/scene_file.h"
 #include "backend/core/frame_file.h"
+#include "backend/equilibration/taxel_gain_file.h"
 #include "backend/pipeline/camera_channel.h"
 #include "backend/scene_run/scene_reaction.h"
 #include "backend/scene_run/scene_settings.h"
@@ -87,6 +88,18 @@ pipeline::ChannelSettings settingsFor(double threshold_N, const std::string& uni
     return settings;
 }
 
+/// Reads the gains of the taxels, when a file of them is named.
+core::Expected<void> takeGains(const std::string& path, const core::ArrayLayout& layout,
+                               pipeline::ChannelSettings& settings) {
+    if (path.empty())
+        return {};
+    const auto gains = equilibration::readTaxelGains(path, layout);
+    if (!gains)
+        return core::Unexpected(gains.error());
+    settings.conditioning.taxelGain = gains->values();
+    return {};
+}
+
 core::Expected<pipeline::OpenedSource> openRecording(const RecordingRequest& request) {
     pipeline::ChannelSettings settings = settingsFor(request.threshold_N, request.loadUnit);
     settings.conditioning.gain = request.gain;
@@ -97,6 +110,8 @@ core::Expected<pipeline::OpenedSource> openRecording(const RecordingRequest& req
             return core::Unexpected(tare.error());
         settings.conditioning.tare = std::move(*tare);
     }
+    if (const auto taken = takeGains(request.gainsPath, request.layout, settings); !taken)
+        return core::Unexpected(taken.error());
     replay::ReplayConfig config;
     config.path = request.path;
     config.layout = request.layout;
@@ -215,6 +230,8 @@ core::Expected<pipeline::OpenedSource> openWts(const WtsRequest& request) {
     pipeline::ChannelSettings settings =
         settingsFor(request.threshold.value_or(kThresholdShare * fullScale), request.loadUnit);
     settings.conditioning.gain = request.gain;
+    if (const auto taken = takeGains(request.gainsPath, (*source)->description().layout, settings); !taken)
+        return core::Unexpected(taken.error());
     return pipeline::OpenedSource{std::move(*source), std::move(settings)};
 }
 

@@ -22,7 +22,8 @@ namespace teleta::console {
 struct RecordingRequest {
     std::string path;
     core::ArrayLayout layout;
-    std::string tarePath; ///< recording of the unloaded array; empty: none
+    std::string tarePath;  ///< recording of the unloaded array; empty: none
+    std::string gainsPath; ///< gains of its taxels; empty: none
     bool inverted = false;
     double gain = 1.0;
     double threshold_N = 0.2;
@@ -44,6 +45,7 @@ struct WtsRequest {
     double gain = 1.0;                              ///< load units per count
     std::optional<double> threshold = std::nullopt; ///< in load units; empty: 1 % of the sensor's full scale
     std::string loadUnit = "counts";                ///< shown with every load
+    std::string gainsPath = {};                     ///< gains of its taxels; empty: none
 };
 
 /// A camera in a soft tube that is connected, or a video of one.

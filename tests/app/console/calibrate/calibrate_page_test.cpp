@@ -36,6 +36,7 @@ class CalibratePageTest : public QObject {
 
     core::StopSwitch m_stop;
     std::unique_ptr<BraceletStation> m_station;
+    std::unique_ptr<console::SourceManager> m_sources;
     std::unique_ptr<CalibratePage> m_page;
     QTimer m_clock;
     QTemporaryDir m_folder;
@@ -51,7 +52,8 @@ private slots:
         QFile::remove(QString::fromStdString(motors::profilePath("simulated")));
         m_stop.release();
         m_station = test::patientStation(m_stop);
-        m_page = std::make_unique<CalibratePage>(*m_station);
+        m_sources = std::make_unique<console::SourceManager>(m_stop);
+        m_page = std::make_unique<CalibratePage>(*m_station, *m_sources);
         m_page->resize(1200, 800);
         m_page->show();
         QVERIFY(QTest::qWaitForWindowActive(m_page.get()));
@@ -67,6 +69,7 @@ private slots:
     void cleanup() {
         m_clock.stop();
         m_page.reset();
+        m_sources.reset();
         m_station.reset();
         QFile::remove(QString::fromStdString(motors::profilePath("simulated")));
     }

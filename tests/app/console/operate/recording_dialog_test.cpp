@@ -21,6 +21,7 @@ class RecordingDialogTest : public QObject {
         request.path = "/somewhere/run.csv";
         request.layout = {12, 6, 0.05};
         request.tarePath = "/somewhere/empty.csv";
+        request.gainsPath = "/somewhere/gains.csv";
         request.threshold_N = 5.0;
         request.loadUnit = "counts";
         return request;
@@ -44,6 +45,7 @@ private slots:
         QCOMPARE(request.layout.columns, 6);
         QCOMPARE(request.layout.pitch_m, 0.05);
         QCOMPARE(request.tarePath, guess().tarePath);
+        QCOMPARE(request.gainsPath, guess().gainsPath);
         QCOMPARE(request.threshold_N, 5.0);
         QCOMPARE(request.loadUnit, std::string("counts"));
         QCOMPARE(request.rate_Hz, 0.0);

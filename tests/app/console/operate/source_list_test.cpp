@@ -83,14 +83,16 @@ private slots:
     void readsRecordingsAndScenesInTheirOrderWithPathsBesideTheList() {
         writeRecording("a.csv", 84);
         const QString list =
-            write("list.toml", "[[source]]\nrecording = \"a.csv\"\nrate_Hz = 200\nthreshold = 0.5\n"
-                               "inverted = true\n[[source]]\nscene = \"demo.toml\"\nseed = 7\n");
+            write("list.toml",
+                  "[[source]]\nrecording = \"a.csv\"\nrate_Hz = 200\nthreshold = 0.5\n"
+                  "inverted = true\ngains = \"gains.csv\"\n[[source]]\nscene = \"demo.toml\"\nseed = 7\n");
         const auto requests = readSourceList(list.toStdString());
         QVERIFY2(requests.has_value(), requests ? "" : describe(requests.error()).c_str());
         QCOMPARE(requests->size(), std::size_t(2));
         const auto& recording = std::get<RecordingRequest>((*requests)[0]);
         QCOMPARE(QString::fromStdString(recording.path), m_folder.filePath("a.csv"));
         QCOMPARE(recording.layout.rows, 6);
+        QCOMPARE(QString::fromStdString(recording.gainsPath), m_folder.filePath("gains.csv"));
         QCOMPARE(recording.rate_Hz, 200.0);
         QCOMPARE(recording.threshold_N, 0.5);
         QVERIFY(recording.inverted);
@@ -103,7 +105,8 @@ private slots:
         const QString list =
             write("wts.toml", "[[source]]\nwts = \"/dev/ttyUSB0\"\nbaud = 921600\ndelay_ms = 5\n"
                               "run_length = true\ntare = true\nthreshold = 30\n"
-                              "[[source]]\nwts = \"tcp://hand:1000\"\ngain = 0.01\nunit = \"N\"\n");
+                              "[[source]]\nwts = \"tcp://hand:1000\"\ngain = 0.01\nunit = \"N\"\n"
+                              "gains = \"/hand/gains.csv\"\n");
         const auto requests = readSourceList(list.toStdString());
         QVERIFY2(requests.has_value(), requests ? "" : describe(requests.error()).c_str());
         QCOMPARE(requests->size(), std::size_t(2));
@@ -121,6 +124,8 @@ private slots:
         QVERIFY(!tcp.config.tare);
         QVERIFY(!tcp.threshold.has_value());
         QCOMPARE(tcp.gain, 0.01);
+        QCOMPARE(QString::fromStdString(tcp.gainsPath), QStringLiteral("/hand/gains.csv"));
+        QVERIFY(serial.gainsPath.empty());
         QCOMPARE(displayName((*requests)[1]), QStringLiteral("hand:1000"));
     }
 

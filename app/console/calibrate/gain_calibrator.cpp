@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/calibrate/gain_calibrator.h"
+
+#include "app/console/background.h"
+#include "backend/core/frame_file.h"
+#include "backend/equilibration/taxel_gain_file.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace teleta::console {
+
+namespace {
+
+using calibrate::GainCalibration;
+using calibrate::GainsView;
+using calibrate::Press;
+using equilibration::TaxelGains;
+
+/// What a channel uses already, from a file that was named when it was opened.
+GainCalibration calibrationOf(const pipeline::TouchChannel& channel) {
+    const std::vector<float> values = channel.settings().conditioning.taxelGain;
+    if (values.empty())
+        return {};
+    TaxelGains gains;
+    gains.layout = channel.description().layout;
+    for (const float value : values) {
+        const bool good = std::isfinite(value);
+        gains.taxels.push_back(
+            {.state = good ? equilibration::TaxelState::good : equilibration::TaxelState::dead,
+             .gain = static_cast<double>(value),
+             .error = good ? 0.0 : std::nan("")});
+    }
+    return {{}, std::make_shared<const TaxelGains>(std::move(gains))};
+}
+
+core::Expected<GainCalibration> withGains(std::vector<Press> presses, const core::ArrayLayout& layout,
+                                          const contact::ConditioningSettings& settings) {
+    std::vector<std::vector<float>> frames;
+    frames.reserve(presses.size());
+    for (const Press& press : presses)
+        frames.push_back(*press);
+    auto gains = equilibration::findTaxelGains(layout, frames, settings);
+    if (!gains)
+        return core::Unexpected(gains.error());
+    return GainCalibration{std::move(presses), std::make_shared<const TaxelGains>(std::move(*gains))};
+}
+
+} // namespace
+
+GainCalibrator::GainCalibrator(SourceManager& sources, QWidget* parent)
+    : QObject(parent)
+    , m_sources(sources)
+    , m_view(new GainsView(parent)) {
+    connect(&m_sources, &SourceManager::activeChanged, this, &GainCalibrator::onActiveChanged);
+    connect(&m_sources, &SourceManager::itemsChanged, this, &GainCalibrator::onActiveChanged);
+    connect(m_view, &GainsView::calibrationChanged, this, [this](const GainCalibration& calibration) {
+        if (m_channel)
+            m_channel->setTaxelGain(calibration.gains ? calibration.gains->values() : std::vector<float>());
+    });
+    connect(m_view, &GainsView::tareRequested, this, [this] {
+        if (m_channel)
+            m_channel->requestTare();
+    });
+    connect(m_view, &GainsView::collectRequested, this, &GainCalibrator::collect);
+    connect(m_view, &GainsView::endRequested, this, &GainCalibrator::endCollecting);
+    connect(m_view, &GainsView::pressFilesRequested, this, [this] {
+        askForFiles(tr("Open recorded presses"), tr("Frames (*.csv)"), true,
+                    [this](const QStringList& paths) { openPresses(paths); });
+    });
+    connect(m_view, &GainsView::loadRequested, this, [this] {
+        askForFiles(tr("Load gains"), tr("Gains (*.csv)"), false,
+                    [this](const QStringList& paths) { load(paths.front()); });
+    });
+    connect(m_view, &GainsView::saveRequested, this,
+            [this] { askForNewFile(tr("Save the gains"), [this](const QString& path) { save(path); }); });
+    connect(m_view, &GainsView::demoRequested, this, &GainCalibrator::demoRequested);
+    connect(m_view, &GainsView::exportFailed, this, [this](const QString& message) {
+        emit trouble(message, tr("Choose another folder or file name."));
+    });
+    onActiveChanged();
+}
+
+void GainCalibrator::onActiveChanged() {
+    const SourceManager::Item* item = m_sources.active();
+    const bool isArray = item != nullptr && item->channel != nullptr;
+    const pipeline::ChannelKey key = isArray ? item->key : 0;
+    if (key == m_key && (m_channel != nullptr) == isArray)
+        return;
+    m_collector.reset();
+    m_view->setProgress(std::nullopt);
+    m_view->setBusy(false);
+    m_key = key;
+    m_channel = isArray ? item->channel : nullptr;
+    ++m_round;
+    m_view->setCalibration(m_channel ? calibrationOf(*m_channel) : GainCalibration());
+    tick();
+}
+
+void GainCalibrator::tick() {
+    if (m_collector) {
+        m_collector->update();
+        m_view->setProgress(calibrate::PressProgress{.waiting = m_collector->isWaiting(),
+                                                     .collected_s = m_collector->collected_s(),
+                                                     .wanted_s = PressCollector::kWanted_s});
+        if (m_collector->isComplete())
+            endCollecting();
+    }
+    calibrate::ArrayFacts facts;
+    const SourceManager::Item* item = m_sources.find(m_key);
+    if (m_channel && item != nullptr) {
+        facts.name = item->name;
+        facts.simulated = m_channel->description().simulated;
+        facts.recorded = m_channel->description().recorded;
+        if (m_view->isVisible()) {
+            const pipeline::ChannelSettings settings = m_channel->settings();
+            facts.tared = !settings.conditioning.tare.empty();
+            const pipeline::TouchSnapshot& snapshot = m_channel->snapshot();
+            const auto threshold = static_cast<float>(settings.features.threshold_N);
+            facts.usable = static_cast<std::size_t>(std::ranges::count(snapshot.dead, std::uint8_t{0}));
+            facts.loaded = static_cast<std::size_t>(std::ranges::count_if(
+                snapshot.load_N, [threshold](float load) { return load >= threshold; }));
+        }
+    }
+    m_view->setFacts(facts);
+}
+
+void GainCalibrator::collect() {
+    if (m_channel && !m_collector)
+        m_collector = std::make_unique<PressCollector>(m_channel);
+    tick();
+}
+
+void GainCalibrator::endCollecting() {
+    if (!m_collector)
+        return;
+    m_collector->update();
+    auto press = std::make_shared<const std::vector<float>>(m_collector->takeFrames());
+    m_collector.reset();
+    m_view->setProgress(std::nullopt);
+    std::vector<Press> presses = m_view->calibration().presses;
+    presses.push_back(std::move(press));
+    find(tr("press"), [presses = std::move(presses), layout = m_channel->description().layout,
+                       settings = m_channel->settings().conditioning]() mutable {
+        return withGains(std::move(presses), layout, settings);
+    });
+}
+
+void GainCalibrator::openPresses(const QStringList& paths) {
+    if (!m_channel)
+        return;
+    find(tr("press"),
+         [paths, presses = m_view->calibration().presses, layout = m_channel->description().layout,
+          settings = m_channel->settings().conditioning]() mutable -> Found {
+             for (const QString& path : paths) {
+                 auto press = core::readFrames(path.toStdString(), layout);
+                 if (!press)
+                     return core::Unexpected(press.error());
+                 presses.push_back(std::make_shared<const std::vector<float>>(std::move(*press)));
+             }
+             return withGains(std::move(presses), layout, settings);
+         });
+}
+
+void GainCalibrator::load(const QString& path) {
+    if (!m_channel)
+        return;
+    find(tr("loading"), [path, layout = m_channel->description().layout]() -> Found {
+        auto gains = equilibration::readTaxelGains(path.toStdString(), layout);
+        if (!gains)
+            return core::Unexpected(gains.error());
+        return GainCalibration{{}, std::make_shared<const TaxelGains>(std::move(*gains))};
+    });
+}
+
+void GainCalibrator::find(const QString& text, std::function<Found()> work) {
+    m_view->setBusy(true);
+    runInBackground(this, std::move(work), [this, text, round = m_round](const Found& found) {
+        // Another array is shown now.
+        if (round != m_round)
+            return;
+        m_view->setBusy(false);
+        if (found)
+            m_view->take(*found, text);
+        else
+            m_view->showTrouble(QString::fromStdString(core::describe(found.error())));
+    });
+}
+
+void GainCalibrator::save(const QString& path) {
+    const GainCalibration calibration = m_view->calibration();
+    if (!calibration.gains)
+        return;
+    runInBackground(
+        this,
+        [gains = calibration.gains, path] {
+            return equilibration::writeTaxelGains(*gains, path.toStdString());
+        },
+        [this, path, gains = calibration.gains](const core::Expected<void>& written) {
+            if (!written)
+                report(tr("%1 could not be saved.", "a file").arg(QFileInfo(path).fileName()),
+                       written.error());
+            else if (gains == m_view->calibration().gains)
+                m_view->markSaved();
+        });
+}
+
+void GainCalibrator::askForFiles(const QString& title, const QString& filter, bool several,
+                                 std::function<void(const QStringList&)> done) {
+    auto* dialog = new QFileDialog(m_view, title, QString(), filter);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(several ? QFileDialog::ExistingFiles : QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::filesSelected, this, std::move(done));
+    dialog->open();
+}
+
+void GainCalibrator::askForNewFile(const QString& title, std::function<void(const QString&)> done) {
+    auto* dialog = new QFileDialog(m_view, title, QString(), tr("Gains (*.csv)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setFileMode(QFileDialog::AnyFile);
+    dialog->setDefaultSuffix(QStringLiteral("csv"));
+    connect(dialog, &QFileDialog::fileSelected, this, std::move(done));
+    dialog->open();
+}
+
+void GainCalibrator::report(const QString& what, const core::Error& error) {
+    emit trouble(what, QString::fromStdString(core::describe(error)));
+}
+
+} // namespace teleta::console

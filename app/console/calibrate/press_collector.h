@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/contact/frame_conditioner.h"
+#include "backend/core/stream_tap.h"
+#include "backend/pipeline/touch_channel.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace teleta::console {
+
+/// Takes the raw frames of an array in which more than half of its taxels are under load, until they cover
+/// kWanted_s of the array's time or are kMostFrames. Frames in between are left out. Thread: GUI.
+class PressCollector {
+public:
+    static constexpr double kWanted_s = 5.0;
+    static constexpr std::size_t kMostFrames = 5000;
+
+    explicit PressCollector(std::shared_ptr<pipeline::TouchChannel> channel);
+    ~PressCollector();
+    PressCollector(const PressCollector&) = delete;
+    PressCollector& operator=(const PressCollector&) = delete;
+
+    /// Takes what has come since.
+    void update();
+    [[nodiscard]] bool isComplete() const;
+    /// The newest frame was not under load.
+    [[nodiscard]] bool isWaiting() const { return m_waiting; }
+    [[nodiscard]] double collected_s() const { return m_collected_s; }
+    /// Frames one after another.
+    [[nodiscard]] std::vector<float> takeFrames() { return std::move(m_frames); }
+
+private:
+    void take(const core::TappedFrames& block);
+
+    std::shared_ptr<pipeline::TouchChannel> m_channel;
+    std::shared_ptr<core::StreamTap> m_tap;
+    std::size_t m_taxels;
+    pipeline::ChannelSettings m_settings;
+    contact::FrameConditioner m_conditioner;
+    core::TappedFrames m_block;
+    std::vector<float> m_frame;
+    std::vector<float> m_load;
+    std::vector<std::uint8_t> m_dead;
+    std::vector<float> m_frames;
+    std::optional<double> m_last_s;
+    double m_collected_s = 0.0;
+    bool m_waiting = true;
+};
+
+} // namespace teleta::console

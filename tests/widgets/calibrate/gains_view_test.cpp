@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/widgets/test_registry.h"
+#include "widgets/calibrate/gain_map.h"
+#include "widgets/calibrate/gains_view.h"
+
+#include <QApplication>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+
+#include <cmath>
+#include <memory>
+
+using namespace teleta;
+using namespace teleta::calibrate;
+using equilibration::TaxelGains;
+using equilibration::TaxelState;
+
+namespace {
+
+std::shared_ptr<const TaxelGains> someGains() {
+    auto gains = std::make_shared<TaxelGains>();
+    gains->layout = {.rows = 2, .columns = 3, .pitch_m = 0.01};
+    gains->presses = 1;
+    gains->frames = 400;
+    for (const double gain : {1.25, 0.8, 1.0, 1.0, 1.1, 0.9})
+        gains->taxels.push_back({.state = TaxelState::good, .gain = gain, .error = 0.01 * gain});
+    gains->taxels[3] = {.state = TaxelState::stuck, .gain = std::nan(""), .error = std::nan("")};
+    return gains;
+}
+
+GainCalibration onePress() {
+    return {{std::make_shared<const std::vector<float>>(6, 1.0F)}, someGains()};
+}
+
+struct GainsDesk {
+    GainsDesk() {
+        view.resize(1000, 600);
+        view.show();
+        active = QTest::qWaitForWindowActive(&view);
+        view.setFacts({.name = QStringLiteral("Array"), .tared = true, .usable = 6, .loaded = 0});
+        QObject::connect(&view, &GainsView::calibrationChanged,
+                         [this](const GainCalibration& calibration) { changes.push_back(calibration); });
+    }
+    [[nodiscard]] QColor colourOf(std::size_t taxel) {
+        const QRectF rect = view.map()->taxelRect(taxel);
+        const QImage image = view.map()->grab().toImage();
+        // Beside the number in the middle.
+        const QPointF at = rect.topLeft() + QPointF(0.15 * rect.width(), 0.15 * rect.height());
+        return image.pixelColor((at * image.devicePixelRatio()).toPoint());
+    }
+
+    GainsView view;
+    bool active = false;
+    std::vector<GainCalibration> changes;
+};
+
+} // namespace
+
+class GainsViewTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void withoutAnArrayItOffersTheDemoAndNothingElse() {
+        GainsDesk desk;
+        desk.view.setFacts({});
+        QSignalSpy demos(&desk.view, &GainsView::demoRequested);
+        QVERIFY(!desk.view.button("collect")->isVisible());
+        QVERIFY(!desk.view.button("tare")->isEnabled());
+        QVERIFY(!desk.view.button("load")->isEnabled());
+        QTest::mouseClick(desk.view.button("demo"), Qt::LeftButton);
+        QCOMPARE(demos.size(), 1);
+    }
+
+    void asksForWhatTheStepsSay() {
+        GainsDesk desk;
+        QVERIFY(desk.active);
+        QSignalSpy tares(&desk.view, &GainsView::tareRequested);
+        QSignalSpy collects(&desk.view, &GainsView::collectRequested);
+        QSignalSpy files(&desk.view, &GainsView::pressFilesRequested);
+        QSignalSpy loads(&desk.view, &GainsView::loadRequested);
+        QTest::mouseClick(desk.view.button("tare"), Qt::LeftButton);
+        desk.view.button("collect")->setFocus();
+        QTest::keyClick(desk.view.button("collect"), Qt::Key_Space);
+        QTest::mouseClick(desk.view.button("files"), Qt::LeftButton);
+        QTest::mouseClick(desk.view.button("load"), Qt::LeftButton);
+        QCOMPARE(tares.size() + collects.size() + files.size() + loads.size(), 4);
+        QVERIFY(!desk.view.button("save")->isEnabled());
+        QVERIFY(!desk.view.button("reset")->isEnabled());
+    }
+
+    void whileAPressIsCollectedItCanOnlyBeEnded() {
+        GainsDesk desk;
+        QSignalSpy ends(&desk.view, &GainsView::endRequested);
+        desk.view.setProgress(PressProgress{.waiting = true, .collected_s = 0.0, .wanted_s = 5.0});
+        QVERIFY(!desk.view.button("collect")->isVisible());
+        QVERIFY(!desk.view.button("load")->isEnabled());
+        QTest::mouseClick(desk.view.button("end"), Qt::LeftButton);
+        QCOMPARE(ends.size(), 1);
+        desk.view.setProgress(std::nullopt);
+        QVERIFY(desk.view.button("collect")->isVisible());
+        QVERIFY(desk.view.button("load")->isEnabled());
+    }
+
+    void gainsTakeEffectAndCanBeUndone() {
+        GainsDesk desk;
+        desk.view.take(onePress(), "press");
+        QCOMPARE(desk.changes.size(), std::size_t(1));
+        QVERIFY(desk.changes.back().gains != nullptr);
+        QVERIFY(!desk.view.isSaved());
+        QVERIFY(desk.view.verdict().contains(QLatin1String("5 of 6 taxels have gains from 0.80 to 1.25")));
+        QVERIFY(desk.view.verdict().contains(QLatin1String("1 stuck")));
+        QTest::keyClick(&desk.view, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(desk.changes.size(), std::size_t(2));
+        QVERIFY(desk.changes.back().gains == nullptr);
+        QVERIFY(desk.view.calibration().presses.empty());
+        QTest::mouseClick(desk.view.button("redo"), Qt::LeftButton);
+        QVERIFY(desk.changes.back().gains != nullptr);
+        QTest::mouseClick(desk.view.button("reset"), Qt::LeftButton);
+        QVERIFY(desk.changes.back().gains == nullptr);
+        QTest::mouseClick(desk.view.button("undo"), Qt::LeftButton);
+        QCOMPARE(desk.view.calibration().presses.size(), std::size_t(1));
+    }
+
+    void saysWhetherTheGainsAreSaved() {
+        GainsDesk desk;
+        desk.view.take(onePress(), "press");
+        QVERIFY(desk.view.state().contains(QLatin1String("not saved")));
+        desk.view.markSaved();
+        QVERIFY(desk.view.isSaved());
+        QVERIFY(!desk.view.state().contains(QLatin1String("not saved")));
+        desk.view.undo();
+        QVERIFY(!desk.view.isSaved());
+    }
+
+    void troubleChangesNothingAndGoesWithTheNextSuccess() {
+        GainsDesk desk;
+        desk.view.take(onePress(), "press");
+        desk.view.showTrouble("Only 3 frames are under load.");
+        QCOMPARE(desk.view.verdict(), QStringLiteral("Only 3 frames are under load."));
+        QVERIFY(desk.view.calibration().gains != nullptr);
+        QCOMPARE(desk.changes.size(), std::size_t(1));
+        desk.view.take(onePress(), "press");
+        QVERIFY(desk.view.verdict().contains(QLatin1String("5 of 6")));
+    }
+
+    void aTiltIsToldWithWhatHelps() {
+        GainsDesk desk;
+        auto gains = std::make_shared<TaxelGains>(*someGains());
+        gains->isTilted = true;
+        gains->tilt_x = 0.25;
+        gains->tilt_y = -0.03;
+        desk.view.take({{}, gains}, "press");
+        QVERIFY(desk.view.verdict().contains(QStringLiteral("25 % along x and \u22123 % along y")));
+    }
+
+    void anotherArrayLeavesNothingToUndo() {
+        GainsDesk desk;
+        desk.view.take(onePress(), "press");
+        desk.view.setCalibration({});
+        QVERIFY(!desk.view.button("undo")->isEnabled());
+        QVERIFY(desk.view.isSaved());
+        QCOMPARE(desk.changes.size(), std::size_t(1));
+    }
+
+    void theMapShowsRaisedLoweredAndUnusedTaxels() {
+        GainsDesk desk;
+        desk.view.take(onePress(), "press");
+        const QColor raised = desk.colourOf(0);
+        const QColor lowered = desk.colourOf(1);
+        QVERIFY(raised.red() > raised.blue());
+        QVERIFY(lowered.blue() > lowered.red());
+        // Row 0 is at the bottom.
+        QVERIFY(desk.view.map()->taxelRect(0).top() > desk.view.map()->taxelRect(3).top());
+    }
+
+    void keysAndMouseReadATaxel() {
+        GainsDesk desk;
+        QVERIFY(desk.active);
+        desk.view.take(onePress(), "press");
+        GainMap* map = desk.view.map();
+        map->setFocus();
+        QTest::keyClick(map, Qt::Key_Right); // the first one
+        QCOMPARE(map->readout(), QStringLiteral("Taxel 0, row 0, column 0: \u00d7 1.250 \u00b1 0.013"));
+        QTest::keyClick(map, Qt::Key_Up);
+        QCOMPARE(map->readout(), QStringLiteral("Taxel 3, row 1, column 0: stuck, not used"));
+        QTest::keyClick(map, Qt::Key_Up);
+        QCOMPARE(map->accessibleDescription(), map->readout());
+        QTest::keyClick(map, Qt::Key_Escape);
+        QVERIFY(map->readout().isEmpty());
+        QTest::mouseMove(map, map->taxelRect(4).center().toPoint());
+        QTRY_VERIFY(map->readout().startsWith(QLatin1String("Taxel 4")));
+    }
+
+    void thePictureComesWithItsTable() {
+        GainsDesk desk;
+        desk.view.take(onePress(), "press");
+        const QString csv = desk.view.map()->figure().csv();
+        QVERIFY(
+            csv.startsWith(QLatin1String("taxel,row,column,gain,gain_se,state\n0,0,0,1.25,0.0125,good\n")));
+        QVERIFY(csv.contains(QLatin1String("3,1,0,NA,NA,stuck\n")));
+    }
+};
+
+namespace {
+const test::Registration<GainsViewTest> gainsRegistration;
+}
+#include "gains_view_test.moc"

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/equilibration/taxel_gains.h"
+#include "widgets/base/figure_export.h"
+
+#include <QPointF>
+#include <QRectF>
+#include <QString>
+#include <QWidget>
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+
+namespace teleta::calibrate {
+
+/// The gains of an array's taxels as a picture, as it is seen from outside the skin: x to the right, y up.
+/// Blue taxels are lowered, red ones raised, hatched ones not used; numbers where there is room.
+/// Mouse and arrow keys read a taxel. Thread: GUI.
+class GainMap : public QWidget {
+    Q_OBJECT
+public:
+    explicit GainMap(QWidget* parent = nullptr);
+
+    /// Null: every taxel counts as it is.
+    void setGains(std::shared_ptr<const equilibration::TaxelGains> gains);
+    /// What is said of the taxel that is read; empty without one.
+    [[nodiscard]] QString readout() const;
+    /// Where a taxel is drawn.
+    [[nodiscard]] QRectF taxelRect(std::size_t taxel) const;
+    /// The picture on white, with the table of gains.
+    [[nodiscard]] base::Figure figure() const;
+
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+signals:
+    void readoutChanged(const QString& text);
+    void exportFailed(const QString& message);
+
+protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+
+private:
+    void setCursorTaxel(std::optional<std::size_t> taxel);
+    [[nodiscard]] std::optional<std::size_t> taxelAt(const QPointF& pixel) const;
+
+    std::shared_ptr<const equilibration::TaxelGains> m_gains;
+    std::optional<std::size_t> m_cursor;
+    base::FigureExport* m_export;
+};
+
+} // namespace teleta::calibrate

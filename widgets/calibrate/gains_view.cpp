@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/calibrate/gains_view.h"
+
+#include "widgets/base/elided_label.h"
+#include "widgets/base/quantity_text.h"
+#include "widgets/base/theme.h"
+#include "widgets/calibrate/gain_map.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QShortcut>
+#include <QStringList>
+#include <QUndoCommand>
+#include <QUndoStack>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace teleta::calibrate {
+
+namespace {
+
+using equilibration::TaxelGain;
+using equilibration::TaxelGains;
+using equilibration::TaxelState;
+
+constexpr int kProgressSteps = 1000;
+
+QString percent(double share, int decimals) {
+    return base::fixedDigits(100.0 * share, decimals);
+}
+
+int countOf(const TaxelGains& gains, TaxelState state) {
+    return static_cast<int>(std::ranges::count(gains.taxels, state, &TaxelGain::state));
+}
+
+} // namespace
+
+class GainsView::Edit : public QUndoCommand {
+public:
+    Edit(GainsView* view, const GainCalibration& after, const QString& text)
+        : QUndoCommand(text)
+        , m_view(view)
+        , m_before(view->m_calibration)
+        , m_after(after) {}
+    void undo() override { m_view->apply(m_before); }
+    void redo() override { m_view->apply(m_after); }
+
+private:
+    GainsView* m_view;
+    GainCalibration m_before;
+    GainCalibration m_after;
+};
+
+GainsView::GainsView(QWidget* parent)
+    : QWidget(parent)
+    , m_undo(new QUndoStack(this))
+    , m_title(new base::ElidedLabel(this))
+    , m_state(new base::ElidedLabel(this))
+    , m_tareText(new QLabel(this))
+    , m_pressText(new QLabel(this))
+    , m_loadText(new QLabel(this))
+    , m_progress(new QProgressBar(this))
+    , m_verdict(new QLabel(this))
+    , m_map(new GainMap(this))
+    , m_readout(new base::ElidedLabel(this))
+    , m_none(new QLabel(this)) {
+    m_title->setFont(base::sized(font(), base::kLargeText));
+    m_progress->setRange(0, kProgressSteps);
+    m_progress->setTextVisible(false);
+    m_verdict->setWordWrap(true);
+    m_verdict->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_none->setWordWrap(true);
+    m_none->setAlignment(Qt::AlignCenter);
+    auto* top = new QHBoxLayout;
+    top->addWidget(m_title, 1);
+    for (const char* name : {"undo", "redo", "load", "reset", "save"})
+        top->addWidget(addButton(name, this));
+    auto* picture = new QVBoxLayout;
+    picture->addWidget(m_none, 1);
+    picture->addWidget(m_map, 1);
+    picture->addWidget(m_readout);
+    auto* body = new QHBoxLayout;
+    body->setSpacing(base::grid(this, 2.0));
+    body->addWidget(makeSteps(), 2);
+    body->addLayout(picture, 3);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(base::grid(this), base::grid(this), base::grid(this), base::grid(this));
+    layout->addLayout(top);
+    layout->addWidget(m_state);
+    layout->addLayout(body, 1);
+
+    connect(m_map, &GainMap::readoutChanged, this, &GainsView::showReadout);
+    connect(m_map, &GainMap::exportFailed, this, &GainsView::exportFailed);
+    connect(m_undo, &QUndoStack::indexChanged, this, &GainsView::refresh);
+    const auto act = [this](const char* name, auto slot) {
+        connect(button(name), &QPushButton::clicked, this, slot);
+    };
+    act("undo", &GainsView::undo);
+    act("redo", &GainsView::redo);
+    act("load", &GainsView::loadRequested);
+    act("save", &GainsView::saveRequested);
+    act("reset", [this] { take({}, tr("no gains")); });
+    act("tare", &GainsView::tareRequested);
+    act("collect", &GainsView::collectRequested);
+    act("end", &GainsView::endRequested);
+    act("files", &GainsView::pressFilesRequested);
+    act("demo", &GainsView::demoRequested);
+    for (const auto& [keys, slot] :
+         {std::pair(QKeySequence::Undo, &GainsView::undo), std::pair(QKeySequence::Redo, &GainsView::redo)}) {
+        auto* shortcut = new QShortcut(QKeySequence(keys), this);
+        shortcut->setContext(Qt::WidgetWithChildrenShortcut);
+        connect(shortcut, &QShortcut::activated, this, slot);
+    }
+    retranslate();
+}
+
+GainsView::~GainsView() {
+    // A stack that ends empties itself, and says so.
+    disconnect(m_undo, nullptr, this, nullptr);
+}
+
+QPushButton* GainsView::addButton(const char* name, QWidget* parent) {
+    auto* made = new QPushButton(parent);
+    made->setObjectName(QLatin1String(name));
+    made->setAutoDefault(false);
+    return made;
+}
+
+QPushButton* GainsView::button(const char* name) const {
+    return findChild<QPushButton*>(QLatin1String(name));
+}
+
+QWidget* GainsView::makeSteps() {
+    auto* page = new QWidget(this);
+    auto* layout = new QVBoxLayout(page);
+    layout->setContentsMargins(0, 0, 0, 0);
+    for (QLabel* text : {m_tareText, m_pressText, m_loadText})
+        text->setWordWrap(true);
+    const auto add = [&](std::initializer_list<const char*> names) {
+        auto* row = new QHBoxLayout;
+        for (const char* name : names) {
+            QPushButton* made = addButton(name, page);
+            made->setMinimumHeight(base::em(this, 2.2));
+            row->addWidget(made);
+        }
+        row->addStretch(1);
+        layout->addLayout(row);
+        layout->addSpacing(base::grid(this));
+    };
+    layout->addWidget(m_tareText);
+    add({"tare"});
+    layout->addWidget(m_pressText);
+    add({"collect", "end", "files", "demo"});
+    layout->addWidget(m_loadText);
+    layout->addWidget(m_progress);
+    layout->addSpacing(base::grid(this));
+    layout->addWidget(m_verdict);
+    layout->addStretch(1);
+    return page;
+}
+
+void GainsView::setFacts(const ArrayFacts& facts) {
+    if (facts == m_facts)
+        return;
+    m_facts = facts;
+    refresh();
+}
+
+void GainsView::setCalibration(const GainCalibration& calibration) {
+    m_trouble.clear();
+    m_calibration = calibration;
+    m_undo->clear();
+    m_undo->setClean(); // clearing an empty stack leaves it as it is
+    refresh();
+}
+
+void GainsView::take(const GainCalibration& calibration, const QString& text) {
+    m_trouble.clear();
+    m_undo->push(new Edit(this, calibration, text));
+}
+
+void GainsView::apply(const GainCalibration& calibration) {
+    m_trouble.clear();
+    m_calibration = calibration;
+    refresh();
+    emit calibrationChanged(calibration);
+}
+
+bool GainsView::isSaved() const {
+    return m_undo->isClean();
+}
+
+void GainsView::markSaved() {
+    m_undo->setClean();
+    refresh();
+}
+
+void GainsView::undo() {
+    if (!m_pressing && !m_busy)
+        m_undo->undo();
+}
+
+void GainsView::redo() {
+    if (!m_pressing && !m_busy)
+        m_undo->redo();
+}
+
+void GainsView::setProgress(const std::optional<PressProgress>& progress) {
+    if (progress)
+        m_progress->setValue(static_cast<int>(
+            kProgressSteps * std::clamp(progress->collected_s / progress->wanted_s, 0.0, 1.0)));
+    const bool changed = progress.has_value() != m_pressing.has_value() ||
+                         (progress && progress->waiting != m_pressing->waiting);
+    m_pressing = progress;
+    if (changed)
+        refresh();
+}
+
+void GainsView::setBusy(bool busy) {
+    m_busy = busy;
+    if (busy)
+        m_trouble.clear();
+    refresh();
+}
+
+void GainsView::showTrouble(const QString& text) {
+    m_trouble = text;
+    refresh();
+}
+
+QString GainsView::verdict() const {
+    return m_verdict->text();
+}
+
+QString GainsView::state() const {
+    return m_state->text();
+}
+
+QString GainsView::describeGains() const {
+    if (!m_calibration.gains)
+        return {};
+    const TaxelGains& gains = *m_calibration.gains;
+    double least = HUGE_VAL;
+    double most = 0.0;
+    double error = 0.0;
+    for (const TaxelGain& taxel : gains.taxels) {
+        if (!taxel.isGood())
+            continue;
+        least = std::min(least, taxel.gain);
+        most = std::max(most, taxel.gain);
+        error = std::max(error, taxel.error / taxel.gain);
+    }
+    QStringList lines;
+    if (most > 0.0)
+        lines << tr("%1 of %2 taxels have gains from %3 to %4.")
+                     .arg(gains.good())
+                     .arg(gains.taxels.size())
+                     .arg(base::fixedDigits(least, 2), base::fixedDigits(most, 2));
+    if (error > 0.0)
+        lines << tr("The least certain one is known to %1 % (standard error).").arg(percent(error, 2));
+    QStringList left;
+    if (const int dead = countOf(gains, TaxelState::dead))
+        left << tr("%n dead", "taxels", dead);
+    if (const int weak = countOf(gains, TaxelState::weak))
+        left << tr("%n too weak", "taxels", weak);
+    if (const int strong = countOf(gains, TaxelState::strong))
+        left << tr("%n too strong", "taxels", strong);
+    if (const int stuck = countOf(gains, TaxelState::stuck))
+        left << tr("%n stuck", "taxels", stuck);
+    if (!left.isEmpty())
+        lines << tr("Not used: %1.", "kinds of taxels").arg(left.join(QStringLiteral(", ")));
+    if (gains.presses > 1)
+        lines << tr("Gains differ by %1 % from press to press.").arg(percent(gains.repeatability, 2));
+    if (gains.isTilted)
+        lines << tr("The response changes by %1 % along x and %2 % along y: the load may have been uneven. "
+                    "Turn what presses round by half and collect another press; the difference cancels.")
+                     .arg(percent(gains.tilt_x, 0), percent(gains.tilt_y, 0));
+    return lines.join(QLatin1Char('\n'));
+}
+
+void GainsView::showReadout() {
+    m_readout->setText(m_map->readout());
+}
+
+void GainsView::refresh() {
+    const bool open = !m_facts.name.isEmpty();
+    const bool hasGains = m_calibration.gains != nullptr;
+    m_title->setText(open ? m_facts.name : tr("No array"));
+    QString state = !open
+                        ? tr("Open an array, a recording or a scene: on the page Operate, or the demo here.")
+                    : m_busy    ? tr("finding the gains\u2026")
+                    : !hasGains ? tr("no gains: every taxel counts as it is")
+                    : isSaved() ? tr("gains in use, saved")
+                                : tr("gains in use, not saved");
+    if (m_facts.simulated)
+        state = tr("SIMULATED") + QStringLiteral(" \u00b7 ") + state;
+    else if (m_facts.recorded)
+        state = tr("RECORDED") + QStringLiteral(" \u00b7 ") + state;
+    m_state->setText(state);
+    QPalette colours = palette();
+    const base::StatusColours& status = base::statusColours(palette());
+    colours.setColor(QPalette::WindowText, m_facts.simulated  ? status.simulated
+                                           : open && hasGains ? status.live
+                                                              : status.stale);
+    m_state->setPalette(colours);
+    m_tareText->setText(m_facts.tared ? tr("1. The array is tared.")
+                                      : tr("1. Let nothing touch the array, and tare it."));
+    const int presses = static_cast<int>(m_calibration.presses.size());
+    QString text =
+        tr("2. Press evenly on the whole array, with a bladder or with a plate on foam. The load may "
+           "change.");
+    if (presses > 0)
+        text += QLatin1Char(' ') + tr("%n press(es) so far.", nullptr, presses);
+    m_pressText->setText(text);
+    QString load;
+    if (open && m_facts.usable > 0)
+        load = tr("%1 of %2 taxels are under load.").arg(m_facts.loaded).arg(m_facts.usable);
+    if (m_pressing)
+        load = m_pressing->waiting ? tr("Waiting for a load on more than half of the taxels: %1 of %2 now.")
+                                         .arg(m_facts.loaded)
+                                         .arg(m_facts.usable)
+                                   : tr("Keep pressing: %1 of %2 taxels are under load.")
+                                         .arg(m_facts.loaded)
+                                         .arg(m_facts.usable);
+    m_loadText->setText(load);
+    m_progress->setVisible(m_pressing.has_value());
+    m_verdict->setText(m_trouble.isEmpty() ? describeGains() : m_trouble);
+    QPalette verdict = palette();
+    if (!m_trouble.isEmpty())
+        verdict.setColor(QPalette::WindowText, status.lost);
+    else if (hasGains && m_calibration.gains->isTilted)
+        verdict.setColor(QPalette::WindowText, status.stale);
+    m_verdict->setPalette(verdict);
+
+    const bool idle = !m_pressing && !m_busy;
+    const auto enable = [this](const char* name, bool on) { button(name)->setEnabled(on); };
+    enable("undo", idle && m_undo->canUndo());
+    enable("redo", idle && m_undo->canRedo());
+    enable("load", idle && open);
+    enable("reset", idle && (hasGains || presses > 0));
+    enable("save", idle && hasGains);
+    enable("tare", idle && open);
+    enable("collect", idle && open);
+    enable("files", idle && open);
+    button("collect")->setVisible(!m_pressing && open);
+    button("end")->setVisible(m_pressing.has_value());
+    button("files")->setVisible(open);
+    button("demo")->setVisible(!open);
+    m_map->setGains(m_calibration.gains);
+    m_map->setVisible(hasGains);
+    m_none->setVisible(!hasGains);
+    showReadout();
+}
+
+void GainsView::retranslate() {
+    const auto name = [this](const char* which, const QString& text, const QString& tip) {
+        button(which)->setText(text);
+        button(which)->setToolTip(tip);
+    };
+    name("undo", tr("Undo"), tr("Take back the last change (Ctrl+Z)"));
+    name("redo", tr("Redo"), tr("Bring it back"));
+    name("load", tr("&Load\u2026"), tr("Read gains of an array of this size from a file (CSV)"));
+    name("reset", tr("&Reset"), tr("Use no gains and forget all presses"));
+    name("save", tr("&Save\u2026"),
+         tr("Write the gains to a file (CSV): \u201cOpen recording\u201d, source lists and the command line "
+            "read it"));
+    name("tare", tr("&Tare now"),
+         tr("Takes the mean of the next half second as the unloaded state. Nothing may touch the array."));
+    name("collect", tr("&Collect a press"), tr("Waits for a load and takes its frames; it ends by itself"));
+    name("end", tr("&End"), tr("Use what has been collected"));
+    name("files", tr("&Open recorded presses\u2026"),
+         tr("Frames as CSV, a file a press: time_s,t0,t1,\u2026"));
+    name("demo", tr("Open the &demo"),
+         tr("A simulated plate presses evenly on an array whose taxels differ"));
+    m_none->setText(tr("Every taxel counts as it is. What each one is multiplied with will be seen here."));
+    m_map->setAccessibleName(tr("Gains of the taxels"));
+    m_map->setWhatsThis(
+        tr("Red taxels feel too little and are raised, blue ones are lowered, hatched ones are "
+           "not used. Arrow keys or the mouse read a taxel."));
+    m_progress->setAccessibleName(tr("Share of the press that has been collected"));
+    setAccessibleName(tr("Calibration of an array's taxels"));
+    refresh();
+}
+
+void GainsView::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    else if (event->type() == QEvent::PaletteChange)
+        refresh();
+}
+
+} // namespace teleta::calibrate
