@@ -101,6 +101,48 @@
     </message>
 </context>
 <context>
+    <name>teleta::calibrate::GainsView</name>
+    <message numerus="yes">
+        <source>%n dead</source>
+        <comment>taxels</comment>
+        <translation>
+            <numerusform>%n dead</numerusform>
+            <numerusform>%n dead</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n too weak</source>
+        <comment>taxels</comment>
+        <translation>
+            <numerusform>%n too weak</numerusform>
+            <numerusform>%n too weak</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n too strong</source>
+        <comment>taxels</comment>
+        <translation>
+            <numerusform>%n too strong</numerusform>
+            <numerusform>%n too strong</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stuck</source>
+        <comment>taxels</comment>
+        <translation>
+            <numerusform>%n stuck</numerusform>
+            <numerusform>%n stuck</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n press(es) so far.</source>
+        <translation>
+            <numerusform>%n press so far.</numerusform>
+            <numerusform>%n presses so far.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>teleta::camera::StageBar</name>
     <message numerus="yes">
         <source>%n passed over</source>
@@ -173,6 +215,16 @@
         <translation>
             <numerusform>%1 of %n pair kept; </numerusform>
             <numerusform>%1 of %n pairs kept; </numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::NewStudyDialog</name>
+    <message numerus="yes">
+        <source>%n test trial(s) a participant</source>
+        <translation>
+            <numerusform>%n test trial a participant</numerusform>
+            <numerusform>%n test trials a participant</numerusform>
         </translation>
     </message>
 </context>

@@ -1244,6 +1244,14 @@ Exemples&#xa0;:
         <source>angle from the direction of the point of the tube that the pixel shows</source>
         <translation>angle avec la direction du point du tube que montre le pixel</translation>
     </message>
+    <message>
+        <source>Gains of an array&apos;s taxels from a press</source>
+        <translation>Gains des taxels d’une matrice d’après un appui</translation>
+    </message>
+    <message>
+        <source>share of the true gains, root mean square of an array; a taxel that is left out counts as it is</source>
+        <translation>part des gains vrais, moyenne quadratique d’une matrice&#xa0;; un taxel laissé de côté compte tel quel</translation>
+    </message>
 </context>
 <context>
     <name>CsvReaderText</name>
@@ -1929,6 +1937,104 @@ Exemples&#xa0;:
     <message>
         <source>the output would replace the input</source>
         <translation>la sortie remplacerait l’entrée</translation>
+    </message>
+    <message>
+        <source>Gains of the taxels, as &quot;teleta gains&quot; writes them</source>
+        <translation>Gains des taxels, tels que «&#xa0;teleta gains&#xa0;» les écrit</translation>
+    </message>
+</context>
+<context>
+    <name>GainMap</name>
+    <message>
+        <source>dead</source>
+        <translation>mort</translation>
+    </message>
+    <message>
+        <source>too weak</source>
+        <translation>trop faible</translation>
+    </message>
+    <message>
+        <source>too strong</source>
+        <translation>trop fort</translation>
+    </message>
+    <message>
+        <source>stuck</source>
+        <translation>bloqué</translation>
+    </message>
+    <message>
+        <source>Taxel %1, row %2, column %3</source>
+        <translation>Taxel %1, ligne %2, colonne %3</translation>
+    </message>
+    <message>
+        <source>%1, not used</source>
+        <translation>%1, non utilisé</translation>
+    </message>
+</context>
+<context>
+    <name>GainsCommand</name>
+    <message>
+        <source>Frames under load</source>
+        <translation>Trames sous charge</translation>
+    </message>
+    <message>
+        <source>Taxels used</source>
+        <translation>Taxels utilisés</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Gains</source>
+        <translation>Gains</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>Largest standard error</source>
+        <translation>Plus grande erreur type</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Not explained</source>
+        <translation>Non expliqué</translation>
+    </message>
+    <message>
+        <source>%1 % of the level</source>
+        <translation>%1 % du niveau</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Inclinaison</translation>
+    </message>
+    <message>
+        <source>%1 % along x, %2 % along y</source>
+        <translation>%1 % selon x, %2 % selon y</translation>
+    </message>
+    <message>
+        <source>From press to press</source>
+        <translation>D’un appui à l’autre</translation>
+    </message>
+    <message>
+        <source>These taxels are not used: %1.</source>
+        <translation>Ces taxels ne sont pas utilisés&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>The response changes by %1 % along x and %2 % along y: the load may have been uneven. Turn what presses round by half, press again and give both files.</source>
+        <translation>La réponse change de %1 % selon x et de %2 % selon y&#xa0;: la charge était peut-être inégale. Tournez d’un demi-tour ce qui appuie, appuyez de nouveau et donnez les deux fichiers.</translation>
+    </message>
+    <message>
+        <source>Gain of each taxel from frames under an even load</source>
+        <translation>Gain de chaque taxel d’après des trames sous une charge uniforme</translation>
+    </message>
+    <message>
+        <source>Recorded frames in which an even load presses on the whole array, a file a press: time_s,t0,t1,...</source>
+        <translation>Trames enregistrées où une charge uniforme appuie sur toute la matrice, un fichier par appui&#xa0;: time_s,t0,t1,...</translation>
     </message>
 </context>
 <context>
@@ -4719,6 +4825,10 @@ Aire %6</translation>
         <source>is for scenes of a servo</source>
         <translation>est pour les scènes d’asservissement</translation>
     </message>
+    <message>
+        <source>a scene file, or a name that teleta simulate --list prints</source>
+        <translation>un fichier de scène, ou un nom que teleta simulate --list affiche</translation>
+    </message>
 </context>
 <context>
     <name>SimulatedArmDevice</name>
@@ -5449,6 +5559,14 @@ Aire %6</translation>
         <source>%1 dBFS</source>
         <translation>%1 dBFS</translation>
     </message>
+    <message>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <source>Tables and figures</source>
+        <translation>Tableaux et figures</translation>
+    </message>
 </context>
 <context>
     <name>StudyExport</name>
@@ -5497,6 +5615,69 @@ Aire %6</translation>
     <message>
         <source>cannot make the folder</source>
         <translation>impossible de créer le dossier</translation>
+    </message>
+</context>
+<context>
+    <name>StudyNames</name>
+    <message>
+        <source>Object shape</source>
+        <translation>Forme de l’objet</translation>
+    </message>
+    <message>
+        <source>circle</source>
+        <translation>cercle</translation>
+    </message>
+    <message>
+        <source>rectangle</source>
+        <translation>rectangle</translation>
+    </message>
+    <message>
+        <source>triangle</source>
+        <translation>triangle</translation>
+    </message>
+    <message>
+        <source>arc</source>
+        <translation>arc</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>ligne</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>point</translation>
+    </message>
+    <message>
+        <source>static</source>
+        <translation>statique</translation>
+    </message>
+    <message>
+        <source>dynamic</source>
+        <translation>dynamique</translation>
+    </message>
+    <message>
+        <source>Object stiffness</source>
+        <translation>Raideur de l’objet</translation>
+    </message>
+    <message>
+        <source>sponge</source>
+        <translation>éponge</translation>
+    </message>
+    <message>
+        <source>rubber sponge</source>
+        <translation>caoutchouc mousse</translation>
+    </message>
+    <message>
+        <source>rubber</source>
+        <translation>caoutchouc</translation>
+    </message>
+    <message>
+        <source>wood</source>
+        <translation>bois</translation>
+    </message>
+    <message>
+        <source>metal</source>
+        <translation>métal</translation>
     </message>
 </context>
 <context>
@@ -6517,6 +6698,105 @@ Aire %6</translation>
     </message>
 </context>
 <context>
+    <name>TaxelGainFile</name>
+    <message>
+        <source>taxel %1 is missing</source>
+        <translation>le taxel %1 manque</translation>
+    </message>
+    <message>
+        <source>the taxels 0 to %1</source>
+        <translation>les taxels 0 à %1</translation>
+    </message>
+    <message>
+        <source>the %1 is &quot;%2&quot;</source>
+        <comment>a column of a table</comment>
+        <translation>«&#xa0;%1&#xa0;» vaut «&#xa0;%2&#xa0;»</translation>
+    </message>
+    <message>
+        <source>a whole number from 0 to %1</source>
+        <translation>un nombre entier de 0 à %1</translation>
+    </message>
+    <message>
+        <source>taxel %1 is said to be in row %2, column %3</source>
+        <translation>le taxel %1 serait à la ligne %2, colonne %3</translation>
+    </message>
+    <message>
+        <source>%1, in an array of %2 rows x %3 columns</source>
+        <translation>%1, dans une matrice de %2 lignes x %3 colonnes</translation>
+    </message>
+    <message>
+        <source>taxel %1 is there twice</source>
+        <translation>le taxel %1 figure deux fois</translation>
+    </message>
+    <message>
+        <source>each taxel once</source>
+        <translation>chaque taxel une fois</translation>
+    </message>
+    <message>
+        <source>the gain is out of range or no number</source>
+        <translation>le gain est hors limites ou n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2, or NA</source>
+        <translation>un nombre de %1 à %2, ou NA</translation>
+    </message>
+    <message>
+        <source>the standard error is out of range or no number</source>
+        <translation>l’erreur type est hors limites ou n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>a number from 0 on, or NA</source>
+        <translation>un nombre à partir de 0, ou NA</translation>
+    </message>
+    <message>
+        <source>the state does not fit the gain</source>
+        <translation>l’état ne correspond pas au gain</translation>
+    </message>
+</context>
+<context>
+    <name>TaxelGains</name>
+    <message>
+        <source>Only %1 of %2 taxels feel the load.</source>
+        <translation>Seuls %1 des %2 taxels ressentent la charge.</translation>
+    </message>
+    <message>
+        <source>a load on the whole array, and a tare without any</source>
+        <translation>une charge sur toute la matrice, et une tare sans charge</translation>
+    </message>
+    <message>
+        <source>Only %1 frames are under load.</source>
+        <translation>Seules %1 trames sont sous charge.</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>au moins %1</translation>
+    </message>
+    <message>
+        <source>There is no press.</source>
+        <translation>Il n’y a pas d’appui.</translation>
+    </message>
+    <message>
+        <source>at least one</source>
+        <translation>au moins un</translation>
+    </message>
+    <message>
+        <source>The frames have %1 values in all.</source>
+        <translation>Les trames ont %1 valeurs en tout.</translation>
+    </message>
+    <message>
+        <source>a multiple of %1</source>
+        <translation>un multiple de %1</translation>
+    </message>
+    <message>
+        <source>No taxel is good in all presses.</source>
+        <translation>Aucun taxel n’est bon dans tous les appuis.</translation>
+    </message>
+    <message>
+        <source>presses of the whole array</source>
+        <translation>des appuis sur toute la matrice</translation>
+    </message>
+</context>
+<context>
     <name>Timeline</name>
     <message>
         <source>hold</source>
@@ -7081,6 +7361,10 @@ Aire %6</translation>
         <source>a number from %1 to %2</source>
         <translation>un nombre de %1 à %2</translation>
     </message>
+    <message>
+        <source>a whole number from 0 to %1</source>
+        <translation>un nombre entier de 0 à %1</translation>
+    </message>
 </context>
 <context>
     <name>VisionText</name>
@@ -7325,30 +7609,6 @@ Aire %6</translation>
 <context>
     <name>teleta::base::FigureExport</name>
     <message>
-        <source>&amp;Copy Picture</source>
-        <translation>&amp;Copier l’image</translation>
-    </message>
-    <message>
-        <source>Copy &amp;Data</source>
-        <translation>Copier les &amp;données</translation>
-    </message>
-    <message>
-        <source>&amp;Save Picture…</source>
-        <translation>&amp;Enregistrer l’image…</translation>
-    </message>
-    <message>
-        <source>Save Da&amp;ta…</source>
-        <translation>Enregistrer les d&amp;onnées…</translation>
-    </message>
-    <message>
-        <source>Save Picture</source>
-        <translation>Enregistrer l’image</translation>
-    </message>
-    <message>
-        <source>Save Data</source>
-        <translation>Enregistrer les données</translation>
-    </message>
-    <message>
         <source>SVG picture (*.svg)</source>
         <translation>Image SVG (*.svg)</translation>
     </message>
@@ -7363,6 +7623,30 @@ Aire %6</translation>
     <message>
         <source>Comma-separated values (*.csv)</source>
         <translation>Valeurs séparées par des virgules (*.csv)</translation>
+    </message>
+    <message>
+        <source>&amp;Copy picture</source>
+        <translation>&amp;Copier l’image</translation>
+    </message>
+    <message>
+        <source>Copy &amp;data</source>
+        <translation>Copier les &amp;données</translation>
+    </message>
+    <message>
+        <source>&amp;Save picture…</source>
+        <translation>&amp;Enregistrer l’image…</translation>
+    </message>
+    <message>
+        <source>Save da&amp;ta…</source>
+        <translation>Enregistrer les d&amp;onnées…</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Enregistrer l’image</translation>
+    </message>
+    <message>
+        <source>Save data</source>
+        <translation>Enregistrer les données</translation>
     </message>
 </context>
 <context>
@@ -7508,6 +7792,229 @@ Aire %6</translation>
     <message>
         <source>Leave the motors as they were</source>
         <translation>Laisser les moteurs tels qu’ils étaient</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::calibrate::GainsView</name>
+    <message>
+        <source>no gains</source>
+        <translation>aucun gain</translation>
+    </message>
+    <message>
+        <source>%1 of %2 taxels have gains from %3 to %4.</source>
+        <translation>%1 des %2 taxels ont des gains de %3 à %4.</translation>
+    </message>
+    <message>
+        <source>The least certain one is known to %1 % (standard error).</source>
+        <translation>Le moins sûr est connu à %1 % près (erreur type).</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n dead</source>
+        <comment>taxels</comment>
+        <translation>
+            <numerusform>%n mort</numerusform>
+            <numerusform>%n morts</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n too weak</source>
+        <comment>taxels</comment>
+        <translation>
+            <numerusform>%n trop faible</numerusform>
+            <numerusform>%n trop faibles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n too strong</source>
+        <comment>taxels</comment>
+        <translation>
+            <numerusform>%n trop fort</numerusform>
+            <numerusform>%n trop forts</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stuck</source>
+        <comment>taxels</comment>
+        <translation>
+            <numerusform>%n bloqué</numerusform>
+            <numerusform>%n bloqués</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not used: %1.</source>
+        <comment>kinds of taxels</comment>
+        <translation>Non utilisés&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Gains differ by %1 % from press to press.</source>
+        <translation>Les gains diffèrent de %1 % d’un appui à l’autre.</translation>
+    </message>
+    <message>
+        <source>The response changes by %1 % along x and %2 % along y: the load may have been uneven. Turn what presses round by half and collect another press; the difference cancels.</source>
+        <translation>La réponse change de %1 % selon x et de %2 % selon y&#xa0;: la charge était peut-être inégale. Tournez d’un demi-tour ce qui appuie et recueillez un autre appui&#xa0;; l’écart s’annule.</translation>
+    </message>
+    <message>
+        <source>No array</source>
+        <translation>Aucune matrice</translation>
+    </message>
+    <message>
+        <source>Open an array, a recording or a scene: on the page Operate, or the demo here.</source>
+        <translation>Ouvrez une matrice, un enregistrement ou une scène&#xa0;: sur la page Conduite, ou la démonstration ici.</translation>
+    </message>
+    <message>
+        <source>finding the gains…</source>
+        <translation>recherche des gains…</translation>
+    </message>
+    <message>
+        <source>no gains: every taxel counts as it is</source>
+        <translation>aucun gain&#xa0;: chaque taxel compte tel quel</translation>
+    </message>
+    <message>
+        <source>gains in use, saved</source>
+        <translation>gains utilisés, enregistrés</translation>
+    </message>
+    <message>
+        <source>gains in use, not saved</source>
+        <translation>gains utilisés, non enregistrés</translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation>SIMULÉ</translation>
+    </message>
+    <message>
+        <source>RECORDED</source>
+        <translation>ENREGISTRÉ</translation>
+    </message>
+    <message>
+        <source>1. The array is tared.</source>
+        <translation>1. La matrice est tarée.</translation>
+    </message>
+    <message>
+        <source>1. Let nothing touch the array, and tare it.</source>
+        <translation>1. Ne laissez rien toucher la matrice, et tarez-la.</translation>
+    </message>
+    <message>
+        <source>2. Press evenly on the whole array, with a bladder or with a plate on foam. The load may change.</source>
+        <translation>2. Appuyez uniformément sur toute la matrice, avec un coussin gonflé ou une plaque sur de la mousse. La charge peut varier.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n press(es) so far.</source>
+        <translation>
+            <numerusform>%n appui jusqu’ici.</numerusform>
+            <numerusform>%n appuis jusqu’ici.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 taxels are under load.</source>
+        <translation>%1 des %2 taxels sont chargés.</translation>
+    </message>
+    <message>
+        <source>Waiting for a load on more than half of the taxels: %1 of %2 now.</source>
+        <translation>En attente d’une charge sur plus de la moitié des taxels&#xa0;: %1 sur %2 maintenant.</translation>
+    </message>
+    <message>
+        <source>Keep pressing: %1 of %2 taxels are under load.</source>
+        <translation>Continuez d’appuyer&#xa0;: %1 des %2 taxels sont chargés.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Take back the last change (Ctrl+Z)</source>
+        <translation>Annuler la dernière modification (Ctrl+Z)</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>Bring it back</source>
+        <translation>La rétablir</translation>
+    </message>
+    <message>
+        <source>&amp;Load…</source>
+        <translation>&amp;Charger…</translation>
+    </message>
+    <message>
+        <source>Read gains of an array of this size from a file (CSV)</source>
+        <translation>Lire dans un fichier (CSV) les gains d’une matrice de cette taille</translation>
+    </message>
+    <message>
+        <source>&amp;Reset</source>
+        <translation>&amp;Réinitialiser</translation>
+    </message>
+    <message>
+        <source>Use no gains and forget all presses</source>
+        <translation>N’utiliser aucun gain et oublier tous les appuis</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>&amp;Enregistrer…</translation>
+    </message>
+    <message>
+        <source>Write the gains to a file (CSV): “Open recording”, source lists and the command line read it</source>
+        <translation>Écrire les gains dans un fichier (CSV)&#xa0;: «&#xa0;Ouvrir un enregistrement&#xa0;», les listes de sources et la ligne de commande le lisent</translation>
+    </message>
+    <message>
+        <source>&amp;Tare now</source>
+        <translation>&amp;Tarer maintenant</translation>
+    </message>
+    <message>
+        <source>Takes the mean of the next half second as the unloaded state. Nothing may touch the array.</source>
+        <translation>Prend la moyenne de la demi-seconde suivante comme état à vide. Rien ne doit toucher la matrice.</translation>
+    </message>
+    <message>
+        <source>&amp;Collect a press</source>
+        <translation>Re&amp;cueillir un appui</translation>
+    </message>
+    <message>
+        <source>Waits for a load and takes its frames; it ends by itself</source>
+        <translation>Attend une charge et prend ses trames&#xa0;; s’arrête tout seul</translation>
+    </message>
+    <message>
+        <source>&amp;End</source>
+        <translation>&amp;Terminer</translation>
+    </message>
+    <message>
+        <source>Use what has been collected</source>
+        <translation>Utiliser ce qui a été recueilli</translation>
+    </message>
+    <message>
+        <source>&amp;Open recorded presses…</source>
+        <translation>&amp;Ouvrir des appuis enregistrés…</translation>
+    </message>
+    <message>
+        <source>Frames as CSV, a file a press: time_s,t0,t1,…</source>
+        <translation>Trames en CSV, un fichier par appui&#xa0;: time_s,t0,t1,…</translation>
+    </message>
+    <message>
+        <source>Open the &amp;demo</source>
+        <translation>Ouvrir la &amp;démonstration</translation>
+    </message>
+    <message>
+        <source>A simulated plate presses evenly on an array whose taxels differ</source>
+        <translation>Une plaque simulée appuie uniformément sur une matrice dont les taxels diffèrent</translation>
+    </message>
+    <message>
+        <source>Every taxel counts as it is. What each one is multiplied with will be seen here.</source>
+        <translation>Chaque taxel compte tel quel. Ce par quoi chacun est multiplié s’affichera ici.</translation>
+    </message>
+    <message>
+        <source>Gains of the taxels</source>
+        <translation>Gains des taxels</translation>
+    </message>
+    <message>
+        <source>Red taxels feel too little and are raised, blue ones are lowered, hatched ones are not used. Arrow keys or the mouse read a taxel.</source>
+        <translation>Les taxels rouges ressentent trop peu et sont relevés, les bleus sont abaissés, les hachurés ne sont pas utilisés. Les flèches ou la souris lisent un taxel.</translation>
+    </message>
+    <message>
+        <source>Share of the press that has been collected</source>
+        <translation>Part de l’appui qui a été recueillie</translation>
+    </message>
+    <message>
+        <source>Calibration of an array&apos;s taxels</source>
+        <translation>Étalonnage des taxels d’une matrice</translation>
     </message>
 </context>
 <context>
@@ -7939,6 +8446,42 @@ Aire %6</translation>
         <source>Off: the arm stands, whatever touches it. STOP takes this away until you give it again.</source>
         <translation>Désactivé&#xa0;: le bras ne bouge pas, quoi qui le touche. STOP retire cette autorisation jusqu’à ce que vous la redonniez.</translation>
     </message>
+    <message>
+        <source>As in the published work: dense flow in a picture of 512 × 288, and the mean of what has moved there</source>
+        <translation>Comme dans les travaux publiés&#xa0;: flot dense dans une image de 512&#xa0;×&#xa0;288, et moyenne de ce qui s’y est déplacé</translation>
+    </message>
+    <message>
+        <source>Each printed dot is followed in the whole picture. The default.</source>
+        <translation>Chaque point imprimé est suivi dans l’image entière. Choix par défaut.</translation>
+    </message>
+    <message>
+        <source>the quickest and coarsest</source>
+        <translation>le plus rapide et le plus grossier</translation>
+    </message>
+    <message>
+        <source>a quick one</source>
+        <translation>un préréglage rapide</translation>
+    </message>
+    <message>
+        <source>the slowest and finest</source>
+        <translation>le plus lent et le plus fin</translation>
+    </message>
+    <message>
+        <source>Dense flow by a preset of OpenCV (%1), in a picture %2 times smaller</source>
+        <translation>Flot dense selon un préréglage d’OpenCV (%1), dans une image %2 fois plus petite</translation>
+    </message>
+    <message>
+        <source>Dense flow by a preset of OpenCV (%1), in the whole picture</source>
+        <translation>Flot dense selon un préréglage d’OpenCV (%1), dans l’image entière</translation>
+    </message>
+    <message>
+        <source>Only around what differs from the reference</source>
+        <translation>Seulement autour de ce qui diffère de la référence</translation>
+    </message>
+    <message>
+        <source>Begun with the flow of the picture before</source>
+        <translation>À partir du flot de l’image précédente</translation>
+    </message>
 </context>
 <context>
     <name>teleta::camera::CameraView</name>
@@ -8285,14 +8828,6 @@ Aire %6</translation>
         <translation>&amp;Durée affichée</translation>
     </message>
     <message>
-        <source>&amp;Type Range of %1…</source>
-        <translation>&amp;Saisir la plage de %1…</translation>
-    </message>
-    <message>
-        <source>&amp;Automatic Range</source>
-        <translation>Plage &amp;automatique</translation>
-    </message>
-    <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
@@ -8303,10 +8838,6 @@ Aire %6</translation>
     <message>
         <source>Stop the picture; samples go on being kept (Space)</source>
         <translation>Figer l’image&#xa0;; les échantillons continuent d’être conservés (Espace)</translation>
-    </message>
-    <message>
-        <source>Go Live</source>
-        <translation>En direct</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -8335,6 +8866,18 @@ Aire %6</translation>
     <message>
         <source>auto</source>
         <translation>auto</translation>
+    </message>
+    <message>
+        <source>&amp;Type range of %1…</source>
+        <translation>&amp;Saisir la plage de %1…</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic range</source>
+        <translation>Plage &amp;automatique</translation>
+    </message>
+    <message>
+        <source>Go live</source>
+        <translation>En direct</translation>
     </message>
 </context>
 <context>
@@ -8792,6 +9335,10 @@ Aire %6</translation>
         <source>Cylinder camera</source>
         <translation>Caméra du cylindre</translation>
     </message>
+    <message>
+        <source>Taxel gains</source>
+        <translation>Gains des taxels</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::CameraCalibrator</name>
@@ -8804,24 +9351,12 @@ Aire %6</translation>
         <translation>Caméra du cylindre</translation>
     </message>
     <message>
-        <source>&amp;Load pairs...</source>
-        <translation>&amp;Charger des paires...</translation>
-    </message>
-    <message>
         <source>Pairs of pixels and points: CSV with u_px,v_px,x_m,y_m,z_m</source>
         <translation>Paires de pixels et de points&#xa0;: CSV avec u_px,v_px,x_m,y_m,z_m</translation>
     </message>
     <message>
-        <source>Save pai&amp;rs...</source>
-        <translation>Enre&amp;gistrer les paires...</translation>
-    </message>
-    <message>
         <source>All pairs, those that are left out too, as they are loaded</source>
         <translation>Toutes les paires, aussi celles écartées, telles qu’elles ont été chargées</translation>
-    </message>
-    <message>
-        <source>&amp;Save camera...</source>
-        <translation>Enregistrer la ca&amp;méra...</translation>
     </message>
     <message>
         <source>The camera of the chosen method, for teleta locate and the camera view</source>
@@ -8973,10 +9508,6 @@ Aire %6</translation>
         <translation>Le premier toucher est attendu.</translation>
     </message>
     <message>
-        <source>Calibrating...</source>
-        <translation>Étalonnage...</translation>
-    </message>
-    <message>
         <source>No calibration: %1.</source>
         <translation>Pas d’étalonnage&#xa0;: %1.</translation>
     </message>
@@ -9012,10 +9543,6 @@ Aire %6</translation>
         <translation>a une structure</translation>
     </message>
     <message>
-        <source>Probe with a &amp;camera...</source>
-        <translation>Palper avec une &amp;caméra...</translation>
-    </message>
-    <message>
         <source>Collect pairs: press a stick through the holes of a shell while a camera, or a video of it, is watched</source>
         <translation>Recueillir des paires&#xa0;: appuyer un bâton à travers les trous d’une coque pendant qu’une caméra, ou une vidéo, est observée</translation>
     </message>
@@ -9038,6 +9565,26 @@ Aire %6</translation>
     <message>
         <source>&amp;Redo</source>
         <translation>&amp;Rétablir</translation>
+    </message>
+    <message>
+        <source>&amp;Load pairs…</source>
+        <translation>&amp;Charger des paires…</translation>
+    </message>
+    <message>
+        <source>Save pai&amp;rs…</source>
+        <translation>Enre&amp;gistrer les paires…</translation>
+    </message>
+    <message>
+        <source>&amp;Save camera…</source>
+        <translation>Enregistrer la ca&amp;méra…</translation>
+    </message>
+    <message>
+        <source>Probe with a &amp;camera…</source>
+        <translation>Palper avec une &amp;caméra…</translation>
+    </message>
+    <message>
+        <source>Calibrating…</source>
+        <translation>Étalonnage…</translation>
     </message>
 </context>
 <context>
@@ -9301,10 +9848,6 @@ Aire %6</translation>
         <translation>ce que feront les moteurs selon la prédiction</translation>
     </message>
     <message>
-        <source>Choose File…</source>
-        <translation>Choisir un fichier…</translation>
-    </message>
-    <message>
         <source>&amp;Format:</source>
         <translation>&amp;Format&#xa0;:</translation>
     </message>
@@ -9315,6 +9858,10 @@ Aire %6</translation>
     <message>
         <source>&amp;Values:</source>
         <translation>&amp;Valeurs&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Choose file…</source>
+        <translation>Choisir un fichier…</translation>
     </message>
 </context>
 <context>
@@ -9406,6 +9953,46 @@ Aire %6</translation>
         <source>Nothing is played (last: %1)</source>
         <comment>what was recognised and its pattern</comment>
         <translation>Rien n’est joué (dernier&#xa0;: %1)</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::GainCalibrator</name>
+    <message>
+        <source>Open recorded presses</source>
+        <translation>Ouvrir des appuis enregistrés</translation>
+    </message>
+    <message>
+        <source>Frames (*.csv)</source>
+        <translation>Trames (*.csv)</translation>
+    </message>
+    <message>
+        <source>Load gains</source>
+        <translation>Charger des gains</translation>
+    </message>
+    <message>
+        <source>Gains (*.csv)</source>
+        <translation>Gains (*.csv)</translation>
+    </message>
+    <message>
+        <source>Save the gains</source>
+        <translation>Enregistrer les gains</translation>
+    </message>
+    <message>
+        <source>Choose another folder or file name.</source>
+        <translation>Choisissez un autre dossier ou nom de fichier.</translation>
+    </message>
+    <message>
+        <source>press</source>
+        <translation>appui</translation>
+    </message>
+    <message>
+        <source>loading</source>
+        <translation>chargement</translation>
+    </message>
+    <message>
+        <source>%1 could not be saved.</source>
+        <comment>a file</comment>
+        <translation>%1 n’a pas pu être enregistré.</translation>
     </message>
 </context>
 <context>
@@ -9746,10 +10333,6 @@ Aire %6</translation>
         <translation>&amp;Maintenir</translation>
     </message>
     <message>
-        <source>Begin &amp;anew</source>
-        <translation>&amp;Recommencer</translation>
-    </message>
-    <message>
         <source>&amp;Forget the explored contour</source>
         <translation>&amp;Oublier le contour exploré</translation>
     </message>
@@ -9780,10 +10363,6 @@ Aire %6</translation>
     <message>
         <source>Calibrate</source>
         <translation>Étalonnage</translation>
-    </message>
-    <message>
-        <source>What has to be measured: the motors of the bracelet, the camera in the tube</source>
-        <translation>Ce qui doit être mesuré&#xa0;: les moteurs du bracelet, la caméra dans le tube</translation>
     </message>
     <message>
         <source>Cost</source>
@@ -9820,6 +10399,14 @@ Aire %6</translation>
     <message>
         <source>&amp;Recording</source>
         <translation>&amp;Enregistrement</translation>
+    </message>
+    <message>
+        <source>What has to be measured: the motors of the bracelet, the camera in the tube, the taxels</source>
+        <translation>Ce qui doit être mesuré&#xa0;: les moteurs du bracelet, la caméra dans le tube, les taxels</translation>
+    </message>
+    <message>
+        <source>Re&amp;start</source>
+        <translation>Re&amp;commencer</translation>
     </message>
 </context>
 <context>
@@ -9942,10 +10529,6 @@ Aire %6</translation>
         <translation>C&amp;hoisir…</translation>
     </message>
     <message>
-        <source>Protocol</source>
-        <translation>Protocole</translation>
-    </message>
-    <message>
         <source>&amp;Folder, which is made</source>
         <translation>&amp;Dossier, qui sera créé</translation>
     </message>
@@ -9976,6 +10559,46 @@ Aire %6</translation>
     <message>
         <source>The seed is a whole number from 0 to 18446744073709551615.</source>
         <translation>La graine est un nombre entier de 0 à 18446744073709551615.</translation>
+    </message>
+    <message>
+        <source>F&amp;rom a file…</source>
+        <translation>D’un &amp;fichier…</translation>
+    </message>
+    <message>
+        <source>A protocol of your own (TOML)</source>
+        <translation>Votre propre protocole (TOML)</translation>
+    </message>
+    <message>
+        <source>Pr&amp;otocol</source>
+        <translation>Pr&amp;otocole</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>a protocol; where it is from</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Open a protocol</source>
+        <translation>Ouvrir un protocole</translation>
+    </message>
+    <message>
+        <source>Protocols (*.toml)</source>
+        <translation>Protocoles (*.toml)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n test trial(s) a participant</source>
+        <translation>
+            <numerusform>%n essai de test par participant</numerusform>
+            <numerusform>%n essais de test par participant</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This protocol has no pattern %1 to be felt: name a file for it in the protocol.</source>
+        <translation>Ce protocole n’a pas de motif %1 à ressentir&#xa0;: nommez un fichier pour lui dans le protocole.</translation>
+    </message>
+    <message>
+        <source>The file is no protocol that can be used; the one above stays chosen. %1</source>
+        <translation>Le fichier n’est pas un protocole utilisable&#xa0;; celui ci-dessus reste choisi. %1</translation>
     </message>
 </context>
 <context>
@@ -10284,14 +10907,6 @@ Aire %6</translation>
         </translation>
     </message>
     <message>
-        <source>Open the Edits</source>
-        <translation>Ouvrir les modifications</translation>
-    </message>
-    <message>
-        <source>Discard Them</source>
-        <translation>Les abandonner</translation>
-    </message>
-    <message>
         <source>Save pattern</source>
         <translation>Enregistrer le motif</translation>
     </message>
@@ -10322,6 +10937,14 @@ Aire %6</translation>
     <message>
         <source>How strong the bracelet may be could not be read or kept: look at the slider Strongest.</source>
         <translation>La force maximale du bracelet n’a pas pu être lue ou conservée&#xa0;: vérifier le curseur «&#xa0;Intensité maximale&#xa0;».</translation>
+    </message>
+    <message>
+        <source>Open the edits</source>
+        <translation>Ouvrir les modifications</translation>
+    </message>
+    <message>
+        <source>Discard them</source>
+        <translation>Les abandonner</translation>
     </message>
 </context>
 <context>
@@ -10893,6 +11516,22 @@ Aire %6</translation>
         <source>Frames (*.csv)</source>
         <translation>Trames (*.csv)</translation>
     </message>
+    <message>
+        <source>Choose the gains of the taxels</source>
+        <translation>Choisir les gains des taxels</translation>
+    </message>
+    <message>
+        <source>Gains of the taxels</source>
+        <translation>Gains des taxels</translation>
+    </message>
+    <message>
+        <source>Gains (*.csv)</source>
+        <translation>Gains (*.csv)</translation>
+    </message>
+    <message>
+        <source>Gains of the ta&amp;xels:</source>
+        <translation>Gains des ta&amp;xels&#xa0;:</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::RecordingExport</name>
@@ -11119,10 +11758,6 @@ Aire %6</translation>
         <translation>Nouvelle étude…</translation>
     </message>
     <message>
-        <source>A study of the paper&apos;s protocol</source>
-        <translation>Une étude selon le protocole de l’article</translation>
-    </message>
-    <message>
         <source>Open a study…</source>
         <translation>Ouvrir une étude…</translation>
     </message>
@@ -11254,6 +11889,27 @@ Aire %6</translation>
     <message>
         <source>Copy its whole folder to go on with it.</source>
         <translation>Copier son dossier entier pour la poursuivre.</translation>
+    </message>
+    <message>
+        <source>Of the paper&apos;s protocol, or of one of your own</source>
+        <translation>Selon le protocole de l’article, ou selon le vôtre</translation>
+    </message>
+    <message>
+        <source>The participant&apos;s window covers a part of the console.</source>
+        <translation>La fenêtre du participant couvre une partie de la console.</translation>
+    </message>
+    <message>
+        <source>There is no other screen, and no room beside the console. Plug in a second screen, or make the console smaller, and show the window again.</source>
+        <translation>Il n’y a pas d’autre écran, ni de place à côté de la console. Branchez un second écran, ou réduisez la console, puis affichez de nouveau la fenêtre.</translation>
+    </message>
+    <message>
+        <source>The protocols that come with the program could not be read.</source>
+        <translation>Les protocoles fournis avec le programme n’ont pas pu être lus.</translation>
+    </message>
+    <message>
+        <source>comes with the program</source>
+        <comment>a protocol</comment>
+        <translation>fourni avec le programme</translation>
     </message>
 </context>
 <context>
@@ -11975,6 +12631,14 @@ Aire %6</translation>
         <source>De&amp;lete</source>
         <translation>&amp;Supprimer</translation>
     </message>
+    <message>
+        <source>&lt;p&gt;The pattern in bold, with a sign before it, is open in the editor; the keys are for the highlighted one.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Le motif en gras, précédé d’un signe, est ouvert dans l’éditeur&#xa0;; les touches valent pour celui qui est en surbrillance.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Open in the editor</source>
+        <translation>Ouvert dans l’éditeur</translation>
+    </message>
 </context>
 <context>
     <name>teleta::editor::StrokePad</name>
@@ -12163,16 +12827,8 @@ Aire %6</translation>
 <context>
     <name>teleta::servo::ServoRunsView</name>
     <message>
-        <source>&amp;Add Recorded Run…</source>
-        <translation>&amp;Ajouter une exécution enregistrée…</translation>
-    </message>
-    <message>
         <source>A run that teleta simulate --out has written: its servo.csv</source>
         <translation>Une exécution écrite par teleta simulate --out&#xa0;: son servo.csv</translation>
-    </message>
-    <message>
-        <source>&amp;Forget Other Runs</source>
-        <translation>&amp;Oublier les autres exécutions</translation>
     </message>
     <message>
         <source>Keeps only the run that goes on</source>
@@ -12195,10 +12851,6 @@ Aire %6</translation>
         <translation>&lt;p&gt;Exécutions d’asservissement dans un seul graphique&#xa0;: celle en cours, celles d’avant que sa source ait été relancée ou qu’une autre source ait été affichée, et des exécutions enregistrées.&lt;/p&gt;&lt;p&gt;Pour voir à quoi sert le moment, relancez la scène avec et sans «&#xa0;Équilibrer le moment&#xa0;».&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>Add Recorded Run</source>
-        <translation>Ajouter une exécution enregistrée</translation>
-    </message>
-    <message>
         <source>Servo runs (servo.csv)</source>
         <translation>Exécutions d’asservissement (servo.csv)</translation>
     </message>
@@ -12214,6 +12866,18 @@ Aire %6</translation>
     <message>
         <source>No run yet. Runs of servos are drawn here, one over the other.</source>
         <translation>Pas encore d’exécution. Les exécutions d’asservissements sont tracées ici, l’une sur l’autre.</translation>
+    </message>
+    <message>
+        <source>&amp;Add recorded run…</source>
+        <translation>&amp;Ajouter une exécution enregistrée…</translation>
+    </message>
+    <message>
+        <source>&amp;Forget other runs</source>
+        <translation>&amp;Oublier les autres exécutions</translation>
+    </message>
+    <message>
+        <source>Add recorded run</source>
+        <translation>Ajouter une exécution enregistrée</translation>
     </message>
 </context>
 <context>
@@ -12846,8 +13510,25 @@ Aire %6</translation>
         <translation>Valeurs par défa&amp;ut</translation>
     </message>
     <message>
-        <source>Default values for everything but the tare</source>
-        <translation>Valeurs par défaut pour tout sauf la tare</translation>
+        <source> %1/raw unit</source>
+        <comment>of a gain: load per raw unit</comment>
+        <translation> %1/unité brute</translation>
+    </message>
+    <message>
+        <source> taxel</source>
+        <translation> taxel</translation>
+    </message>
+    <message>
+        <source> taxels</source>
+        <translation> taxels</translation>
+    </message>
+    <message>
+        <source>taxel gains in use</source>
+        <translation>gains des taxels utilisés</translation>
+    </message>
+    <message>
+        <source>Default values for everything but the tare and the gains of the taxels</source>
+        <translation>Valeurs par défaut pour tout sauf la tare et les gains des taxels</translation>
     </message>
 </context>
 <context>
@@ -12869,24 +13550,12 @@ Aire %6</translation>
         <translation>Entourer chaque contact et afficher son numéro</translation>
     </message>
     <message>
-        <source>Centre of &amp;Pressure</source>
-        <translation>Centre de &amp;pression</translation>
-    </message>
-    <message>
         <source>Mark the load-weighted centre with ×</source>
         <translation>Marquer d’un × le centre pondéré par la charge</translation>
     </message>
     <message>
-        <source>Centre of C&amp;ontact</source>
-        <translation>Centre de c&amp;ontact</translation>
-    </message>
-    <message>
         <source>Mark the centre of the touched area with ○</source>
         <translation>Marquer d’un ○ le centre de la zone touchée</translation>
-    </message>
-    <message>
-        <source>Principal &amp;Axis</source>
-        <translation>&amp;Axe principal</translation>
     </message>
     <message>
         <source>Draw the axis along which the touched area is longest</source>
@@ -12905,24 +13574,12 @@ Aire %6</translation>
         <translation>carte-de-chaleur</translation>
     </message>
     <message>
-        <source>Colour &amp;Range</source>
-        <translation>Plage de cou&amp;leurs</translation>
-    </message>
-    <message>
         <source>&amp;Automatic</source>
         <translation>&amp;Automatique</translation>
     </message>
     <message>
         <source>&amp;Fixed at %1</source>
         <translation>&amp;Fixée à %1</translation>
-    </message>
-    <message>
-        <source>&amp;Type Upper End…</source>
-        <translation>&amp;Saisir la borne supérieure…</translation>
-    </message>
-    <message>
-        <source>Show &amp;Whole Array</source>
-        <translation>Afficher toute la &amp;matrice</translation>
     </message>
     <message>
         <source>Upper end of the colours</source>
@@ -12945,6 +13602,30 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     <message>
         <source>Dead taxel: its value is not used.</source>
         <translation>Taxel mort&#xa0;: sa valeur n’est pas utilisée.</translation>
+    </message>
+    <message>
+        <source>Centre of &amp;pressure</source>
+        <translation>Centre de &amp;pression</translation>
+    </message>
+    <message>
+        <source>Centre of c&amp;ontact</source>
+        <translation>Centre de c&amp;ontact</translation>
+    </message>
+    <message>
+        <source>Principal &amp;axis</source>
+        <translation>&amp;Axe principal</translation>
+    </message>
+    <message>
+        <source>Colour &amp;range</source>
+        <translation>Plage de cou&amp;leurs</translation>
+    </message>
+    <message>
+        <source>&amp;Type upper end…</source>
+        <translation>&amp;Saisir la borne supérieure…</translation>
+    </message>
+    <message>
+        <source>Show &amp;whole array</source>
+        <translation>Afficher toute la &amp;matrice</translation>
     </message>
 </context>
 <context>
@@ -13010,10 +13691,6 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     <message>
         <source>R&amp;estart</source>
         <translation>&amp;Recommencer</translation>
-    </message>
-    <message>
-        <source>Begin the arm&apos;s program anew</source>
-        <translation>Recommencer le programme du bras</translation>
     </message>
     <message>
         <source>Joints</source>
@@ -13151,6 +13828,10 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <source>A recording is played: what its arm did is over, and nothing can be moved.</source>
         <translation>Un enregistrement est lu&#xa0;: ce que son bras a fait est passé, rien ne peut être déplacé.</translation>
     </message>
+    <message>
+        <source>Restart the arm&apos;s program</source>
+        <translation>Recommencer le programme du bras</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::JointRange</name>
@@ -13274,16 +13955,16 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <translation>Le fichier n’a pas pu être écrit&#xa0;: %1</translation>
     </message>
     <message>
-        <source>Export Patterns</source>
+        <source>Map of patterns (*.json)</source>
+        <translation>Table des motifs (*.json)</translation>
+    </message>
+    <message>
+        <source>Export patterns</source>
         <translation>Exporter les motifs</translation>
     </message>
     <message>
-        <source>Import Patterns</source>
+        <source>Import patterns</source>
         <translation>Importer des motifs</translation>
-    </message>
-    <message>
-        <source>Map of patterns (*.json)</source>
-        <translation>Table des motifs (*.json)</translation>
     </message>
 </context>
 <context>
@@ -13536,20 +14217,20 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <source>&amp;Copy</source>
         <translation>&amp;Copier</translation>
     </message>
-    <message>
-        <source>Select &amp;All</source>
-        <translation>&amp;Tout sélectionner</translation>
-    </message>
-    <message>
-        <source>&amp;Newest First</source>
-        <translation>Les plus &amp;récents d’abord</translation>
-    </message>
     <message numerus="yes">
         <source>%n touch(es)</source>
         <translation>
             <numerusform>%n toucher</numerusform>
             <numerusform>%n touchers</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Select &amp;all</source>
+        <translation>&amp;Tout sélectionner</translation>
+    </message>
+    <message>
+        <source>&amp;Newest first</source>
+        <translation>Les plus &amp;récents d’abord</translation>
     </message>
 </context>
 <context>

@@ -1243,6 +1243,14 @@ Examples:
         <source>angle from the direction of the point of the tube that the pixel shows</source>
         <translation>その画素に写るチューブ上の点の方向との角度</translation>
     </message>
+    <message>
+        <source>Gains of an array&apos;s taxels from a press</source>
+        <translation>押圧から求めるアレイのタクセルのゲイン</translation>
+    </message>
+    <message>
+        <source>share of the true gains, root mean square of an array; a taxel that is left out counts as it is</source>
+        <translation>真のゲインに対する割合、アレイ全体の二乗平均平方根。除外されたタクセルはそのまま数えます</translation>
+    </message>
 </context>
 <context>
     <name>CsvReaderText</name>
@@ -1926,6 +1934,104 @@ Examples:
     <message>
         <source>the output would replace the input</source>
         <translation>出力が入力を上書きしてしまいます</translation>
+    </message>
+    <message>
+        <source>Gains of the taxels, as &quot;teleta gains&quot; writes them</source>
+        <translation>タクセルのゲイン。「teleta gains」が書き出すもの</translation>
+    </message>
+</context>
+<context>
+    <name>GainMap</name>
+    <message>
+        <source>dead</source>
+        <translation>不良</translation>
+    </message>
+    <message>
+        <source>too weak</source>
+        <translation>弱すぎ</translation>
+    </message>
+    <message>
+        <source>too strong</source>
+        <translation>強すぎ</translation>
+    </message>
+    <message>
+        <source>stuck</source>
+        <translation>固着</translation>
+    </message>
+    <message>
+        <source>Taxel %1, row %2, column %3</source>
+        <translation>タクセル %1、行 %2、列 %3</translation>
+    </message>
+    <message>
+        <source>%1, not used</source>
+        <translation>%1、不使用</translation>
+    </message>
+</context>
+<context>
+    <name>GainsCommand</name>
+    <message>
+        <source>Frames under load</source>
+        <translation>荷重下のフレーム</translation>
+    </message>
+    <message>
+        <source>Taxels used</source>
+        <translation>使用するタクセル</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%2個中%1個</translation>
+    </message>
+    <message>
+        <source>Gains</source>
+        <translation>ゲイン</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1〜%2</translation>
+    </message>
+    <message>
+        <source>Largest standard error</source>
+        <translation>最大の標準誤差</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Not explained</source>
+        <translation>説明されない分</translation>
+    </message>
+    <message>
+        <source>%1 % of the level</source>
+        <translation>荷重レベルの%1 %</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>傾き</translation>
+    </message>
+    <message>
+        <source>%1 % along x, %2 % along y</source>
+        <translation>x方向に%1 %、y方向に%2 %</translation>
+    </message>
+    <message>
+        <source>From press to press</source>
+        <translation>押圧ごとの差</translation>
+    </message>
+    <message>
+        <source>These taxels are not used: %1.</source>
+        <translation>これらのタクセルは使用されません: %1。</translation>
+    </message>
+    <message>
+        <source>The response changes by %1 % along x and %2 % along y: the load may have been uneven. Turn what presses round by half, press again and give both files.</source>
+        <translation>応答がx方向に%1 %、y方向に%2 %変化しています。荷重が均一でなかった可能性があります。押すものを半回転させてもう一度押し、両方のファイルを指定してください。</translation>
+    </message>
+    <message>
+        <source>Gain of each taxel from frames under an even load</source>
+        <translation>均一な荷重下のフレームから各タクセルのゲインを求める</translation>
+    </message>
+    <message>
+        <source>Recorded frames in which an even load presses on the whole array, a file a press: time_s,t0,t1,...</source>
+        <translation>均一な荷重がアレイ全体を押す記録フレーム、押圧ごとに1ファイル: time_s,t0,t1,...</translation>
     </message>
 </context>
 <context>
@@ -4712,6 +4818,10 @@ x %4, y %5
         <source>is for scenes of a servo</source>
         <translation>サーボのシーン専用です</translation>
     </message>
+    <message>
+        <source>a scene file, or a name that teleta simulate --list prints</source>
+        <translation>シーンファイル、またはteleta simulate --listが表示する名前</translation>
+    </message>
 </context>
 <context>
     <name>SimulatedArmDevice</name>
@@ -5442,6 +5552,14 @@ x %4, y %5
         <source>%1 dBFS</source>
         <translation>%1 dBFS</translation>
     </message>
+    <message>
+        <source>Report</source>
+        <translation>レポート</translation>
+    </message>
+    <message>
+        <source>Tables and figures</source>
+        <translation>表と図</translation>
+    </message>
 </context>
 <context>
     <name>StudyExport</name>
@@ -5490,6 +5608,69 @@ x %4, y %5
     <message>
         <source>cannot make the folder</source>
         <translation>フォルダーを作成できません</translation>
+    </message>
+</context>
+<context>
+    <name>StudyNames</name>
+    <message>
+        <source>Object shape</source>
+        <translation>物体の形状</translation>
+    </message>
+    <message>
+        <source>circle</source>
+        <translation>円</translation>
+    </message>
+    <message>
+        <source>rectangle</source>
+        <translation>長方形</translation>
+    </message>
+    <message>
+        <source>triangle</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>arc</source>
+        <translation>円弧</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>線</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>static</source>
+        <translation>静的</translation>
+    </message>
+    <message>
+        <source>dynamic</source>
+        <translation>動的</translation>
+    </message>
+    <message>
+        <source>Object stiffness</source>
+        <translation>物体の剛性</translation>
+    </message>
+    <message>
+        <source>sponge</source>
+        <translation>スポンジ</translation>
+    </message>
+    <message>
+        <source>rubber sponge</source>
+        <translation>ゴムスポンジ</translation>
+    </message>
+    <message>
+        <source>rubber</source>
+        <translation>ゴム</translation>
+    </message>
+    <message>
+        <source>wood</source>
+        <translation>木</translation>
+    </message>
+    <message>
+        <source>metal</source>
+        <translation>金属</translation>
     </message>
 </context>
 <context>
@@ -6507,6 +6688,105 @@ x %4, y %5
     </message>
 </context>
 <context>
+    <name>TaxelGainFile</name>
+    <message>
+        <source>taxel %1 is missing</source>
+        <translation>タクセル %1 がありません</translation>
+    </message>
+    <message>
+        <source>the taxels 0 to %1</source>
+        <translation>タクセル0〜%1</translation>
+    </message>
+    <message>
+        <source>the %1 is &quot;%2&quot;</source>
+        <comment>a column of a table</comment>
+        <translation>%1が「%2」です</translation>
+    </message>
+    <message>
+        <source>a whole number from 0 to %1</source>
+        <translation>0から%1までの整数</translation>
+    </message>
+    <message>
+        <source>taxel %1 is said to be in row %2, column %3</source>
+        <translation>タクセル %1 が行 %2、列 %3 にあることになっています</translation>
+    </message>
+    <message>
+        <source>%1, in an array of %2 rows x %3 columns</source>
+        <translation>%1 (%2行 x %3列のアレイ)</translation>
+    </message>
+    <message>
+        <source>taxel %1 is there twice</source>
+        <translation>タクセル %1 が2回あります</translation>
+    </message>
+    <message>
+        <source>each taxel once</source>
+        <translation>各タクセルを1回</translation>
+    </message>
+    <message>
+        <source>the gain is out of range or no number</source>
+        <translation>ゲインが範囲外か、数ではありません</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2, or NA</source>
+        <translation>%1から%2までの数、またはNA</translation>
+    </message>
+    <message>
+        <source>the standard error is out of range or no number</source>
+        <translation>標準誤差が範囲外か、数ではありません</translation>
+    </message>
+    <message>
+        <source>a number from 0 on, or NA</source>
+        <translation>0以上の数、またはNA</translation>
+    </message>
+    <message>
+        <source>the state does not fit the gain</source>
+        <translation>状態がゲインと合いません</translation>
+    </message>
+</context>
+<context>
+    <name>TaxelGains</name>
+    <message>
+        <source>Only %1 of %2 taxels feel the load.</source>
+        <translation>荷重を感じるのは%2個中%1個のタクセルだけです。</translation>
+    </message>
+    <message>
+        <source>a load on the whole array, and a tare without any</source>
+        <translation>アレイ全体への荷重と、無荷重でのゼロ点</translation>
+    </message>
+    <message>
+        <source>Only %1 frames are under load.</source>
+        <translation>荷重下のフレームは%1個だけです。</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>%1以上</translation>
+    </message>
+    <message>
+        <source>There is no press.</source>
+        <translation>押圧がありません。</translation>
+    </message>
+    <message>
+        <source>at least one</source>
+        <translation>1つ以上</translation>
+    </message>
+    <message>
+        <source>The frames have %1 values in all.</source>
+        <translation>フレームの値は全部で%1個です。</translation>
+    </message>
+    <message>
+        <source>a multiple of %1</source>
+        <translation>%1の倍数</translation>
+    </message>
+    <message>
+        <source>No taxel is good in all presses.</source>
+        <translation>すべての押圧で良好なタクセルがありません。</translation>
+    </message>
+    <message>
+        <source>presses of the whole array</source>
+        <translation>アレイ全体への押圧</translation>
+    </message>
+</context>
+<context>
     <name>Timeline</name>
     <message>
         <source>hold</source>
@@ -7070,6 +7350,10 @@ x %4, y %5
         <source>a number from %1 to %2</source>
         <translation>%1から%2までの数値</translation>
     </message>
+    <message>
+        <source>a whole number from 0 to %1</source>
+        <translation>0から%1までの整数</translation>
+    </message>
 </context>
 <context>
     <name>VisionText</name>
@@ -7314,30 +7598,6 @@ x %4, y %5
 <context>
     <name>teleta::base::FigureExport</name>
     <message>
-        <source>&amp;Copy Picture</source>
-        <translation>画像をコピー(&amp;C)</translation>
-    </message>
-    <message>
-        <source>Copy &amp;Data</source>
-        <translation>データをコピー(&amp;D)</translation>
-    </message>
-    <message>
-        <source>&amp;Save Picture…</source>
-        <translation>画像を保存(&amp;S)…</translation>
-    </message>
-    <message>
-        <source>Save Da&amp;ta…</source>
-        <translation>データを保存(&amp;T)…</translation>
-    </message>
-    <message>
-        <source>Save Picture</source>
-        <translation>画像を保存</translation>
-    </message>
-    <message>
-        <source>Save Data</source>
-        <translation>データを保存</translation>
-    </message>
-    <message>
         <source>SVG picture (*.svg)</source>
         <translation>SVG画像 (*.svg)</translation>
     </message>
@@ -7352,6 +7612,30 @@ x %4, y %5
     <message>
         <source>Comma-separated values (*.csv)</source>
         <translation>コンマ区切り値 (*.csv)</translation>
+    </message>
+    <message>
+        <source>&amp;Copy picture</source>
+        <translation>画像をコピー(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Copy &amp;data</source>
+        <translation>データをコピー(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Save picture…</source>
+        <translation>画像を保存(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Save da&amp;ta…</source>
+        <translation>データを保存(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>画像を保存</translation>
+    </message>
+    <message>
+        <source>Save data</source>
+        <translation>データを保存</translation>
     </message>
 </context>
 <context>
@@ -7497,6 +7781,224 @@ x %4, y %5
     <message>
         <source>Leave the motors as they were</source>
         <translation>モーターを元のままにする</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::calibrate::GainsView</name>
+    <message>
+        <source>no gains</source>
+        <translation>ゲインなし</translation>
+    </message>
+    <message>
+        <source>%1 of %2 taxels have gains from %3 to %4.</source>
+        <translation>%2個中%1個のタクセルのゲインは%3から%4です。</translation>
+    </message>
+    <message>
+        <source>The least certain one is known to %1 % (standard error).</source>
+        <translation>最も不確かなものは%1 %の精度です (標準誤差)。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n dead</source>
+        <comment>taxels</comment>
+        <translation>
+            <numerusform>不良%n個</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n too weak</source>
+        <comment>taxels</comment>
+        <translation>
+            <numerusform>弱すぎ%n個</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n too strong</source>
+        <comment>taxels</comment>
+        <translation>
+            <numerusform>強すぎ%n個</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stuck</source>
+        <comment>taxels</comment>
+        <translation>
+            <numerusform>固着%n個</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not used: %1.</source>
+        <comment>kinds of taxels</comment>
+        <translation>使用しないもの: %1。</translation>
+    </message>
+    <message>
+        <source>Gains differ by %1 % from press to press.</source>
+        <translation>ゲインは押圧ごとに%1 %異なります。</translation>
+    </message>
+    <message>
+        <source>The response changes by %1 % along x and %2 % along y: the load may have been uneven. Turn what presses round by half and collect another press; the difference cancels.</source>
+        <translation>応答がx方向に%1 %、y方向に%2 %変化しています。荷重が均一でなかった可能性があります。押すものを半回転させてもう一度収集すると、差は打ち消されます。</translation>
+    </message>
+    <message>
+        <source>No array</source>
+        <translation>アレイがありません</translation>
+    </message>
+    <message>
+        <source>Open an array, a recording or a scene: on the page Operate, or the demo here.</source>
+        <translation>「操作」ページでアレイ、記録、シーンを開くか、ここでデモを開いてください。</translation>
+    </message>
+    <message>
+        <source>finding the gains…</source>
+        <translation>ゲインを計算中…</translation>
+    </message>
+    <message>
+        <source>no gains: every taxel counts as it is</source>
+        <translation>ゲインなし: 各タクセルはそのまま数えられます</translation>
+    </message>
+    <message>
+        <source>gains in use, saved</source>
+        <translation>ゲイン使用中、保存済み</translation>
+    </message>
+    <message>
+        <source>gains in use, not saved</source>
+        <translation>ゲイン使用中、未保存</translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation>シミュレーション</translation>
+    </message>
+    <message>
+        <source>RECORDED</source>
+        <translation>記録</translation>
+    </message>
+    <message>
+        <source>1. The array is tared.</source>
+        <translation>1. アレイのゼロ点は調整済みです。</translation>
+    </message>
+    <message>
+        <source>1. Let nothing touch the array, and tare it.</source>
+        <translation>1. アレイに何も触れない状態でゼロ点を調整します。</translation>
+    </message>
+    <message>
+        <source>2. Press evenly on the whole array, with a bladder or with a plate on foam. The load may change.</source>
+        <translation>2. ブラダーか、フォームに載せた板で、アレイ全体を均一に押します。荷重は変化してもかまいません。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n press(es) so far.</source>
+        <translation>
+            <numerusform>これまでに%n回の押圧。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 taxels are under load.</source>
+        <translation>%2個中%1個のタクセルに荷重がかかっています。</translation>
+    </message>
+    <message>
+        <source>Waiting for a load on more than half of the taxels: %1 of %2 now.</source>
+        <translation>半分を超えるタクセルへの荷重を待っています: 現在%2個中%1個。</translation>
+    </message>
+    <message>
+        <source>Keep pressing: %1 of %2 taxels are under load.</source>
+        <translation>押し続けてください: %2個中%1個のタクセルに荷重がかかっています。</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>元に戻す</translation>
+    </message>
+    <message>
+        <source>Take back the last change (Ctrl+Z)</source>
+        <translation>最後の変更を取り消します (Ctrl+Z)</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>やり直す</translation>
+    </message>
+    <message>
+        <source>Bring it back</source>
+        <translation>取り消したものを復元します</translation>
+    </message>
+    <message>
+        <source>&amp;Load…</source>
+        <translation>読み込み(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Read gains of an array of this size from a file (CSV)</source>
+        <translation>同じサイズのアレイのゲインをファイル (CSV) から読みます</translation>
+    </message>
+    <message>
+        <source>&amp;Reset</source>
+        <translation>リセット(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Use no gains and forget all presses</source>
+        <translation>ゲインを使わず、すべての押圧を破棄します</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>保存(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Write the gains to a file (CSV): “Open recording”, source lists and the command line read it</source>
+        <translation>ゲインをファイル (CSV) に書き出します。「記録を開く」、ソースリスト、コマンドラインがこれを読みます</translation>
+    </message>
+    <message>
+        <source>&amp;Tare now</source>
+        <translation>ゼロ点調整(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Takes the mean of the next half second as the unloaded state. Nothing may touch the array.</source>
+        <translation>次の0.5秒間の平均を無荷重状態とします。アレイに何も触れないようにしてください。</translation>
+    </message>
+    <message>
+        <source>&amp;Collect a press</source>
+        <translation>押圧を収集(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Waits for a load and takes its frames; it ends by itself</source>
+        <translation>荷重を待ってそのフレームを取り込み、自動的に終わります</translation>
+    </message>
+    <message>
+        <source>&amp;End</source>
+        <translation>終了(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Use what has been collected</source>
+        <translation>収集した分を使います</translation>
+    </message>
+    <message>
+        <source>&amp;Open recorded presses…</source>
+        <translation>記録した押圧を開く(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Frames as CSV, a file a press: time_s,t0,t1,…</source>
+        <translation>CSVのフレーム、押圧ごとに1ファイル: time_s,t0,t1,…</translation>
+    </message>
+    <message>
+        <source>Open the &amp;demo</source>
+        <translation>デモを開く(&amp;D)</translation>
+    </message>
+    <message>
+        <source>A simulated plate presses evenly on an array whose taxels differ</source>
+        <translation>シミュレーションの板が、タクセルの異なるアレイを均一に押します</translation>
+    </message>
+    <message>
+        <source>Every taxel counts as it is. What each one is multiplied with will be seen here.</source>
+        <translation>各タクセルはそのまま数えられます。それぞれに掛ける係数がここに表示されます。</translation>
+    </message>
+    <message>
+        <source>Gains of the taxels</source>
+        <translation>タクセルのゲイン</translation>
+    </message>
+    <message>
+        <source>Red taxels feel too little and are raised, blue ones are lowered, hatched ones are not used. Arrow keys or the mouse read a taxel.</source>
+        <translation>赤いタクセルは感度が低いため引き上げられ、青いものは引き下げられ、斜線のものは使われません。矢印キーかマウスで1つずつ読めます。</translation>
+    </message>
+    <message>
+        <source>Share of the press that has been collected</source>
+        <translation>収集済みの押圧の割合</translation>
+    </message>
+    <message>
+        <source>Calibration of an array&apos;s taxels</source>
+        <translation>アレイのタクセルのキャリブレーション</translation>
     </message>
 </context>
 <context>
@@ -7928,6 +8430,42 @@ x %4, y %5
         <source>Off: the arm stands, whatever touches it. STOP takes this away until you give it again.</source>
         <translation>オフ: 何が触れてもアームは停止したままです。STOPを押すと、再び許可するまでオフになります。</translation>
     </message>
+    <message>
+        <source>As in the published work: dense flow in a picture of 512 × 288, and the mean of what has moved there</source>
+        <translation>論文と同じ方法: 512 × 288の画像での密オプティカルフローと、そこで動いた部分の平均</translation>
+    </message>
+    <message>
+        <source>Each printed dot is followed in the whole picture. The default.</source>
+        <translation>印刷された各ドットを元の大きさの画像で追跡します。既定の方法です。</translation>
+    </message>
+    <message>
+        <source>the quickest and coarsest</source>
+        <translation>最も速く最も粗い</translation>
+    </message>
+    <message>
+        <source>a quick one</source>
+        <translation>速い</translation>
+    </message>
+    <message>
+        <source>the slowest and finest</source>
+        <translation>最も遅く最も細かい</translation>
+    </message>
+    <message>
+        <source>Dense flow by a preset of OpenCV (%1), in a picture %2 times smaller</source>
+        <translation>OpenCVのプリセット（%1）による密オプティカルフロー、%2分の1の大きさの画像で計算</translation>
+    </message>
+    <message>
+        <source>Dense flow by a preset of OpenCV (%1), in the whole picture</source>
+        <translation>OpenCVのプリセット（%1）による密オプティカルフロー、元の大きさの画像で計算</translation>
+    </message>
+    <message>
+        <source>Only around what differs from the reference</source>
+        <translation>基準と異なる部分の周りだけ</translation>
+    </message>
+    <message>
+        <source>Begun with the flow of the picture before</source>
+        <translation>前の画像のフローから始めます</translation>
+    </message>
 </context>
 <context>
     <name>teleta::camera::CameraView</name>
@@ -8272,14 +8810,6 @@ x %4, y %5
         <translation>表示範囲(&amp;P)</translation>
     </message>
     <message>
-        <source>&amp;Type Range of %1…</source>
-        <translation>%1の範囲を入力(&amp;T)…</translation>
-    </message>
-    <message>
-        <source>&amp;Automatic Range</source>
-        <translation>自動範囲(&amp;A)</translation>
-    </message>
-    <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
@@ -8290,10 +8820,6 @@ x %4, y %5
     <message>
         <source>Stop the picture; samples go on being kept (Space)</source>
         <translation>画面を止めます。サンプルの保存は続きます (Space)</translation>
-    </message>
-    <message>
-        <source>Go Live</source>
-        <translation>ライブへ</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -8322,6 +8848,18 @@ x %4, y %5
     <message>
         <source>auto</source>
         <translation>自動</translation>
+    </message>
+    <message>
+        <source>&amp;Type range of %1…</source>
+        <translation>%1の範囲を入力(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic range</source>
+        <translation>自動範囲(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Go live</source>
+        <translation>ライブへ</translation>
     </message>
 </context>
 <context>
@@ -8776,6 +9314,10 @@ x %4, y %5
         <source>Cylinder camera</source>
         <translation>円筒カメラ</translation>
     </message>
+    <message>
+        <source>Taxel gains</source>
+        <translation>タクセルのゲイン</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::CameraCalibrator</name>
@@ -8788,24 +9330,12 @@ x %4, y %5
         <translation>円筒カメラ</translation>
     </message>
     <message>
-        <source>&amp;Load pairs...</source>
-        <translation>ペアを読み込む(&amp;L)...</translation>
-    </message>
-    <message>
         <source>Pairs of pixels and points: CSV with u_px,v_px,x_m,y_m,z_m</source>
         <translation>画素と点のペア: u_px,v_px,x_m,y_m,z_m のCSV</translation>
     </message>
     <message>
-        <source>Save pai&amp;rs...</source>
-        <translation>ペアを保存(&amp;R)...</translation>
-    </message>
-    <message>
         <source>All pairs, those that are left out too, as they are loaded</source>
         <translation>除外されたものを含むすべてのペアを、読み込まれる形式で保存します</translation>
-    </message>
-    <message>
-        <source>&amp;Save camera...</source>
-        <translation>カメラを保存(&amp;S)...</translation>
     </message>
     <message>
         <source>The camera of the chosen method, for teleta locate and the camera view</source>
@@ -8954,10 +9484,6 @@ x %4, y %5
         <translation>最初のタッチを待っています。</translation>
     </message>
     <message>
-        <source>Calibrating...</source>
-        <translation>キャリブレーション中...</translation>
-    </message>
-    <message>
         <source>No calibration: %1.</source>
         <translation>キャリブレーションできません: %1。</translation>
     </message>
@@ -8992,10 +9518,6 @@ x %4, y %5
         <translation>規則性あり</translation>
     </message>
     <message>
-        <source>Probe with a &amp;camera...</source>
-        <translation>カメラでプロービング(&amp;C)...</translation>
-    </message>
-    <message>
         <source>Collect pairs: press a stick through the holes of a shell while a camera, or a video of it, is watched</source>
         <translation>ペアを収集します。シェルの穴に棒を押し込む様子を、カメラまたはその動画で見ます</translation>
     </message>
@@ -9018,6 +9540,26 @@ x %4, y %5
     <message>
         <source>&amp;Redo</source>
         <translation>やり直す(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Load pairs…</source>
+        <translation>ペアを読み込む(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Save pai&amp;rs…</source>
+        <translation>ペアを保存(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>&amp;Save camera…</source>
+        <translation>カメラを保存(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Probe with a &amp;camera…</source>
+        <translation>カメラでプロービング(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Calibrating…</source>
+        <translation>キャリブレーション中…</translation>
     </message>
 </context>
 <context>
@@ -9281,10 +9823,6 @@ x %4, y %5
         <translation>モーターの予測動作</translation>
     </message>
     <message>
-        <source>Choose File…</source>
-        <translation>ファイルを選択…</translation>
-    </message>
-    <message>
         <source>&amp;Format:</source>
         <translation>形式(&amp;F):</translation>
     </message>
@@ -9295,6 +9833,10 @@ x %4, y %5
     <message>
         <source>&amp;Values:</source>
         <translation>値(&amp;V):</translation>
+    </message>
+    <message>
+        <source>Choose file…</source>
+        <translation>ファイルを選択…</translation>
     </message>
 </context>
 <context>
@@ -9386,6 +9928,46 @@ x %4, y %5
         <source>Nothing is played (last: %1)</source>
         <comment>what was recognised and its pattern</comment>
         <translation>再生していません(直前: %1)</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::GainCalibrator</name>
+    <message>
+        <source>Open recorded presses</source>
+        <translation>記録した押圧を開く</translation>
+    </message>
+    <message>
+        <source>Frames (*.csv)</source>
+        <translation>フレーム (*.csv)</translation>
+    </message>
+    <message>
+        <source>Load gains</source>
+        <translation>ゲインを読み込む</translation>
+    </message>
+    <message>
+        <source>Gains (*.csv)</source>
+        <translation>ゲイン (*.csv)</translation>
+    </message>
+    <message>
+        <source>Save the gains</source>
+        <translation>ゲインを保存</translation>
+    </message>
+    <message>
+        <source>Choose another folder or file name.</source>
+        <translation>別のフォルダーまたはファイル名を選んでください。</translation>
+    </message>
+    <message>
+        <source>press</source>
+        <translation>押圧</translation>
+    </message>
+    <message>
+        <source>loading</source>
+        <translation>読み込み</translation>
+    </message>
+    <message>
+        <source>%1 could not be saved.</source>
+        <comment>a file</comment>
+        <translation>%1 を保存できませんでした。</translation>
     </message>
 </context>
 <context>
@@ -9726,10 +10308,6 @@ x %4, y %5
         <translation>保持(&amp;H)</translation>
     </message>
     <message>
-        <source>Begin &amp;anew</source>
-        <translation>最初からやり直す(&amp;A)</translation>
-    </message>
-    <message>
         <source>&amp;Forget the explored contour</source>
         <translation>探索した輪郭を破棄(&amp;F)</translation>
     </message>
@@ -9760,10 +10338,6 @@ x %4, y %5
     <message>
         <source>Calibrate</source>
         <translation>キャリブレーション</translation>
-    </message>
-    <message>
-        <source>What has to be measured: the motors of the bracelet, the camera in the tube</source>
-        <translation>測定が必要なもの: ブレスレットのモーター、チューブ内のカメラ</translation>
     </message>
     <message>
         <source>Cost</source>
@@ -9800,6 +10374,14 @@ x %4, y %5
     <message>
         <source>&amp;Recording</source>
         <translation>記録(&amp;R)</translation>
+    </message>
+    <message>
+        <source>What has to be measured: the motors of the bracelet, the camera in the tube, the taxels</source>
+        <translation>測定が必要なもの: ブレスレットのモーター、チューブ内のカメラ、タクセル</translation>
+    </message>
+    <message>
+        <source>Re&amp;start</source>
+        <translation>再開始(&amp;S)</translation>
     </message>
 </context>
 <context>
@@ -9922,10 +10504,6 @@ x %4, y %5
         <translation>選択(&amp;C)…</translation>
     </message>
     <message>
-        <source>Protocol</source>
-        <translation>プロトコル</translation>
-    </message>
-    <message>
         <source>&amp;Folder, which is made</source>
         <translation>フォルダー (作成されます)(&amp;F)</translation>
     </message>
@@ -9956,6 +10534,45 @@ x %4, y %5
     <message>
         <source>The seed is a whole number from 0 to 18446744073709551615.</source>
         <translation>シードは0から18446744073709551615までの整数です。</translation>
+    </message>
+    <message>
+        <source>F&amp;rom a file…</source>
+        <translation>ファイルから(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>A protocol of your own (TOML)</source>
+        <translation>独自のプロトコル (TOML)</translation>
+    </message>
+    <message>
+        <source>Pr&amp;otocol</source>
+        <translation>プロトコル(&amp;O)</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>a protocol; where it is from</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Open a protocol</source>
+        <translation>プロトコルを開く</translation>
+    </message>
+    <message>
+        <source>Protocols (*.toml)</source>
+        <translation>プロトコル (*.toml)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n test trial(s) a participant</source>
+        <translation>
+            <numerusform>参加者1名あたりテスト%n試行</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This protocol has no pattern %1 to be felt: name a file for it in the protocol.</source>
+        <translation>このプロトコルには、感じるべきパターン %1 がありません。プロトコルの中でそのファイルを指定してください。</translation>
+    </message>
+    <message>
+        <source>The file is no protocol that can be used; the one above stays chosen. %1</source>
+        <translation>このファイルは使用できるプロトコルではありません。上のプロトコルが選ばれたままです。%1</translation>
     </message>
 </context>
 <context>
@@ -10263,14 +10880,6 @@ x %4, y %5
         </translation>
     </message>
     <message>
-        <source>Open the Edits</source>
-        <translation>編集内容を開く</translation>
-    </message>
-    <message>
-        <source>Discard Them</source>
-        <translation>破棄する</translation>
-    </message>
-    <message>
         <source>Save pattern</source>
         <translation>パターンを保存</translation>
     </message>
@@ -10301,6 +10910,14 @@ x %4, y %5
     <message>
         <source>How strong the bracelet may be could not be read or kept: look at the slider Strongest.</source>
         <translation>ブレスレットの強さの上限を読み込みまたは保存できませんでした: スライダ「最強」を確認してください。</translation>
+    </message>
+    <message>
+        <source>Open the edits</source>
+        <translation>編集内容を開く</translation>
+    </message>
+    <message>
+        <source>Discard them</source>
+        <translation>破棄する</translation>
     </message>
 </context>
 <context>
@@ -10868,6 +11485,22 @@ x %4, y %5
         <source>Frames (*.csv)</source>
         <translation>フレーム (*.csv)</translation>
     </message>
+    <message>
+        <source>Choose the gains of the taxels</source>
+        <translation>タクセルのゲインを選択</translation>
+    </message>
+    <message>
+        <source>Gains of the taxels</source>
+        <translation>タクセルのゲイン</translation>
+    </message>
+    <message>
+        <source>Gains (*.csv)</source>
+        <translation>ゲイン (*.csv)</translation>
+    </message>
+    <message>
+        <source>Gains of the ta&amp;xels:</source>
+        <translation>タクセルのゲイン(&amp;X):</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::RecordingExport</name>
@@ -11094,10 +11727,6 @@ x %4, y %5
         <translation>新しい実験…</translation>
     </message>
     <message>
-        <source>A study of the paper&apos;s protocol</source>
-        <translation>論文のプロトコルによる実験</translation>
-    </message>
-    <message>
         <source>Open a study…</source>
         <translation>実験を開く…</translation>
     </message>
@@ -11229,6 +11858,27 @@ x %4, y %5
     <message>
         <source>Copy its whole folder to go on with it.</source>
         <translation>続けるにはフォルダ全体をコピーしてください。</translation>
+    </message>
+    <message>
+        <source>Of the paper&apos;s protocol, or of one of your own</source>
+        <translation>論文のプロトコル、または独自のプロトコルによる実験</translation>
+    </message>
+    <message>
+        <source>The participant&apos;s window covers a part of the console.</source>
+        <translation>参加者ウィンドウがコンソールの一部を覆っています。</translation>
+    </message>
+    <message>
+        <source>There is no other screen, and no room beside the console. Plug in a second screen, or make the console smaller, and show the window again.</source>
+        <translation>ほかに画面がなく、コンソールの横にも場所がありません。2つ目の画面を接続するか、コンソールを小さくして、ウィンドウを再び表示してください。</translation>
+    </message>
+    <message>
+        <source>The protocols that come with the program could not be read.</source>
+        <translation>付属のプロトコルを読み取れませんでした。</translation>
+    </message>
+    <message>
+        <source>comes with the program</source>
+        <comment>a protocol</comment>
+        <translation>付属</translation>
     </message>
 </context>
 <context>
@@ -11950,6 +12600,14 @@ x %4, y %5
         <source>De&amp;lete</source>
         <translation>削除(&amp;L)</translation>
     </message>
+    <message>
+        <source>&lt;p&gt;The pattern in bold, with a sign before it, is open in the editor; the keys are for the highlighted one.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;太字で、前に印のあるパターンがエディターで開いています。キー操作は、強調表示されているパターンに対するものです。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Open in the editor</source>
+        <translation>エディターで開いています</translation>
+    </message>
 </context>
 <context>
     <name>teleta::editor::StrokePad</name>
@@ -12138,16 +12796,8 @@ x %4, y %5
 <context>
     <name>teleta::servo::ServoRunsView</name>
     <message>
-        <source>&amp;Add Recorded Run…</source>
-        <translation>記録した実行を追加(&amp;A)…</translation>
-    </message>
-    <message>
         <source>A run that teleta simulate --out has written: its servo.csv</source>
         <translation>teleta simulate --outが書き込んだ実行のservo.csv</translation>
-    </message>
-    <message>
-        <source>&amp;Forget Other Runs</source>
-        <translation>ほかの実行を破棄(&amp;F)</translation>
     </message>
     <message>
         <source>Keeps only the run that goes on</source>
@@ -12170,10 +12820,6 @@ x %4, y %5
         <translation>&lt;p&gt;サーボ実行を1つのチャートに表示します: 進行中の実行、ソースの再起動や別のソースの表示より前の実行、記録した実行です。&lt;/p&gt;&lt;p&gt;モーメントの効果を見るには、「モーメントの釣り合い」をオンとオフにしてシーンを再起動してください。&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>Add Recorded Run</source>
-        <translation>記録した実行を追加</translation>
-    </message>
-    <message>
         <source>Servo runs (servo.csv)</source>
         <translation>サーボ実行 (servo.csv)</translation>
     </message>
@@ -12189,6 +12835,18 @@ x %4, y %5
     <message>
         <source>No run yet. Runs of servos are drawn here, one over the other.</source>
         <translation>実行はまだありません。サーボの実行がここに重ねて描かれます。</translation>
+    </message>
+    <message>
+        <source>&amp;Add recorded run…</source>
+        <translation>記録した実行を追加(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>&amp;Forget other runs</source>
+        <translation>ほかの実行を破棄(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Add recorded run</source>
+        <translation>記録した実行を追加</translation>
     </message>
 </context>
 <context>
@@ -12819,8 +13477,25 @@ x %4, y %5
         <translation>既定値(&amp;D)</translation>
     </message>
     <message>
-        <source>Default values for everything but the tare</source>
-        <translation>ゼロ点以外をすべて既定値に戻します</translation>
+        <source> %1/raw unit</source>
+        <comment>of a gain: load per raw unit</comment>
+        <translation> %1/生の値</translation>
+    </message>
+    <message>
+        <source> taxel</source>
+        <translation> タクセル</translation>
+    </message>
+    <message>
+        <source> taxels</source>
+        <translation> タクセル</translation>
+    </message>
+    <message>
+        <source>taxel gains in use</source>
+        <translation>タクセルのゲインを使用中</translation>
+    </message>
+    <message>
+        <source>Default values for everything but the tare and the gains of the taxels</source>
+        <translation>ゼロ点とタクセルのゲイン以外をすべて既定値に戻します</translation>
     </message>
 </context>
 <context>
@@ -12842,24 +13517,12 @@ x %4, y %5
         <translation>各接触の輪郭と番号を表示します</translation>
     </message>
     <message>
-        <source>Centre of &amp;Pressure</source>
-        <translation>圧力中心(&amp;P)</translation>
-    </message>
-    <message>
         <source>Mark the load-weighted centre with ×</source>
         <translation>荷重で重み付けした中心を×で示します</translation>
     </message>
     <message>
-        <source>Centre of C&amp;ontact</source>
-        <translation>接触中心(&amp;O)</translation>
-    </message>
-    <message>
         <source>Mark the centre of the touched area with ○</source>
         <translation>触れている領域の中心を○で示します</translation>
-    </message>
-    <message>
-        <source>Principal &amp;Axis</source>
-        <translation>主軸(&amp;A)</translation>
     </message>
     <message>
         <source>Draw the axis along which the touched area is longest</source>
@@ -12878,24 +13541,12 @@ x %4, y %5
         <translation>ヒートマップ</translation>
     </message>
     <message>
-        <source>Colour &amp;Range</source>
-        <translation>色の範囲(&amp;R)</translation>
-    </message>
-    <message>
         <source>&amp;Automatic</source>
         <translation>自動(&amp;A)</translation>
     </message>
     <message>
         <source>&amp;Fixed at %1</source>
         <translation>%1に固定(&amp;F)</translation>
-    </message>
-    <message>
-        <source>&amp;Type Upper End…</source>
-        <translation>上端を入力(&amp;T)…</translation>
-    </message>
-    <message>
-        <source>Show &amp;Whole Array</source>
-        <translation>アレイ全体を表示(&amp;W)</translation>
     </message>
     <message>
         <source>Upper end of the colours</source>
@@ -12918,6 +13569,30 @@ Double-click to type the upper end.</source>
     <message>
         <source>Dead taxel: its value is not used.</source>
         <translation>不良タクセル: 値は使用されません。</translation>
+    </message>
+    <message>
+        <source>Centre of &amp;pressure</source>
+        <translation>圧力中心(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Centre of c&amp;ontact</source>
+        <translation>接触中心(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Principal &amp;axis</source>
+        <translation>主軸(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Colour &amp;range</source>
+        <translation>色の範囲(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Type upper end…</source>
+        <translation>上端を入力(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Show &amp;whole array</source>
+        <translation>アレイ全体を表示(&amp;W)</translation>
     </message>
 </context>
 <context>
@@ -12983,10 +13658,6 @@ Double-click to type the upper end.</source>
     <message>
         <source>R&amp;estart</source>
         <translation>再開始(&amp;E)</translation>
-    </message>
-    <message>
-        <source>Begin the arm&apos;s program anew</source>
-        <translation>アームのプログラムを最初からやり直します</translation>
     </message>
     <message>
         <source>Joints</source>
@@ -13124,6 +13795,10 @@ Double-click to type the upper end.</source>
         <source>A recording is played: what its arm did is over, and nothing can be moved.</source>
         <translation>記録を再生しています。アームの動きは過去のものなので、動かすことはできません。</translation>
     </message>
+    <message>
+        <source>Restart the arm&apos;s program</source>
+        <translation>アームのプログラムを再開始します</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::JointRange</name>
@@ -13247,16 +13922,16 @@ Double-click to type the upper end.</source>
         <translation>ファイルに書き込めませんでした: %1</translation>
     </message>
     <message>
-        <source>Export Patterns</source>
+        <source>Map of patterns (*.json)</source>
+        <translation>パターン対応表 (*.json)</translation>
+    </message>
+    <message>
+        <source>Export patterns</source>
         <translation>パターンのエクスポート</translation>
     </message>
     <message>
-        <source>Import Patterns</source>
+        <source>Import patterns</source>
         <translation>パターンのインポート</translation>
-    </message>
-    <message>
-        <source>Map of patterns (*.json)</source>
-        <translation>パターン対応表 (*.json)</translation>
     </message>
 </context>
 <context>
@@ -13507,19 +14182,19 @@ Double-click to type the upper end.</source>
         <source>&amp;Copy</source>
         <translation>コピー(&amp;C)</translation>
     </message>
-    <message>
-        <source>Select &amp;All</source>
-        <translation>すべて選択(&amp;A)</translation>
-    </message>
-    <message>
-        <source>&amp;Newest First</source>
-        <translation>新しい順(&amp;N)</translation>
-    </message>
     <message numerus="yes">
         <source>%n touch(es)</source>
         <translation>
             <numerusform>タッチ%n件</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Select &amp;all</source>
+        <translation>すべて選択(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Newest first</source>
+        <translation>新しい順(&amp;N)</translation>
     </message>
 </context>
 <context>

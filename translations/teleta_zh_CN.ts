@@ -1243,6 +1243,14 @@ Examples:
         <source>angle from the direction of the point of the tube that the pixel shows</source>
         <translation>与该像素所示管上点方向的夹角</translation>
     </message>
+    <message>
+        <source>Gains of an array&apos;s taxels from a press</source>
+        <translation>由一次按压求阵列触元的增益</translation>
+    </message>
+    <message>
+        <source>share of the true gains, root mean square of an array; a taxel that is left out counts as it is</source>
+        <translation>相对真实增益的比例，整个阵列的均方根；被排除的触元按原值计</translation>
+    </message>
 </context>
 <context>
     <name>CsvReaderText</name>
@@ -1926,6 +1934,104 @@ Examples:
     <message>
         <source>the output would replace the input</source>
         <translation>输出会覆盖输入</translation>
+    </message>
+    <message>
+        <source>Gains of the taxels, as &quot;teleta gains&quot; writes them</source>
+        <translation>触元的增益，由“teleta gains”写出</translation>
+    </message>
+</context>
+<context>
+    <name>GainMap</name>
+    <message>
+        <source>dead</source>
+        <translation>失效</translation>
+    </message>
+    <message>
+        <source>too weak</source>
+        <translation>过弱</translation>
+    </message>
+    <message>
+        <source>too strong</source>
+        <translation>过强</translation>
+    </message>
+    <message>
+        <source>stuck</source>
+        <translation>卡死</translation>
+    </message>
+    <message>
+        <source>Taxel %1, row %2, column %3</source>
+        <translation>触元 %1，第 %2 行，第 %3 列</translation>
+    </message>
+    <message>
+        <source>%1, not used</source>
+        <translation>%1，不使用</translation>
+    </message>
+</context>
+<context>
+    <name>GainsCommand</name>
+    <message>
+        <source>Frames under load</source>
+        <translation>受载的帧</translation>
+    </message>
+    <message>
+        <source>Taxels used</source>
+        <translation>使用的触元</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Gains</source>
+        <translation>增益</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>Largest standard error</source>
+        <translation>最大标准误差</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Not explained</source>
+        <translation>未解释部分</translation>
+    </message>
+    <message>
+        <source>%1 % of the level</source>
+        <translation>载荷水平的 %1 %</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>倾斜</translation>
+    </message>
+    <message>
+        <source>%1 % along x, %2 % along y</source>
+        <translation>沿 x %1 %，沿 y %2 %</translation>
+    </message>
+    <message>
+        <source>From press to press</source>
+        <translation>各次按压之间</translation>
+    </message>
+    <message>
+        <source>These taxels are not used: %1.</source>
+        <translation>以下触元不使用：%1。</translation>
+    </message>
+    <message>
+        <source>The response changes by %1 % along x and %2 % along y: the load may have been uneven. Turn what presses round by half, press again and give both files.</source>
+        <translation>响应沿 x 变化 %1 %，沿 y 变化 %2 %：载荷可能不均匀。请将按压物转半圈再按一次，并给出两个文件。</translation>
+    </message>
+    <message>
+        <source>Gain of each taxel from frames under an even load</source>
+        <translation>由均匀载荷下的帧求各触元的增益</translation>
+    </message>
+    <message>
+        <source>Recorded frames in which an even load presses on the whole array, a file a press: time_s,t0,t1,...</source>
+        <translation>均匀载荷按压整个阵列时记录的帧，每次按压一个文件：time_s,t0,t1,...</translation>
     </message>
 </context>
 <context>
@@ -4712,6 +4818,10 @@ x %4，y %5
         <source>is for scenes of a servo</source>
         <translation>用于伺服场景</translation>
     </message>
+    <message>
+        <source>a scene file, or a name that teleta simulate --list prints</source>
+        <translation>场景文件，或 teleta simulate --list 列出的名称</translation>
+    </message>
 </context>
 <context>
     <name>SimulatedArmDevice</name>
@@ -5442,6 +5552,14 @@ x %4，y %5
         <source>%1 dBFS</source>
         <translation>%1 dBFS</translation>
     </message>
+    <message>
+        <source>Report</source>
+        <translation>报告</translation>
+    </message>
+    <message>
+        <source>Tables and figures</source>
+        <translation>表格和图</translation>
+    </message>
 </context>
 <context>
     <name>StudyExport</name>
@@ -5490,6 +5608,69 @@ x %4，y %5
     <message>
         <source>cannot make the folder</source>
         <translation>无法创建文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>StudyNames</name>
+    <message>
+        <source>Object shape</source>
+        <translation>物体形状</translation>
+    </message>
+    <message>
+        <source>circle</source>
+        <translation>圆</translation>
+    </message>
+    <message>
+        <source>rectangle</source>
+        <translation>矩形</translation>
+    </message>
+    <message>
+        <source>triangle</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>arc</source>
+        <translation>圆弧</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>线</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>static</source>
+        <translation>静态</translation>
+    </message>
+    <message>
+        <source>dynamic</source>
+        <translation>动态</translation>
+    </message>
+    <message>
+        <source>Object stiffness</source>
+        <translation>物体刚度</translation>
+    </message>
+    <message>
+        <source>sponge</source>
+        <translation>海绵</translation>
+    </message>
+    <message>
+        <source>rubber sponge</source>
+        <translation>橡胶海绵</translation>
+    </message>
+    <message>
+        <source>rubber</source>
+        <translation>橡胶</translation>
+    </message>
+    <message>
+        <source>wood</source>
+        <translation>木材</translation>
+    </message>
+    <message>
+        <source>metal</source>
+        <translation>金属</translation>
     </message>
 </context>
 <context>
@@ -6507,6 +6688,105 @@ x %4，y %5
     </message>
 </context>
 <context>
+    <name>TaxelGainFile</name>
+    <message>
+        <source>taxel %1 is missing</source>
+        <translation>缺少触元 %1</translation>
+    </message>
+    <message>
+        <source>the taxels 0 to %1</source>
+        <translation>触元 0 至 %1</translation>
+    </message>
+    <message>
+        <source>the %1 is &quot;%2&quot;</source>
+        <comment>a column of a table</comment>
+        <translation>%1 为“%2”</translation>
+    </message>
+    <message>
+        <source>a whole number from 0 to %1</source>
+        <translation>0 至 %1 的整数</translation>
+    </message>
+    <message>
+        <source>taxel %1 is said to be in row %2, column %3</source>
+        <translation>触元 %1 被写在第 %2 行、第 %3 列</translation>
+    </message>
+    <message>
+        <source>%1, in an array of %2 rows x %3 columns</source>
+        <translation>%1（%2 行 x %3 列的阵列）</translation>
+    </message>
+    <message>
+        <source>taxel %1 is there twice</source>
+        <translation>触元 %1 出现两次</translation>
+    </message>
+    <message>
+        <source>each taxel once</source>
+        <translation>每个触元一次</translation>
+    </message>
+    <message>
+        <source>the gain is out of range or no number</source>
+        <translation>增益超出范围或不是数字</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2, or NA</source>
+        <translation>%1 至 %2 的数字，或 NA</translation>
+    </message>
+    <message>
+        <source>the standard error is out of range or no number</source>
+        <translation>标准误差超出范围或不是数字</translation>
+    </message>
+    <message>
+        <source>a number from 0 on, or NA</source>
+        <translation>不小于 0 的数字，或 NA</translation>
+    </message>
+    <message>
+        <source>the state does not fit the gain</source>
+        <translation>状态与增益不符</translation>
+    </message>
+</context>
+<context>
+    <name>TaxelGains</name>
+    <message>
+        <source>Only %1 of %2 taxels feel the load.</source>
+        <translation>%2 个触元中只有 %1 个感受到载荷。</translation>
+    </message>
+    <message>
+        <source>a load on the whole array, and a tare without any</source>
+        <translation>整个阵列受载，并在空载时去皮</translation>
+    </message>
+    <message>
+        <source>Only %1 frames are under load.</source>
+        <translation>只有 %1 帧受载。</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>至少 %1</translation>
+    </message>
+    <message>
+        <source>There is no press.</source>
+        <translation>没有按压。</translation>
+    </message>
+    <message>
+        <source>at least one</source>
+        <translation>至少一个</translation>
+    </message>
+    <message>
+        <source>The frames have %1 values in all.</source>
+        <translation>各帧共有 %1 个值。</translation>
+    </message>
+    <message>
+        <source>a multiple of %1</source>
+        <translation>%1 的倍数</translation>
+    </message>
+    <message>
+        <source>No taxel is good in all presses.</source>
+        <translation>没有在所有按压中都良好的触元。</translation>
+    </message>
+    <message>
+        <source>presses of the whole array</source>
+        <translation>对整个阵列的按压</translation>
+    </message>
+</context>
+<context>
     <name>Timeline</name>
     <message>
         <source>hold</source>
@@ -7070,6 +7350,10 @@ x %4，y %5
         <source>a number from %1 to %2</source>
         <translation>%1 至 %2 的数</translation>
     </message>
+    <message>
+        <source>a whole number from 0 to %1</source>
+        <translation>0 至 %1 的整数</translation>
+    </message>
 </context>
 <context>
     <name>VisionText</name>
@@ -7314,30 +7598,6 @@ x %4，y %5
 <context>
     <name>teleta::base::FigureExport</name>
     <message>
-        <source>&amp;Copy Picture</source>
-        <translation>复制图片(&amp;C)</translation>
-    </message>
-    <message>
-        <source>Copy &amp;Data</source>
-        <translation>复制数据(&amp;D)</translation>
-    </message>
-    <message>
-        <source>&amp;Save Picture…</source>
-        <translation>保存图片(&amp;S)…</translation>
-    </message>
-    <message>
-        <source>Save Da&amp;ta…</source>
-        <translation>保存数据(&amp;T)…</translation>
-    </message>
-    <message>
-        <source>Save Picture</source>
-        <translation>保存图片</translation>
-    </message>
-    <message>
-        <source>Save Data</source>
-        <translation>保存数据</translation>
-    </message>
-    <message>
         <source>SVG picture (*.svg)</source>
         <translation>SVG 图片 (*.svg)</translation>
     </message>
@@ -7352,6 +7612,30 @@ x %4，y %5
     <message>
         <source>Comma-separated values (*.csv)</source>
         <translation>逗号分隔值 (*.csv)</translation>
+    </message>
+    <message>
+        <source>&amp;Copy picture</source>
+        <translation>复制图片(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Copy &amp;data</source>
+        <translation>复制数据(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Save picture…</source>
+        <translation>保存图片(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Save da&amp;ta…</source>
+        <translation>保存数据(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>保存图片</translation>
+    </message>
+    <message>
+        <source>Save data</source>
+        <translation>保存数据</translation>
     </message>
 </context>
 <context>
@@ -7497,6 +7781,224 @@ x %4，y %5
     <message>
         <source>Leave the motors as they were</source>
         <translation>保持各电机原状</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::calibrate::GainsView</name>
+    <message>
+        <source>no gains</source>
+        <translation>无增益</translation>
+    </message>
+    <message>
+        <source>%1 of %2 taxels have gains from %3 to %4.</source>
+        <translation>%2 个触元中有 %1 个的增益在 %3 至 %4 之间。</translation>
+    </message>
+    <message>
+        <source>The least certain one is known to %1 % (standard error).</source>
+        <translation>最不确定的一个精确到 %1 %（标准误差）。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n dead</source>
+        <comment>taxels</comment>
+        <translation>
+            <numerusform>%n 个失效</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n too weak</source>
+        <comment>taxels</comment>
+        <translation>
+            <numerusform>%n 个过弱</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n too strong</source>
+        <comment>taxels</comment>
+        <translation>
+            <numerusform>%n 个过强</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stuck</source>
+        <comment>taxels</comment>
+        <translation>
+            <numerusform>%n 个卡死</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not used: %1.</source>
+        <comment>kinds of taxels</comment>
+        <translation>不使用：%1。</translation>
+    </message>
+    <message>
+        <source>Gains differ by %1 % from press to press.</source>
+        <translation>各次按压的增益相差 %1 %。</translation>
+    </message>
+    <message>
+        <source>The response changes by %1 % along x and %2 % along y: the load may have been uneven. Turn what presses round by half and collect another press; the difference cancels.</source>
+        <translation>响应沿 x 变化 %1 %，沿 y 变化 %2 %：载荷可能不均匀。请将按压物转半圈再采集一次，差异会相互抵消。</translation>
+    </message>
+    <message>
+        <source>No array</source>
+        <translation>没有阵列</translation>
+    </message>
+    <message>
+        <source>Open an array, a recording or a scene: on the page Operate, or the demo here.</source>
+        <translation>请在“操作”页打开阵列、记录或场景，或在此打开演示。</translation>
+    </message>
+    <message>
+        <source>finding the gains…</source>
+        <translation>正在求增益…</translation>
+    </message>
+    <message>
+        <source>no gains: every taxel counts as it is</source>
+        <translation>无增益：每个触元按原值计</translation>
+    </message>
+    <message>
+        <source>gains in use, saved</source>
+        <translation>正在使用增益，已保存</translation>
+    </message>
+    <message>
+        <source>gains in use, not saved</source>
+        <translation>正在使用增益，未保存</translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation>模拟</translation>
+    </message>
+    <message>
+        <source>RECORDED</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>1. The array is tared.</source>
+        <translation>1. 阵列已去皮。</translation>
+    </message>
+    <message>
+        <source>1. Let nothing touch the array, and tare it.</source>
+        <translation>1. 不要让任何东西接触阵列，然后去皮。</translation>
+    </message>
+    <message>
+        <source>2. Press evenly on the whole array, with a bladder or with a plate on foam. The load may change.</source>
+        <translation>2. 用充气囊或垫着泡沫的平板均匀按压整个阵列。载荷可以变化。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n press(es) so far.</source>
+        <translation>
+            <numerusform>目前 %n 次按压。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 taxels are under load.</source>
+        <translation>%2 个触元中有 %1 个受载。</translation>
+    </message>
+    <message>
+        <source>Waiting for a load on more than half of the taxels: %1 of %2 now.</source>
+        <translation>等待一半以上的触元受载：现在 %1 / %2。</translation>
+    </message>
+    <message>
+        <source>Keep pressing: %1 of %2 taxels are under load.</source>
+        <translation>请继续按压：%2 个触元中有 %1 个受载。</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Take back the last change (Ctrl+Z)</source>
+        <translation>撤销上一次更改 (Ctrl+Z)</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>重做</translation>
+    </message>
+    <message>
+        <source>Bring it back</source>
+        <translation>将其恢复</translation>
+    </message>
+    <message>
+        <source>&amp;Load…</source>
+        <translation>加载(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Read gains of an array of this size from a file (CSV)</source>
+        <translation>从文件 (CSV) 读取同样大小阵列的增益</translation>
+    </message>
+    <message>
+        <source>&amp;Reset</source>
+        <translation>重置(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Use no gains and forget all presses</source>
+        <translation>不使用增益并清除所有按压</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>保存(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Write the gains to a file (CSV): “Open recording”, source lists and the command line read it</source>
+        <translation>将增益写入文件 (CSV)：“打开记录”、源列表和命令行都能读取</translation>
+    </message>
+    <message>
+        <source>&amp;Tare now</source>
+        <translation>立即去皮(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Takes the mean of the next half second as the unloaded state. Nothing may touch the array.</source>
+        <translation>取接下来半秒的平均值作为空载状态。期间不得有任何物体接触阵列。</translation>
+    </message>
+    <message>
+        <source>&amp;Collect a press</source>
+        <translation>采集一次按压(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Waits for a load and takes its frames; it ends by itself</source>
+        <translation>等待载荷并采集其帧；自动结束</translation>
+    </message>
+    <message>
+        <source>&amp;End</source>
+        <translation>结束(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Use what has been collected</source>
+        <translation>使用已采集的内容</translation>
+    </message>
+    <message>
+        <source>&amp;Open recorded presses…</source>
+        <translation>打开已记录的按压(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Frames as CSV, a file a press: time_s,t0,t1,…</source>
+        <translation>CSV 格式的帧，每次按压一个文件：time_s,t0,t1,…</translation>
+    </message>
+    <message>
+        <source>Open the &amp;demo</source>
+        <translation>打开演示(&amp;D)</translation>
+    </message>
+    <message>
+        <source>A simulated plate presses evenly on an array whose taxels differ</source>
+        <translation>模拟的平板均匀按压一个触元各不相同的阵列</translation>
+    </message>
+    <message>
+        <source>Every taxel counts as it is. What each one is multiplied with will be seen here.</source>
+        <translation>每个触元按原值计。各触元所乘的系数将显示在这里。</translation>
+    </message>
+    <message>
+        <source>Gains of the taxels</source>
+        <translation>触元的增益</translation>
+    </message>
+    <message>
+        <source>Red taxels feel too little and are raised, blue ones are lowered, hatched ones are not used. Arrow keys or the mouse read a taxel.</source>
+        <translation>红色触元感受偏小而被调高，蓝色触元被调低，带斜线的不使用。用方向键或鼠标读取单个触元。</translation>
+    </message>
+    <message>
+        <source>Share of the press that has been collected</source>
+        <translation>已采集的按压比例</translation>
+    </message>
+    <message>
+        <source>Calibration of an array&apos;s taxels</source>
+        <translation>阵列触元的标定</translation>
     </message>
 </context>
 <context>
@@ -7928,6 +8430,42 @@ x %4，y %5
         <source>Off: the arm stands, whatever touches it. STOP takes this away until you give it again.</source>
         <translation>关闭：无论什么接触软管，机械臂都静止。STOP 会取消此许可，直到您再次授予。</translation>
     </message>
+    <message>
+        <source>As in the published work: dense flow in a picture of 512 × 288, and the mean of what has moved there</source>
+        <translation>与已发表的工作相同：在 512 × 288 的图像中计算稠密光流，并取其中移动部分的平均值</translation>
+    </message>
+    <message>
+        <source>Each printed dot is followed in the whole picture. The default.</source>
+        <translation>在原尺寸图像中跟踪每个印刷圆点。默认方式。</translation>
+    </message>
+    <message>
+        <source>the quickest and coarsest</source>
+        <translation>最快、最粗略</translation>
+    </message>
+    <message>
+        <source>a quick one</source>
+        <translation>较快</translation>
+    </message>
+    <message>
+        <source>the slowest and finest</source>
+        <translation>最慢、最精细</translation>
+    </message>
+    <message>
+        <source>Dense flow by a preset of OpenCV (%1), in a picture %2 times smaller</source>
+        <translation>采用 OpenCV 预设（%1）的稠密光流，在缩小到 1/%2 的图像中计算</translation>
+    </message>
+    <message>
+        <source>Dense flow by a preset of OpenCV (%1), in the whole picture</source>
+        <translation>采用 OpenCV 预设（%1）的稠密光流，在原尺寸图像中计算</translation>
+    </message>
+    <message>
+        <source>Only around what differs from the reference</source>
+        <translation>仅在与参考不同之处的周围</translation>
+    </message>
+    <message>
+        <source>Begun with the flow of the picture before</source>
+        <translation>以前一幅图像的光流为初值</translation>
+    </message>
 </context>
 <context>
     <name>teleta::camera::CameraView</name>
@@ -8272,14 +8810,6 @@ x %4，y %5
         <translation>时间跨度(&amp;P)</translation>
     </message>
     <message>
-        <source>&amp;Type Range of %1…</source>
-        <translation>输入 %1 的范围(&amp;T)…</translation>
-    </message>
-    <message>
-        <source>&amp;Automatic Range</source>
-        <translation>自动范围(&amp;A)</translation>
-    </message>
-    <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
@@ -8290,10 +8820,6 @@ x %4，y %5
     <message>
         <source>Stop the picture; samples go on being kept (Space)</source>
         <translation>停止画面；样本仍继续保存（空格键）</translation>
-    </message>
-    <message>
-        <source>Go Live</source>
-        <translation>转到实时</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -8322,6 +8848,18 @@ x %4，y %5
     <message>
         <source>auto</source>
         <translation>自动</translation>
+    </message>
+    <message>
+        <source>&amp;Type range of %1…</source>
+        <translation>输入 %1 的范围(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic range</source>
+        <translation>自动范围(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Go live</source>
+        <translation>转到实时</translation>
     </message>
 </context>
 <context>
@@ -8776,6 +9314,10 @@ x %4，y %5
         <source>Cylinder camera</source>
         <translation>圆柱相机</translation>
     </message>
+    <message>
+        <source>Taxel gains</source>
+        <translation>触元增益</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::CameraCalibrator</name>
@@ -8788,24 +9330,12 @@ x %4，y %5
         <translation>圆柱相机</translation>
     </message>
     <message>
-        <source>&amp;Load pairs...</source>
-        <translation>加载点对(&amp;L)...</translation>
-    </message>
-    <message>
         <source>Pairs of pixels and points: CSV with u_px,v_px,x_m,y_m,z_m</source>
         <translation>像素与点的点对：CSV，含 u_px,v_px,x_m,y_m,z_m</translation>
     </message>
     <message>
-        <source>Save pai&amp;rs...</source>
-        <translation>保存点对(&amp;R)...</translation>
-    </message>
-    <message>
         <source>All pairs, those that are left out too, as they are loaded</source>
         <translation>按加载时的原样保存全部点对，包括被剔除的</translation>
-    </message>
-    <message>
-        <source>&amp;Save camera...</source>
-        <translation>保存相机(&amp;S)...</translation>
     </message>
     <message>
         <source>The camera of the chosen method, for teleta locate and the camera view</source>
@@ -8954,10 +9484,6 @@ x %4，y %5
         <translation>等待第一次触碰。</translation>
     </message>
     <message>
-        <source>Calibrating...</source>
-        <translation>正在标定...</translation>
-    </message>
-    <message>
         <source>No calibration: %1.</source>
         <translation>无法标定：%1。</translation>
     </message>
@@ -8992,10 +9518,6 @@ x %4，y %5
         <translation>有规律</translation>
     </message>
     <message>
-        <source>Probe with a &amp;camera...</source>
-        <translation>用相机探测(&amp;C)...</translation>
-    </message>
-    <message>
         <source>Collect pairs: press a stick through the holes of a shell while a camera, or a video of it, is watched</source>
         <translation>采集点对：将探棒穿过外壳的孔按压，同时观察相机或其视频</translation>
     </message>
@@ -9018,6 +9540,26 @@ x %4，y %5
     <message>
         <source>&amp;Redo</source>
         <translation>重做(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Load pairs…</source>
+        <translation>加载点对(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Save pai&amp;rs…</source>
+        <translation>保存点对(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>&amp;Save camera…</source>
+        <translation>保存相机(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Probe with a &amp;camera…</source>
+        <translation>用相机探测(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Calibrating…</source>
+        <translation>正在标定…</translation>
     </message>
 </context>
 <context>
@@ -9281,10 +9823,6 @@ x %4，y %5
         <translation>电机的预测动作</translation>
     </message>
     <message>
-        <source>Choose File…</source>
-        <translation>选择文件…</translation>
-    </message>
-    <message>
         <source>&amp;Format:</source>
         <translation>格式(&amp;F)：</translation>
     </message>
@@ -9295,6 +9833,10 @@ x %4，y %5
     <message>
         <source>&amp;Values:</source>
         <translation>数值(&amp;V)：</translation>
+    </message>
+    <message>
+        <source>Choose file…</source>
+        <translation>选择文件…</translation>
     </message>
 </context>
 <context>
@@ -9386,6 +9928,46 @@ x %4，y %5
         <source>Nothing is played (last: %1)</source>
         <comment>what was recognised and its pattern</comment>
         <translation>未在播放（上一个：%1）</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::GainCalibrator</name>
+    <message>
+        <source>Open recorded presses</source>
+        <translation>打开已记录的按压</translation>
+    </message>
+    <message>
+        <source>Frames (*.csv)</source>
+        <translation>帧 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Load gains</source>
+        <translation>加载增益</translation>
+    </message>
+    <message>
+        <source>Gains (*.csv)</source>
+        <translation>增益 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Save the gains</source>
+        <translation>保存增益</translation>
+    </message>
+    <message>
+        <source>Choose another folder or file name.</source>
+        <translation>请选择其他文件夹或文件名。</translation>
+    </message>
+    <message>
+        <source>press</source>
+        <translation>按压</translation>
+    </message>
+    <message>
+        <source>loading</source>
+        <translation>加载</translation>
+    </message>
+    <message>
+        <source>%1 could not be saved.</source>
+        <comment>a file</comment>
+        <translation>无法保存 %1。</translation>
     </message>
 </context>
 <context>
@@ -9726,10 +10308,6 @@ x %4，y %5
         <translation>保持(&amp;H)</translation>
     </message>
     <message>
-        <source>Begin &amp;anew</source>
-        <translation>重新开始(&amp;A)</translation>
-    </message>
-    <message>
         <source>&amp;Forget the explored contour</source>
         <translation>清除已探索的轮廓(&amp;F)</translation>
     </message>
@@ -9760,10 +10338,6 @@ x %4，y %5
     <message>
         <source>Calibrate</source>
         <translation>标定</translation>
-    </message>
-    <message>
-        <source>What has to be measured: the motors of the bracelet, the camera in the tube</source>
-        <translation>需要测量的内容：手环的电机、管内的相机</translation>
     </message>
     <message>
         <source>Cost</source>
@@ -9800,6 +10374,14 @@ x %4，y %5
     <message>
         <source>&amp;Recording</source>
         <translation>记录(&amp;R)</translation>
+    </message>
+    <message>
+        <source>What has to be measured: the motors of the bracelet, the camera in the tube, the taxels</source>
+        <translation>需要测量的内容：手环的电机、管内的相机、触元</translation>
+    </message>
+    <message>
+        <source>Re&amp;start</source>
+        <translation>重新开始(&amp;S)</translation>
     </message>
 </context>
 <context>
@@ -9922,10 +10504,6 @@ x %4，y %5
         <translation>选择(&amp;C)…</translation>
     </message>
     <message>
-        <source>Protocol</source>
-        <translation>方案</translation>
-    </message>
-    <message>
         <source>&amp;Folder, which is made</source>
         <translation>要创建的文件夹(&amp;F)</translation>
     </message>
@@ -9956,6 +10534,45 @@ x %4，y %5
     <message>
         <source>The seed is a whole number from 0 to 18446744073709551615.</source>
         <translation>种子为 0 至 18446744073709551615 的整数。</translation>
+    </message>
+    <message>
+        <source>F&amp;rom a file…</source>
+        <translation>从文件(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>A protocol of your own (TOML)</source>
+        <translation>您自己的方案 (TOML)</translation>
+    </message>
+    <message>
+        <source>Pr&amp;otocol</source>
+        <translation>方案(&amp;O)</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>a protocol; where it is from</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Open a protocol</source>
+        <translation>打开方案</translation>
+    </message>
+    <message>
+        <source>Protocols (*.toml)</source>
+        <translation>方案 (*.toml)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n test trial(s) a participant</source>
+        <translation>
+            <numerusform>每名被试 %n 个测试试次</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This protocol has no pattern %1 to be felt: name a file for it in the protocol.</source>
+        <translation>此方案没有可供感受的图案 %1：请在方案中为它指定文件。</translation>
+    </message>
+    <message>
+        <source>The file is no protocol that can be used; the one above stays chosen. %1</source>
+        <translation>该文件不是可用的方案；仍选用上面的方案。%1</translation>
     </message>
 </context>
 <context>
@@ -10263,14 +10880,6 @@ x %4，y %5
         </translation>
     </message>
     <message>
-        <source>Open the Edits</source>
-        <translation>打开编辑内容</translation>
-    </message>
-    <message>
-        <source>Discard Them</source>
-        <translation>放弃编辑内容</translation>
-    </message>
-    <message>
         <source>Save pattern</source>
         <translation>保存图案</translation>
     </message>
@@ -10301,6 +10910,14 @@ x %4，y %5
     <message>
         <source>How strong the bracelet may be could not be read or kept: look at the slider Strongest.</source>
         <translation>无法读取或保存手环的强度上限：请查看滑块“最强”。</translation>
+    </message>
+    <message>
+        <source>Open the edits</source>
+        <translation>打开编辑内容</translation>
+    </message>
+    <message>
+        <source>Discard them</source>
+        <translation>放弃编辑内容</translation>
     </message>
 </context>
 <context>
@@ -10868,6 +11485,22 @@ x %4，y %5
         <source>Frames (*.csv)</source>
         <translation>帧 (*.csv)</translation>
     </message>
+    <message>
+        <source>Choose the gains of the taxels</source>
+        <translation>选择触元的增益</translation>
+    </message>
+    <message>
+        <source>Gains of the taxels</source>
+        <translation>触元的增益</translation>
+    </message>
+    <message>
+        <source>Gains (*.csv)</source>
+        <translation>增益 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Gains of the ta&amp;xels:</source>
+        <translation>触元的增益(&amp;X)：</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::RecordingExport</name>
@@ -11094,10 +11727,6 @@ x %4，y %5
         <translation>新建研究…</translation>
     </message>
     <message>
-        <source>A study of the paper&apos;s protocol</source>
-        <translation>按论文方案进行的研究</translation>
-    </message>
-    <message>
         <source>Open a study…</source>
         <translation>打开研究…</translation>
     </message>
@@ -11229,6 +11858,27 @@ x %4，y %5
     <message>
         <source>Copy its whole folder to go on with it.</source>
         <translation>要继续，请复制其整个文件夹。</translation>
+    </message>
+    <message>
+        <source>Of the paper&apos;s protocol, or of one of your own</source>
+        <translation>按论文方案，或按您自己的方案</translation>
+    </message>
+    <message>
+        <source>The participant&apos;s window covers a part of the console.</source>
+        <translation>被试窗口遮住了控制台的一部分。</translation>
+    </message>
+    <message>
+        <source>There is no other screen, and no room beside the console. Plug in a second screen, or make the console smaller, and show the window again.</source>
+        <translation>没有其他屏幕，控制台旁也没有位置。请连接第二个屏幕，或缩小控制台，然后重新显示窗口。</translation>
+    </message>
+    <message>
+        <source>The protocols that come with the program could not be read.</source>
+        <translation>无法读取程序自带的方案。</translation>
+    </message>
+    <message>
+        <source>comes with the program</source>
+        <comment>a protocol</comment>
+        <translation>程序自带</translation>
     </message>
 </context>
 <context>
@@ -11950,6 +12600,14 @@ x %4，y %5
         <source>De&amp;lete</source>
         <translation>删除(&amp;L)</translation>
     </message>
+    <message>
+        <source>&lt;p&gt;The pattern in bold, with a sign before it, is open in the editor; the keys are for the highlighted one.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;粗体且前有标记的图案已在编辑器中打开；按键作用于突出显示的图案。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Open in the editor</source>
+        <translation>已在编辑器中打开</translation>
+    </message>
 </context>
 <context>
     <name>teleta::editor::StrokePad</name>
@@ -12138,16 +12796,8 @@ x %4，y %5
 <context>
     <name>teleta::servo::ServoRunsView</name>
     <message>
-        <source>&amp;Add Recorded Run…</source>
-        <translation>添加记录的运行(&amp;A)…</translation>
-    </message>
-    <message>
         <source>A run that teleta simulate --out has written: its servo.csv</source>
         <translation>teleta simulate --out 写出的运行：其 servo.csv</translation>
-    </message>
-    <message>
-        <source>&amp;Forget Other Runs</source>
-        <translation>清除其他运行(&amp;F)</translation>
     </message>
     <message>
         <source>Keeps only the run that goes on</source>
@@ -12170,10 +12820,6 @@ x %4，y %5
         <translation>&lt;p&gt;同一图中的各次伺服运行：正在进行的运行，数据源重新启动或切换之前的运行，以及记录的运行。&lt;/p&gt;&lt;p&gt;要了解力矩的作用，请分别勾选和取消“平衡力矩”后重新启动场景。&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>Add Recorded Run</source>
-        <translation>添加记录的运行</translation>
-    </message>
-    <message>
         <source>Servo runs (servo.csv)</source>
         <translation>伺服运行 (servo.csv)</translation>
     </message>
@@ -12189,6 +12835,18 @@ x %4，y %5
     <message>
         <source>No run yet. Runs of servos are drawn here, one over the other.</source>
         <translation>尚无运行。伺服运行将叠加绘制于此。</translation>
+    </message>
+    <message>
+        <source>&amp;Add recorded run…</source>
+        <translation>添加记录的运行(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>&amp;Forget other runs</source>
+        <translation>清除其他运行(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Add recorded run</source>
+        <translation>添加记录的运行</translation>
     </message>
 </context>
 <context>
@@ -12819,8 +13477,25 @@ x %4，y %5
         <translation>默认值(&amp;D)</translation>
     </message>
     <message>
-        <source>Default values for everything but the tare</source>
-        <translation>除去皮外全部恢复默认值</translation>
+        <source> %1/raw unit</source>
+        <comment>of a gain: load per raw unit</comment>
+        <translation> %1/原始单位</translation>
+    </message>
+    <message>
+        <source> taxel</source>
+        <translation> 个触元</translation>
+    </message>
+    <message>
+        <source> taxels</source>
+        <translation> 个触元</translation>
+    </message>
+    <message>
+        <source>taxel gains in use</source>
+        <translation>正在使用触元增益</translation>
+    </message>
+    <message>
+        <source>Default values for everything but the tare and the gains of the taxels</source>
+        <translation>除去皮和触元增益外全部恢复默认值</translation>
     </message>
 </context>
 <context>
@@ -12842,24 +13517,12 @@ x %4，y %5
         <translation>勾勒各接触并显示其编号</translation>
     </message>
     <message>
-        <source>Centre of &amp;Pressure</source>
-        <translation>压力中心(&amp;P)</translation>
-    </message>
-    <message>
         <source>Mark the load-weighted centre with ×</source>
         <translation>用 × 标出载荷加权中心</translation>
     </message>
     <message>
-        <source>Centre of C&amp;ontact</source>
-        <translation>接触中心(&amp;O)</translation>
-    </message>
-    <message>
         <source>Mark the centre of the touched area with ○</source>
         <translation>用 ○ 标出接触区域的中心</translation>
-    </message>
-    <message>
-        <source>Principal &amp;Axis</source>
-        <translation>主轴(&amp;A)</translation>
     </message>
     <message>
         <source>Draw the axis along which the touched area is longest</source>
@@ -12878,24 +13541,12 @@ x %4，y %5
         <translation>热图</translation>
     </message>
     <message>
-        <source>Colour &amp;Range</source>
-        <translation>颜色范围(&amp;R)</translation>
-    </message>
-    <message>
         <source>&amp;Automatic</source>
         <translation>自动(&amp;A)</translation>
     </message>
     <message>
         <source>&amp;Fixed at %1</source>
         <translation>固定为 %1(&amp;F)</translation>
-    </message>
-    <message>
-        <source>&amp;Type Upper End…</source>
-        <translation>输入上端(&amp;T)…</translation>
-    </message>
-    <message>
-        <source>Show &amp;Whole Array</source>
-        <translation>显示整个阵列(&amp;W)</translation>
     </message>
     <message>
         <source>Upper end of the colours</source>
@@ -12918,6 +13569,30 @@ Double-click to type the upper end.</source>
     <message>
         <source>Dead taxel: its value is not used.</source>
         <translation>失效触元：其值不被使用。</translation>
+    </message>
+    <message>
+        <source>Centre of &amp;pressure</source>
+        <translation>压力中心(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Centre of c&amp;ontact</source>
+        <translation>接触中心(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Principal &amp;axis</source>
+        <translation>主轴(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Colour &amp;range</source>
+        <translation>颜色范围(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Type upper end…</source>
+        <translation>输入上端(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Show &amp;whole array</source>
+        <translation>显示整个阵列(&amp;W)</translation>
     </message>
 </context>
 <context>
@@ -12983,10 +13658,6 @@ Double-click to type the upper end.</source>
     <message>
         <source>R&amp;estart</source>
         <translation>重新开始(&amp;E)</translation>
-    </message>
-    <message>
-        <source>Begin the arm&apos;s program anew</source>
-        <translation>从头开始机械臂的程序</translation>
     </message>
     <message>
         <source>Joints</source>
@@ -13124,6 +13795,10 @@ Double-click to type the upper end.</source>
         <source>A recording is played: what its arm did is over, and nothing can be moved.</source>
         <translation>正在回放记录：机械臂的动作已成过去，无法再移动。</translation>
     </message>
+    <message>
+        <source>Restart the arm&apos;s program</source>
+        <translation>重新开始机械臂的程序</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::JointRange</name>
@@ -13247,16 +13922,16 @@ Double-click to type the upper end.</source>
         <translation>无法写入文件：%1</translation>
     </message>
     <message>
-        <source>Export Patterns</source>
+        <source>Map of patterns (*.json)</source>
+        <translation>图案对应表 (*.json)</translation>
+    </message>
+    <message>
+        <source>Export patterns</source>
         <translation>导出图案</translation>
     </message>
     <message>
-        <source>Import Patterns</source>
+        <source>Import patterns</source>
         <translation>导入图案</translation>
-    </message>
-    <message>
-        <source>Map of patterns (*.json)</source>
-        <translation>图案对应表 (*.json)</translation>
     </message>
 </context>
 <context>
@@ -13507,19 +14182,19 @@ Double-click to type the upper end.</source>
         <source>&amp;Copy</source>
         <translation>复制(&amp;C)</translation>
     </message>
-    <message>
-        <source>Select &amp;All</source>
-        <translation>全选(&amp;A)</translation>
-    </message>
-    <message>
-        <source>&amp;Newest First</source>
-        <translation>最新的在前(&amp;N)</translation>
-    </message>
     <message numerus="yes">
         <source>%n touch(es)</source>
         <translation>
             <numerusform>%n 次触碰</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Select &amp;all</source>
+        <translation>全选(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Newest first</source>
+        <translation>最新的在前(&amp;N)</translation>
     </message>
 </context>
 <context>
