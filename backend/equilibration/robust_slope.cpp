@@ -37,8 +37,9 @@ Slope robustSlope(std::span<const double> x, std::span<const double> y, std::vec
     Slope result{.slope = medianOf(buffer)};
     // Residuals that are rounding errors are none.
     const double exact = 4.0 * std::numeric_limits<double>::epsilon() * largest;
-    double squares = 0.0;
-    double weighted = 0.0;
+    double influence = 0.0; // sum of squares of the bounded residuals
+    double within = 0.0;    // how many residuals are not bounded
+    double xx = 0.0;
     for (int step = 0; step < kMostSteps; ++step) {
         for (std::size_t i = 0; i < n; ++i)
             buffer[i] = std::abs(y[i] - result.slope * x[i]);
@@ -47,21 +48,26 @@ Slope robustSlope(std::span<const double> x, std::span<const double> y, std::vec
             result.noise = 0.0;
         const double bound = std::max(kHuber * result.noise, exact);
         double xy = 0.0;
-        weighted = squares = 0.0;
+        double weighted = 0.0;
+        influence = within = xx = 0.0;
         for (std::size_t i = 0; i < n; ++i) {
             const double residual = std::abs(y[i] - result.slope * x[i]);
             const double weight = residual <= bound ? 1.0 : bound / residual;
             weighted += weight * x[i] * x[i];
             xy += weight * x[i] * y[i];
-            squares += weight * residual * residual;
+            influence += weight * weight * residual * residual;
+            within += residual <= bound ? 1.0 : 0.0;
+            xx += x[i] * x[i];
         }
         const double before = result.slope;
         result.slope = xy / weighted;
         if (std::abs(result.slope - before) <= 1e-12 * std::abs(before))
             break;
     }
+    // At least half of the residuals are not bounded: the scale is their median's.
+    const auto count = static_cast<double>(n);
     if (n > 1)
-        result.error = std::sqrt(squares / static_cast<double>(n - 1) / weighted);
+        result.error = std::sqrt(influence / (count - 1.0) / xx) * count / within;
     return result;
 }
 

@@ -13,7 +13,8 @@ struct Slope {
 };
 
 /// Slope of y = b x through the origin: least squares with Huber's weights, c = 1.345, and the scale of the
-/// median absolute deviation. Begins at the median of y / x.
+/// median absolute deviation. Begins at the median of y / x. Its standard error is that of an M estimate,
+///   sqrt(sum psi^2 / (n - 1) / sum x^2) / mean(psi'),  psi: the residual, at most c scales.
 /// x: not 0; as many as y, at least one; all finite. buffer: any, is overwritten.
 /// Source: P. J. Huber, Robust Statistics, section 7.8. Thread: any (pure).
 [[nodiscard]] Slope robustSlope(std::span<const double> x, std::span<const double> y,

@@ -137,7 +137,7 @@ private:
         taken.error = std::isnan(*gain) ? kNA : 0.0;
         if (m_error < fields.size()) {
             const std::optional<double> error = core::numberOrNA(fields[m_error]);
-            if (!error || *error < 0.0)
+            if (!error || (!std::isnan(*error) && *error < 0.0))
                 return bad(m_error, GainFileText::tr("the standard error is out of range or no number"),
                            GainFileText::tr("a number from 0 on, or NA"));
             if (taken.isGood() && !std::isnan(*error))

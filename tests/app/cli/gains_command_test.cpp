@@ -24,7 +24,7 @@ protected:
         std::string press = "time_s,t0,t1,t2,t3,t4,t5\n";
         for (int frame = 0; frame < 40; ++frame) {
             const int load = 10 + frame % 5;
-            press += std::to_string(frame) + "," + row({1, 2, 3, 2, 1, 3}, load) + "\n";
+            press.append(std::to_string(frame)).append(",").append(row({1, 2, 3, 2, 1, 3}, load)).append("\n");
         }
         m_press = m_folder.write("press.csv", press);
         m_empty = m_folder.write("empty.csv", "time_s,t0,t1,t2,t3,t4,t5\n0,100,100,100,100,100,100\n");
@@ -32,8 +32,11 @@ protected:
 
     static std::string row(const std::vector<int>& responses, int load) {
         std::string text;
-        for (const int response : responses)
-            text += (text.empty() ? "" : ",") + std::to_string(100 + response * load);
+        for (const int response : responses) {
+            if (!text.empty())
+                text += ',';
+            text += std::to_string(100 + response * load);
+        }
         return text;
     }
 

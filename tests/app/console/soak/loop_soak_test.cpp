@@ -16,6 +16,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <ctime>
@@ -39,8 +40,9 @@ namespace {
 constexpr double kHour_s = 3600.0;
 constexpr int kPatience_ms = 120'000;
 constexpr int kLook_ms = 1000;
-/// Each source is looked at so long, one after the other.
-constexpr int kShown_s = 20;
+/// Each source is looked at so long, one after the other; TELETA_SOAK_SHOWN_S is another time, to see what a
+/// change of the source costs.
+constexpr double kShown_s = 20.0;
 /// Pictures fill a disk: a recording ends after so long, and the next one begins.
 constexpr int kRecording_s = 30;
 /// Until the histories of the views are full, which are 5 min at 200 Hz of a source that is shown a third of
@@ -48,10 +50,10 @@ constexpr int kRecording_s = 30;
 constexpr double kWarmUp_s = 1000.0;
 constexpr double kMemoryGrowth = 0.05;
 
-double seconds() {
+double seconds(const char* variable, double usual_s) {
     bool isNumber = false;
-    const double wanted_s = qEnvironmentVariable("TELETA_SOAK_S").toDouble(&isNumber);
-    return isNumber && wanted_s > 0.0 ? wanted_s : kHour_s;
+    const double wanted_s = qEnvironmentVariable(variable).toDouble(&isNumber);
+    return isNumber && wanted_s > 0.0 ? wanted_s : usual_s;
 }
 
 double residentMemory_MB() {
@@ -242,7 +244,8 @@ private slots:
     }
 
     void runsWithoutLossAndWithFlatMemory() {
-        const double duration_s = seconds();
+        const double duration_s = seconds("TELETA_SOAK_S", kHour_s);
+        const int shown_s = static_cast<int>(std::ceil(seconds("TELETA_SOAK_SHOWN_S", kShown_s)));
         m_stop = std::make_unique<core::StopSwitch>();
         m_settings = std::make_unique<ConsoleSettings>(true);
         ConsoleOptions options;
@@ -264,7 +267,7 @@ private slots:
         QElapsedTimer recording;
         std::size_t turn = 0;
         for (int second = 0; 1e-3 * static_cast<double>(run.elapsed()) < duration_s; ++second) {
-            if (second % kShown_s == 0)
+            if (second % shown_s == 0)
                 showNext(turn++);
             if (!recording.isValid()) {
                 beginRecording();
