@@ -77,7 +77,7 @@ QString CalibrateCommand::summary() const {
 }
 
 const char* CalibrateCommand::example() const {
-    return "teleta simulate vtacarm-calibration --out run\n"
+    return "teleta simulate vtacarm-calibration --duration 60 --out run\n"
            "  teleta calibrate run/pairs.csv --out camera.json --residuals residuals.csv";
 }
 

@@ -43,7 +43,7 @@ QString LocateCommand::summary() const {
 }
 
 const char* LocateCommand::example() const {
-    return "teleta simulate vtacarm-calibration --out run\n"
+    return "teleta simulate vtacarm-calibration --duration 60 --out run\n"
            "  teleta locate run/camera.json run/pairs.csv --out points.csv";
 }
 

@@ -114,10 +114,10 @@ QString StiffnessCommand::summary() const {
 }
 
 const char* StiffnessCommand::example() const {
-    return "teleta simulate teleta-touch --duration 4 --out run\n"
+    return "teleta simulate teleta-touch --duration 8 --out run\n"
            "  cut -d, -f1,5,9 run/joints.csv | sed '1s/.*/time_s,joint_angle_rad,joint_torque_nm/' "
            ">touch.csv\n"
-           "  teleta stiffness touch.csv --contact-distance 0.175";
+           "  teleta stiffness touch.csv --contact-distance 0.1695";
 }
 
 void StiffnessCommand::declare(CLI::App& app) {

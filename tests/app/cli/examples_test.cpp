@@ -72,7 +72,6 @@ TEST_P(Examples, workAsTheyAreCopiedIntoAShellInAnEmptyFolder) {
                              "' && PATH=\"$(dirname '" TELETA_PROGRAM "'):$PATH\" bash '" + script +
                              "' >out 2>err";
     EXPECT_EQ(std::system(line.c_str()), 0) << example << readAll(folder.path("err"));
-    EXPECT_FALSE(readAll(folder.path("out")).empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(Commands, Examples, testing::ValuesIn(commands()),
