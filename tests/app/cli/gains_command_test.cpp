@@ -24,7 +24,10 @@ protected:
         std::string press = "time_s,t0,t1,t2,t3,t4,t5\n";
         for (int frame = 0; frame < 40; ++frame) {
             const int load = 10 + frame % 5;
-            press.append(std::to_string(frame)).append(",").append(row({1, 2, 3, 2, 1, 3}, load)).append("\n");
+            press.append(std::to_string(frame))
+                .append(",")
+                .append(row({1, 2, 3, 2, 1, 3}, load))
+                .append("\n");
         }
         m_press = m_folder.write("press.csv", press);
         m_empty = m_folder.write("empty.csv", "time_s,t0,t1,t2,t3,t4,t5\n0,100,100,100,100,100,100\n");
