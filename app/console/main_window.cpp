@@ -412,6 +412,9 @@ void MainWindow::onEscape(bool down) {
 }
 
 void MainWindow::buildMenus() {
+    // The bar keeps menus that are no longer in it; one of them may have asked for this.
+    for (QMenu* menu : menuBar()->findChildren<QMenu*>(Qt::FindDirectChildrenOnly))
+        menu->deleteLater();
     menuBar()->clear();
     QMenu* file = menuBar()->addMenu(tr("&File"));
     QMenu* open = m_operate->chooser().openMenu();

@@ -324,6 +324,21 @@ private slots:
         QVERIFY(m_window->findChild<QPushButton*>("openDemo")->isVisible());
     }
 
+    void aChangeOfTheSourceLeavesNoMenusBehind() {
+        ConsoleOptions options;
+        options.scenes = {QStringLiteral("tactile-indenter"), QStringLiteral("tactile-two-contacts")};
+        openWindow(options);
+        auto& sources = m_window->sources();
+        QTRY_VERIFY(sources.items().size() == 2 && sources.items()[0].isOpen() && sources.items()[1].isOpen());
+        const auto menus = [this] {
+            return m_window->menuBar()->findChildren<QMenu*>(Qt::FindDirectChildrenOnly).size();
+        };
+        for (std::size_t turn = 0; turn < 6; ++turn)
+            sources.activate(sources.items()[turn % 2].key);
+        // All but "Open", which is the chooser's, are the bar's.
+        QTRY_COMPARE(menus(), m_window->menuBar()->actions().size());
+    }
+
     void aPausedRecordingIsAsItWasLeftAfterALookAtAnotherSource() {
         ConsoleOptions options = replay(writeRecording("paused.csv"));
         options.scenes << QStringLiteral(":/scenes/tactile-two-contacts.toml");
