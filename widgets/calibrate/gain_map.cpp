@@ -61,11 +61,10 @@ struct MapLayout {
         const double em = metrics.height();
         const double barRoom = 1.2 * em + metrics.horizontalAdvance(QStringLiteral("\u00d7 0.00")) + em;
         const QRectF room(0.5 * em, 0.5 * em, std::max(size.width() - barRoom - em, 1.0),
-                          std::max(size.height() - em, 1.0));
+                          std::max(size.height() - 2.0 * em, 1.0));
         side = std::min(room.width() / layout.columns, room.height() / layout.rows);
         array = QRectF(0.0, 0.0, side * layout.columns, side * layout.rows);
-        array.moveCenter(room.center());
-        array.moveLeft(room.left());
+        array.moveTopLeft(room.topLeft() + QPointF(0.0, 0.5 * em));
         bar = QRectF(array.right() + em, array.top(), 0.8 * em, std::max(array.height(), 6.0 * em));
         bar.moveCenter({bar.center().x(), array.center().y()});
     }

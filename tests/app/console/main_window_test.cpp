@@ -329,7 +329,8 @@ private slots:
         options.scenes = {QStringLiteral("tactile-indenter"), QStringLiteral("tactile-two-contacts")};
         openWindow(options);
         auto& sources = m_window->sources();
-        QTRY_VERIFY(sources.items().size() == 2 && sources.items()[0].isOpen() && sources.items()[1].isOpen());
+        QTRY_VERIFY(sources.items().size() == 2 && sources.items()[0].isOpen() &&
+                    sources.items()[1].isOpen());
         const auto menus = [this] {
             return m_window->menuBar()->findChildren<QMenu*>(Qt::FindDirectChildrenOnly).size();
         };
