@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/widgets/input_events.h"
 #include "tests/widgets/test_registry.h"
 #include "widgets/calibrate/gain_map.h"
 #include "widgets/calibrate/gains_view.h"
@@ -188,8 +189,8 @@ private slots:
         QCOMPARE(map->accessibleDescription(), map->readout());
         QTest::keyClick(map, Qt::Key_Escape);
         QVERIFY(map->readout().isEmpty());
-        QTest::mouseMove(map, map->taxelRect(4).center().toPoint());
-        QTRY_VERIFY(map->readout().startsWith(QLatin1String("Taxel 4")));
+        test::hover(map, map->taxelRect(4).center().toPoint());
+        QVERIFY(map->readout().startsWith(QLatin1String("Taxel 4")));
     }
 
     void thePictureComesWithItsTable() {
