@@ -77,6 +77,8 @@ GainsView::GainsView(QWidget* parent)
     m_verdict->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_none->setWordWrap(true);
     m_none->setAlignment(Qt::AlignCenter);
+    // Also without words, so that the map does not move under the mouse.
+    m_readout->setFixedHeight(base::em(this, 1.4));
     auto* top = new QHBoxLayout;
     top->addWidget(m_title, 1);
     for (const char* name : {"undo", "redo", "load", "reset", "save"})

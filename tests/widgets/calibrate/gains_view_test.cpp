@@ -190,7 +190,7 @@ private slots:
         QTest::keyClick(map, Qt::Key_Escape);
         QVERIFY(map->readout().isEmpty());
         test::hover(map, map->taxelRect(4).center().toPoint());
-        QVERIFY(map->readout().startsWith(QLatin1String("Taxel 4")));
+        QVERIFY2(map->readout().startsWith(QLatin1String("Taxel 4")), qPrintable(map->readout()));
     }
 
     void thePictureComesWithItsTable() {
