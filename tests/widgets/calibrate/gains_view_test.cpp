@@ -189,6 +189,7 @@ private slots:
         QCOMPARE(map->accessibleDescription(), map->readout());
         QTest::keyClick(map, Qt::Key_Escape);
         QVERIFY(map->readout().isEmpty());
+        QTRY_VERIFY(map->y() < desk.view.height() / 4); // it has taken the room of the words before
         test::hover(map, map->taxelRect(4).center().toPoint());
         QVERIFY2(map->readout().startsWith(QLatin1String("Taxel 4")), qPrintable(map->readout()));
     }
