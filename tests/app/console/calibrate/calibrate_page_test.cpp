@@ -76,7 +76,7 @@ private slots:
 
     void theListOfPartsHasRowsThatAFingerHits() {
         const auto* parts = m_page->findChild<QListWidget*>();
-        QCOMPARE(parts->count(), 2);
+        QCOMPARE(parts->count(), 3);
         for (int row = 0; row < parts->count(); ++row)
             QVERIFY(parts->visualItemRect(parts->item(row)).height() >= base::em(parts, 2.0));
     }
