@@ -116,8 +116,9 @@ private slots:
         QTest::mouseClick(view().button("collect"), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(view().calibration().gains != nullptr, 30'000);
         QVERIFY2(gainsAreRight(), qPrintable(view().verdict()));
-        // 5 s of frames that are 20 ms apart.
-        QCOMPARE(view().calibration().gains->frames, std::size_t(251));
+        // 5 s of frames that are 20 ms apart, and one more each time that the recording begins again.
+        const std::size_t frames = view().calibration().gains->frames;
+        QVERIFY2(frames >= 251 && frames <= 253, qPrintable(QString::number(frames)));
         QTRY_COMPARE(channel()->settings().conditioning.taxelGain.size(), kLayout.taxels());
         view().undo();
         QTRY_VERIFY(channel()->settings().conditioning.taxelGain.empty());
