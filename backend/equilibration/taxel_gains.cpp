@@ -247,8 +247,9 @@ private:
         }
         leaveOutExtremes();
         double mean = 0.0;
+        const auto used = static_cast<double>(good());
         for (std::size_t taxel = 0; taxel < m_taxels; ++taxel)
-            mean += isGood(taxel) ? m_response[taxel] / static_cast<double>(good()) : 0.0;
+            mean += isGood(taxel) ? m_response[taxel] / used : 0.0;
         double change = 0.0;
         for (std::size_t taxel = 0; taxel < m_taxels; ++taxel) {
             if (!isGood(taxel))
@@ -439,8 +440,9 @@ TaxelGains combined(const core::ArrayLayout& layout, std::span<const PressFit> f
     gains.repeatability = pressed > 0 ? std::sqrt(between / static_cast<double>(pressed)) : 0.0;
 
     double response = 0.0;
+    const auto used = static_cast<double>(gains.good());
     for (std::size_t i = 0; i < gains.taxels.size(); ++i)
-        response += gains.taxels[i].isGood() ? std::exp(mean[i]) / static_cast<double>(gains.good()) : 0.0;
+        response += gains.taxels[i].isGood() ? std::exp(mean[i]) / used : 0.0;
     for (std::size_t i = 0; i < gains.taxels.size(); ++i) {
         TaxelGain& taxel = gains.taxels[i];
         if (!taxel.isGood())
@@ -483,6 +485,20 @@ std::optional<TaxelState> taxelState(std::string_view text) {
 std::size_t TaxelGains::good() const {
     return static_cast<std::size_t>(
         std::count_if(taxels.begin(), taxels.end(), [](const TaxelGain& taxel) { return taxel.isGood(); }));
+}
+
+std::optional<GainRange> TaxelGains::range() const {
+    std::optional<GainRange> range;
+    for (const TaxelGain& taxel : taxels) {
+        if (!taxel.isGood())
+            continue;
+        if (!range)
+            range = GainRange{taxel.gain, taxel.gain, 0.0};
+        range->least = std::min(range->least, taxel.gain);
+        range->greatest = std::max(range->greatest, taxel.gain);
+        range->largestError = std::max(range->largestError, taxel.error / taxel.gain);
+    }
+    return range;
 }
 
 std::vector<float> TaxelGains::values() const {

@@ -34,6 +34,13 @@ struct TaxelGain {
     [[nodiscard]] bool isGood() const { return state == TaxelState::good; }
 };
 
+/// Of the taxels that are good.
+struct GainRange {
+    double least = 0.0;
+    double greatest = 0.0;
+    double largestError = 0.0; ///< standard error as a share of the gain
+};
+
 /// The gains of all taxels, row-major, and how well they are known.
 struct TaxelGains {
     core::ArrayLayout layout;
@@ -49,6 +56,8 @@ struct TaxelGains {
     double repeatability = 0.0; ///< rms deviation of one press's gains from the mean of all; 0 with one press
 
     [[nodiscard]] std::size_t good() const;
+    /// Empty when no taxel is good.
+    [[nodiscard]] std::optional<GainRange> range() const;
     /// For ConditioningSettings::taxelGain: NaN where a taxel is not good.
     [[nodiscard]] std::vector<float> values() const;
 };

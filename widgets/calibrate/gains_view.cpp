@@ -18,7 +18,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace teleta::calibrate {
@@ -248,24 +247,16 @@ QString GainsView::describeGains() const {
     if (!m_calibration.gains)
         return {};
     const TaxelGains& gains = *m_calibration.gains;
-    double least = HUGE_VAL;
-    double most = 0.0;
-    double error = 0.0;
-    for (const TaxelGain& taxel : gains.taxels) {
-        if (!taxel.isGood())
-            continue;
-        least = std::min(least, taxel.gain);
-        most = std::max(most, taxel.gain);
-        error = std::max(error, taxel.error / taxel.gain);
-    }
+    const std::optional<equilibration::GainRange> range = gains.range();
     QStringList lines;
-    if (most > 0.0)
+    if (range)
         lines << tr("%1 of %2 taxels have gains from %3 to %4.")
                      .arg(gains.good())
                      .arg(gains.taxels.size())
-                     .arg(base::fixedDigits(least, 2), base::fixedDigits(most, 2));
-    if (error > 0.0)
-        lines << tr("The least certain one is known to %1 % (standard error).").arg(percent(error, 2));
+                     .arg(base::fixedDigits(range->least, 2), base::fixedDigits(range->greatest, 2));
+    if (range && range->largestError > 0.0)
+        lines << tr("The least certain one is known to %1 % (standard error).")
+                     .arg(percent(range->largestError, 2));
     QStringList left;
     if (const int dead = countOf(gains, TaxelState::dead))
         left << tr("%n dead", "taxels", dead);

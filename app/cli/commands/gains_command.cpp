@@ -12,8 +12,6 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace teleta::cli {
@@ -27,27 +25,8 @@ struct GainsText {
     Q_DECLARE_TR_FUNCTIONS(GainsCommand)
 };
 
-std::pair<double, double> range(const TaxelGains& gains) {
-    double least = HUGE_VAL;
-    double most = 0.0;
-    for (const TaxelGain& taxel : gains.taxels) {
-        if (taxel.isGood()) {
-            least = std::min(least, taxel.gain);
-            most = std::max(most, taxel.gain);
-        }
-    }
-    return {least, most};
-}
-
-double largestError(const TaxelGains& gains) {
-    double largest = 0.0;
-    for (const TaxelGain& taxel : gains.taxels)
-        largest = taxel.isGood() ? std::max(largest, taxel.error / taxel.gain) : largest;
-    return largest;
-}
-
 nlohmann::ordered_json toJson(const TaxelGains& gains) {
-    const auto [least, most] = range(gains);
+    const equilibration::GainRange range = gains.range().value_or(equilibration::GainRange());
     nlohmann::ordered_json taxels = nlohmann::ordered_json::array();
     for (std::size_t i = 0; i < gains.taxels.size(); ++i) {
         const auto columns = static_cast<std::size_t>(gains.layout.columns);
@@ -59,22 +38,29 @@ nlohmann::ordered_json toJson(const TaxelGains& gains) {
                           {"gain_se", taxel.error},
                           {"state", equilibration::toString(taxel.state)}});
     }
-    return {{"presses", gains.presses}, {"frames", gains.frames},
-            {"good", gains.good()},     {"least_gain", least},
-            {"greatest_gain", most},    {"level", gains.level},
-            {"scatter", gains.scatter}, {"repeatability", gains.repeatability},
-            {"tilt_x", gains.tilt_x},   {"tilt_y", gains.tilt_y},
-            {"tilted", gains.isTilted}, {"taxels", std::move(taxels)}};
+    return {{"presses", gains.presses},
+            {"frames", gains.frames},
+            {"good", gains.good()},
+            {"least_gain", range.least},
+            {"greatest_gain", range.greatest},
+            {"level", gains.level},
+            {"scatter", gains.scatter},
+            {"repeatability", gains.repeatability},
+            {"tilt_x", gains.tilt_x},
+            {"tilt_y", gains.tilt_y},
+            {"tilted", gains.isTilted},
+            {"taxels", std::move(taxels)}};
 }
 
 core::Expected<void> printTable(const TaxelGains& gains) {
-    const auto [least, most] = range(gains);
+    const equilibration::GainRange range = gains.range().value_or(equilibration::GainRange());
     const auto percent = [](double share) { return forPeople(100.0 * share, 3); };
     std::vector<std::pair<QString, QString>> fields{
         {GainsText::tr("Frames under load"), QString::number(gains.frames)},
         {GainsText::tr("Taxels used"), GainsText::tr("%1 of %2").arg(gains.good()).arg(gains.taxels.size())},
-        {GainsText::tr("Gains"), GainsText::tr("%1 to %2").arg(forPeople(least), forPeople(most))},
-        {GainsText::tr("Largest standard error"), GainsText::tr("%1 %").arg(percent(largestError(gains)))},
+        {GainsText::tr("Gains"),
+         GainsText::tr("%1 to %2").arg(forPeople(range.least), forPeople(range.greatest))},
+        {GainsText::tr("Largest standard error"), GainsText::tr("%1 %").arg(percent(range.largestError))},
         {GainsText::tr("Not explained"), GainsText::tr("%1 % of the level").arg(percent(gains.scatter))},
         {GainsText::tr("Tilt"),
          GainsText::tr("%1 % along x, %2 % along y").arg(percent(gains.tilt_x), percent(gains.tilt_y))}};

@@ -97,6 +97,11 @@ TEST(TaxelGains, ofExactFramesAreExact) {
     EXPECT_LT(bench.error(*gains), 1e-6) << "readings are single precision";
     EXPECT_FALSE(gains->isTilted);
     EXPECT_EQ(gains->presses, 1U);
+    const std::vector<double> truth = bench.expected(*gains);
+    ASSERT_TRUE(gains->range());
+    EXPECT_NEAR(gains->range()->least, *std::ranges::min_element(truth), 1e-6);
+    EXPECT_NEAR(gains->range()->greatest, *std::ranges::max_element(truth), 1e-5);
+    EXPECT_FALSE(TaxelGains().range());
 }
 
 TEST(TaxelGains, keepTheForceOfAnEvenLoad) {
