@@ -90,9 +90,9 @@ tsan_parts=(backend/core backend/playback devices/replay)
 asan_parts=(backend/core backend/contact backend/stiffness backend/arm backend/contour)
 # Of the other parts the hard cases: where a whole part would take many minutes to build. Left out: damaged pattern files
 # (pattern_files_stability_test), which take minutes to run and which the fuzzer makes too.
-asan_tests=(camera_contacts_stability_test fuzz_regression_test motors_stability_test pattern_stability_test servo_stability_test
-            simulated_arm_stability_test simulated_servo_stability_test simulation_stability_test study_statistics_stability_test
-            vision_stability_test)
+asan_tests=(camera_contacts_stability_test equilibration_test fuzz_regression_test motors_stability_test pattern_stability_test
+            servo_stability_test simulated_arm_stability_test simulated_servo_stability_test simulation_stability_test
+            study_statistics_stability_test vision_stability_test)
 
 export TSAN_OPTIONS="halt_on_error=1 second_deadlock_stack=1"
 export ASAN_OPTIONS="detect_stack_use_after_return=1 strict_string_checks=1"

@@ -25,7 +25,6 @@ struct GainText {
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<std::string_view, 5> kStates{"good", "dead", "weak", "strong", "stuck"};
 
-constexpr double kPeak = 0.95;        ///< quantile of the levels that is the highest load
 constexpr double kLoaded = 0.5;       ///< share of it from which a frame is used
 constexpr double kExtreme = 10.0;     ///< a response that differs more from the median is none
 constexpr double kSignificance = 5.0; ///< standard errors
@@ -34,6 +33,9 @@ constexpr double kSettled = 1e-9;
 constexpr double kStuck = 0.9; ///< share of the frames in which a stuck taxel reads one value
 constexpr double kStepsExpected = 3.0;
 constexpr double kClipped = 3.0; ///< noise by which a clipped taxel reads too little
+constexpr std::size_t kFewestBelow = kFewestPressFrames / 2; ///< frames that judge a clipped taxel
+constexpr double kWeaker = 0.2;                              ///< quantile of the taxels' readings in a frame
+constexpr std::size_t kMostClipped = 4; ///< one of so many taxels may be clipped in a frame that is used
 
 core::Unexpected refused(const QString& message, const QString& expected,
                          core::ErrorKind kind = core::ErrorKind::refused) {
@@ -56,11 +58,13 @@ public:
     PressFitter(std::size_t taxels, std::span<const float> raw, const contact::ConditioningSettings& settings)
         : m_taxels(taxels)
         , m_frames(raw.size() / taxels)
+        , m_raw(raw)
         , m_reading(raw.size())
         , m_states(taxels, TaxelState::good)
         , m_response(taxels, 1.0)
         , m_error(taxels, 0.0)
-        , m_noise(taxels, 0.0) {
+        , m_noise(taxels, 0.0)
+        , m_clip(taxels, std::numeric_limits<double>::infinity()) {
         const double sign = settings.inverted != (settings.gain < 0.0) ? -1.0 : 1.0;
         for (std::size_t i = 0; i < raw.size(); ++i) {
             const std::size_t taxel = i % taxels;
@@ -80,9 +84,12 @@ public:
         leaveOutDead();
         if (const auto found = findLoadedFrames(); !found)
             return core::Unexpected(found.error());
-        leaveOutStuck();
+        if (const auto found = leaveOutStuck(); !found)
+            return core::Unexpected(found.error());
+        if (const auto found = leaveOutClippedFrames(); !found)
+            return core::Unexpected(found.error());
         for (int round = 0; round < kMostRounds && good() > 0; ++round) {
-            const double change = fitResponses();
+            const double change = fitResponses(round);
             fitLevels();
             if (change < kSettled)
                 break;
@@ -112,6 +119,17 @@ private:
         }
     }
 
+    /// Of levels in rising order. A single frame in which all taxels spark is not the highest load.
+    [[nodiscard]] static double peakOf(const std::vector<double>& sorted) {
+        for (std::size_t i = sorted.size(); i-- > 0 && sorted[i] > 0.0;) {
+            const auto half = std::lower_bound(sorted.begin(), sorted.end(), kLoaded * sorted[i]);
+            if (sorted.begin() + static_cast<std::ptrdiff_t>(i) + 1 - half >=
+                static_cast<std::ptrdiff_t>(kFewestPressFrames))
+                return sorted[i];
+        }
+        return sorted.empty() ? 0.0 : sorted.back();
+    }
+
     /// The frames of at least half the highest load, by the median of the taxels, which is the first level.
     [[nodiscard]] core::Expected<void> findLoadedFrames() {
         std::vector<double> levels(m_frames, -std::numeric_limits<double>::infinity());
@@ -127,7 +145,7 @@ private:
         std::vector<double> sorted = levels;
         std::ranges::sort(sorted);
         std::erase_if(sorted, [](double level) { return !std::isfinite(level); });
-        const double peak = sorted.empty() ? 0.0 : core::quantileOf(sorted, kPeak);
+        const double peak = peakOf(sorted);
         for (std::size_t frame = 0; frame < m_frames; ++frame) {
             if (peak > 0.0 && levels[frame] >= kLoaded * peak) {
                 m_loaded.push_back(frame);
@@ -142,7 +160,7 @@ private:
 
     /// A taxel that reads one value although the others' change makes it expect several steps of the
     /// readings.
-    void leaveOutStuck() {
+    [[nodiscard]] core::Expected<void> leaveOutStuck() {
         struct Constant {
             std::size_t taxel;
             double reading;
@@ -179,17 +197,109 @@ private:
             }
             steps.push_back(step);
         }
-        if (ranges.empty() || constant.empty())
-            return;
+        if (constant.empty())
+            return {};
+        if (ranges.empty()) {
+            m_y.clear();
+            for (const Constant& taxel : constant)
+                m_y.push_back(rawOf(taxel.taxel, taxel.reading).value_or(taxel.reading));
+            const double common = medianOf(m_y);
+            const auto same = static_cast<std::size_t>(std::ranges::count(m_y, common));
+            if (constant.size() > 2 && 2 * same > constant.size())
+                return refused(GainText::tr("Most taxels read the same value in all frames: %1.").arg(common),
+                               GainText::tr("a load that the taxels can measure"));
+            return {};
+        }
         const double range = medianOf(ranges);
         const double step = medianOf(steps);
         const double usual = medianOf(usuals);
         if (!(usual > 0.0))
-            return;
+            return {};
         for (const Constant& taxel : constant) {
             if (range * std::clamp(taxel.reading / usual, 0.0, 1.0) > kStepsExpected * step)
                 m_states[taxel.taxel] = TaxelState::stuck;
         }
+        return {};
+    }
+
+    /// As the array gave it in a loaded frame. Empty when there is no such frame.
+    [[nodiscard]] std::optional<double> rawOf(std::size_t taxel, double wanted) const {
+        for (const std::size_t frame : m_loaded) {
+            if (reading(frame, taxel) == wanted)
+                return m_raw[frame * m_taxels + taxel];
+        }
+        return std::nullopt;
+    }
+
+    /// What the weaker taxels read in each loaded frame: they are clipped last. Those that feel nothing tell
+    /// nothing.
+    [[nodiscard]] std::vector<double> lowLevels() {
+        std::vector<double> levels;
+        levels.reserve(m_loaded.size());
+        for (std::size_t i = 0; i < m_loaded.size(); ++i) {
+            m_x.clear();
+            for (std::size_t taxel = 0; taxel < m_taxels; ++taxel) {
+                const double y = reading(m_loaded[i], taxel);
+                if (isGood(taxel) && std::isfinite(y) && y > m_level[i] / kExtreme)
+                    m_x.push_back(y);
+            }
+            std::ranges::sort(m_x);
+            levels.push_back(m_x.empty() ? m_level[i] : core::quantileOf(m_x, kWeaker));
+        }
+        return levels;
+    }
+
+    /// Where many taxels are clipped, the level of the others' readings is too low. A taxel is clipped in the
+    /// frames of its highest reading when the load changes there by several steps of its readings.
+    [[nodiscard]] core::Expected<void> leaveOutClippedFrames() {
+        const std::vector<double> low = lowLevels();
+        std::vector<std::size_t> clipped(m_loaded.size(), 0);
+        for (std::size_t taxel = 0; taxel < m_taxels; ++taxel) {
+            if (!isGood(taxel))
+                continue;
+            double top = -std::numeric_limits<double>::infinity();
+            double next = top;
+            for (const std::size_t frame : m_loaded) {
+                const double y = reading(frame, taxel);
+                if (!std::isfinite(y))
+                    continue;
+                if (y > top) {
+                    next = top;
+                    top = y;
+                } else if (y > next && y < top) {
+                    next = y;
+                }
+            }
+            double lowest = std::numeric_limits<double>::infinity();
+            double highest = -lowest;
+            for (std::size_t i = 0; i < m_loaded.size(); ++i) {
+                if (reading(m_loaded[i], taxel) == top) {
+                    lowest = std::min(lowest, low[i]);
+                    highest = std::max(highest, low[i]);
+                }
+            }
+            // Scaled from the weaker taxels to this one.
+            if (!std::isfinite(next) || !((highest - lowest) * top > kStepsExpected * (top - next) * highest))
+                continue;
+            for (std::size_t i = 0; i < m_loaded.size(); ++i)
+                clipped[i] += reading(m_loaded[i], taxel) == top ? 1 : 0;
+        }
+        std::vector<std::size_t> loaded;
+        std::vector<double> level;
+        for (std::size_t i = 0; i < m_loaded.size(); ++i) {
+            if (kMostClipped * clipped[i] <= good()) {
+                loaded.push_back(m_loaded[i]);
+                level.push_back(m_level[i]);
+            }
+        }
+        if (loaded.size() < kFewestPressFrames)
+            return refused(
+                GainText::tr("In all but %1 frames under load the taxels are at the end of their range.")
+                    .arg(loaded.size()),
+                GainText::tr("at least %1, under a smaller load").arg(kFewestPressFrames));
+        m_loaded = std::move(loaded);
+        m_level = std::move(level);
+        return {};
     }
 
     /// Frames of a taxel and their levels, in m_x and m_y; those in which it reads its highest value apart.
@@ -216,18 +326,31 @@ private:
         }
     }
 
-    /// Empty when no frame tells it.
-    [[nodiscard]] std::optional<Slope> responseOf(std::size_t taxel) {
+    /// Empty when no frame tells it. A taxel that is clipped in too many frames is stuck.
+    [[nodiscard]] std::optional<Slope> responseOf(std::size_t taxel, int round) {
         collect(taxel);
+        m_clip[taxel] = std::numeric_limits<double>::infinity();
         if (m_x.empty() && m_topX.empty())
             return std::nullopt;
-        if (m_topX.size() > 1 && m_x.size() >= kFewestPressFrames / 2) {
+        if (m_topX.size() > 1 && !m_x.empty()) {
             const Slope below = robustSlope(m_x, m_y, m_buffer);
             double excess = 0.0;
             for (const double level : m_topX)
                 excess += below.slope * level - m_top;
-            if (excess / static_cast<double>(m_topX.size()) > std::max(kClipped * below.noise, 1e-9 * m_top))
-                return below;
+            excess /= static_cast<double>(m_topX.size());
+            const bool judged = m_x.size() >= kFewestBelow;
+            // A few frames do not tell their own noise; that of the others is known after a round.
+            const double noise = judged ? below.noise : std::max(below.noise, m_usualNoise);
+            if (excess > std::max(kClipped * noise, 1e-9 * m_top)) {
+                if (judged) {
+                    m_clip[taxel] = m_top;
+                    return below;
+                }
+                if (round > 0) {
+                    m_states[taxel] = TaxelState::stuck;
+                    return std::nullopt;
+                }
+            }
         }
         m_y.insert(m_y.end(), m_topX.size(), m_top);
         m_x.insert(m_x.end(), m_topX.begin(), m_topX.end());
@@ -235,16 +358,22 @@ private:
     }
 
     /// Returns the largest relative change.
-    double fitResponses() {
+    double fitResponses(int round) {
         const std::vector<double> before = m_response;
         for (std::size_t taxel = 0; taxel < m_taxels; ++taxel) {
             if (!isGood(taxel))
                 continue;
-            const Slope slope = responseOf(taxel).value_or(Slope());
+            const Slope slope = responseOf(taxel, round).value_or(Slope());
             m_response[taxel] = slope.slope;
             m_error[taxel] = slope.error;
             m_noise[taxel] = slope.noise;
         }
+        m_buffer.clear();
+        for (std::size_t taxel = 0; taxel < m_taxels; ++taxel) {
+            if (isGood(taxel))
+                m_buffer.push_back(m_noise[taxel]);
+        }
+        m_usualNoise = m_buffer.empty() ? 0.0 : medianOf(m_buffer);
         leaveOutExtremes();
         double mean = 0.0;
         const auto used = static_cast<double>(good());
@@ -287,7 +416,7 @@ private:
             m_y.clear();
             for (std::size_t taxel = 0; taxel < m_taxels; ++taxel) {
                 const double y = reading(m_loaded[i], taxel);
-                if (isGood(taxel) && std::isfinite(y)) {
+                if (isGood(taxel) && std::isfinite(y) && y < m_clip[taxel]) {
                     m_x.push_back(m_response[taxel]);
                     m_y.push_back(y);
                 }
@@ -316,11 +445,14 @@ private:
 
     std::size_t m_taxels;
     std::size_t m_frames;
+    std::span<const float> m_raw;
     std::vector<double> m_reading; ///< raw units above the tare, rising with the load
     std::vector<TaxelState> m_states;
     std::vector<double> m_response;
     std::vector<double> m_error;
     std::vector<double> m_noise;
+    std::vector<double> m_clip; ///< the reading at which a taxel is clipped
+    double m_usualNoise = 0.0;
     std::vector<std::size_t> m_loaded;
     std::vector<double> m_level; ///< of each loaded frame
     std::vector<double> m_x;
@@ -389,7 +521,7 @@ void findTilt(TaxelGains& gains, std::span<const double> logarithms) {
     const Eigen::VectorXd plane = qr.solve(b);
     const double variance = (b - a * plane).squaredNorm() / static_cast<double>(n - unknowns);
     const Eigen::MatrixXd covariance = variance * (a.transpose() * a).inverse();
-    // Of a normal variable, once in 1700 by chance; of Student's with the 78 degrees of a 6 x 14 array, in
+    // Of a normal variable, once in 2150 by chance; of Student's with the 81 degrees of a 6 x 14 array, in
     // 1300.
     constexpr double kNotByChance = 3.5;
     const auto take = [&](Eigen::Index k, double& tilt) {
@@ -511,16 +643,15 @@ std::vector<float> TaxelGains::values() const {
 }
 
 core::Expected<TaxelGains> findTaxelGains(const core::ArrayLayout& layout,
-                                          std::span<const std::vector<float>> presses,
-                                          const contact::ConditioningSettings& settings) {
+                                          std::span<const GainPress> presses) {
     if (presses.empty())
         return refused(GainText::tr("There is no press."), GainText::tr("at least one"));
     std::vector<PressFit> fits;
-    for (const std::vector<float>& press : presses) {
-        if (press.size() % layout.taxels() != 0)
-            return refused(GainText::tr("The frames have %1 values in all.").arg(press.size()),
+    for (const GainPress& press : presses) {
+        if (press.frames.size() % layout.taxels() != 0)
+            return refused(GainText::tr("The frames have %1 values in all.").arg(press.frames.size()),
                            GainText::tr("a multiple of %1").arg(layout.taxels()), core::ErrorKind::badInput);
-        auto fit = PressFitter(layout.taxels(), press, settings).fit();
+        auto fit = PressFitter(layout.taxels(), press.frames, press.conditioning).fit();
         if (!fit)
             return core::Unexpected(fit.error());
         fits.push_back(std::move(*fit));

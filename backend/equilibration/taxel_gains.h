@@ -62,6 +62,12 @@ struct TaxelGains {
     [[nodiscard]] std::vector<float> values() const;
 };
 
+/// Raw frames of one press, and how the array was read then.
+struct GainPress {
+    std::span<const float> frames;              ///< frames x layout.taxels() values, row-major
+    contact::ConditioningSettings conditioning; ///< tare, direction, dead taxels; its gains are not used
+};
+
 /// A load whose response changes by more than this from one end of the array to the other may have been
 /// uneven.
 inline constexpr double kTilt = 0.05;
@@ -74,18 +80,16 @@ inline constexpr std::size_t kFewestPressFrames = 20;
 /// L_f, the load of a frame, and r_i, the response of a taxel, are fitted in turn, each as a robust slope
 /// through the origin (Huber's weights): a frame in which a taxel has no reading, sparks or is clipped is
 /// left out for this taxel alone, and its level is known from the others. Frames of less than half the
-/// highest load are not used; a taxel that is clipped at high loads is judged by the lower ones.
-/// The mean of the good taxels' responses stays what it was, so that the force of an even load does.
-/// Of several presses the logarithms are averaged: turn plate or bladder round by half between two presses,
-/// and what it pressed harder on one side cancels. The error is made of the noise within and the differences
-/// between presses.
-/// presses: frames x layout.taxels() raw values each, row-major. settings: tare, direction and dead taxels of
-/// the array; its gains are not used.
-/// Error: badInput, a press is no whole number of frames; refused, there is no press, too few frames under
-/// load, or less than half of the taxels that are not marked dead feel it.
-/// Thread: any (pure).
+/// highest load are not used; the highest is the greatest below which, and above whose half, there are
+/// kFewestPressFrames frames. A taxel that is clipped at high loads is judged by the lower ones, and frames
+/// in which more than a quarter of the taxels are clipped are left out. The mean of the good taxels'
+/// responses stays what it was, so that the force of an even load does. Of several presses the logarithms are
+/// averaged: turn plate or bladder round by half between two presses, and what it pressed harder on one side
+/// cancels. The error is made of the noise within and the differences between presses. Error: badInput, a
+/// press is no whole number of frames; refused, there is no press, too few frames under load or below the end
+/// of the taxels' range, or less than half of the taxels that are not marked dead feel it. Thread: any
+/// (pure).
 [[nodiscard]] core::Expected<TaxelGains> findTaxelGains(const core::ArrayLayout& layout,
-                                                        std::span<const std::vector<float>> presses,
-                                                        const contact::ConditioningSettings& settings);
+                                                        std::span<const GainPress> presses);
 
 } // namespace teleta::equilibration

@@ -11,6 +11,7 @@
 #include "backend/simulation/effects/gain_spread.h"
 #include "backend/simulation/simulated_array.h"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -28,7 +29,8 @@ constexpr std::uint64_t kMostGainFrames = 4000;
 std::optional<double> gainError(const scene::Scene& scene, const scene::GainSpreadSpec& spec,
                                 std::uint64_t seed, const std::vector<float>& frames) {
     const core::ArrayLayout& layout = scene.array().sensor.layout;
-    const auto gains = equilibration::findTaxelGains(layout, std::span(&frames, 1), {});
+    const auto gains =
+        equilibration::findTaxelGains(layout, std::array{equilibration::GainPress{frames, {}}});
     if (!gains)
         return std::nullopt;
     const std::vector<double> factors =

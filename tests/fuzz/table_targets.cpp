@@ -136,7 +136,8 @@ bool frameCsv(Bytes bytes) {
     const core::Expected<std::vector<float>> tare = core::readTare(file.path(), layout);
     if (const auto press = core::readFrames(file.path(), layout)) {
         const test::FloatingPointTraps traps;
-        const auto gains = equilibration::findTaxelGains(layout, std::span(&*press, 1), {});
+        const auto gains =
+            equilibration::findTaxelGains(layout, std::array{equilibration::GainPress{*press, {}}});
         for (std::size_t i = 0; gains && i < gains->taxels.size(); ++i) {
             const equilibration::TaxelGain& taxel = gains->taxels[i];
             require(!taxel.isGood() || (std::isfinite(taxel.gain) && taxel.gain > 0.0 &&

@@ -3,6 +3,7 @@
 
 #include "widgets/base/elided_label.h"
 #include "widgets/base/quantity_text.h"
+#include "widgets/base/redo_keys.h"
 #include "widgets/base/theme.h"
 #include "widgets/calibrate/gain_map.h"
 
@@ -113,8 +114,10 @@ GainsView::GainsView(QWidget* parent)
     act("files", &GainsView::pressFilesRequested);
     act("demo", &GainsView::demoRequested);
     for (const auto& [keys, slot] :
-         {std::pair(QKeySequence::Undo, &GainsView::undo), std::pair(QKeySequence::Redo, &GainsView::redo)}) {
-        auto* shortcut = new QShortcut(QKeySequence(keys), this);
+         {std::pair(QKeySequence::keyBindings(QKeySequence::Undo), &GainsView::undo),
+          std::pair(base::redoKeys(), &GainsView::redo)}) {
+        auto* shortcut = new QShortcut(this);
+        shortcut->setKeys(keys);
         shortcut->setContext(Qt::WidgetWithChildrenShortcut);
         connect(shortcut, &QShortcut::activated, this, slot);
     }
@@ -173,11 +176,15 @@ void GainsView::setFacts(const ArrayFacts& facts) {
     refresh();
 }
 
-void GainsView::setCalibration(const GainCalibration& calibration) {
+void GainsView::setCalibration(const GainCalibration& calibration, bool isSaved) {
     m_trouble.clear();
     m_calibration = calibration;
     m_undo->clear();
-    m_undo->setClean(); // clearing an empty stack leaves it as it is
+    // Clearing an empty stack leaves it as it is.
+    if (isSaved)
+        m_undo->setClean();
+    else
+        m_undo->resetClean();
     refresh();
 }
 

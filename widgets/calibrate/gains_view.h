@@ -40,8 +40,13 @@ struct PressProgress {
     double wanted_s = 1.0;
 };
 
-/// Raw frames of one press.
-using Press = std::shared_ptr<const std::vector<float>>;
+/// Raw frames of one press, and how the array was read then: what it is compared with must not be a later
+/// tare.
+struct RecordedPress {
+    std::vector<float> frames;
+    contact::ConditioningSettings conditioning;
+};
+using Press = std::shared_ptr<const RecordedPress>;
 
 /// Frames of which the gains of an array's taxels were made, and the gains.
 struct GainCalibration {
@@ -60,7 +65,7 @@ public:
 
     void setFacts(const ArrayFacts& facts);
     /// Of another array, as it is in use: nothing is left to undo.
-    void setCalibration(const GainCalibration& calibration);
+    void setCalibration(const GainCalibration& calibration, bool isSaved = true);
     /// In place of what was known; can be undone.
     void take(const GainCalibration& calibration, const QString& text);
     [[nodiscard]] const GainCalibration& calibration() const { return m_calibration; }

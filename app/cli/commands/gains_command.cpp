@@ -132,8 +132,10 @@ core::Expected<void> GainsCommand::run() {
             return core::Unexpected(interrupted() ? interruption() : press.error());
         presses.push_back(std::move(*press));
     }
-    const core::Expected<TaxelGains> gains =
-        equilibration::findTaxelGains(m_array.layout(), presses, *settings);
+    std::vector<equilibration::GainPress> read;
+    for (const std::vector<float>& press : presses)
+        read.push_back({press, *settings});
+    const core::Expected<TaxelGains> gains = equilibration::findTaxelGains(m_array.layout(), read);
     if (!gains)
         return core::Unexpected(gains.error());
     if (interrupted())

@@ -39,13 +39,12 @@ GainCalibration calibrationOf(const pipeline::TouchChannel& channel) {
     return {{}, std::make_shared<const TaxelGains>(std::move(gains))};
 }
 
-core::Expected<GainCalibration> withGains(std::vector<Press> presses, const core::ArrayLayout& layout,
-                                          const contact::ConditioningSettings& settings) {
-    std::vector<std::vector<float>> frames;
-    frames.reserve(presses.size());
+core::Expected<GainCalibration> withGains(std::vector<Press> presses, const core::ArrayLayout& layout) {
+    std::vector<equilibration::GainPress> all;
+    all.reserve(presses.size());
     for (const Press& press : presses)
-        frames.push_back(*press);
-    auto gains = equilibration::findTaxelGains(layout, frames, settings);
+        all.push_back({press->frames, press->conditioning});
+    auto gains = equilibration::findTaxelGains(layout, all);
     if (!gains)
         return core::Unexpected(gains.error());
     return GainCalibration{std::move(presses), std::make_shared<const TaxelGains>(std::move(*gains))};
@@ -59,6 +58,8 @@ GainCalibrator::GainCalibrator(SourceManager& sources, QWidget* parent)
     , m_view(new GainsView(parent)) {
     connect(&m_sources, &SourceManager::activeChanged, this, &GainCalibrator::onActiveChanged);
     connect(&m_sources, &SourceManager::itemsChanged, this, &GainCalibrator::onActiveChanged);
+    connect(&m_sources, &SourceManager::closed, this,
+            [this](pipeline::ChannelKey closed) { m_left.erase(closed); });
     connect(m_view, &GainsView::calibrationChanged, this, [this](const GainCalibration& calibration) {
         if (m_channel)
             m_channel->setTaxelGain(calibration.gains ? calibration.gains->values() : std::vector<float>());
@@ -95,11 +96,22 @@ void GainCalibrator::onActiveChanged() {
     m_collector.reset();
     m_view->setProgress(std::nullopt);
     m_view->setBusy(false);
+    if (m_channel && m_sources.find(m_key) != nullptr)
+        m_left.insert_or_assign(m_key, Left{m_view->calibration(), m_view->isSaved()});
     m_key = key;
     m_channel = isArray ? item->channel : nullptr;
     ++m_round;
-    m_view->setCalibration(m_channel ? calibrationOf(*m_channel) : GainCalibration());
+    if (const auto left = m_left.find(m_key); m_channel && left != m_left.end())
+        m_view->setCalibration(left->second.calibration, left->second.isSaved);
+    else
+        m_view->setCalibration(m_channel ? calibrationOf(*m_channel) : GainCalibration());
     tick();
+}
+
+bool GainCalibrator::isSaved() const {
+    return m_view->isSaved() && std::ranges::all_of(m_left, [this](const auto& left) {
+               return left.first == m_key || left.second.isSaved;
+           });
 }
 
 void GainCalibrator::tick() {
@@ -140,14 +152,14 @@ void GainCalibrator::endCollecting() {
     if (!m_collector)
         return;
     m_collector->update();
-    auto press = std::make_shared<const std::vector<float>>(m_collector->takeFrames());
+    auto press = std::make_shared<const calibrate::RecordedPress>(
+        calibrate::RecordedPress{m_collector->takeFrames(), m_collector->conditioning()});
     m_collector.reset();
     m_view->setProgress(std::nullopt);
     std::vector<Press> presses = m_view->calibration().presses;
     presses.push_back(std::move(press));
-    find(tr("press"), [presses = std::move(presses), layout = m_channel->description().layout,
-                       settings = m_channel->settings().conditioning]() mutable {
-        return withGains(std::move(presses), layout, settings);
+    find(tr("press"), [presses = std::move(presses), layout = m_channel->description().layout]() mutable {
+        return withGains(std::move(presses), layout);
     });
 }
 
@@ -161,9 +173,10 @@ void GainCalibrator::openPresses(const QStringList& paths) {
                  auto press = core::readFrames(path.toStdString(), layout);
                  if (!press)
                      return core::Unexpected(press.error());
-                 presses.push_back(std::make_shared<const std::vector<float>>(std::move(*press)));
+                 presses.push_back(std::make_shared<const calibrate::RecordedPress>(
+                     calibrate::RecordedPress{std::move(*press), settings}));
              }
-             return withGains(std::move(presses), layout, settings);
+             return withGains(std::move(presses), layout);
          });
 }
 

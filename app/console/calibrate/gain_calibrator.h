@@ -11,13 +11,14 @@
 #include <QStringList>
 
 #include <functional>
+#include <map>
 #include <memory>
 
 namespace teleta::console {
 
 /// Calibrates the taxels of the array that the console shows: collects presses from its channel for the view,
 /// finds the gains and reads and writes files on pool threads, hands gains to the channel. Another array ends
-/// what runs. Thread: GUI; no call waits.
+/// what runs; what was found of an array stays as long as its source is open. Thread: GUI; no call waits.
 class GainCalibrator : public QObject {
     Q_OBJECT
 
@@ -26,6 +27,8 @@ public:
     GainCalibrator(SourceManager& sources, QWidget* parent);
 
     [[nodiscard]] calibrate::GainsView& view() { return *m_view; }
+    /// Of all arrays that are open.
+    [[nodiscard]] bool isSaved() const;
     void tick();
 
     void collect();
@@ -40,6 +43,11 @@ signals:
 
 private:
     using Found = core::Expected<calibrate::GainCalibration>;
+    /// Of an array that is open and not shown.
+    struct Left {
+        calibrate::GainCalibration calibration;
+        bool isSaved;
+    };
 
     void onActiveChanged();
     void endCollecting();
@@ -54,6 +62,7 @@ private:
     calibrate::GainsView* m_view;
     pipeline::ChannelKey m_key = 0;
     std::shared_ptr<pipeline::TouchChannel> m_channel; ///< of the array that is shown; null: none is
+    std::map<pipeline::ChannelKey, Left> m_left;
     std::unique_ptr<PressCollector> m_collector;
     std::uint64_t m_round = 0; ///< grows with each array, so that late results are told apart
 };

@@ -20,11 +20,10 @@ PressCollector::PressCollector(std::shared_ptr<pipeline::TouchChannel> channel)
     : m_channel(std::move(channel))
     , m_tap(std::make_shared<core::StreamTap>(kBlocks))
     , m_taxels(m_channel->description().layout.taxels())
-    , m_settings(m_channel->settings())
-    , m_conditioner(m_taxels, m_settings.conditioning)
     , m_frame(m_taxels)
     , m_load(m_taxels)
     , m_dead(m_taxels) {
+    takeSettings();
     m_channel->collect(m_tap);
 }
 
@@ -33,7 +32,23 @@ PressCollector::~PressCollector() {
     m_channel->collect(nullptr);
 }
 
+void PressCollector::takeSettings() {
+    m_revision = m_channel->settingsRevision();
+    const pipeline::ChannelSettings settings = m_channel->settings();
+    m_threshold_N = settings.features.threshold_N;
+    m_conditioning = settings.conditioning;
+    m_conditioning.taxelGain.clear(); // gains that are wrong must not decide what is a press
+    m_conditioner.emplace(m_taxels, m_conditioning);
+}
+
 void PressCollector::update() {
+    if (m_channel->settingsRevision() != m_revision) {
+        takeSettings();
+        m_frames.clear();
+        m_last_s.reset();
+        m_collected_s = 0.0;
+        m_waiting = true;
+    }
     while (!isComplete() && m_tap->pop(m_block))
         take(m_block);
 }
@@ -50,8 +65,8 @@ void PressCollector::take(const core::TappedFrames& block) {
     for (std::size_t i = 0; i < block.frames() && !isComplete(); ++i) {
         std::memcpy(m_frame.data(), block.values.data() + i * m_taxels * sizeof(float),
                     m_taxels * sizeof(float));
-        const std::size_t dead = m_conditioner.apply(m_frame, m_load, m_dead);
-        const auto threshold = static_cast<float>(m_settings.features.threshold_N);
+        const std::size_t dead = m_conditioner->apply(m_frame, m_load, m_dead);
+        const auto threshold = static_cast<float>(m_threshold_N);
         const auto loaded = static_cast<std::size_t>(
             std::ranges::count_if(m_load, [threshold](float load) { return load >= threshold; }));
         m_waiting = 2 * loaded <= m_taxels - dead;

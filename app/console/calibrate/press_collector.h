@@ -14,7 +14,8 @@
 namespace teleta::console {
 
 /// Takes the raw frames of an array in which more than half of its taxels are under load, until they cover
-/// kWanted_s of the array's time or are kMostFrames. Frames in between are left out. Thread: GUI.
+/// kWanted_s of the array's time or are kMostFrames. Frames in between are left out. A press is of one tare:
+/// what was collected before the array's settings changed is dropped. Thread: GUI.
 class PressCollector {
 public:
     static constexpr double kWanted_s = 5.0;
@@ -31,17 +32,22 @@ public:
     /// The newest frame was not under load.
     [[nodiscard]] bool isWaiting() const { return m_waiting; }
     [[nodiscard]] double collected_s() const { return m_collected_s; }
+    /// How the frames are read.
+    [[nodiscard]] const contact::ConditioningSettings& conditioning() const { return m_conditioning; }
     /// Frames one after another.
     [[nodiscard]] std::vector<float> takeFrames() { return std::move(m_frames); }
 
 private:
+    void takeSettings();
     void take(const core::TappedFrames& block);
 
     std::shared_ptr<pipeline::TouchChannel> m_channel;
     std::shared_ptr<core::StreamTap> m_tap;
     std::size_t m_taxels;
-    pipeline::ChannelSettings m_settings;
-    contact::FrameConditioner m_conditioner;
+    std::uint64_t m_revision = 0;
+    double m_threshold_N = 0.0;
+    contact::ConditioningSettings m_conditioning; ///< without gains
+    std::optional<contact::FrameConditioner> m_conditioner;
     core::TappedFrames m_block;
     std::vector<float> m_frame;
     std::vector<float> m_load;

@@ -4,6 +4,7 @@
 #include "backend/equilibration/taxel_gains.h"
 #include "backend/simulation/random_stream.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -95,7 +96,8 @@ Rung gainsRung(const std::string& method, std::size_t frames, const Find& find) 
 }
 
 std::vector<double> robustGains(const std::vector<float>& frames) {
-    const auto found = equilibration::findTaxelGains(kLayout, std::span(&frames, 1), {});
+    const auto found =
+        equilibration::findTaxelGains(kLayout, std::array{equilibration::GainPress{frames, {}}});
     std::vector<double> gains(kLayout.taxels(), 1.0);
     for (std::size_t i = 0; found && i < gains.size(); ++i)
         gains[i] = found->taxels[i].isGood() ? found->taxels[i].gain : 1.0;

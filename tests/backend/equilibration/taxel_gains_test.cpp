@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -84,7 +85,14 @@ double ramp(std::size_t frame) {
 
 core::Expected<TaxelGains> gainsOf(const std::vector<float>& press,
                                    const contact::ConditioningSettings& settings = {}) {
-    return findTaxelGains(kLayout, std::span(&press, 1), settings);
+    return findTaxelGains(kLayout, std::array{GainPress{press, settings}});
+}
+
+core::Expected<TaxelGains> gainsOf(const std::vector<std::vector<float>>& presses) {
+    std::vector<GainPress> all;
+    for (const std::vector<float>& press : presses)
+        all.push_back({press, {}});
+    return findTaxelGains(kLayout, all);
 }
 
 } // namespace
@@ -212,6 +220,94 @@ TEST(TaxelGains, aTaxelThatIsClippedAtHighLoadsIsJudgedByTheLowerOnes) {
     EXPECT_NEAR(gains->taxels[30].gain / bench.expected(*gains)[30], 1.0, 0.005);
 }
 
+TEST(TaxelGains, aPressThatClipsMostTaxelsIsJudgedByItsLowerLoads) {
+    Bench bench(0.2);
+    // Most taxels are at the end of their range in more than half of the frames.
+    std::vector<float> press = bench.press(
+        400, [](std::size_t frame) { return 0.005 * static_cast<double>(frame); }, 0.005);
+    for (float& value : press)
+        value = std::min(value, 1.0F);
+    const auto gains = gainsOf(press);
+    ASSERT_TRUE(gains) << describe(gains.error());
+    EXPECT_GE(gains->good(), kLayout.taxels() - 2);
+    EXPECT_LT(bench.error(*gains), 0.015);
+}
+
+TEST(TaxelGains, aPressWithHardlyAnyFrameBelowTheEndOfTheRangeIsRefused) {
+    Bench bench(0.2);
+    const auto load = [](std::size_t frame) {
+        const auto x = static_cast<double>(frame);
+        return frame < 15 ? 0.5 + 0.4 * x / 15.0 : 1.0 + (x - 15.0) / 85.0;
+    };
+    std::vector<float> press = bench.press(100, load, 0.001);
+    for (float& value : press)
+        value = std::min(value, 1.0F);
+    const auto gains = gainsOf(press);
+    ASSERT_FALSE(gains);
+    EXPECT_EQ(gains.error().kind, core::ErrorKind::refused);
+    EXPECT_NE(gains.error().message.find("end of their range"), std::string::npos) << gains.error().message;
+}
+
+TEST(TaxelGains, anArrayThatIsSaturatedThroughoutIsRefused) {
+    contact::ConditioningSettings settings;
+    for (std::size_t taxel = 0; taxel < kLayout.taxels(); ++taxel)
+        settings.tare.push_back(90.0F + static_cast<float>(taxel % 21));
+    const auto gains = gainsOf(std::vector<float>(kLayout.taxels() * 50, 4095.0F), settings);
+    ASSERT_FALSE(gains);
+    EXPECT_EQ(gains.error().kind, core::ErrorKind::refused);
+    EXPECT_NE(gains.error().message.find("4095"), std::string::npos) << gains.error().message;
+}
+
+TEST(TaxelGains, aTaxelThatIsClippedInAllButAFewFramesIsStuck) {
+    Bench bench(0.05);
+    bench.response[30] = 1.0;
+    std::vector<float> press = bench.press(
+        40, [](std::size_t frame) { return 0.5 + static_cast<double>(frame) / 40.0; }, 0.002);
+    for (std::size_t frame = 0; frame < 40; ++frame) {
+        float& value = press[frame * kLayout.taxels() + 30];
+        value = std::min(value, 0.85F); // in 26 of the 30 frames under load
+    }
+    const auto gains = gainsOf(press);
+    ASSERT_TRUE(gains) << describe(gains.error());
+    EXPECT_EQ(gains->taxels[30].state, TaxelState::stuck);
+    EXPECT_EQ(gains->good(), kLayout.taxels() - 1);
+    EXPECT_LT(bench.error(*gains), 0.004);
+}
+
+TEST(TaxelGains, aShortPressInALongRecordingIsFound) {
+    for (const double noise : {0.0, 0.01}) {
+        Bench bench(0.2);
+        const auto load = [](std::size_t frame) { return frame >= 700 && frame < 760 ? 1.0 : 0.0; };
+        const auto gains = gainsOf(bench.press(2000, load, noise));
+        ASSERT_TRUE(gains) << describe(gains.error());
+        EXPECT_EQ(gains->frames, 60U);
+        EXPECT_LT(bench.error(*gains), 0.01);
+        const double sum = std::accumulate(bench.response.begin(), bench.response.end(), 0.0);
+        EXPECT_NEAR(gains->level, sum / static_cast<double>(kLayout.taxels()), 0.002);
+    }
+}
+
+TEST(TaxelGains, eachPressHasTheTareOfItsTime) {
+    Bench bench(0.2);
+    const auto moved = [&](float by) {
+        std::vector<float> press = bench.press(50, ramp);
+        for (float& value : press)
+            value += by;
+        return press;
+    };
+    const std::vector<float> first = moved(100.0F);
+    const std::vector<float> second = moved(100.5F); // the array has drifted, and was tared again
+    contact::ConditioningSettings before;
+    contact::ConditioningSettings after;
+    before.tare.assign(kLayout.taxels(), 100.0F);
+    after.tare.assign(kLayout.taxels(), 100.5F);
+    const auto gains =
+        findTaxelGains(kLayout, std::array{GainPress{first, before}, GainPress{second, after}});
+    ASSERT_TRUE(gains);
+    EXPECT_LT(bench.error(*gains), 1e-4);
+    EXPECT_LT(gains->repeatability, 1e-4);
+}
+
 TEST(TaxelGains, aTaxelThatIsAlwaysClippedIsStuck) {
     Bench bench(0.1);
     std::vector<float> press = bench.press(200, ramp, 0.005);
@@ -265,7 +361,7 @@ TEST(TaxelGains, aTiltedPlateIsNoticedAndCancelsWhenItIsTurned) {
     EXPECT_NEAR(gains->tilt_x, 2.0 * std::tanh(0.15), 4.0 * 0.1 * std::sqrt(12.0 / 84.0));
 
     const std::vector<std::vector<float>> both{one, bench.press(100, ramp, 0.01, 0.0, tilted(-1.0))};
-    const auto turned = findTaxelGains(kLayout, both, {});
+    const auto turned = gainsOf(both);
     ASSERT_TRUE(turned);
     EXPECT_FALSE(turned->isTilted);
     EXPECT_EQ(turned->presses, 2U);
@@ -299,7 +395,7 @@ TEST(TaxelGains, aTaxelThatIsGoodInOnePressOnlyIsKnownFromThatOne) {
     std::vector<std::vector<float>> presses{bench.press(50, ramp), bench.press(50, ramp)};
     for (std::size_t frame = 0; frame < 50; ++frame)
         presses[0][frame * kLayout.taxels() + 7] = std::numeric_limits<float>::quiet_NaN();
-    const auto gains = findTaxelGains(kLayout, presses, {});
+    const auto gains = gainsOf(presses);
     ASSERT_TRUE(gains);
     EXPECT_EQ(gains->good(), kLayout.taxels());
     EXPECT_LT(bench.error(*gains), 1e-5);
@@ -307,9 +403,9 @@ TEST(TaxelGains, aTaxelThatIsGoodInOnePressOnlyIsKnownFromThatOne) {
 
 TEST(TaxelGains, refuseWhatTellsNothing) {
     Bench bench(0.1);
-    EXPECT_EQ(findTaxelGains(kLayout, {}, {}).error().kind, core::ErrorKind::refused);
+    EXPECT_EQ(findTaxelGains(kLayout, {}).error().kind, core::ErrorKind::refused);
     EXPECT_EQ(gainsOf(std::vector<float>(85)).error().kind, core::ErrorKind::badInput);
-    EXPECT_EQ(gainsOf({}).error().kind, core::ErrorKind::refused);
+    EXPECT_EQ(gainsOf(std::vector<float>()).error().kind, core::ErrorKind::refused);
     EXPECT_EQ(gainsOf(bench.press(19, steady(1.0))).error().kind, core::ErrorKind::refused);
     EXPECT_EQ(gainsOf(std::vector<float>(84 * 50, 0.0F)).error().kind, core::ErrorKind::refused);
     EXPECT_EQ(gainsOf(std::vector<float>(84 * 50, std::numeric_limits<float>::quiet_NaN())).error().kind,
@@ -325,13 +421,13 @@ TEST(TaxelGains, refuseWhatTellsNothing) {
 
 TEST(TaxelGains, ofASingleTaxelAndASingleRowAreDefined) {
     const std::vector<float> one(50, 3.0F);
-    const auto single = findTaxelGains({.rows = 1, .columns = 1}, std::span(&one, 1), {});
+    const auto single = findTaxelGains({.rows = 1, .columns = 1}, std::array{GainPress{one, {}}});
     ASSERT_TRUE(single) << describe(single.error());
     EXPECT_DOUBLE_EQ(single->taxels.front().gain, 1.0);
     std::vector<float> row;
     for (int frame = 0; frame < 30; ++frame)
         row.insert(row.end(), {1.0F, 2.0F, 3.0F, 2.0F, 1.0F, 2.0F});
-    const auto line = findTaxelGains({.rows = 1, .columns = 6}, std::span(&row, 1), {});
+    const auto line = findTaxelGains({.rows = 1, .columns = 6}, std::array{GainPress{row, {}}});
     ASSERT_TRUE(line) << describe(line.error());
     EXPECT_NEAR(line->taxels[0].gain, 11.0 / 6.0, 1e-12);
     EXPECT_NEAR(line->taxels[2].gain, 11.0 / 18.0, 1e-12);

@@ -31,7 +31,8 @@ std::shared_ptr<const TaxelGains> someGains() {
 }
 
 GainCalibration onePress() {
-    return {{std::make_shared<const std::vector<float>>(6, 1.0F)}, someGains()};
+    return {{std::make_shared<const RecordedPress>(RecordedPress{std::vector<float>(6, 1.0F), {}})},
+            someGains()};
 }
 
 struct GainsDesk {

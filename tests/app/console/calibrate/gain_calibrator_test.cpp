@@ -171,6 +171,50 @@ private slots:
         QCOMPARE(channel()->settings().conditioning.taxelGain.size(), kLayout.taxels());
     }
 
+    void anArrayThatIsLeftKeepsWhatWasFound() {
+        openRecording();
+        const pipeline::ChannelKey key = m_sources->active()->key;
+        m_calibrator->openPresses({path("press.csv")});
+        QTRY_VERIFY(view().calibration().gains != nullptr);
+        m_sources->open(console::SceneRequest{":/scenes/tactile-even-load.toml", 1});
+        QTRY_VERIFY(view().state().contains(QLatin1String("SIMULATED")));
+        QVERIFY(view().calibration().gains == nullptr);
+        QVERIFY(view().isSaved());
+        QVERIFY(!m_calibrator->isSaved());
+        m_sources->activate(key);
+        QTRY_COMPARE(view().calibration().presses.size(), std::size_t(1));
+        QVERIFY(gainsAreRight());
+        QVERIFY(!view().isSaved());
+        QVERIFY(!view().button("undo")->isEnabled());
+        m_calibrator->save(path("left.csv"));
+        QTRY_VERIFY(m_calibrator->isSaved());
+        m_sources->closeAll();
+        QTRY_VERIFY(view().calibration().gains == nullptr);
+        QVERIFY(m_calibrator->isSaved());
+    }
+
+    void aCollectionBeginsAnewWithAnotherTareAndDoesWithoutGains() {
+        openRecording();
+        // Wrong gains would tell every taxel dead, and no press would be seen.
+        channel()->setTaxelGain(std::vector<float>(kLayout.taxels(), std::nanf("")));
+        QTRY_COMPARE(channel()->settings().conditioning.taxelGain.size(), kLayout.taxels());
+        console::PressCollector collector(channel());
+        const auto isCollected = [&] {
+            collector.update();
+            return collector.isComplete();
+        };
+        QTRY_VERIFY(isCollected());
+        QVERIFY(!collector.conditioning().tare.empty());
+        const std::uint64_t revision = channel()->settingsRevision();
+        channel()->clearTare();
+        QTRY_VERIFY(channel()->settingsRevision() != revision);
+        const std::size_t before = collector.takeFrames().size();
+        QVERIFY(before > 0);
+        collector.update();
+        QVERIFY(collector.conditioning().tare.empty());
+        QTRY_VERIFY(isCollected());
+    }
+
     void aFolderThatCannotBeWrittenIsTold() {
         openRecording();
         m_calibrator->openPresses({path("press.csv")});
