@@ -37,10 +37,14 @@ struct CameraFrame {
     std::uint64_t number = 0;     ///< since the source was started; a gap is a loss
     bool discontinuity = false;   ///< connected again, or the source begins anew
     std::uint64_t passedOver = 0; ///< frames before it that were dropped since a newer one was there
+    /// What this frame and those after it are compared with, of a recording that tells; empty: as before.
+    GreyImage reference = {};
 
     /// Takes the place of an older frame that nobody will look at.
     void replace(const CameraFrame& older) {
         discontinuity = discontinuity || older.discontinuity;
+        if (reference.isEmpty())
+            reference = older.reference;
         passedOver += older.passedOver + 1;
     }
 };

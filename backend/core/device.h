@@ -57,6 +57,7 @@ struct PlaybackPosition {
     bool paused = false;
     double speed = 1.0;
     bool loop = false;
+    std::uint64_t damagedBlocks = 0; ///< that were passed over so far
 };
 
 /// A moment of a recording that somebody marked.

@@ -222,6 +222,8 @@ void CameraChannel::process(const core::CameraFrame& frame) {
     m_passedOver += frame.passedOver;
     m_time_s = frame.capture_s + m_offset_s;
     const std::int64_t begin_ns = core::steadyNow_ns();
+    if (!frame.reference.isEmpty())
+        takeReference(frame);
     const bool hadReference = m_tracker.hasReference();
     const std::uint64_t unusable = m_tracker.unusableFrames();
     auto contacts = m_tracker.next(viewOf(frame.image), m_time_s);
@@ -269,6 +271,17 @@ void CameraChannel::process(const core::CameraFrame& frame) {
     locate(m_now);
     refresh(m_now);
     publish();
+}
+
+void CameraChannel::takeReference(const core::CameraFrame& frame) {
+    m_tracker.renewReference();
+    if (m_reaction)
+        m_reaction->forget();
+    // Otherwise the frame itself is the reference.
+    if (m_tracker.next(viewOf(frame.reference), m_time_s)) {
+        addEvent({.kind = CameraEvent::Kind::reference, .time_s = m_time_s});
+        recordReference(frame.time_ns, frame.capture_s);
+    }
 }
 
 void CameraChannel::react(const std::vector<FollowedContact>* contacts, std::int64_t now_ns) {

@@ -109,6 +109,8 @@ private:
     void takeRungs();
     void makeReady(const vision::ContactRung& rung);
     void process(const core::CameraFrame& frame);
+    /// A recording's, from this frame on.
+    void takeReference(const core::CameraFrame& frame);
     /// Lets the arm react to a frame; contacts: null when it shows none because it cannot be used.
     void react(const std::vector<vision::FollowedContact>* contacts, std::int64_t now_ns);
     /// What no frame changes.

@@ -162,10 +162,15 @@ core::Expected<core::GreyImage> firstReference(const recording::Recording& recor
         return core::GreyImage();
     recording::StreamReader reader = recording.reader(*camera.referenceStream);
     core::TappedFrames block;
-    const core::Expected<bool> any = reader.next(block);
-    if (!any)
-        return core::Unexpected(any.error());
-    return *any ? block.image : core::GreyImage();
+    for (;;) {
+        const core::Expected<bool> any = reader.next(block);
+        if (any)
+            return *any ? block.image : core::GreyImage();
+        if (any.error().kind != core::ErrorKind::badInput)
+            return core::Unexpected(any.error());
+        if (!reader.canGoOn())
+            return core::GreyImage();
+    }
 }
 
 } // namespace teleta::pipeline

@@ -26,6 +26,7 @@ struct RecordedStreamText {
     Q_DECLARE_TR_FUNCTIONS(RecordedStreams)
 };
 
+constexpr char kSettingsEvent[] = "settings";
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double kHuge = 1e12;
 constexpr double kMostTaxels =
@@ -147,6 +148,21 @@ recording::StreamInfo arrayStream(const std::string& name, const core::SourceDes
                                {"settings", settingsJson(settings)}};
     info.details = details.dump();
     return info;
+}
+
+recording::RecordingEvent settingsEvent(const std::string& stream, const ChannelSettings& settings) {
+    const ordered_json text{{"stream", stream}, {"settings", settingsJson(settings)}};
+    return {.kind = kSettingsEvent, .text = text.dump()};
+}
+
+bool settingsChanged(const std::vector<recording::RecordingEvent>& events, const std::string& stream) {
+    return std::ranges::any_of(events, [&](const recording::RecordingEvent& event) {
+        if (event.kind != kSettingsEvent)
+            return false;
+        const ordered_json text = ordered_json::parse(event.text, nullptr, /*allow_exceptions=*/false);
+        const auto named = text.is_object() ? text.find("stream") : text.end();
+        return named != text.end() && named->is_string() && named->get<std::string>() == stream;
+    });
 }
 
 recording::StreamInfo featureStream(const std::string& name, const core::SourceDescription& description) {

@@ -28,6 +28,12 @@ inline constexpr std::size_t kTouchValues = 14;
 [[nodiscard]] recording::StreamInfo arrayStream(const std::string& name,
                                                 const core::SourceDescription& description,
                                                 const ChannelSettings& settings);
+/// The event that the settings of an array are others from now on, but for its time. stream: of its frames.
+[[nodiscard]] recording::RecordingEvent settingsEvent(const std::string& stream,
+                                                      const ChannelSettings& settings);
+/// Whether the settings of an array changed while it was recorded: those of its stream are the first ones.
+[[nodiscard]] bool settingsChanged(const std::vector<recording::RecordingEvent>& events,
+                                   const std::string& stream);
 /// What was computed of them.
 [[nodiscard]] recording::StreamInfo featureStream(const std::string& name,
                                                   const core::SourceDescription& description);

@@ -139,10 +139,11 @@ core::Expected<WrittenFile> exportStream(const Recording& recording, std::size_t
         if (!any && any.error().kind != core::ErrorKind::badInput)
             return core::Unexpected(any.error());
         if (!any) {
-            // A page of the file that cannot be read ends the stream; a block that is not whole does not.
+            // Where not even the index can be read the stream ends.
             ++file.damagedBlocks;
             if (!reader.canGoOn())
                 break;
+            progress.add(0);
             continue;
         }
         if (!*any)

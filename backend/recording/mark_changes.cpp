@@ -15,16 +15,17 @@ core::Expected<void> writeMarkChanges(RecordingDatabase& database, std::span<con
         // A text that is empty is no text that is missing.
         const QString note = QStringLiteral("") + QString::fromStdString(change.note.value_or(std::string()));
         core::Expected<QSqlQuery> done;
-        if (change.restored_ns)
-            done = database.run(
-                QStringLiteral("INSERT INTO event (time_ns, kind, text, value) VALUES (?, ?, ?, ?)"),
-                {static_cast<qlonglong>(*change.restored_ns), kind, note, number});
-        else if (change.note)
+        if (change.note && !change.restored_ns)
             done = database.run(QStringLiteral("UPDATE event SET text = ? WHERE kind = ? AND value = ?"),
                                 {note, kind, number});
         else
             done = database.run(QStringLiteral("DELETE FROM event WHERE kind = ? AND value = ?"),
                                 {kind, number});
+        // One that is there still does not come twice.
+        if (done && change.restored_ns)
+            done = database.run(
+                QStringLiteral("INSERT INTO event (time_ns, kind, text, value) VALUES (?, ?, ?, ?)"),
+                {static_cast<qlonglong>(*change.restored_ns), kind, note, number});
         if (!done)
             return core::Unexpected(done.error());
     }

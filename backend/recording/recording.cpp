@@ -29,6 +29,16 @@ constexpr std::array kTypes{ValueType::float32, ValueType::float64, ValueType::g
 constexpr std::size_t kMostValues = 1U << 24U;
 constexpr int kMostPixels = 1 << 26;
 
+constexpr char kBlock[] = "key, first_ns, frames, width, height, discontinuity, time_ns, source_time_s, data";
+constexpr char kForwards[] = "> (?, ?) ORDER BY first_ns, key";
+constexpr char kBackwards[] = "< (?, ?) ORDER BY first_ns DESC, key DESC";
+
+/// Where the block of a row is, whose first columns are those of kBlock.
+template <typename Position>
+Position placeOf(const QSqlQuery& row) {
+    return {row.value(1).toLongLong(), row.value(0).toLongLong()};
+}
+
 template <typename Name, std::size_t n>
 std::optional<Name> named(const std::array<Name, n>& names, const QString& text) {
     const auto found =
@@ -84,13 +94,34 @@ StreamReader::~StreamReader() = default;
 StreamReader::StreamReader(StreamReader&&) noexcept = default;
 StreamReader& StreamReader::operator=(StreamReader&&) noexcept = default;
 
-core::Expected<QSqlQuery> StreamReader::select(const char* rule, const Position& from) const {
-    return m_database->run(
-        QStringLiteral(
-            "SELECT key, first_ns, frames, width, height, discontinuity, time_ns, source_time_s, data "
-            "FROM block WHERE stream = ? AND (first_ns, key) ") +
-            QLatin1String(rule),
-        {m_key, from.first_ns, from.key});
+core::Expected<QSqlQuery> StreamReader::select(const char* columns, const char* rule,
+                                               const Position& from) const {
+    return m_database->run(QStringLiteral("SELECT %1 FROM block WHERE stream = ? AND (first_ns, key) %2")
+                               .arg(QLatin1String(columns), QLatin1String(rule)),
+                           {m_key, from.first_ns, from.key});
+}
+
+std::optional<StreamReader::Position> StreamReader::place(const char* rule, const Position& from) const {
+    auto query = select("key, first_ns", rule, from);
+    if (!query || !query->next())
+        return std::nullopt;
+    return placeOf<Position>(*query);
+}
+
+/// A page that cannot be read takes with it the block whose page it is, and no other: which block that is,
+/// the index knows. When that cannot be read either, or the file is gone, the stream ends.
+core::Unexpected StreamReader::passOver(core::Unexpected error) {
+    m_query.reset();
+    m_canGoOn = false;
+    if (error.value().kind == core::ErrorKind::badInput) {
+        const std::optional<Position> lost = place(kForwards, m_after);
+        // Also a damaged index leads forwards only.
+        if (lost && *lost > m_after) {
+            m_after = *lost;
+            m_canGoOn = true;
+        }
+    }
+    return error;
 }
 
 /// False when the block is not whole.
@@ -114,23 +145,25 @@ bool StreamReader::readRow(const QSqlQuery& query, core::TappedFrames& block) {
         return false;
     }
     block = std::move(read);
-    m_at = {query.value(1).toLongLong(), query.value(0).toLongLong()};
+    m_at = placeOf<Position>(query);
     return true;
 }
 
 core::Expected<bool> StreamReader::next(core::TappedFrames& block) {
+    m_canGoOn = true;
     if (m_query == nullptr) {
-        auto query = select("> (?, ?) ORDER BY first_ns, key", m_after);
+        auto query = select(kBlock, kForwards, m_after);
+        // The first row is read already.
         if (!query)
-            return core::Unexpected(query.error());
+            return passOver(core::Unexpected(query.error()));
         m_query = std::make_unique<QSqlQuery>(std::move(*query));
     }
     if (!m_query->next()) {
-        m_canGoOn = !m_query->lastError().isValid();
-        if (!m_canGoOn)
-            return m_database->failed(m_query->lastError());
+        if (m_query->lastError().isValid())
+            return passOver(m_database->failed(m_query->lastError()));
         return false;
     }
+    m_after = std::max(m_after, placeOf<Position>(*m_query));
     if (!readRow(*m_query, block))
         return m_database->damaged(
             ReadingText::tr("block %1 of the stream \"%2\" is not whole")
@@ -139,19 +172,30 @@ core::Expected<bool> StreamReader::next(core::TappedFrames& block) {
 }
 
 core::Expected<bool> StreamReader::previous(core::TappedFrames& block) {
-    auto query = select("< (?, ?) ORDER BY first_ns DESC, key DESC", m_at);
-    if (!query)
-        return core::Unexpected(query.error());
-    while (query->next()) {
-        if (readRow(*query, block)) {
-            m_after = m_at;
-            m_query.reset();
-            return true;
+    for (Position before = m_at;;) {
+        auto query = select(kBlock, kBackwards, before);
+        core::Expected<void> read;
+        if (!query)
+            read = core::Unexpected(query.error());
+        while (query && query->next()) {
+            if (readRow(*query, block)) {
+                m_after = m_at;
+                m_query.reset();
+                return true;
+            }
+            before = std::min(before, placeOf<Position>(*query));
         }
+        if (query && query->lastError().isValid())
+            read = m_database->failed(query->lastError());
+        if (read)
+            return false;
+        // As passOver(), the other way.
+        const std::optional<Position> lost =
+            read.error().kind == core::ErrorKind::badInput ? place(kBackwards, before) : std::nullopt;
+        if (!lost || *lost >= before)
+            return core::Unexpected(read.error());
+        before = *lost;
     }
-    if (query->lastError().isValid())
-        return m_database->failed(query->lastError());
-    return false;
 }
 
 core::Expected<void> StreamReader::seek(std::int64_t time_ns) {
@@ -179,6 +223,8 @@ Recording::Recording(Recording&&) noexcept = default;
 Recording& Recording::operator=(Recording&&) noexcept = default;
 
 bool Recording::looksLikeOne(const std::string& path) {
+    if (RecordingDatabase::isWrittenHere(path))
+        return true;
     QFile file(QString::fromStdString(path));
     return file.open(QIODevice::ReadOnly) && RecordingDatabase::beginsLikeOne(file);
 }
@@ -320,6 +366,8 @@ core::Expected<std::optional<Recording::Extent>> Recording::extent(std::size_t s
     auto query = m_database->run(
         QStringLiteral("SELECT MIN(first_ns), MAX(last_ns), SUM(frames) FROM block WHERE stream = ?"),
         {m_keys[stream]});
+    if (!query && query.error().kind == core::ErrorKind::badInput)
+        return readableExtent(stream);
     if (!query)
         return core::Unexpected(query.error());
     if (!query->next())
@@ -328,6 +376,38 @@ core::Expected<std::optional<Recording::Extent>> Recording::extent(std::size_t s
         return std::optional<Extent>();
     return std::optional(
         Extent{query->value(0).toLongLong(), query->value(1).toLongLong(), query->value(2).toULongLong()});
+}
+
+/// Block by block, where some of them cannot be read.
+core::Expected<std::optional<Recording::Extent>> Recording::readableExtent(std::size_t stream) const {
+    const StreamReader blocks = reader(stream);
+    std::optional<Extent> extent;
+    for (StreamReader::Position after;;) {
+        auto query = blocks.select("key, first_ns, last_ns, frames", kForwards, after);
+        while (query && query->next()) {
+            after = std::max(after, placeOf<StreamReader::Position>(*query));
+            if (!extent)
+                extent = Extent{after.first_ns, after.first_ns, 0};
+            extent->last_ns = std::max<std::int64_t>(extent->last_ns, query->value(2).toLongLong());
+            extent->frames += query->value(3).toULongLong();
+        }
+        core::Expected<void> read;
+        if (!query)
+            read = core::Unexpected(query.error());
+        else if (query->lastError().isValid())
+            read = m_database->failed(query->lastError());
+        if (read)
+            return extent;
+        const bool isDamage = read.error().kind == core::ErrorKind::badInput;
+        const auto lost = isDamage ? blocks.place(kForwards, after) : std::nullopt;
+        if (lost && *lost > after) {
+            after = *lost;
+            continue;
+        }
+        if (isDamage && extent)
+            return extent;
+        return core::Unexpected(read.error());
+    }
 }
 
 StreamReader Recording::reader(std::size_t stream) const {

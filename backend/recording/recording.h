@@ -7,6 +7,7 @@
 
 #include <QtGlobal>
 
+#include <compare>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -38,14 +39,15 @@ public:
     StreamReader& operator=(StreamReader&&) noexcept;
 
     /// The next block; false behind the last one. Error: badInput for a damaged block or file, ioFailed.
-    /// block stays as it was unless there is one.
+    /// block stays as it was unless there is one. Behind a damaged block, which a page of the file that
+    /// cannot be read makes as well, it can be called again for the one after it.
     [[nodiscard]] core::Expected<bool> next(core::TappedFrames& block);
 
     /// The block before the one that was read last, without those that are damaged; false before the first
     /// one. next() goes on from there. Error: badInput for a damaged file, ioFailed.
     [[nodiscard]] core::Expected<bool> previous(core::TappedFrames& block);
 
-    /// Whether next() can go on after an error.
+    /// Whether next() can go on after its error.
     [[nodiscard]] bool canGoOn() const { return m_canGoOn; }
 
     /// The next block is the one that holds the first frame at or after a time, or the last one before it.
@@ -57,10 +59,15 @@ private:
     struct Position {
         qlonglong first_ns = std::numeric_limits<qlonglong>::min();
         qlonglong key = 0;
+        auto operator<=>(const Position&) const = default;
     };
 
     StreamReader(std::shared_ptr<RecordingDatabase> database, StreamInfo info, long long key);
-    [[nodiscard]] core::Expected<QSqlQuery> select(const char* rule, const Position& from) const;
+    [[nodiscard]] core::Expected<QSqlQuery> select(const char* columns, const char* rule,
+                                                   const Position& from) const;
+    /// Of the first block by a rule, from the index alone; empty: there is none, or the index is damaged.
+    [[nodiscard]] std::optional<Position> place(const char* rule, const Position& from) const;
+    [[nodiscard]] core::Unexpected passOver(core::Unexpected error);
     [[nodiscard]] bool readRow(const QSqlQuery& query, core::TappedFrames& block);
 
     std::shared_ptr<RecordingDatabase> m_database;
@@ -97,7 +104,8 @@ public:
     /// The first stream of a kind; empty: there is none.
     [[nodiscard]] std::optional<std::size_t> first(StreamKind kind) const;
 
-    /// From the first frame of a stream to its last one; empty: it has no frames.
+    /// From the first frame of a stream to its last one; empty: it has no frames. Without the blocks that
+    /// cannot be read.
     struct Extent {
         std::int64_t first_ns = 0;
         std::int64_t last_ns = 0;
@@ -121,6 +129,7 @@ private:
     [[nodiscard]] core::Expected<void> readStreams();
     [[nodiscard]] core::Expected<void> readColumns();
     [[nodiscard]] core::Expected<void> readEvents();
+    [[nodiscard]] core::Expected<std::optional<Extent>> readableExtent(std::size_t stream) const;
 
     std::shared_ptr<RecordingDatabase> m_database;
     RecordingHead m_head;

@@ -9,6 +9,8 @@
 #include <QUuid>
 
 #include <chrono>
+#include <mutex>
+#include <set>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -51,6 +53,34 @@ const std::vector<QStringList>& steps() {
     return kSteps;
 }
 
+/// Files that this process writes. Closing any descriptor of a file takes away all locks that the process has
+/// on it, those of SQLite too (POSIX): somebody else could then take a file that is written for one that was
+/// cut off. Such a file is opened by SQLite alone. Thread: any.
+class WrittenFiles {
+public:
+    void add(const QString& path) {
+        const std::scoped_lock lock(m_mutex);
+        m_paths.insert(path);
+    }
+    void remove(const QString& path) {
+        const std::scoped_lock lock(m_mutex);
+        m_paths.erase(path);
+    }
+    [[nodiscard]] bool contains(const QString& path) {
+        const std::scoped_lock lock(m_mutex);
+        return m_paths.contains(path);
+    }
+
+private:
+    std::mutex m_mutex;
+    std::set<QString> m_paths; ///< guarded by m_mutex; canonical
+};
+
+WrittenFiles& writtenFiles() {
+    static WrittenFiles files;
+    return files;
+}
+
 QString reasonOf(const QSqlError& error) {
     return error.databaseText().isEmpty() ? error.driverText().simplified()
                                           : error.databaseText().simplified();
@@ -81,6 +111,12 @@ int RecordingDatabase::currentSchema() {
 
 void RecordingDatabase::close() {
     m_database.close();
+    if (!m_written.isEmpty())
+        writtenFiles().remove(std::exchange(m_written, {}));
+}
+
+bool RecordingDatabase::isWrittenHere(const std::string& path) {
+    return writtenFiles().contains(QFileInfo(QString::fromStdString(path)).canonicalFilePath());
 }
 
 core::Expected<void> RecordingDatabase::connect(const QString& options) {
@@ -122,11 +158,16 @@ core::Expected<void> RecordingDatabase::create() {
     if (!made) {
         close();
         QFile::remove(QString::fromStdString(m_path));
+        return made;
     }
+    m_written = QFileInfo(QString::fromStdString(m_path)).canonicalFilePath();
+    writtenFiles().add(m_written);
     return made;
 }
 
 core::Expected<void> RecordingDatabase::checkFile() const {
+    if (isWrittenHere(m_path))
+        return {};
     QFile file(QString::fromStdString(m_path));
     if (!file.exists())
         return core::Unexpected(core::Error{core::ErrorKind::notFound,
@@ -171,12 +212,27 @@ core::Expected<void> RecordingDatabase::checkKind(int& schema) {
     return {};
 }
 
+/// Whoever copies a recording that was cut off takes the file alone: its log goes into it. Does nothing where
+/// that cannot be; what is recorded or read at the moment keeps its log, and is not waited for.
+void RecordingDatabase::foldLog() {
+    const QString path = QString::fromStdString(m_path);
+    if (isWrittenHere(m_path) || !QFile::exists(path + QStringLiteral("-wal")) ||
+        !QFileInfo(path).isWritable() || !QFileInfo(QFileInfo(path).path()).isWritable())
+        return;
+    int schema = 0;
+    if (connect({}) && run(QStringLiteral("PRAGMA busy_timeout = 0")) && checkKind(schema))
+        (void)run(QStringLiteral("PRAGMA journal_mode = DELETE"));
+    close();
+}
+
 core::Expected<void> RecordingDatabase::openForReading() {
     int schema = 0;
-    core::Expected<void> opened =
-        checkFile().and_then([&] { return connect(QStringLiteral(";QSQLITE_OPEN_READONLY")); }).and_then([&] {
-            return checkKind(schema);
-        });
+    core::Expected<void> opened = checkFile()
+                                      .and_then([&]() -> core::Expected<void> {
+                                          foldLog();
+                                          return connect(QStringLiteral(";QSQLITE_OPEN_READONLY"));
+                                      })
+                                      .and_then([&] { return checkKind(schema); });
     // Killed while the file was made or completed: what it had begun has to be taken back, which is writing.
     if (!opened && opened.error().kind == core::ErrorKind::ioFailed &&
         QFile::exists(QString::fromStdString(m_path) + QStringLiteral("-journal")))

@@ -28,9 +28,9 @@ public:
     /// already; ioFailed, and then there is no file.
     [[nodiscard]] core::Expected<void> create();
 
-    /// Opens a file for reading, also one whose writer was killed. An older schema is brought up to date when
-    /// the file can be written. Error: notFound; badInput: no recording, damaged, or of a newer version;
-    /// ioFailed.
+    /// Opens a file for reading, also one whose writer was killed: its write-ahead log goes into it when the
+    /// file can be written and nobody else has it open. An older schema is brought up to date when the file
+    /// can be written. Error: notFound; badInput: no recording, damaged, or of a newer version; ioFailed.
     [[nodiscard]] core::Expected<void> openForReading();
 
     /// Opens a file that is complete, to change it. Error: as openForReading().
@@ -50,6 +50,9 @@ public:
     [[nodiscard]] core::Unexpected failed(const QSqlError& error) const;
     [[nodiscard]] core::Unexpected damaged(const QString& what) const;
 
+    /// Whether an object of this process writes the file that it made. Thread: any.
+    [[nodiscard]] static bool isWrittenHere(const std::string& path);
+
     /// Whether the bytes that come next are the first ones of an SQLite file.
     [[nodiscard]] static bool beginsLikeOne(QIODevice& file);
 
@@ -61,10 +64,12 @@ private:
     [[nodiscard]] core::Expected<void> checkFile() const;
     [[nodiscard]] core::Expected<void> checkKind(int& schema);
     [[nodiscard]] core::Expected<void> migrate(int from);
+    void foldLog();
     void close();
 
     std::string m_path;
     QString m_name;
+    QString m_written; ///< as WrittenFiles has it; empty: it did not make the file
     QSqlDatabase m_database;
 };
 

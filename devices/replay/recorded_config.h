@@ -28,6 +28,7 @@ struct RecordedConfig {
     std::optional<std::size_t> jointStream; ///< of the arm that wears the array
     core::ArmDescription arm;
     std::optional<core::CameraDescription> camera; ///< the stream is that of a camera, not of an array
+    std::optional<std::size_t> referenceStream;    ///< of the camera; it begins with the first one of these
     std::optional<Span> span; ///< that is played; empty: from its first frame to its last
 
     double speed = 1.0; ///< 0.01 .. 100, or infinity: as fast as the consumer takes them

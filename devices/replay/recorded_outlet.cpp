@@ -53,7 +53,8 @@ void RecordedCameraOutlet::take(const RecordedTrack& track, const PlayedFrame& f
                  .time_ns = frame.time_ns,
                  .capture_s = frame.sourceTime_s,
                  .number = m_status.framesRead,
-                 .discontinuity = frame.jumped};
+                 .discontinuity = frame.jumped,
+                 .reference = frame.reference};
 }
 
 bool RecordedCameraOutlet::deliver(core::DeviceState state, bool canWait) {

@@ -17,9 +17,10 @@ namespace teleta::replay {
 
 /// When a frame of a recording is played.
 struct PlayedFrame {
-    std::int64_t time_ns = 0;  ///< when it is due
-    double sourceTime_s = 0.0; ///< since the recording's start
-    bool jumped = false;       ///< it does not go on from the one before
+    std::int64_t time_ns = 0;       ///< when it is due
+    double sourceTime_s = 0.0;      ///< since the recording's start
+    bool jumped = false;            ///< it does not go on from the one before
+    core::GreyImage reference = {}; ///< of a picture: as CameraFrame's
 };
 
 /// Where a worker leaves the frames of the stream that it plays: taken one by one, then delivered together.

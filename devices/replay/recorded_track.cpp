@@ -14,7 +14,7 @@ core::Expected<void> RecordedTrack::seek(std::int64_t time_ns) {
     core::Expected<void> done = m_reader.seek(time_ns);
     m_block = {};
     m_index = 0;
-    m_atEnd = false;
+    m_atEnd = true; // until there is a block
     if (done)
         done = nextBlock();
     while (done && !m_atEnd && this->time_ns() < time_ns)

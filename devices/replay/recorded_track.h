@@ -43,8 +43,8 @@ private:
     recording::StreamReader m_reader;
     std::size_t m_channels;
     core::TappedFrames m_block;
-    std::size_t m_index = 0; ///< behind the last one at the end
-    bool m_atEnd = false;
+    std::size_t m_index = 0;   ///< behind the last one at the end
+    bool m_atEnd = true;       ///< also where nothing was sought yet, or a seek failed
     bool m_passedOver = false; ///< damage right before this block
     std::uint64_t m_damaged = 0;
 };

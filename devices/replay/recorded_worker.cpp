@@ -111,6 +111,7 @@ core::PlaybackPosition RecordedWorker::position() const {
         position.frame =
             std::min(static_cast<std::uint64_t>(std::llround(since_ns / period_ns())), position.frames - 1);
     position.indexed = true;
+    position.damagedBlocks = damagedBlocks();
     position.target_s = std::min(sought_s.value_or(position.time_s), position.duration_s);
     return position;
 }
@@ -141,7 +142,9 @@ void RecordedWorker::run(const std::stop_token& stop) {
         std::optional<RecordedTrack> joints;
         if (m_config.jointStream)
             joints.emplace(*recording, *m_config.jointStream);
+        m_references = std::make_unique<RecordedReferences>(*recording, m_config.referenceStream);
         play(frames, joints ? &*joints : nullptr, stop);
+        m_references.reset();
     } else {
         loseBy(recording.error());
         while (!stop.stop_requested()) {
@@ -213,9 +216,10 @@ core::Expected<void> RecordedWorker::seekTo(RecordedTrack& frames, RecordedTrack
             return core::Unexpected(moved.error());
     }
     if (frames.atEnd()) { // nothing of it can be read
+        m_jointsJumped = true;
         anchorAt(wanted_ns, at_ns);
         m_shown_ns.set(wanted_ns);
-        return {};
+        return joints != nullptr ? joints->seek(wanted_ns) : core::Expected<void>();
     }
     m_jumped = true;
     if (!m_config.span)
@@ -352,7 +356,8 @@ void RecordedWorker::take(const RecordedTrack& frames) {
     const bool jumped = std::exchange(m_jumped, false) || frames.jumps();
     m_outlet->take(frames, {.time_ns = std::max(due_ns(frames.time_ns()), m_anchor_ns),
                             .sourceTime_s = static_cast<double>(frames.time_ns() - m_facts.start_ns) / 1e9,
-                            .jumped = jumped});
+                            .jumped = jumped,
+                            .reference = m_references->changeAt(frames.time_ns())});
     m_shown_ns.set(frames.time_ns());
 }
 

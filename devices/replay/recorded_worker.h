@@ -9,6 +9,7 @@
 #include "devices/replay/playback_desk.h"
 #include "devices/replay/recorded_config.h"
 #include "devices/replay/recorded_outlet.h"
+#include "devices/replay/recorded_references.h"
 #include "devices/replay/recorded_track.h"
 
 #include <atomic>
@@ -109,6 +110,7 @@ private:
 
     // The worker's own.
     core::Wakeup* m_consumer = nullptr;
+    std::unique_ptr<RecordedReferences> m_references; ///< while it runs
     PlaybackCommands m_active;
     bool m_jumped = true; ///< before the next frame
     bool m_jointsJumped = true;

@@ -141,7 +141,10 @@ core::Expected<void> ReplayCommand::run() {
         return core::Unexpected(source.error());
     if (const auto* camera = std::get_if<pipeline::RecordedCamera>(&*source))
         return replayCamera(*recording, *camera);
-    return replayArray(std::get<pipeline::RecordedSource>(std::move(*source)));
+    auto array = std::get<pipeline::RecordedSource>(std::move(*source));
+    if (pipeline::settingsChanged(recording->events(), recording->streams()[array.arrayStream].name))
+        warn(ReplayText::tr("the settings changed during the recording; those of its beginning are used"));
+    return replayArray(std::move(array));
 }
 
 core::Expected<void> ReplayCommand::replayCamera(const recording::Recording& recording,
@@ -164,6 +167,7 @@ core::Expected<void> ReplayCommand::replayCamera(const recording::Recording& rec
     }
     replay::RecordedConfig config = configOf(source.stream);
     config.camera = source.description;
+    config.referenceStream = source.referenceStream;
     const auto player = replay::RecordedPlayer::open(std::move(config));
     if (!player)
         return core::Unexpected(player.error());
@@ -191,6 +195,10 @@ core::Expected<void> ReplayCommand::replayCamera(const recording::Recording& rec
             lost += frame.passedOver;
             if (frame.discontinuity && tracker.hasReference())
                 tracker.forget();
+            if (!frame.reference.isEmpty()) {
+                tracker.renewReference();
+                (void)tracker.next(vision::viewOf(frame.reference), frame.capture_s); // counted by it
+            }
             const auto contacts = tracker.next(vision::viewOf(frame.image), frame.capture_s);
             if (!contacts)
                 continue; // counted by the tracker

@@ -167,6 +167,7 @@ void OperatePage::tick() {
         if (!item.isOpen())
             continue;
         watchFailures(item);
+        watchDamage(item);
         if (item.channel)
             tickArray(item, now_ns);
         else if (&item != m_sources.active())
@@ -249,8 +250,11 @@ std::vector<chrome::DeviceReading> OperatePage::readings() const {
         chrome::DeviceReading reading;
         reading.name = tr("joints");
         reading.provenance = provenanceOf(item.channel->description());
-        reading.state = core::observedState(status.state, status.lastData_ns, now_ns,
-                                            core::staleAfter_ns(item.arm->description().nominalRate_Hz));
+        reading.state =
+            isRecorded(item)
+                ? status.state
+                : core::observedState(status.state, status.lastData_ns, now_ns,
+                                      core::staleAfter_ns(item.arm->description().nominalRate_Hz));
         reading.age_s =
             status.lastData_ns > 0 ? static_cast<double>(now_ns - status.lastData_ns) * 1e-9 : 0.0;
         reading.rate_Hz = status.rate_Hz;
@@ -428,10 +432,33 @@ void OperatePage::watchFailures(const SourceManager::Item& item) {
     m_reportedLost.push_back(item.key);
     const bool recorded = isRecorded(item);
     m_messages->post({chrome::Message::Severity::error, tr("%1 was lost.", "a source").arg(item.name),
-                      recorded ? tr("What came before the damaged place can still be played. Repair the file "
-                                    "and open it again.")
+                      recorded ? tr("The file cannot be read further: it is damaged, or its disk is gone. "
+                                    "Open it again when it can be read.")
                                : tr("Check the cable and the power supply; it is tried again by itself."),
                       QString::fromStdString(status.message)});
+}
+
+void OperatePage::watchDamage(const SourceManager::Item& item) {
+    const auto isNew = [&](std::vector<pipeline::ChannelKey>& reported) {
+        const bool isThere = std::ranges::find(reported, item.key) != reported.end();
+        if (!isThere)
+            reported.push_back(item.key);
+        return !isThere;
+    };
+    const auto* playback = std::get_if<PlaybackRequest>(&item.request);
+    if (playback != nullptr && playback->settingsChanged && isNew(m_reportedChanged))
+        m_messages->post({chrome::Message::Severity::information,
+                          tr("The settings of %1 changed while it was recorded.", "a source").arg(item.name),
+                          tr("It is played with those of the beginning; the events of the recording have the "
+                             "others."),
+                          QString::fromStdString(playback->path)});
+    const core::PlaybackControl* control = item.playback();
+    if (control == nullptr || control->position().damagedBlocks == 0 || !isNew(m_reportedDamaged))
+        return;
+    m_messages->post({chrome::Message::Severity::warning,
+                      tr("The recording of %1 is damaged.", "a source").arg(item.name),
+                      tr("The blocks that cannot be read are passed over; the others are played."),
+                      playback != nullptr ? QString::fromStdString(playback->path) : QString()});
 }
 
 void OperatePage::onBraceletFailed(const core::Error& error) {

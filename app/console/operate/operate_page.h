@@ -90,6 +90,8 @@ private:
     void tickArray(SourceManager::Item& item, std::int64_t now_ns);
     [[nodiscard]] chrome::DeviceReading readingOf(const SourceManager::Item& item, std::int64_t now_ns) const;
     void watchFailures(const SourceManager::Item& item);
+    /// Tells once of what a recording had that is not played.
+    void watchDamage(const SourceManager::Item& item);
     core::PlaybackControl* playback();
     /// Tells the other sources of the recording that is shown what was asked of it.
     template <typename Call>
@@ -118,7 +120,9 @@ private:
     std::uint64_t m_settingsRevision = 0;
     std::optional<double> m_latency_s;
     std::vector<pipeline::ChannelKey> m_reportedLost;
-    pipeline::ChannelKey m_shown = 0; ///< whose samples the charts have
+    std::vector<pipeline::ChannelKey> m_reportedDamaged;
+    std::vector<pipeline::ChannelKey> m_reportedChanged; ///< settings
+    pipeline::ChannelKey m_shown = 0;                    ///< whose samples the charts have
     std::map<pipeline::ChannelKey, charts::FeatureHistory> m_keptCharts;
 };
 

@@ -43,6 +43,7 @@ core::Expected<pipeline::OpenedSource> openCamera(replay::RecordedConfig config,
         return core::Unexpected(reference.error());
     config.stream = source.stream;
     config.camera = source.description;
+    config.referenceStream = source.referenceStream;
     auto player = replay::RecordedPlayer::open(std::move(config));
     if (!player)
         return core::Unexpected(player.error());
@@ -75,9 +76,11 @@ core::Expected<std::vector<PlaybackRequest>> playbacksOf(const std::string& path
     for (const pipeline::RecordedCamera& camera : sources->cameras)
         requests.push_back({path, recording->streams()[camera.stream].name, camera.description.name, false});
     // The first array last: what is opened last is shown.
-    for (auto array = sources->arrays.rbegin(); array != sources->arrays.rend(); ++array)
-        requests.push_back(
-            {path, recording->streams()[array->arrayStream].name, array->array.description.name, false});
+    for (auto array = sources->arrays.rbegin(); array != sources->arrays.rend(); ++array) {
+        const std::string& stream = recording->streams()[array->arrayStream].name;
+        requests.push_back({path, stream, array->array.description.name, false,
+                            pipeline::settingsChanged(recording->events(), stream)});
+    }
     return requests;
 }
 

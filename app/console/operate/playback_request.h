@@ -18,6 +18,7 @@ struct PlaybackRequest {
     std::string stream; ///< name of the array's or the camera's stream
     std::string source; ///< the device, as people know it
     bool loop = false;
+    bool settingsChanged = false; ///< of the array, while it was recorded: the first ones are used
 };
 
 /// Whether a file is to be opened as a recording of this program, by its name.

@@ -4,6 +4,7 @@
 #include "app/console/operate/mark_views.h"
 #include "app/console/operate/operate_page.h"
 #include "backend/core/steady_time.h"
+#include "widgets/base/redo_keys.h"
 #include "widgets/chrome/recording_indicator.h"
 
 #include <QAction>
@@ -12,6 +13,7 @@
 #include <QFileInfo>
 #include <QMenu>
 #include <QStandardPaths>
+#include <QStringList>
 
 #include <utility>
 #include <variant>
@@ -37,7 +39,7 @@ RecordingControls::RecordingControls(SourceManager& sources, OperatePage& page, 
     m_record->setShortcut(Qt::CTRL | Qt::Key_R);
     m_mark->setShortcut(Qt::Key_M);
     m_undo->setShortcut(QKeySequence::Undo);
-    m_redo->setShortcut(QKeySequence::Redo);
+    m_redo->setShortcuts(base::redoKeys());
     // Other pages have an undo of their own.
     for (QAction* action : {m_undo, m_redo}) {
         action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
@@ -49,12 +51,16 @@ RecordingControls::RecordingControls(SourceManager& sources, OperatePage& page, 
     connect(m_csv, &QAction::triggered, this, &RecordingControls::exportCsv);
     connect(&m_export, &RecordingExport::busyChanged, m_csv, &QAction::setDisabled);
     connect(&m_export, &RecordingExport::finished, this,
-            [this](const QString& folder, int files, int damaged) {
-                const QString left =
-                    damaged > 0 ? tr("%n damaged block(s) left out.", nullptr, damaged) : QString();
-                m_page.messages().post({damaged > 0 ? chrome::Message::Severity::warning
-                                                    : chrome::Message::Severity::information,
-                                        tr("%n CSV file(s) were written.", nullptr, files), left, folder});
+            [this](const QString& folder, int files, int damaged, bool complete) {
+                QStringList missing;
+                if (damaged > 0)
+                    missing << tr("%n damaged block(s) left out.", nullptr, damaged);
+                if (!complete)
+                    missing << tr("The recording was cut off; what had been written is there.");
+                m_page.messages().post({missing.isEmpty() ? chrome::Message::Severity::information
+                                                          : chrome::Message::Severity::warning,
+                                        tr("%n CSV file(s) were written.", nullptr, files),
+                                        missing.join(QLatin1Char(' ')), folder});
             });
     connect(&m_export, &RecordingExport::failed, this, [this](const QString& name, const core::Error& error) {
         m_page.messages().post(
@@ -80,8 +86,9 @@ RecordingControls::RecordingControls(SourceManager& sources, OperatePage& page, 
     connect(&m_station, &RecordingStation::marksNotKept, this, [this](const core::Error& error) {
         m_page.messages().post({chrome::Message::Severity::error,
                                 tr("The marks of %1 could not be changed.", "a file")
-                                    .arg(QFileInfo(m_station.path()).fileName()),
-                                tr("Close whatever else uses the file, and change them again."),
+                                    .arg(QFileInfo(QString::fromStdString(error.where.file)).fileName()),
+                                tr("Close whatever else uses the file. It is tried again with the next "
+                                   "change of a mark, and when the program ends."),
                                 QString::fromStdString(core::describe(error))});
     });
     MarkViews& marks = m_page.marks();

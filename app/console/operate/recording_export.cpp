@@ -88,6 +88,7 @@ RecordingExport::Result RecordingExport::write(const std::string& path, const st
     const auto recording = recording::Recording::open(path);
     if (!recording)
         return core::Unexpected(recording.error());
+    progress.isComplete = recording->isComplete();
     progress.isNewFolder = !QFileInfo::exists(QString::fromStdString(folder));
     Result files = recording::exportCsv(*recording, folder, {.goOn = [&](double frames, double all) {
         progress.share = all > 0.0 ? frames / all : 0.0;
@@ -134,7 +135,8 @@ void RecordingExport::look() {
     std::uint64_t damaged = 0;
     for (const recording::ExportedFile& file : *result)
         damaged += file.damagedBlocks;
-    emit finished(m_folder, static_cast<int>(result->size()), static_cast<int>(damaged));
+    emit finished(m_folder, static_cast<int>(result->size()), static_cast<int>(damaged),
+                  m_progress->isComplete);
 }
 
 } // namespace teleta::console

@@ -38,8 +38,9 @@ public:
 
 signals:
     void busyChanged(bool busy);
-    /// Nothing is said of an export that was cancelled, and none of its files stays.
-    void finished(const QString& folder, int files, int damagedBlocks);
+    /// Nothing is said of an export that was cancelled, and none of its files stays. complete: the recording
+    /// was not cut off.
+    void finished(const QString& folder, int files, int damagedBlocks, bool complete);
     void failed(const QString& name, const core::Error& error);
 
 private:
@@ -47,7 +48,8 @@ private:
     struct Progress {
         std::atomic<double> share{0.0};
         std::atomic<bool> cancelled{false};
-        bool isNewFolder = false; ///< once it has ended
+        bool isNewFolder = false; ///< once it has ended, as the next one
+        bool isComplete = true;
     };
     void askForFolder(const QString& path);
     [[nodiscard]] static Result write(const std::string& path, const std::string& folder, Progress& progress);

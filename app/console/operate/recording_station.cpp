@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <utility>
 
 namespace teleta::console {
@@ -82,6 +83,11 @@ const char* nameOf(core::DeviceState state) {
     default:
         return "";
     }
+}
+
+/// Of the stream of an array.
+std::string framesName(const std::string& prefix) {
+    return prefix + "-frames";
 }
 
 core::DeviceState stateOf(const SourceManager::Item& item) {
@@ -167,10 +173,11 @@ RecordingStation::~RecordingStation() {
         m_stopping.wait();
     if (m_recorder)
         (void)m_recorder->stop();
-    if (m_keeping.valid())
-        m_keeping.wait();
-    if (!m_markChanges.empty())
-        (void)recording::changeMarks(m_path.toStdString(), m_markChanges);
+    if (m_keeping.valid()) {
+        Kept kept = m_keeping.get();
+        giveBack(kept);
+    }
+    (void)keepInFiles(m_markChanges);
 }
 
 QString RecordingStation::suggestedName() const {
@@ -243,6 +250,7 @@ void RecordingStation::begin(std::shared_ptr<Recorder> recorder) {
     m_path = QString::fromStdString(m_recorder->path());
     m_joined.clear();
     m_states.clear();
+    m_settings.clear();
     m_prefixes.clear();
     m_braceletSession.reset();
     m_wasStopped = m_stop.engaged();
@@ -288,8 +296,14 @@ void RecordingStation::enter(State state) {
 
 void RecordingStation::tick() {
     if (isReady(m_keeping)) {
-        if (const core::Expected<void> kept = m_keeping.get(); !kept)
-            emit marksNotKept(kept.error());
+        Kept kept = m_keeping.get();
+        const bool areNew = !m_markChanges.empty();
+        const bool isKept = kept.left.empty();
+        giveBack(kept);
+        if (areNew)
+            keepInFile();
+        if (!isKept)
+            emit marksNotKept(kept.why);
     }
     if (isReady(m_starting)) {
         Started started = m_starting.get();
@@ -335,6 +349,7 @@ void RecordingStation::watch() {
         const auto joined = m_joined.find(item.key);
         if (!item.isOpen() || joined == m_joined.end())
             continue;
+        watchSettings(item, joined->second);
         const core::DeviceState state = stateOf(item);
         const char* name = nameOf(state);
         if (*name == '\0' || m_states[item.key] == state)
@@ -342,6 +357,21 @@ void RecordingStation::watch() {
         m_states[item.key] = state;
         tell(name, joined->second);
     }
+}
+
+void RecordingStation::watchSettings(const SourceManager::Item& item, const std::string& prefix) {
+    const auto told = m_settings.find(item.key);
+    if (!item.channel || told == m_settings.end())
+        return;
+    // Before the settings: newer ones are told again.
+    const std::uint64_t revision = item.channel->settingsRevision();
+    if (std::exchange(told->second.revision, revision) == revision)
+        return;
+    recording::RecordingEvent event = pipeline::settingsEvent(framesName(prefix), item.channel->settings());
+    if (std::exchange(told->second.text, event.text) == event.text)
+        return;
+    event.time_ns = core::steadyNow_ns();
+    m_recorder->add(std::move(event));
 }
 
 void RecordingStation::tell(const std::string& kind, const std::string& text) {
@@ -368,11 +398,13 @@ void RecordingStation::join(SourceManager::Item& item) {
 }
 
 void RecordingStation::joinArray(SourceManager::Item& item, const std::string& prefix) {
-    const std::string frames = prefix + "-frames";
+    const std::string frames = framesName(prefix);
+    const std::uint64_t revision = item.channel->settingsRevision();
+    const pipeline::ChannelSettings settings = item.channel->settings();
+    m_settings[item.key] = {revision, pipeline::settingsEvent(frames, settings).text};
     core::SourceDescription description = item.channel->description();
     auto taps = std::make_shared<pipeline::TouchTaps>();
-    taps->frames =
-        m_recorder->addStream(pipeline::arrayStream(frames, description, item.channel->settings()));
+    taps->frames = m_recorder->addStream(pipeline::arrayStream(frames, description, settings));
     taps->features = m_recorder->addStream(pipeline::featureStream(prefix + "-features", description));
     item.channel->record(std::move(taps));
     if (!item.arm)
@@ -450,7 +482,10 @@ void RecordingStation::removeMark(std::uint64_t number) {
 
 void RecordingStation::keep(recording::MarkChange change) {
     if (!isRecording()) {
-        m_markChanges.push_back(std::move(change));
+        const std::string path = m_path.toStdString();
+        if (m_markChanges.empty() || m_markChanges.back().path != path)
+            m_markChanges.push_back({path, {}});
+        m_markChanges.back().changes.push_back(std::move(change));
         keepInFile();
     } else if (change.restored_ns) {
         m_recorder->restoreMark(change.number, std::move(*change.note), *change.restored_ns);
@@ -462,17 +497,32 @@ void RecordingStation::keep(recording::MarkChange change) {
 }
 
 void RecordingStation::keepInFile() {
-    if (m_markChanges.empty() || m_state != State::idle)
+    // One after the other: those that come meanwhile wait.
+    if (m_markChanges.empty() || m_state != State::idle || m_keeping.valid())
         return;
-    // After those of before; the first failure is told.
-    m_keeping = std::async(std::launch::async,
-                           [before = m_keeping.share(), path = m_path.toStdString(),
-                            changes = std::exchange(m_markChanges, {})]() -> core::Expected<void> {
-                               const core::Expected<void> first =
-                                   before.valid() ? before.get() : core::Expected<void>();
-                               const core::Expected<void> kept = recording::changeMarks(path, changes);
-                               return first ? kept : first;
-                           });
+    m_keeping =
+        std::async(std::launch::async, &RecordingStation::keepInFiles, std::exchange(m_markChanges, {}));
+}
+
+void RecordingStation::giveBack(Kept& kept) {
+    m_markChanges.insert(m_markChanges.begin(), std::make_move_iterator(kept.left.begin()),
+                         std::make_move_iterator(kept.left.end()));
+    kept.left.clear();
+}
+
+RecordingStation::Kept RecordingStation::keepInFiles(const std::vector<FileChanges>& all) {
+    Kept kept;
+    for (const FileChanges& file : all) {
+        // None before those that came earlier.
+        const bool waits = std::ranges::find(kept.left, file.path, &FileChanges::path) != kept.left.end();
+        const core::Expected<void> done =
+            waits ? core::Expected<void>() : recording::changeMarks(file.path, file.changes);
+        if (!done && kept.left.empty())
+            kept.why = done.error();
+        if (!done || waits)
+            kept.left.push_back(file);
+    }
+    return kept;
 }
 
 void RecordingStation::addMark(RecordingMark& mark) {

@@ -75,13 +75,29 @@ signals:
     /// The recording could not be begun, or ended by itself. What was written before can be read.
     void failed(const core::Error& error, bool begun);
     void finished(const QString& path);
-    /// A mark of a recording that has ended could not be changed in its file.
+    /// Marks of a recording that has ended could not be changed in its file, which the error names. It is
+    /// tried again with the next change, and at the end.
     void marksNotKept(const core::Error& error);
     void marksChanged();
 
 private:
     friend class MarkCommand;
     using Started = core::Expected<std::shared_ptr<recording::Recorder>>;
+    /// Changes of the marks of a file that is complete.
+    struct FileChanges {
+        std::string path;
+        std::vector<recording::MarkChange> changes;
+    };
+    struct Kept {
+        std::vector<FileChanges> left; ///< what the files could not take, in its order
+        core::Error why;               ///< of the first of it
+    };
+
+    /// Settings as the recording has them.
+    struct ToldSettings {
+        std::uint64_t revision = 0;
+        std::string text;
+    };
 
     void enter(State state);
     void begin(std::shared_ptr<recording::Recorder> recorder);
@@ -93,6 +109,7 @@ private:
     void joinBracelet();
     void leave(pipeline::ChannelKey key);
     void watch();
+    void watchSettings(const SourceManager::Item& item, const std::string& prefix);
     void tell(const std::string& kind, const std::string& text);
     [[nodiscard]] std::string prefixFor(const QString& name);
     /// Not on the GUI's thread.
@@ -102,6 +119,10 @@ private:
     /// To the recording that runs, or to the file of the last one.
     void keep(recording::MarkChange change);
     void keepInFile();
+    /// What was left of these goes before all others.
+    void giveBack(Kept& kept);
+    /// Not on the GUI's thread.
+    [[nodiscard]] static Kept keepInFiles(const std::vector<FileChanges>& all);
     void dropMark(std::uint64_t number);
     void setMarkText(std::uint64_t number, const QString& text);
 
@@ -119,14 +140,15 @@ private:
 
     std::map<pipeline::ChannelKey, std::string> m_joined;       ///< names in the recording
     std::map<pipeline::ChannelKey, core::DeviceState> m_states; ///< as they were told
+    std::map<pipeline::ChannelKey, ToldSettings> m_settings;    ///< of the arrays
     std::vector<std::string> m_prefixes;
     std::weak_ptr<BraceletSession> m_braceletSession; ///< that is recorded
     bool m_wasStopped = false;
 
     std::vector<RecordingMark> m_marks;
     QUndoStack m_undo;
-    std::vector<recording::MarkChange> m_markChanges; ///< for the file, once it is complete
-    std::future<core::Expected<void>> m_keeping;
+    std::vector<FileChanges> m_markChanges; ///< for files, once they are complete and can be written
+    std::future<Kept> m_keeping;
 };
 
 } // namespace teleta::console

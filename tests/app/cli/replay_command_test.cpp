@@ -91,6 +91,20 @@ TEST_F(ReplayCommand, framesThatAreMissingAreTold) {
     EXPECT_EQ(splitCsv(readAll(m_folder.path("f.csv"))).size(), 1U + std::stoul(whole));
 }
 
+TEST_F(ReplayCommand, settingsThatChangedDuringTheRecordingAreTold) {
+    for (const char* text : {"nonsense", "[]", R"({"stream":"other","settings":{}})"})
+        askFile(recording(), QStringLiteral("INSERT INTO event (time_ns, kind, text, value) "
+                                            "VALUES (0, 'settings', '%1', 0)")
+                                 .arg(QLatin1String(text)));
+    EXPECT_EQ(run({"replay", recording(), "--out", m_folder.path("f.csv")}).err, "");
+    askFile(recording(), QStringLiteral("UPDATE event SET text = '{\"stream\":\"frames\",\"settings\":{}}' "
+                                        "WHERE text = 'nonsense'"));
+    const ProgramResult replayed = run({"replay", recording(), "--out", m_folder.path("g.csv")});
+    EXPECT_EQ(replayed.exitCode, 0) << replayed.err;
+    EXPECT_NE(replayed.err.find("settings changed"), std::string::npos) << replayed.err;
+    EXPECT_EQ(readAll(m_folder.path("f.csv")), readAll(m_folder.path("g.csv")));
+}
+
 TEST_F(ReplayCommand, aStreamThatIsNotDescribedDoesNotHideTheOthers) {
     const std::string folder = m_folder.path("arm");
     ASSERT_EQ(run({"simulate", "teleta-touch", "--duration", "0.5", "--out", folder}).exitCode, 0);
@@ -175,6 +189,40 @@ TEST(ReplayCommandOfACamera, contactsBeforeAndBehindAJumpAreNotTheSame) {
     EXPECT_EQ(after[1], before[1]);
     EXPECT_EQ(after[2][0], before[2][0]);
     EXPECT_NE(after[2].back(), "NA") << "a contact begins";
+}
+
+TEST(ReplayCommandOfACamera, picturesAreComparedWithTheReferenceOfTheirTime) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(run({"simulate", "vtacarm-bump", "--duration", "0.7", "--out", folder.path("run")}).exitCode,
+              0);
+    const std::string recording = folder.path("run/recording.teleta");
+    const auto before = splitCsv(run({"replay", recording}).out);
+    ASSERT_GT(before.size(), 3U);
+    // As if somebody had renewed it with the first picture that shows a contact.
+    const std::string touched = before[1][0];
+    askFile(recording, QStringLiteral("INSERT INTO block (stream, first_ns, last_ns, frames, width, height, "
+                                      "discontinuity, time_ns, source_time_s, data) "
+                                      "SELECT (SELECT key FROM stream WHERE name = 'reference'), first_ns, "
+                                      "last_ns, frames, width, height, 0, time_ns, source_time_s, data "
+                                      "FROM block WHERE ") +
+                           pictureBlock(std::stoi(touched)));
+    const ProgramResult replayed = run({"replay", recording});
+    EXPECT_EQ(replayed.exitCode, 0) << replayed.err;
+    for (const auto& row : splitCsv(replayed.out))
+        EXPECT_NE(row[0], touched) << "a picture differs from itself";
+}
+
+TEST(ReplayCommandOfACamera, aReferenceThatIsDamagedIsPassedOver) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(run({"simulate", "vtacarm-bump", "--duration", "0.7", "--out", folder.path("run")}).exitCode,
+              0);
+    const std::string recording = folder.path("run/recording.teleta");
+    askFile(recording, QStringLiteral("UPDATE block SET data = x'00' WHERE stream = (SELECT key FROM stream "
+                                      "WHERE name = 'reference')"));
+    // The first picture, which nothing touches either, takes its place.
+    const ProgramResult replayed = run({"replay", recording});
+    EXPECT_EQ(replayed.exitCode, 0) << replayed.err;
+    EXPECT_GT(splitCsv(replayed.out).size(), 3U);
 }
 
 TEST(ReplayCommandOfACamera, picturesThatCannotBeUsedAreTold) {

@@ -118,6 +118,27 @@ TEST_F(CsvExportTest, featuresHaveTheirWordsAndDamagedBlocksAreLeftOutAndCounted
                                                                       "3,NA,1.5\n");
 }
 
+TEST_F(CsvExportTest, pagesThatCannotBeReadTakeOnlyTheirBlocks) {
+    const std::string path = m_folder.path("run.teleta");
+    recordLargeBlocks(path, kStart_ns, 6);
+    damageLargeBlock(path, 0);
+    damageLargeBlock(path, 3);
+    const auto files = exported();
+    ASSERT_EQ(files.size(), 2U);
+    EXPECT_EQ(files[0].damagedBlocks, 2U);
+    EXPECT_EQ(files[0].rows, 4U * kLargeFrames);
+}
+
+TEST_F(CsvExportTest, anExportOfDamagedBlocksAloneCanBeStopped) {
+    recordLargeBlocks(m_folder.path("run.teleta"), kStart_ns, 3);
+    askFile(m_folder.path("run.teleta"), QStringLiteral("UPDATE block SET data = x'00'"));
+    const auto recording = Recording::open(m_folder.path("run.teleta"));
+    const auto done =
+        exportCsv(*recording, m_folder.path("csv"), {.goOn = [](double, double) { return false; }});
+    ASSERT_FALSE(done);
+    EXPECT_EQ(done.error().kind, core::ErrorKind::cancelled);
+}
+
 TEST_F(CsvExportTest, anExportThatIsStoppedLeavesNoFileUnlessItFinishesThem) {
     {
         auto recorder = start();

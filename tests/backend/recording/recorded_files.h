@@ -15,8 +15,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <fstream>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -58,6 +60,50 @@ inline void appendFrame(core::StreamTap& tap, std::int64_t time_ns, float first)
     for (std::size_t i = 0; i < kTaxels; ++i)
         values[i] = first + static_cast<float>(i) * 0.125F;
     tap.append(time_ns, static_cast<double>(time_ns) / 1e9, std::span<const float>(values));
+}
+
+/// Of a block that is many pages of its file.
+inline constexpr int kLargeFrames = 10;
+inline constexpr std::size_t kLargeTaxels = 32 * 32;
+
+/// Records so many large blocks of one array, with a millisecond between frames; the number of a frame is all
+/// its values.
+inline void recordLargeBlocks(const std::string& path, std::int64_t first_ns, int blocks) {
+    makeApplication();
+    auto recorder = recording::Recorder::start(path, headAt(first_ns), {.simulatedTime = true});
+    ASSERT_TRUE(recorder);
+    recording::StreamInfo info = arrayInfo();
+    info.shape = {32, 32};
+    const auto tap = (*recorder)->addStream(info);
+    for (int block = 0; block < blocks; ++block) {
+        std::vector<std::int64_t> time_ns;
+        std::vector<float> values;
+        for (int i = block * kLargeFrames; i < (block + 1) * kLargeFrames; ++i) {
+            time_ns.push_back(first_ns + i * 1'000'000LL);
+            values.insert(values.end(), kLargeTaxels, static_cast<float>(i));
+        }
+        const std::vector<double> time_s(time_ns.size(), 0.0);
+        tap->append(std::span<const std::int64_t>(time_ns), std::span<const double>(time_s),
+                    std::span<const float>(values), /*discontinuity=*/true);
+    }
+    ASSERT_TRUE((*recorder)->stop());
+}
+
+/// Overwrites the page of a file that has this, as a bad sector of a disk does.
+inline void damagePageWith(const std::string& path, std::string_view bytes) {
+    constexpr std::size_t kPage = 4096;
+    std::string content = readAll(path);
+    const std::size_t place = content.find(bytes);
+    ASSERT_NE(place, std::string::npos);
+    content.replace(place / kPage * kPage, kPage, kPage, '\xff');
+    std::ofstream(path, std::ios::binary) << content;
+}
+
+/// A page in the middle of a large block.
+inline void damageLargeBlock(const std::string& path, int block) {
+    const std::vector<float> values(16, static_cast<float>(block * kLargeFrames + kLargeFrames / 2));
+    damagePageWith(path,
+                   {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(values.front())});
 }
 
 /// Another program's view of the file.

@@ -253,6 +253,57 @@ TEST_F(RecorderFaults, aDiskThatHasNoRoomLeftIsToldAsThatAndLeavesWhatWasWritten
     EXPECT_GT(written, 0U);
 }
 
+// Who copies it takes the file alone.
+TEST_F(RecorderFaults, aRecordingThatWasCutOffIsWholeWithoutItsLogOnceItWasOpened) {
+    namespace fs = std::filesystem;
+    const std::string cut = m_folder.path("cut.teleta");
+    {
+        auto recorder = start(path()).value();
+        const auto tap = recorder->addStream(arrayInfo());
+        for (int i = 0; i < 100; ++i)
+            appendFrame(*tap, m_start_ns + i, static_cast<float>(i));
+        while (recorder->status().frames < 100)
+            std::this_thread::yield();
+        // As a killed program leaves it.
+        for (const char* part : {"", "-wal"})
+            fs::copy_file(path() + part, cut + part);
+    }
+    {
+        const auto recording = Recording::open(cut);
+        ASSERT_TRUE(recording) << core::describe(recording.error());
+        EXPECT_FALSE(recording->isComplete());
+        EXPECT_EQ(readAllFrames(recording->reader(0)).time_ns.size(), 100U);
+    }
+    EXPECT_FALSE(fs::exists(cut + "-wal"));
+    const std::string copy = m_folder.path("copy.teleta");
+    fs::copy_file(cut, copy);
+    const auto recording = Recording::open(copy);
+    ASSERT_TRUE(recording) << core::describe(recording.error());
+    EXPECT_EQ(readAllFrames(recording->reader(0)).time_ns.size(), 100U);
+    EXPECT_EQ(askFile(copy, QStringLiteral("PRAGMA integrity_check")), "ok");
+}
+
+TEST_F(RecorderFaults, aRecordingThatIsRecordedIsReadWithoutDisturbingIt) {
+    auto recorder = start(path()).value();
+    const auto tap = recorder->addStream(arrayInfo());
+    for (const std::uint64_t frames : {100U, 200U}) {
+        while (recorder->status().frames < frames - 100)
+            std::this_thread::yield();
+        for (std::uint64_t i = frames - 100; i < frames; ++i)
+            appendFrame(*tap, m_start_ns + static_cast<std::int64_t>(i), static_cast<float>(i));
+        while (recorder->status().frames < frames)
+            std::this_thread::yield();
+        EXPECT_TRUE(Recording::looksLikeOne(path()));
+        const auto recording = Recording::open(path());
+        ASSERT_TRUE(recording) << core::describe(recording.error());
+        EXPECT_EQ(readAllFrames(recording->reader(0)).time_ns.size(), frames);
+        EXPECT_TRUE(std::filesystem::exists(path() + "-wal"));
+    }
+    ASSERT_TRUE(recorder->stop());
+    EXPECT_FALSE(std::filesystem::exists(path() + "-wal"));
+    EXPECT_EQ(readAllFrames(Recording::open(path())->reader(0)).time_ns.size(), 200U);
+}
+
 TEST_F(RecorderFaults, aRecordingThatWasCutOffIsNotReadWhereItCannotBeCompletedAndThatIsTold) {
     namespace fs = std::filesystem;
     const fs::path cut = m_folder.path("cut");

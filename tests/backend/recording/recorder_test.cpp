@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/recording/mark_changes.h"
 #include "tests/backend/recording/recorded_files.h"
 
 #include <filesystem>
@@ -205,6 +206,24 @@ TEST_F(RecorderTest, aSteadyClockGetsOneAnchor) {
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     ASSERT_TRUE(recorder->stop());
     EXPECT_EQ(Recording::open(path())->anchors().size(), 1U);
+}
+
+TEST_F(RecorderTest, aMarkThatIsSetAgainTwiceIsThereOnce) {
+    auto recorder = start();
+    const std::uint64_t number = recorder->mark("one", m_start_ns + 10);
+    ASSERT_TRUE(recorder->stop());
+    const std::vector<MarkChange> changes{
+        {.number = number, .note = "again", .restored_ns = m_start_ns + 20}};
+    for (int time = 0; time < 2; ++time) {
+        const auto changed = changeMarks(path(), changes);
+        ASSERT_TRUE(changed) << core::describe(changed.error());
+    }
+    std::vector<std::pair<std::string, std::int64_t>> marks;
+    const auto recording = Recording::open(path());
+    for (const RecordingEvent& event : recording->events())
+        if (event.kind == kMark)
+            marks.emplace_back(event.text, event.time_ns - m_start_ns);
+    EXPECT_EQ(marks, (std::vector<std::pair<std::string, std::int64_t>>{{"again", 20}}));
 }
 
 TEST_F(RecorderTest, marksCanBeRenamedTakenOutAndSetAgain) {

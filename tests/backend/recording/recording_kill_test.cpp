@@ -47,7 +47,70 @@ struct LastWords {
     }
 }
 
+/// Between two processes, in memory of both.
+struct Turns {
+    std::atomic<bool> isWritten{false};
+    std::atomic<bool> wasRead{false};
+};
+
+constexpr int kBeforeAndAfter = 100;
+
+/// Records so many frames, and as many again after somebody has read them.
+[[noreturn]] void recordInTwoParts(const std::string& path, Turns& turns) {
+    makeApplication();
+    const std::int64_t start_ns = core::steadyNow_ns();
+    auto recorder = Recorder::start(path, headAt(start_ns));
+    if (!recorder)
+        _exit(1);
+    const auto tap = (*recorder)->addStream(arrayInfo());
+    for (int i = 0; i < 2 * kBeforeAndAfter; ++i) {
+        if (i == kBeforeAndAfter) {
+            while ((*recorder)->status().frames < kBeforeAndAfter)
+                std::this_thread::yield();
+            turns.isWritten = true;
+            while (!turns.wasRead)
+                std::this_thread::yield();
+        }
+        appendFrame(*tap, start_ns + i, static_cast<float>(i));
+    }
+    _exit((*recorder)->stop() ? 0 : 1);
+}
+
 } // namespace
+
+// It might be taken for one that was cut off.
+TEST(RecordingKill, aRecordingOfAnotherProcessIsReadWithoutDisturbingIt) {
+    const TemporaryFolder folder;
+    const std::string path = folder.path("run.teleta");
+    void* memory = mmap(nullptr, sizeof(Turns), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    ASSERT_NE(memory, MAP_FAILED);
+    auto* turns = new (memory) Turns;
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if (child == 0)
+        recordInTwoParts(path, *turns);
+    int status = 0;
+    while (!turns->isWritten)
+        ASSERT_EQ(waitpid(child, &status, WNOHANG), 0) << "it ended by itself";
+    makeApplication();
+    for (int look = 0; look < 3; ++look) {
+        const auto recording = Recording::open(path);
+        EXPECT_TRUE(recording);
+        if (recording) {
+            EXPECT_EQ(readAllFrames(recording->reader(0)).time_ns.size(), std::size_t{kBeforeAndAfter});
+        }
+    }
+    EXPECT_TRUE(std::filesystem::exists(path + "-wal"));
+    turns->wasRead = true;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+    EXPECT_FALSE(std::filesystem::exists(path + "-wal"));
+    const auto recording = Recording::open(path);
+    ASSERT_TRUE(recording) << core::describe(recording.error());
+    EXPECT_TRUE(recording->isComplete());
+    EXPECT_EQ(readAllFrames(recording->reader(0)).time_ns.size(), std::size_t{2 * kBeforeAndAfter});
+    munmap(memory, sizeof(Turns));
+}
 
 // Killed at random instants, a recording always opens, is intact, and has all frames up to its last
 // transaction. That lies less than half a second back, but where the disk itself held the writer up.
@@ -87,6 +150,7 @@ TEST(RecordingKill, aRecordingKilledAtRandomInstantsOpensWithAllButItsLastMoment
         }
         ASSERT_TRUE(recording) << core::describe(recording.error());
         EXPECT_FALSE(recording->isComplete());
+        EXPECT_FALSE(std::filesystem::exists(path + "-wal")) << "the file alone is not the recording";
         EXPECT_EQ(askFile(path, QStringLiteral("PRAGMA integrity_check")), "ok");
         std::uint64_t frames = 0;
         std::int64_t newest_ns = 0;

@@ -2,8 +2,10 @@
 #include "backend/recording/recording_database.h"
 #include "tests/backend/recording/recorded_files.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 
 using namespace teleta;
 using namespace teleta::recording;
@@ -125,6 +127,92 @@ TEST_F(RecordingTest, aBlockThatIsNotWholeIsToldAndTheNextOneIsRead) {
     EXPECT_EQ(whole, 27);
     ASSERT_EQ(told.size(), 3U);
     EXPECT_NE(told[0].find("block 3"), std::string::npos) << told[0];
+}
+
+// Each page of a file may be in a bad sector of the disk.
+TEST_F(RecordingTest, aPageThatCannotBeReadTakesOnlyItsBlock) {
+    constexpr int kBlocks = 12;
+    const std::vector<std::vector<int>> cases{{0}, {5}, {0, 5, 6}, {11}};
+    int number = 0;
+    for (const std::vector<int>& lost : cases) {
+        const std::string path = m_folder.path("large" + std::to_string(++number) + ".teleta");
+        recordLargeBlocks(path, 0, kBlocks);
+        for (const int block : lost)
+            damageLargeBlock(path, block);
+        const auto recording = Recording::open(path);
+        ASSERT_TRUE(recording) << core::describe(recording.error());
+        EXPECT_EQ(recording->extent(0).value()->frames, static_cast<std::uint64_t>(kBlocks * kLargeFrames));
+        StreamReader reader = recording->reader(0);
+        core::TappedFrames block;
+        const auto blockNumber = [&] {
+            return static_cast<int>(valuesOf<float>(block, 0, kLargeTaxels)[0]) / kLargeFrames;
+        };
+        std::vector<int> read;
+        std::size_t damaged = 0;
+        for (;;) {
+            const auto any = reader.next(block);
+            if (any && !*any)
+                break;
+            if (any) {
+                read.push_back(blockNumber());
+                continue;
+            }
+            EXPECT_EQ(any.error().kind, core::ErrorKind::badInput);
+            ASSERT_TRUE(reader.canGoOn());
+            ASSERT_LE(++damaged, lost.size());
+        }
+        std::vector<int> whole;
+        for (int i = 0; i < kBlocks; ++i) {
+            if (!std::ranges::binary_search(lost, i))
+                whole.push_back(i);
+        }
+        EXPECT_EQ(read, whole);
+        EXPECT_EQ(damaged, lost.size());
+
+        // The other way.
+        ASSERT_TRUE(reader.seek(std::numeric_limits<std::int64_t>::max()));
+        if (!std::ranges::binary_search(lost, kBlocks - 1)) {
+            ASSERT_TRUE(reader.next(block).value());
+            EXPECT_EQ(blockNumber(), kBlocks - 1);
+            whole.pop_back();
+        }
+        for (; !whole.empty(); whole.pop_back()) {
+            ASSERT_TRUE(reader.previous(block).value());
+            EXPECT_EQ(blockNumber(), whole.back());
+        }
+        EXPECT_FALSE(reader.previous(block).value());
+    }
+}
+
+// A page of small blocks has the sizes of whole ones, too.
+TEST_F(RecordingTest, aPageOfSmallBlocksThatCannotBeReadTakesOnlyThose) {
+    write();
+    constexpr std::size_t kBytes = kTaxels * sizeof(float);
+    const std::array<float, kTaxels> frame{1550.0F};
+    damagePageWith(path(), {reinterpret_cast<const char*>(frame.data()), kBytes});
+    const auto recording = Recording::open(path());
+    ASSERT_TRUE(recording) << core::describe(recording.error());
+    const auto extent = recording->extent(0);
+    ASSERT_TRUE(extent) << core::describe(extent.error());
+    ASSERT_TRUE(*extent);
+    EXPECT_EQ((*extent)->first_ns, 1'000'000'000);
+    EXPECT_EQ((*extent)->last_ns, 1'000'000'000 + 2999 * kPeriod_ns);
+    StreamReader reader = recording->reader(0);
+    core::TappedFrames block;
+    std::uint64_t frames = 0;
+    int damaged = 0;
+    for (;;) {
+        const auto any = reader.next(block);
+        if (any && !*any)
+            break;
+        ASSERT_TRUE(any || reader.canGoOn());
+        frames += any ? block.frames() : 0;
+        damaged += any ? 0 : 1;
+    }
+    EXPECT_GE(damaged, 1);
+    EXPECT_LT(frames, 3000U);
+    EXPECT_GT(frames, 2000U);
+    EXPECT_EQ((*extent)->frames, frames);
 }
 
 // A table that breaks off is not one that ends.

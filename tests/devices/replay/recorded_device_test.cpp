@@ -347,6 +347,51 @@ TEST_F(RecordedDeviceTest, aDamagedBlockIsPassedOver) {
     EXPECT_EQ(m_arm->status().framesRead, 0U);
 }
 
+TEST_F(RecordedDeviceTest, onlyTheBlockOfAPageThatCannotBeReadIsPassedOver) {
+    recordLargeBlocks(path(), kStart_ns, 6);
+    damageLargeBlock(path(), 0);
+    damageLargeBlock(path(), 3);
+    replay::RecordedConfig config;
+    config.speed = kUnpacedSpeed;
+    config.path = path();
+    config.array.layout = {.rows = 32, .columns = 32, .pitch_m = 0.01};
+    config.clock = m_clock;
+    m_array = std::make_unique<replay::RecordedArray>(replay::RecordedPlayer::open(config).value());
+    m_array->start(m_wakeup);
+    Values whole;
+    for (const int block : {1, 2, 4, 5}) {
+        for (int i = 0; i < kLargeFrames; ++i)
+            whole.push_back(static_cast<float>(block * kLargeFrames + i));
+    }
+    EXPECT_EQ(take(whole.size()), whole);
+    EXPECT_TRUE(comesTo(core::DeviceState::finished));
+    m_clock->settle();
+    EXPECT_EQ(m_array->position().damagedBlocks, 2U);
+    m_array->seek(0.0);
+    EXPECT_EQ(take(1), Values{10.0F});
+    m_array->seek(0.033);
+    EXPECT_EQ(take(1), Values{40.0F});
+    m_array->step(-1);
+    EXPECT_EQ(take(1), Values{29.0F});
+}
+
+TEST_F(RecordedDeviceTest, anArmIsPlayedWithoutItsSkinWhereNothingOfThatCanBeRead) {
+    write(4);
+    askFile(path(), QStringLiteral("UPDATE block SET data = x'00' WHERE stream = 1"));
+    open(true);
+    for (int i = 0; i < 3; ++i)
+        m_clock->advance(kTenth_ns);
+    EXPECT_TRUE(comesTo(core::DeviceState::finished));
+    m_clock->settle();
+    EXPECT_EQ(received(), Values{});
+    EXPECT_EQ(m_arm->status().framesRead, 30U);
+    EXPECT_GE(m_array->position().damagedBlocks, 1U);
+    m_array->step(1);
+    m_array->step(-1);
+    m_clock->settle();
+    EXPECT_EQ(received(), Values{});
+}
+
 TEST_F(RecordedDeviceTest, aRecordingWithoutFramesIsRefused) {
     {
         auto recorder = Recorder::start(path(), headAt(kStart_ns), {.simulatedTime = true}).value();
@@ -508,72 +553,4 @@ TEST_F(RecordedDeviceTest, marksAreToldByTheTimeOfThePlayback) {
     EXPECT_NEAR(marks[0].time_s, 0.25, 1e-9) << "since the first frame";
     EXPECT_NEAR(marks[0].sourceTime_s, 1.25, 1e-9) << "since the recording's start";
     EXPECT_EQ(marks[0].text, "slipped");
-}
-
-namespace {
-
-/// Four pictures at 10 Hz, all grey, the number of each its grey level.
-void writePictures(const std::string& path) {
-    StreamInfo info;
-    info.name = "camera";
-    info.kind = StreamKind::camera;
-    info.type = ValueType::grey8;
-    info.shape = {2, 3};
-    auto recorder = Recorder::start(path, headAt(kStart_ns), {.simulatedTime = true}).value();
-    const auto tap = recorder->addStream(info);
-    for (int i = 0; i < 4; ++i) {
-        std::shared_ptr<std::uint8_t[]> pixels(new std::uint8_t[6]);
-        std::fill_n(pixels.get(), 6, static_cast<std::uint8_t>(10 * i));
-        tap->append({.image = {std::shared_ptr<const std::uint8_t>(pixels, pixels.get()), 3, 2},
-                     .time_ns = kStart_ns + i * kTenth_ns,
-                     .capture_s = i * 0.1});
-    }
-    ASSERT_TRUE(recorder->stop());
-}
-
-} // namespace
-
-TEST_F(RecordedDeviceTest, aCameraIsPlayedPictureByPicture) {
-    writePictures(path());
-    replay::RecordedConfig config;
-    config.path = path();
-    config.camera = core::CameraDescription{.name = "tube", .nominalRate_Hz = 10.0, .recorded = true};
-    config.clock = m_clock;
-    auto player = replay::RecordedPlayer::open(config);
-    ASSERT_TRUE(player) << core::describe(player.error());
-    replay::RecordedCamera camera(*player);
-    camera.start(m_wakeup);
-    m_clock->settle();
-    std::vector<int> levels;
-    std::vector<core::CameraFrame> frames;
-    const auto takeAll = [&] {
-        core::CameraFrame frame;
-        while (camera.pop(frame)) {
-            levels.push_back(frame.image.pixels.get()[5]);
-            frames.push_back(frame);
-        }
-    };
-    takeAll();
-    EXPECT_EQ(levels, std::vector<int>{0});
-    m_clock->advance(kTenth_ns);
-    m_clock->advance(kTenth_ns);
-    takeAll();
-    EXPECT_EQ(levels, (std::vector<int>{0, 10, 20}));
-    EXPECT_TRUE(frames[0].discontinuity);
-    EXPECT_FALSE(frames[1].discontinuity);
-    EXPECT_EQ(frames[2].time_ns - frames[1].time_ns, kTenth_ns);
-    EXPECT_NEAR(frames[2].capture_s, 0.2, 1e-9);
-    EXPECT_EQ(frames[2].number, 2U);
-    EXPECT_EQ(camera.status().state, core::DeviceState::live);
-    m_clock->advance(kTenth_ns);
-    EXPECT_TRUE(eventually(m_wakeup, [&] { return camera.status().state == core::DeviceState::finished; }));
-    ASSERT_NE(camera.playback(), nullptr);
-    camera.playback()->seek(0.1);
-    EXPECT_TRUE(eventually(m_wakeup, [&] {
-        takeAll();
-        return levels.back() == 10;
-    })) << "a picture is shown although the playback is paused";
-    EXPECT_TRUE(frames.back().discontinuity);
-    camera.stop();
-    EXPECT_EQ(camera.status().state, core::DeviceState::closed);
 }

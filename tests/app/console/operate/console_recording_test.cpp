@@ -3,8 +3,11 @@
 #include "app/console/main_window.h"
 #include "app/console/operate/operate_page.h"
 #include "app/console/operate/recording_controls.h"
+#include "backend/core/device_state.h"
+#include "backend/core/steady_time.h"
 #include "backend/pipeline/camera_channel.h"
 #include "backend/recording/csv_export.h"
+#include "backend/recording/recording_database.h"
 #include "backend/simulation/simulated_array.h"
 #include "widgets/base/theme.h"
 #include "widgets/charts/strip_chart_view.h"
@@ -59,6 +62,14 @@ Frames framesOf(const recording::Recording& recording, const std::string& name) 
         }
     }
     return all;
+}
+
+std::uint64_t referencesIn(const QString& path) {
+    const auto recording = recording::Recording::open(path.toStdString());
+    for (std::size_t i = 0; recording && i < recording->streams().size(); ++i)
+        if (recording->streams()[i].name.ends_with("-reference"))
+            return recording->extent(i).value().value_or(recording::Recording::Extent()).frames;
+    return 0;
 }
 
 std::vector<std::string> marksOf(const recording::Recording& recording) {
@@ -290,6 +301,77 @@ private slots:
         drop(path);
         QTRY_VERIFY_WITH_TIMEOUT(showsData() && m_window->sources().active()->arm != nullptr, kPatience_ms);
         QTRY_VERIFY_WITH_TIMEOUT(m_window->sources().active()->arm->samplesProcessed() > 100, kPatience_ms);
+        // However slowly it is played, its joints are not stale.
+        auto* item = m_window->sources().active();
+        item->playback()->setLoop(true);
+        item->playback()->setSpeed(0.01);
+        item->playback()->play();
+        const auto isOld = [&] {
+            const core::DeviceStatus status = item->arm->status();
+            return status.state == core::DeviceState::live &&
+                   core::steadyNow_ns() - status.lastData_ns >
+                       core::staleAfter_ns(item->arm->description().nominalRate_Hz);
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(isOld(), kPatience_ms);
+        const auto readings = page().readings();
+        const auto joints = std::ranges::find(readings, QString("joints"), &chrome::DeviceReading::name);
+        QVERIFY(joints != readings.end() && joints->state == core::DeviceState::live);
+    }
+
+    void settingsThatChangeWhileItIsRecordedAreInTheFileAndAreTold() {
+        openScene("tactile-indenter");
+        const QString path = m_folder.filePath("tared.teleta");
+        station().start(path);
+        waitForFrames(50);
+        const auto& channel = m_window->sources().active()->channel;
+        const std::uint64_t revision = channel->settingsRevision();
+        channel->requestTare(0.0);
+        QTRY_VERIFY_WITH_TIMEOUT(channel->settingsRevision() > revision, kPatience_ms);
+        end();
+        const auto recording = recording::Recording::open(path.toStdString());
+        QVERIFY(recording);
+        const auto& events = recording->events();
+        const auto told =
+            std::ranges::find(events, std::string("settings"), &recording::RecordingEvent::kind);
+        QVERIFY(told != events.end());
+        QVERIFY(told->text.find("\"stream\":\"tactile-indenter-frames\"") != std::string::npos);
+        QVERIFY2(told->text.find("\"tare\":[]") == std::string::npos, "there is one now");
+        m_window->sources().closeAll();
+        page().messages().clear();
+        drop(path);
+        QTRY_COMPARE_WITH_TIMEOUT(page().messages().count(), 1, kPatience_ms);
+    }
+
+    void damageAndAnEndThatWasCutOffAreTold() {
+        openScene("tactile-indenter");
+        const QString path = m_folder.filePath("damaged.teleta");
+        station().start(path);
+        waitForFrames(400);
+        end();
+        {
+            recording::RecordingDatabase file(path.toStdString());
+            QVERIFY(file.openForWriting());
+            QVERIFY(file.run("UPDATE block SET data = x'00' WHERE key = (SELECT MIN(key) FROM block WHERE "
+                             "stream = (SELECT key FROM stream WHERE kind = 'array'))"));
+            QVERIFY(file.run("DELETE FROM event WHERE kind = 'stopped'"));
+        }
+        m_window->sources().closeAll();
+        page().messages().clear();
+        drop(path);
+        QTRY_COMPARE_WITH_TIMEOUT(page().messages().count(), 1, kPatience_ms);
+        auto* playback = m_window->sources().active()->playback();
+        const std::uint64_t damaged = playback->position().damagedBlocks;
+        QVERIFY(damaged > 0);
+        playback->seek(0.0);
+        QTRY_VERIFY_WITH_TIMEOUT(playback->position().damagedBlocks > damaged, kPatience_ms);
+        page().tick();
+        QCOMPARE(page().messages().count(), 1);
+        QCOMPARE(page().messages().repeats(), 1);
+        QSignalSpy exported(&m_window->recording().csv(), &console::RecordingExport::finished);
+        m_window->recording().csv().start(path, m_folder.filePath("damaged"));
+        QTRY_COMPARE_WITH_TIMEOUT(exported.size(), 1, kPatience_ms);
+        QCOMPARE(exported[0].mid(2), (QVariantList{1, false}));
+        QCOMPARE(page().messages().count(), 2);
     }
 
     void aCameraIsPlayedWithTheReferenceThatItHad() {
@@ -299,6 +381,9 @@ private slots:
         const QString path = m_folder.filePath("camera.teleta");
         station().start(path);
         waitForFrames(8);
+        item->camera->renewReference();
+        QTRY_VERIFY_WITH_TIMEOUT(referencesIn(path) >= 2, kPatience_ms);
+        waitForFrames(station().status().frames + 4);
         end();
         m_window->sources().closeAll();
         drop(path);
@@ -308,6 +393,13 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(item->camera->snapshot().hasReference, kPatience_ms);
         QVERIFY(m_window->findChild<chrome::PlaybackBar*>()->isVisible());
         QCOMPARE(page().messages().count(), 1); // that it was recorded
+        // Whoever records it again gets the renewed one as well.
+        item->playback()->setLoop(true);
+        item->playback()->play();
+        const QString again = m_folder.filePath("again.teleta");
+        station().start(again);
+        QTRY_VERIFY_WITH_TIMEOUT(referencesIn(again) >= 2, kPatience_ms);
+        end();
     }
 
     void aFullDiskEndsTheRecordingWithAMessageAndTheFileOpens() {
@@ -432,10 +524,21 @@ private slots:
         station().undoStack().undo();
         QTRY_COMPARE(inFile(), (std::vector<std::string>{"it held", "it fell"}));
         QCOMPARE(page().messages().count(), 1); // that it was recorded
-        // A file that is gone is told.
-        QVERIFY(QFile::remove(path));
+        // A file that is away is told, and gets what it missed with the next change.
+        const QString away = path + ".away";
+        QVERIFY(QFile::rename(path, away));
         type(1, "too late");
         QTRY_COMPARE(page().messages().count(), 2);
+        QVERIFY(QFile::rename(away, path));
+        type(0, "it is back");
+        QTRY_COMPARE(inFile(), (std::vector<std::string>{"it is back", "too late"}));
+        // Or at the end.
+        QVERIFY(QFile::rename(path, away));
+        station().removeMark(station().marks()[0].number);
+        QTRY_VERIFY(page().messages().count() > 2 || page().messages().repeats() > 1);
+        QVERIFY(QFile::rename(away, path));
+        m_window.reset(); // which is the end
+        QCOMPARE(inFile(), std::vector<std::string>{"too late"});
     }
 
     void theSourcesOfARecordingBeginTogetherWhenAllAreOpen() {
