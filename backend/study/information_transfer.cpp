@@ -34,12 +34,13 @@ double expectedTimesLog2(std::int64_t trials, double share) {
 
 } // namespace
 
-std::optional<double> guesserTransfer(const ConfusionMatrix& matrix) {
+std::optional<double> guesserTransfer(const ConfusionMatrix& matrix, std::size_t alternatives) {
     const auto n = static_cast<double>(matrix.total());
     if (!(n > 0.0))
         return std::nullopt;
-    const auto k = static_cast<double>(matrix.patterns());
-    if (matrix.patterns() == 1)
+    const std::size_t patterns = std::max(matrix.patterns(), alternatives);
+    const auto k = static_cast<double>(patterns);
+    if (patterns == 1)
         return 0.0;
     double sum_bit = timesLog2(n) - k * expectedTimesLog2(matrix.total(), 1.0 / k);
     for (std::size_t i = 0; i < matrix.patterns(); ++i) {
@@ -49,7 +50,8 @@ std::optional<double> guesserTransfer(const ConfusionMatrix& matrix) {
     return std::max(0.0, sum_bit / n);
 }
 
-std::optional<InformationTransfer> informationTransfer(const ConfusionMatrix& matrix) {
+std::optional<InformationTransfer> informationTransfer(const ConfusionMatrix& matrix,
+                                                       std::size_t alternatives) {
     const std::int64_t trials = matrix.total();
     if (trials == 0)
         return std::nullopt;
@@ -75,7 +77,7 @@ std::optional<InformationTransfer> informationTransfer(const ConfusionMatrix& ma
     transfer.measured_bit = std::max(0.0, sum_bit);
     transfer.bias_bit = (rows - 1.0) * (columns - 1.0) / (2.0 * n * std::numbers::ln2);
     transfer.corrected_bit = transfer.measured_bit - transfer.bias_bit;
-    const auto k = static_cast<double>(matrix.patterns());
+    const auto k = static_cast<double>(std::max(matrix.patterns(), alternatives));
     transfer.fewTrials = n < 5.0 * k * k;
     return transfer;
 }

@@ -60,6 +60,9 @@ StudyTask readTask(TomlTable& table, std::set<std::string>& usedIds) {
     }
     std::set<std::string> letters;
     for (TomlTable& entry : table.tables("pattern", 2)) {
+        if (task.patterns.size() == kMostPatterns)
+            entry.fail("letter", ProtocolText::tr("there are too many patterns").toStdString(),
+                       ProtocolText::tr("at most %1, one digit each").arg(kMostPatterns).toStdString());
         StudyPattern pattern;
         pattern.letter = readIdentifier(entry, "letter", letters);
         // These words stand for something else in the columns stimulus and response.

@@ -31,6 +31,9 @@ struct RestSettings {
     }
 };
 
+/// Patterns that a task has at most: each is answered by one digit.
+inline constexpr std::size_t kMostPatterns = 9;
+
 struct StudyPattern {
     std::string letter; ///< what rows have: A, B, ..
     std::string name;

@@ -42,6 +42,10 @@ MatrixXd kronecker(const MatrixXd& a, const MatrixXd& b) {
     return product;
 }
 
+bool hasMissing(const std::vector<double>& values) {
+    return std::any_of(values.begin(), values.end(), [](double v) { return std::isnan(v); });
+}
+
 /// Participants without missing cells, about their mean and over the largest of what is left.
 struct Sample {
     MatrixXd values;
@@ -61,7 +65,7 @@ tl::expected<Sample, Refusal> completeSample(const ParticipantCells& cells, std:
             return tl::unexpected(Refusal::badShape);
         if (std::any_of(cells[i].begin(), cells[i].end(), [](double v) { return std::isinf(v); }))
             return tl::unexpected(Refusal::notFinite);
-        if (std::any_of(cells[i].begin(), cells[i].end(), [](double v) { return std::isnan(v); })) {
+        if (hasMissing(cells[i])) {
             sample.dropped.push_back(i);
             continue;
         }
@@ -158,6 +162,15 @@ AnovaRow effectOf(const ContrastSums& sums, double contrastCount, double partici
 }
 
 } // namespace
+
+std::vector<std::size_t> incompleteParticipants(const ParticipantCells& cells) {
+    std::vector<std::size_t> rows;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (hasMissing(cells[i]))
+            rows.push_back(i);
+    }
+    return rows;
+}
 
 tl::expected<TwoWayAnova, Refusal> twoWayAnova(const ParticipantCells& cells, std::size_t firstLevels,
                                                std::size_t secondLevels) {

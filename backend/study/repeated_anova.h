@@ -33,6 +33,9 @@ using AnovaRow = tl::expected<AnovaEffect, Refusal>;
 /// NaN: the cell is missing.
 using ParticipantCells = std::vector<std::vector<double>>;
 
+/// Rows of participants with a missing cell, whom an ANOVA leaves out. Thread: any.
+[[nodiscard]] std::vector<std::size_t> incompleteParticipants(const ParticipantCells& cells);
+
 /// Two factors within participants, as the study has: condition x pattern.
 struct TwoWayAnova {
     AnovaRow first;

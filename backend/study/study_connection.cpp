@@ -28,7 +28,13 @@ struct ConnectionText {
 
 constexpr int kWaitForOthers_ms = 10'000;
 constexpr int kWaitForServer_s = 5;
+/// How often a lock is asked for, 0.1 s apart, while the server ends a connection of before.
+constexpr int kTriesForOrphans = 20;
 constexpr QLatin1String kTryLock("SELECT pg_try_advisory_lock(hashtext(?), ?)");
+constexpr QLatin1String kOwnBackend("SELECT pid, (extract(epoch FROM backend_start) * 1000000)::bigint "
+                                    "FROM pg_stat_activity WHERE pid = pg_backend_pid()");
+constexpr QLatin1String kEndBackend("SELECT pg_terminate_backend(pid) FROM pg_stat_activity WHERE pid = ? "
+                                    "AND (extract(epoch FROM backend_start) * 1000000)::bigint = ?");
 
 std::string fileIn(const std::string& folder) {
     return QDir(QString::fromStdString(folder)).filePath(QStringLiteral("study.sqlite")).toStdString();
@@ -226,10 +232,17 @@ void StudyConnection::leaveFile() {
 core::Expected<void> StudyConnection::connect() {
     if (!m_database.open())
         return failed(ConnectionText::tr("cannot open the study: %1"), m_database.lastError());
+    // The server looks whether this station is still there, so that its participants do not stay taken for
+    // hours after its power or its network has gone. Older servers lack the limit of unanswered data.
     const auto settings =
         isServer()     ? QStringList{QStringLiteral("SET client_min_messages = error"),
                                  QStringLiteral("SET synchronous_commit = on"),
-                                 QStringLiteral("SET statement_timeout = %1").arg(3 * kWaitForOthers_ms)}
+                                 QStringLiteral("SET statement_timeout = %1").arg(3 * kWaitForOthers_ms),
+                                 QStringLiteral("SET tcp_keepalives_idle = 10"),
+                                 QStringLiteral("SET tcp_keepalives_interval = 5"),
+                                 QStringLiteral("SET tcp_keepalives_count = 3"),
+                                 QStringLiteral("SELECT set_config(name, '25000', false) FROM pg_settings "
+                                                        "WHERE name = 'tcp_user_timeout'")}
         : m_isReadOnly ? QStringList{}
                        : QStringList{QStringLiteral("PRAGMA journal_mode = WAL"),
                                      QStringLiteral("PRAGMA synchronous = FULL"),
@@ -239,6 +252,13 @@ core::Expected<void> StudyConnection::connect() {
         if (!query.exec(setting))
             return failed(ConnectionText::tr("cannot open the study: %1"), query.lastError());
     }
+    if (!isServer())
+        return {};
+    QSqlQuery query(m_database);
+    if (!query.exec(kOwnBackend))
+        return failed(ConnectionText::tr("cannot open the study: %1"), query.lastError());
+    if (query.next())
+        m_backend = Backend{query.value(0).toLongLong(), query.value(1).toLongLong()};
     return {};
 }
 
@@ -268,6 +288,9 @@ core::Expected<void> StudyConnection::chooseSchema(Purpose purpose) {
 
 core::Expected<void> StudyConnection::reconnect() {
     m_database.close();
+    if (m_backend)
+        m_orphans.push_back(*m_backend);
+    m_backend.reset();
     ++m_reconnections;
     core::Expected<void> back =
         connect().and_then([&] { return chooseSchema(Purpose::open); }).and_then([&] { return lockAgain(); });
@@ -277,17 +300,53 @@ core::Expected<void> StudyConnection::reconnect() {
     return back;
 }
 
-core::Expected<void> StudyConnection::lockAgain() {
-    for (const long long key : m_locks) {
-        auto query = execute(kTryLock, {m_schema, key});
-        if (!query)
+/// Where a cable was pulled the server goes on with the connection that broke, and with its locks.
+core::Expected<bool> StudyConnection::endOrphans() {
+    std::vector<Backend> left;
+    for (const Backend& orphan : m_orphans) {
+        auto query = execute(kEndBackend, {orphan.pid, orphan.began_us});
+        if (!query && query.error().kind == core::ErrorKind::unavailable)
             return core::Unexpected(query.error());
-        query->next();
-        if (!query->value(0).toBool())
-            return refused(
-                ConnectionText::tr("another station went on with this participant while the server "
-                                   "was away"),
-                ConnectionText::tr("one session of a participant at a time"));
+        // One that may not be ended may be there still.
+        if (!query || query->next())
+            left.push_back(orphan);
+    }
+    m_orphans = std::move(left);
+    return !m_orphans.empty();
+}
+
+core::Expected<void> StudyConnection::lockAgain() {
+    core::Expected<bool> orphaned = endOrphans();
+    if (!orphaned)
+        return core::Unexpected(orphaned.error());
+    int tries = 0;
+    for (const long long key : m_locks) {
+        while (true) {
+            auto query = execute(kTryLock, {m_schema, key});
+            if (!query)
+                return core::Unexpected(query.error());
+            query->next();
+            if (query->value(0).toBool())
+                break;
+            if (!*orphaned)
+                return refused(
+                    ConnectionText::tr("another station went on with this participant while the server "
+                                       "was away"),
+                    ConnectionText::tr("one session of a participant at a time"));
+            if (++tries > kTriesForOrphans)
+                return core::Unexpected(core::Error{
+                    core::ErrorKind::unavailable,
+                    ConnectionText::tr("the server still has the connection that broke, and with it this "
+                                       "participant")
+                        .toStdString(),
+                    ConnectionText::tr("another try in a moment").toStdString(),
+                    {m_shownName}});
+            if (const auto waited = execute(QStringLiteral("SELECT pg_sleep(0.1)"), {}); !waited)
+                return core::Unexpected(waited.error());
+            orphaned = endOrphans();
+            if (!orphaned)
+                return core::Unexpected(orphaned.error());
+        }
     }
     return {};
 }

@@ -10,9 +10,11 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 class QSqlError;
 
@@ -73,8 +75,9 @@ public:
     [[nodiscard]] const std::string& shownName() const { return m_shownName; }
 
     /// Server only: takes or gives back a lock of the session, which the server frees when the connection
-    /// ends. Taken locks are taken again after a reconnection; while somebody else has one of them, every
-    /// statement is refused. False: it is taken.
+    /// ends. Taken locks are taken again after a reconnection, from what the server may still have of the
+    /// connection before, too; while that cannot be ended, every statement is unavailable, and while somebody
+    /// else has one of them, refused. False: it is taken.
     [[nodiscard]] core::Expected<bool> lock(long long key);
     void unlock(long long key);
     /// Server only: the name of the machine that has the lock; empty when nobody has it.
@@ -84,6 +87,12 @@ public:
     [[nodiscard]] core::Unexpected refused(const QString& message, const QString& expected) const;
 
 private:
+    /// A connection as the server has it; a number alone may be another one's later.
+    struct Backend {
+        long long pid = 0;
+        long long began_us = 0; ///< since 1970 on the server's clock
+    };
+
     [[nodiscard]] core::Expected<void> configureServer();
     [[nodiscard]] core::Expected<void> configureFile(Purpose purpose);
     [[nodiscard]] core::Expected<void> connect();
@@ -91,6 +100,8 @@ private:
     void leaveFile();
     [[nodiscard]] core::Expected<void> chooseSchema(Purpose purpose);
     [[nodiscard]] core::Expected<void> reconnect();
+    /// True: the server still has some of the connections that broke.
+    [[nodiscard]] core::Expected<bool> endOrphans();
     [[nodiscard]] core::Expected<void> lockAgain();
     [[nodiscard]] core::Expected<QSqlQuery> execute(const QString& sql, const QVariantList& values);
     [[nodiscard]] core::Unexpected failed(const QString& what, const QSqlError& error) const;
@@ -102,6 +113,8 @@ private:
     QString m_name;
     QSqlDatabase m_database;
     std::set<long long> m_locks;
+    std::optional<Backend> m_backend; ///< server only
+    std::vector<Backend> m_orphans;   ///< server only: those that broke and may still be there
     std::size_t m_reconnections = 0;
     bool m_inTransaction = false;
     bool m_isReadOnly = false;

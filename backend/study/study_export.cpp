@@ -57,12 +57,12 @@ TableFormat tableFormat(ExportFormat format) {
     case ExportFormat::psychds:
         return {};
     case ExportFormat::bids:
-        return {'\t', "n/a", '.', false, false};
+        return {'\t', "n/a", '.', false, false, false};
     case ExportFormat::excel:
         break;
     }
     const QString point = QLocale().decimalPoint();
-    return {';', "NA", point == QStringLiteral(",") ? ',' : '.', true, true};
+    return {';', "NA", point == QStringLiteral(",") ? ',' : '.', true, true, true};
 }
 
 /// Path of a session's file in the study's folder, without its extension.

@@ -15,7 +15,8 @@ namespace teleta::study {
 ///          DIR/dataset_description.json and DIR/analysis.R; comma, NA.
 /// bids     DIR/bids/sub-P07/ses-20261103T142233/beh/sub-P07_ses-20261103T142233_task-shape_beh.tsv, a .json
 ///          beside each and DIR/bids/dataset_description.json; tab, n/a.
-/// excel    DIR/excel/P07_20261103T142233_shape.csv; semicolon, decimal sign of the locale, byte order mark.
+/// excel    DIR/excel/P07_20261103T142233_shape.csv; semicolon, decimal sign of the locale, byte order mark;
+///          texts like formulas and numbers of more than 15 digits have ' before them.
 /// Answers to questionnaires, one file a participant who gave any:
 ///          DIR/data/subject-P07/subject-P07_description-questionnaire_data.csv with its .json,
 ///          DIR/bids/phenotype/questionnaire_P07.tsv with its .json, DIR/excel/P07_questionnaire.csv.

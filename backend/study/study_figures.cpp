@@ -171,7 +171,7 @@ private:
 figure::SvgCanvas accuracyFigure(const TaskResults& task, std::optional<Mode> mode) {
     CategoryChart chart(titled(task, ChartText::tr("correct answers")), ChartText::tr("correct, %"),
                         conditionsOf(task), 130.0, 100.0);
-    chart.level(100.0 / static_cast<double>(task.patterns.size()), ChartText::tr("chance"));
+    chart.level(100.0 / static_cast<double>(task.alternatives()), ChartText::tr("chance"));
     for (std::size_t i = 0; i < task.groups.size(); ++i) {
         const GroupSummary& group = task.groups[i];
         std::vector<double> shares;
@@ -247,7 +247,7 @@ figure::SvgCanvas responseTimeFigure(const TaskResults& task, std::optional<Mode
 }
 
 figure::SvgCanvas transferFigure(const TaskResults& task, std::optional<Mode> mode) {
-    const double most_bit = std::log2(static_cast<double>(task.patterns.size()));
+    const double most_bit = std::log2(static_cast<double>(task.alternatives()));
     CategoryChart chart(titled(task, ChartText::tr("information transfer")), ChartText::tr("bit"),
                         conditionsOf(task), 150.0, std::max(0.5, std::ceil(2.0 * most_bit) / 2.0));
     chart.level(most_bit, ChartText::tr("all patterns told apart"));

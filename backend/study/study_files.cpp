@@ -81,7 +81,7 @@ void writeSummary(const TaskResults& task, core::CsvWriter& csv) {
         csv.number(person.matrix.accuracy());
         interval(csv, wilsonInterval(correct, n));
         interval(csv, clopperPearsonInterval(correct, n));
-        csv.number(chanceProbability(correct, n, 1.0 / static_cast<double>(task.patterns.size())));
+        csv.number(chanceProbability(correct, n, 1.0 / static_cast<double>(task.alternatives())));
         transfer(csv, informationTransfer(person.matrix));
         csv.number(person.medianTime_s);
         count(csv, person.times);
@@ -95,7 +95,8 @@ constexpr std::array<std::string_view, 14> kGroupColumns{
 
 void writeGroups(const TaskResults& task, core::CsvWriter& csv) {
     for (const GroupSummary& group : task.groups) {
-        const std::optional<InformationTransfer> bits = informationTransfer(group.matrix);
+        const std::optional<InformationTransfer> bits =
+            informationTransfer(group.matrix, task.alternatives());
         csv.text(task.task);
         csv.text(group.condition);
         count(csv, group.participants);

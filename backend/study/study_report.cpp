@@ -211,12 +211,13 @@ private:
                      ReportText::tr("Bias"), ReportText::tr("Corrected"), ReportText::tr("Interval"),
                      ReportText::tr("A guesser would show"), ReportText::tr("Remark")});
         for (const GroupSummary& group : m_task.groups) {
-            const auto bits = informationTransfer(group.matrix);
+            const auto bits = informationTransfer(group.matrix, m_task.alternatives());
             table.row({escaped(group.condition), QString::number(group.matrix.total()),
                        fixed(bits ? std::optional(bits->measured_bit) : std::nullopt, 3),
                        fixed(bits ? std::optional(bits->bias_bit) : std::nullopt, 3),
                        fixed(bits ? std::optional(bits->corrected_bit) : std::nullopt, 3),
-                       interval(group.transferInterval, 1.0, 3), fixed(guesserTransfer(group.matrix), 2),
+                       interval(group.transferInterval, 1.0, 3),
+                       fixed(guesserTransfer(group.matrix, m_task.alternatives()), 2),
                        bits && bits->fewTrials ? ReportText::tr("few trials: fewer than 5 k²") : QString()});
         }
         return QStringLiteral("<h3>%1</h3>\n").arg(ReportText::tr("Information transfer")) +
@@ -240,7 +241,7 @@ private:
                      ReportText::tr("Transfer, bit"), ReportText::tr("Guesser, bit"),
                      ReportText::tr("Corrected, bit"), ReportText::tr("Median time, s"),
                      ReportText::tr("Times")});
-        const double chance = 1.0 / static_cast<double>(m_task.patterns.size());
+        const double chance = 1.0 / static_cast<double>(m_task.alternatives());
         for (const ParticipantSummary& person : m_task.participants) {
             const std::int64_t n = person.matrix.total();
             const std::int64_t correct = person.matrix.correct();
@@ -252,7 +253,7 @@ private:
                        interval(clopperPearsonInterval(correct, n), 100.0, 1),
                        probability(chanceProbability(correct, n, chance)),
                        fixed(bits ? std::optional(bits->measured_bit) : std::nullopt, 3),
-                       fixed(guesserTransfer(person.matrix), 2),
+                       fixed(guesserTransfer(person.matrix, m_task.alternatives()), 2),
                        fixed(bits ? std::optional(bits->corrected_bit) : std::nullopt, 3),
                        fixed(person.medianTime_s, 3), QString::number(person.times)},
                       2);

@@ -33,8 +33,9 @@ private:
     /// Shares of correct answers, row after row of the participants; columns of the conditions, and of these
     /// patterns within each. NaN where a pattern was not presented.
     [[nodiscard]] ParticipantCells accuracies(const std::vector<std::size_t>& patterns) const;
-    void addLine(std::string effect, std::string stimulus, const AnovaRow& row, std::size_t participants,
-                 const std::vector<std::size_t>& dropped);
+    /// cells: those that the row is of; whoever lacks one is named, also where too few are left for a row.
+    void addLine(std::string effect, std::string stimulus, const AnovaRow& row,
+                 const ParticipantCells& cells);
 
     const TrialTally& m_tally;
     const ResultSettings& m_settings;
@@ -67,6 +68,11 @@ void TaskAnalysis::collectNames() {
                     patterns.emplace(m_tally.names()[name], name);
             }
         }
+    }
+    if (const TrialTally::Alternatives* alternatives = m_tally.alternatives(m_results.task)) {
+        for (const std::size_t name : alternatives->patterns)
+            patterns.emplace(m_tally.names()[name], name);
+        m_results.toldAlternatives = alternatives->count;
     }
     for (const auto& [name, index] : patterns) {
         m_column[index] = m_results.patterns.size();
@@ -142,8 +148,9 @@ ParticipantCells TaskAnalysis::accuracies(const std::vector<std::size_t>& patter
 }
 
 void TaskAnalysis::addLine(std::string effect, std::string stimulus, const AnovaRow& row,
-                           std::size_t participants, const std::vector<std::size_t>& dropped) {
-    AnovaLine line{std::move(effect), std::move(stimulus), {}, {}, participants, {}};
+                           const ParticipantCells& cells) {
+    const std::vector<std::size_t> dropped = incompleteParticipants(cells);
+    AnovaLine line{std::move(effect), std::move(stimulus), {}, {}, cells.size() - dropped.size(), {}};
     if (row)
         line.row = *row;
     else
@@ -164,18 +171,18 @@ void TaskAnalysis::analyseVariance() {
         return;
     const auto addOneWay = [&](const char* effect, const std::string& stimulus,
                                const std::vector<std::size_t>& patterns) {
-        const auto table = oneWayAnova(accuracies(patterns));
-        addLine(effect, stimulus, table ? table->effect : AnovaRow(tl::unexpected(table.error())),
-                table ? table->participants : 0, table ? table->dropped : std::vector<std::size_t>{});
+        const ParticipantCells cells = accuracies(patterns);
+        const auto table = oneWayAnova(cells);
+        addLine(effect, stimulus, table ? table->effect : AnovaRow(tl::unexpected(table.error())), cells);
     };
     if (m_results.groups.size() < 2) {
         addOneWay("pattern", "", presented);
         return;
     }
-    const auto table = twoWayAnova(accuracies(presented), m_results.groups.size(), presented.size());
+    const ParticipantCells cells = accuracies(presented);
+    const auto table = twoWayAnova(cells, m_results.groups.size(), presented.size());
     const auto addTwoWay = [&](const char* effect, AnovaRow TwoWayAnova::*row) {
-        addLine(effect, "", table ? (*table).*row : AnovaRow(tl::unexpected(table.error())),
-                table ? table->participants : 0, table ? table->dropped : std::vector<std::size_t>{});
+        addLine(effect, "", table ? (*table).*row : AnovaRow(tl::unexpected(table.error())), cells);
     };
     addTwoWay("condition", &TwoWayAnova::first);
     addTwoWay("pattern", &TwoWayAnova::second);

@@ -8,6 +8,7 @@
 #include "backend/study/repeated_anova.h"
 #include "backend/study/trial_tally.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -47,19 +48,25 @@ struct AnovaLine {
     std::string effect;   ///< condition, pattern, condition:pattern
     std::string stimulus; ///< the pattern of a comparison of conditions within it; empty: all
     std::optional<AnovaEffect> row;
-    std::string note; ///< why there is no row; empty otherwise
-    std::size_t participants = 0;
-    std::vector<std::string> dropped;
+    std::string note;                 ///< why there is no row; empty otherwise
+    std::size_t participants = 0;     ///< complete ones
+    std::vector<std::string> dropped; ///< those with a missing cell
 };
 
 struct TaskResults {
     std::string task;
-    std::vector<std::string> patterns; ///< in the order of rows and columns
+    std::vector<std::string> patterns; ///< in the order of rows and columns; of a store also those not seen
     std::vector<std::string> conditions;
     std::vector<NamedMatrix> matrices;
     std::vector<ParticipantSummary> participants;
     std::vector<GroupSummary> groups;
-    std::vector<AnovaLine> anova; ///< of the shares of correct answers in each cell
+    std::vector<AnovaLine> anova;     ///< of the shares of correct answers in each cell
+    std::size_t toldAlternatives = 0; ///< how many patterns the trials say that there are; 0: nothing
+
+    /// Among how many patterns an answer is chosen, at least 1.
+    [[nodiscard]] std::size_t alternatives() const {
+        return std::max({patterns.size(), toldAlternatives, std::size_t{1}});
+    }
 };
 
 struct ResultSettings {

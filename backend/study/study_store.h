@@ -141,11 +141,12 @@ public:
     [[nodiscard]] core::Expected<void> finishSession(const SessionRecord& session);
     [[nodiscard]] core::Expected<std::vector<SessionRecord>> sessions(const Participant& participant) const;
 
-    /// Keeps a result; it is safe when this returns. Error: refused when this attempt of the trial is there
-    /// already, ioFailed; unavailable when the server is away: then the trial is safe in the folder, and the
-    /// same call, or opening the study again, sends it once the server is back.
+    /// Keeps a result; it is safe when this returns. ended: UTC of the trial's end. Error: refused when this
+    /// attempt of the trial is there already, ioFailed; unavailable when the server is away: then the trial
+    /// is safe in the folder with that time, and the same call, or opening the study again, sends it once the
+    /// server is back.
     [[nodiscard]] core::Expected<void> keepTrial(const SessionRecord& session, const TrialResult& result,
-                                                 const QDateTime& now);
+                                                 const QDateTime& ended);
     /// In the order in which they were kept.
     [[nodiscard]] core::Expected<std::vector<StoredTrial>> trials(const SessionRecord& session) const;
 

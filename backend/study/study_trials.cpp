@@ -85,30 +85,32 @@ core::Expected<void> StudyStore::insertTrial(long long session, const StoredTria
 }
 
 core::Expected<void> StudyStore::keepTrial(const SessionRecord& session, const TrialResult& result,
-                                           const QDateTime& now) {
-    const StoredTrial trial{result, now};
+                                           const QDateTime& ended) {
+    const StoredTrial trial{result, ended};
     return m_connection->isServer() ? keepOnServer(session, trial) : insertTrial(session.key, trial);
 }
 
-/// A server that goes away in a commit does not say whether it has the trial.
+/// A server that goes away in a commit does not say whether it has the trial. Its onset and what was answered
+/// tell it from any other one; the UTC is that of whoever asked first.
 core::Expected<void> StudyStore::insertUnlessKept(long long session, const StoredTrial& trial) {
     core::Expected<void> kept = insertTrial(session, trial);
     if (kept || kept.error().kind != core::ErrorKind::refused)
         return kept;
     const TrialResult& result = trial.result;
     auto query = m_connection->run(
-        QStringLiteral("SELECT outcome, response, response_time_s, time_utc FROM trial WHERE session = ? AND "
-                       "phase = ? AND trial = ? AND attempt = ?"),
+        QStringLiteral("SELECT outcome, response, response_time_s, stimulus, onset_s, duration_s FROM trial "
+                       "WHERE session = ? AND phase = ? AND trial = ? AND attempt = ?"),
         {session, QString::fromLatin1(toString(result.planned.phase)), number(result.planned.trial),
          number(result.planned.attempt)});
     if (!query)
         return core::Unexpected(query.error());
-    const bool isSame = query->next() &&
-                        query->value(0).toString() == QLatin1String(toString(result.outcome)) &&
-                        query->value(1).isNull() == !result.response &&
-                        count(query->value(1)) == result.response.value_or(0) &&
-                        optionalNumber(query->value(2)) == result.responseTime_s &&
-                        query->value(3).toString() == timeText(trial.time);
+    const bool isSame =
+        query->next() && query->value(0).toString() == QLatin1String(toString(result.outcome)) &&
+        query->value(1).isNull() == !result.response &&
+        count(query->value(1)) == result.response.value_or(0) &&
+        optionalNumber(query->value(2)) == result.responseTime_s &&
+        count(query->value(3)) == result.planned.stimulus && query->value(4).toDouble() == result.onset_s &&
+        query->value(5).toDouble() == result.duration_s;
     return isSame ? core::Expected<void>() : kept;
 }
 
@@ -146,8 +148,10 @@ core::Expected<void> StudyStore::keepOnServer(const SessionRecord& session, cons
         if (!kept && kept.error().kind == core::ErrorKind::refused && isUnsure)
             kept = insertUnlessKept(session.key, trial);
     }
-    m_unsure = !kept && kept.error().kind == core::ErrorKind::unavailable;
-    if (!m_unsure)
+    const bool isAway = !kept && kept.error().kind == core::ErrorKind::unavailable;
+    // Another error, between two tries, does not say it either.
+    m_unsure = isAway || (m_unsure && !kept);
+    if (!isAway)
         return kept;
     const TrialJournal journal(folder(), session.key);
     const core::Expected<std::vector<PendingTrial>> pending = journal.read();

@@ -65,7 +65,8 @@ public:
         , m_time(optionalColumn("response_time_s"))
         , m_session(optionalColumn("session_id"))
         , m_trial(optionalColumn("trial"))
-        , m_attempt(optionalColumn("attempt")) {}
+        , m_attempt(optionalColumn("attempt"))
+        , m_alternatives(optionalColumn("n_alternatives")) {}
 
     /// False: the row does not count.
     [[nodiscard]] core::Expected<bool> read(const std::vector<std::string_view>& fields, ModeFilter& modes,
@@ -73,6 +74,8 @@ public:
     /// Error: the row may not be counted with those before it.
     [[nodiscard]] core::Expected<void> take(const std::vector<std::string_view>& fields,
                                             const TalliedTrial& trial, TrialOrigins& origins) const;
+    /// How many patterns the row says that its task has; 0: it does not say.
+    [[nodiscard]] core::Expected<std::size_t> alternatives(const std::vector<std::string_view>& fields) const;
 
 private:
     [[nodiscard]] std::optional<std::size_t> optionalColumn(std::string_view name) const {
@@ -104,6 +107,7 @@ private:
     std::optional<std::size_t> m_session;
     std::optional<std::size_t> m_trial;
     std::optional<std::size_t> m_attempt;
+    std::optional<std::size_t> m_alternatives;
 };
 
 core::Expected<bool> RowReader::hasCountedMode(std::string_view text, ModeFilter& modes) const {
@@ -178,6 +182,16 @@ core::Expected<std::size_t> RowReader::number(std::size_t column, std::string_vi
     return value;
 }
 
+core::Expected<std::size_t> RowReader::alternatives(const std::vector<std::string_view>& fields) const {
+    if (!m_alternatives || isMissing(fields[*m_alternatives]))
+        return 0U;
+    const std::string_view text = fields[*m_alternatives];
+    const core::Expected<std::size_t> value = number(*m_alternatives, text);
+    if (value && *value > TrialTally::kMostNames)
+        return wrong(*m_alternatives, text, SourceText::tr("%1 at most").arg(TrialTally::kMostNames));
+    return value;
+}
+
 core::Expected<void> RowReader::take(const std::vector<std::string_view>& fields, const TalliedTrial& trial,
                                      TrialOrigins& origins) const {
     if (const auto before = origins.takeFromFile(trial.participant, m_file))
@@ -231,6 +245,10 @@ core::Expected<void> tallyCsv(const std::string& path, ModeFilter& modes, TrialT
             continue;
         if (const core::Expected<void> taken = reader.take(fields, trial, tally.origins()); !taken)
             return taken;
+        const core::Expected<std::size_t> alternatives = reader.alternatives(fields);
+        if (!alternatives)
+            return core::Unexpected(alternatives.error());
+        tally.expectCount(trial.task, *alternatives);
         if (!tally.add(trial))
             return core::Unexpected(
                 core::Error{core::ErrorKind::badInput,
@@ -263,6 +281,11 @@ core::Expected<void> tallyStore(const StudyStore& store, ModeFilter& modes, Tria
                 return core::Unexpected(trials.error());
             const PlannedSession& planned = plan.at(session.planIndex);
             const StudyTask& task = head.protocol.tasks[planned.task];
+            const auto counts = [](const StoredTrial& stored) { return stored.result.isComplete(); };
+            if (std::any_of(trials->begin(), trials->end(), counts)) {
+                for (const StudyPattern& pattern : task.patterns)
+                    tally.expectPattern(task.id, pattern.letter);
+            }
             for (const StoredTrial& stored : *trials) {
                 const TrialResult& result = stored.result;
                 if (!result.isComplete())

@@ -4,6 +4,10 @@
 #include "backend/core/number_text.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace teleta::study {
@@ -46,6 +50,22 @@ std::string maskingNoise(const Protocol& protocol) {
     return protocol.noiseColour + '_' + std::string(core::NumberText(protocol.noise_dBA).view()) + "dBA";
 }
 
+/// What a spreadsheet would take for something else: a formula, or a number of which it keeps 15 digits. A
+/// number with a sign, a participant's answer for example, stays one.
+bool needsGuard(std::string_view text) {
+    constexpr std::ptrdiff_t kDigits = 15;
+    double value = 0.0;
+    const char* begin = text.data() + (text.front() == '+' ? 1 : 0);
+    const char* end = text.data() + text.size();
+    const auto [stop, code] = std::from_chars(begin, end, value);
+    // What is too large for a number in here is one with too many digits there.
+    const bool isNumber = stop == end && code != std::errc::invalid_argument;
+    const auto digits = std::count_if(begin, end, [](char c) { return c >= '0' && c <= '9'; });
+    if (isNumber && digits > 0)
+        return digits > kDigits;
+    return std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos;
+}
+
 std::string field(const TrialCell& cell, const TableFormat& format) {
     if (cell.kind == TrialCell::Kind::missing)
         return format.missing;
@@ -54,6 +74,8 @@ std::string field(const TrialCell& cell, const TableFormat& format) {
         std::replace(value.begin(), value.end(), '.', format.decimal);
         return value;
     }
+    if (format.guarded && needsGuard(value))
+        value.insert(value.begin(), '\'');
     const auto isSpecial = [&](char c) {
         return c == format.separator || c == '"' || c == '\n' || c == '\r';
     };

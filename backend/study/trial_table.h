@@ -73,6 +73,9 @@ struct TableFormat {
     char decimal = '.';
     bool byteOrderMark = false;
     bool quotes = true; ///< as in RFC 4180; otherwise line ends and separators in a text become blanks
+    /// For programs that compute with what they open: a text that begins like a formula, and a number with
+    /// more digits than such a program keeps, has ' before it.
+    bool guarded = false;
 };
 
 /// The table as a text in UTF-8 with LF. Thread: any.

@@ -42,6 +42,28 @@ void TrialTally::addFrames(std::optional<double> longestWrite_ms, std::optional<
     m_frames.trialsWithMisses += missed.value_or(0) > 0 ? 1 : 0;
 }
 
+TrialTally::Alternatives& TrialTally::expected(std::string_view task) {
+    const auto found = m_alternatives.find(task);
+    return found != m_alternatives.end() ? found->second
+                                         : m_alternatives.try_emplace(std::string(task)).first->second;
+}
+
+void TrialTally::expectPattern(std::string_view task, std::string_view pattern) {
+    expected(task).patterns.insert(indexOf(pattern));
+}
+
+void TrialTally::expectCount(std::string_view task, std::size_t patterns) {
+    if (patterns == 0)
+        return;
+    Alternatives& alternatives = expected(task);
+    alternatives.count = std::max(alternatives.count, patterns);
+}
+
+const TrialTally::Alternatives* TrialTally::alternatives(std::string_view task) const {
+    const auto found = m_alternatives.find(task);
+    return found == m_alternatives.end() ? nullptr : &found->second;
+}
+
 std::size_t TrialTally::indexOf(std::string_view name) {
     const auto found = std::find(m_names.begin(), m_names.end(), name);
     const auto index = static_cast<std::size_t>(found - m_names.begin());

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -49,6 +50,18 @@ public:
     /// False, and nothing is counted, when more than kMostNames patterns have different names.
     [[nodiscard]] bool add(const TalliedTrial& trial);
 
+    /// What a task has besides what was seen of it: few trials do not show all of it.
+    struct Alternatives {
+        std::set<std::size_t> patterns; ///< indices in names()
+        std::size_t count = 0;          ///< as the trials say; 0: nothing
+    };
+    /// A pattern that the task has, presented or not.
+    void expectPattern(std::string_view task, std::string_view pattern);
+    /// The task has at least so many patterns, whatever their names are.
+    void expectCount(std::string_view task, std::size_t patterns);
+    /// Null: nothing but the trials is known of it.
+    [[nodiscard]] const Alternatives* alternatives(std::string_view task) const;
+
     /// Where what is counted came from; whoever adds trials keeps it.
     [[nodiscard]] TrialOrigins& origins() { return m_origins; }
 
@@ -68,8 +81,11 @@ public:
 private:
     [[nodiscard]] std::size_t indexOf(std::string_view name);
 
+    [[nodiscard]] Alternatives& expected(std::string_view task);
+
     TrialOrigins m_origins;
     Frames m_frames;
+    std::map<std::string, Alternatives, std::less<>> m_alternatives; ///< by task
     std::map<Key, Cell> m_cells;
     std::vector<std::string> m_names;
     std::pair<const Key, Cell>* m_last = nullptr; ///< rows of a file come session by session

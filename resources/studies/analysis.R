@@ -2,9 +2,9 @@
 # Analyses a study again, with R alone (no packages).
 #   Rscript analysis.R [FOLDER] [OUT]
 # FOLDER holds the exported trials (data/.../*_data.csv), or else the results of an analysis (confusion_long.csv, which
-# has no response times); summary_r.csv, group_r.csv and anova_r.csv are written to OUT. Both are the present folder
-# unless named. Their columns are those of summary.csv, group.csv and anova.csv, but the bootstrap interval, which
-# depends on the random numbers that it draws.
+# has no response times, and of the patterns only those that it names); summary_r.csv, group_r.csv and anova_r.csv are
+# written to OUT. Both are the present folder unless named. Their columns are those of summary.csv, group.csv and
+# anova.csv, but the bootstrap interval, which depends on the random numbers that it draws.
 
 arguments <- commandArgs(trailingOnly = TRUE)
 folder <- if (length(arguments) > 0) arguments[1] else "."
@@ -19,12 +19,34 @@ names_of <- function(rows) {
     lapply(split(unlist(answers), rep(rows$task, 2)), function(letters) unique(letters[!is.na(letters) & letters != "NONE"]))
 }
 
+# How many patterns each task has: its letters, or more where the trials say so.
+alternatives_of <- function(rows) {
+    letters <- lengths(names_of(rows))
+    if (!("n_alternatives" %in% names(rows)))
+        return(letters)
+    told <- suppressWarnings(as.numeric(rows$n_alternatives))
+    told <- tapply(ifelse(is.na(told), 0, told), rows$task, max)
+    setNames(pmax(letters, as.vector(told[names(letters)])), names(letters))
+}
+
+# Texts with a comma, a quote or a line end stand in quotes, those quotes twice; all others are as they are.
+write_table <- function(table, name) {
+    table[] <- lapply(table, function(column) {
+        if (!is.character(column))
+            return(column)
+        special <- grepl("[\",\r\n]|^[ \t]|[ \t]$", column)
+        column[special] <- paste0("\"", gsub("\"", "\"\"", column[special], fixed = TRUE), "\"")
+        column
+    })
+    write.csv(table, file.path(out, name), row.names = FALSE, quote = FALSE)
+}
+
 files <- list.files(file.path(folder, "data"), "_task-.*_data\\.csv$", recursive = TRUE, full.names = TRUE)
 keys <- c("participant_id", "task", "condition", "stimulus", "response")
 if (length(files) > 0) {
     trials <- do.call(rbind, lapply(files, read))
     trials <- trials[trials$outcome %in% c("correct", "incorrect", "timeout"), ]
-    patterns_of_task <- names_of(trials)
+    alternatives <- alternatives_of(trials)
     trials <- trials[trials$phase == "test", ]
     trials$response_time_s <- as.numeric(trials$response_time_s)
     times <- trials[trials$outcome == "correct" & !is.na(trials$response_time_s), ]
@@ -32,7 +54,7 @@ if (length(files) > 0) {
     counts <- aggregate(list(count = rep(1, nrow(trials))), trials[keys], sum)
 } else {
     counts <- read(file.path(folder, "confusion_long.csv"))
-    patterns_of_task <- names_of(counts[counts$participant_id != "GROUP" & as.numeric(counts$count) > 0, ])
+    alternatives <- alternatives_of(counts)
     times <- NULL
     counts <- counts[counts$phase == "test" & counts$participant_id != "GROUP", c(keys, "count")]
     counts$count <- as.numeric(counts$count)
@@ -61,7 +83,7 @@ summary_of <- function(part) {
     cbind(data.frame(participant_id = part$participant_id[1], task = part$task[1], condition = part$condition[1],
                      n = n, n_correct = x, n_timeout = sum(part$count[part$response == "NONE"]), accuracy = x / n,
                      wilson_lo = wilson[1], wilson_hi = wilson[2], cp_lo = exact[1], cp_hi = exact[2],
-                     p_chance = pbinom(x - 1, n, 1 / length(patterns_of_task[[part$task[1]]]), lower.tail = FALSE)),
+                     p_chance = pbinom(x - 1, n, 1 / alternatives[[part$task[1]]], lower.tail = FALSE)),
           transfer_of(part),
           data.frame(rt_median_s = if (length(own) > 0) median(own) else NA,
                      rt_n = if (is.null(times)) NA else length(own)))
@@ -75,7 +97,7 @@ group_of <- function(part) {
     m <- nrow(own)
     deviation <- if (m > 1) sd(own$accuracy) else NA
     half <- if (m > 1) qt(0.975, m - 1) * deviation / sqrt(m) else NA
-    patterns <- length(patterns_of_task[[part$task[1]]])
+    patterns <- alternatives[[part$task[1]]]
     cbind(data.frame(task = part$task[1], condition = part$condition[1], participants = m,
                      accuracy_mean = mean(own$accuracy), accuracy_sd = deviation, t_lo = mean(own$accuracy) - half,
                      t_hi = mean(own$accuracy) + half, n = sum(part$count)),
@@ -173,9 +195,9 @@ anova_of <- function(part) {
 }
 anovas <- do.call(rbind, lapply(split(counts, counts$task), anova_of))
 
-write.csv(groups, file.path(out, "group_r.csv"), row.names = FALSE, quote = FALSE)
-write.csv(summaries, file.path(out, "summary_r.csv"), row.names = FALSE, quote = FALSE)
+write_table(groups, "group_r.csv")
+write_table(summaries, "summary_r.csv")
 if (!is.null(anovas)) {
-    write.csv(anovas, file.path(out, "anova_r.csv"), row.names = FALSE, quote = FALSE)
+    write_table(anovas, "anova_r.csv")
     print(anovas, row.names = FALSE, digits = 4)
 }

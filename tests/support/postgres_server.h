@@ -67,9 +67,16 @@ public:
     /// At once, as in a crash: connections break and nothing is written any more.
     void kill() { call("pg_ctl -D '" + m_folder + "/data' -w -m immediate stop"); }
 
+    [[nodiscard]] int port() const { return m_port; }
+
     [[nodiscard]] std::string url(const std::string& study,
                                   const std::string& password = "se%3Acret%401") const {
-        return "postgresql://console:" + password + "@127.0.0.1:" + std::to_string(m_port) +
+        return urlAt(m_port, study, password);
+    }
+    /// The same server behind another port of this machine.
+    [[nodiscard]] static std::string urlAt(int port, const std::string& study,
+                                           const std::string& password = "se%3Acret%401") {
+        return "postgresql://console:" + password + "@127.0.0.1:" + std::to_string(port) +
                "/postgres?study=" + study;
     }
 

@@ -47,7 +47,7 @@ struct ParticipantScene {
     std::optional<std::size_t> answered = {};  ///< the last answer, in feedback and after it
     std::optional<std::size_t> presented = {}; ///< the right answer; in feedback only
     int restLeft_s = 0;
-    bool questionnaireLocked = false;  ///< its answers are being kept, or are those of a program
+    bool questionnaireLocked = false;  ///< its answers are being or have to be kept, or are a program's
     QString questionnaireProblem = {}; ///< why they could not be kept
 
     friend bool operator==(const ParticipantScene&, const ParticipantScene&) = default;

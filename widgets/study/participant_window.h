@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/study/protocol.h"
 #include "backend/study/questionnaire.h"
 #include "backend/study/session.h"
 #include "widgets/base/kept_picture.h"
@@ -31,7 +32,7 @@ class ParticipantWindow : public QWidget {
     Q_OBJECT
 
 public:
-    static constexpr std::size_t kMostAnswers = 9; ///< one digit each
+    static constexpr std::size_t kMostAnswers = study::kMostPatterns; ///< one digit each
 
     using Clock = std::function<std::int64_t()>;
 

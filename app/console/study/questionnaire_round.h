@@ -36,7 +36,7 @@ public:
     /// Ends the round; what was not kept is due again the next time.
     void leave();
     /// Answers of the one that is shown. Those that do not fit are refused, and what could not be kept stays
-    /// here for retry().
+    /// here for retry(); whoever shows the form keeps it as it is meanwhile.
     void submit(std::vector<study::ItemAnswer> answers);
     /// Does once more what problem() is about.
     void retry();

@@ -68,10 +68,10 @@ StudyController::StudyController(BraceletStation& station, core::StopSwitch& sto
     , m_bracelet(station, stop)
     , m_round(m_desk)
     , m_runner(
-          stop, [this] { return now_ns(); },
-          [this](const study::TrialResult& result, StudyRunner::Kept kept) {
-              m_desk.ask([record = *m_record, result, now = m_utcNow()](
-                             StudyDesk::Store& store) { return store->keepTrial(record, result, now); },
+          stop, [this] { return now_ns(); }, [this] { return m_utcNow(); },
+          [this](const study::TrialResult& result, const QDateTime& ended, StudyRunner::Kept kept) {
+              m_desk.ask([record = *m_record, result,
+                          ended](StudyDesk::Store& store) { return store->keepTrial(record, result, ended); },
                          std::move(kept));
           })
     , m_person(

@@ -18,7 +18,8 @@ StudyLeaving::StudyLeaving(StudyController& controller, QWidget& parent)
 }
 
 QString StudyLeaving::notKept() const {
-    if (m_controller.runner().hold() == StudyRunner::Hold::notKept)
+    // What waits for its server is not lost with the session.
+    if (m_controller.runner().hold() == StudyRunner::Hold::notKept && !m_controller.runner().waitsForServer())
         return m_controller.runner().reason();
     return m_controller.round().problem();
 }

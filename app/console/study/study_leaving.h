@@ -26,7 +26,7 @@ public:
     void whenSettled(std::function<void()> goOn);
 
 private:
-    /// Why the last answers are not kept; empty when they are.
+    /// Why the last answers are not kept; empty when they are, or are safe until the server is back.
     [[nodiscard]] QString notKept() const;
     [[nodiscard]] bool isKeeping() const;
     [[nodiscard]] bool isUnderWay() const;

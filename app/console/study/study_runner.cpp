@@ -26,10 +26,12 @@ bool isRunning(Stage stage) {
 
 } // namespace
 
-StudyRunner::StudyRunner(const core::StopSwitch& stop, Clock clock, Keep keep, QObject* parent)
+StudyRunner::StudyRunner(const core::StopSwitch& stop, Clock clock, WallClock utcNow, Keep keep,
+                         QObject* parent)
     : QObject(parent)
     , m_stop(stop)
     , m_clock(std::move(clock))
+    , m_utcNow(std::move(utcNow))
     , m_keep(std::move(keep)) {
     m_timer.setTimerType(Qt::PreciseTimer);
     m_timer.setInterval(kPoll_ms);
@@ -251,6 +253,7 @@ void StudyRunner::settle() {
         // The answer ends the stimulus.
         m_output->stop();
         m_results.push_back(*result);
+        m_ended = m_utcNow();
         keep(*result);
         emit trialEnded(*result);
     }
@@ -279,11 +282,12 @@ void StudyRunner::settle() {
 
 void StudyRunner::keep(const study::TrialResult& result) {
     m_keeping = true;
-    m_keep(result, [this, run = m_run](const core::Expected<void>& kept) {
+    m_keep(result, m_ended, [this, run = m_run](const core::Expected<void>& kept) {
         if (run != m_run)
             return;
         m_keeping = false;
         if (!kept) {
+            m_waitsForServer = kept.error().kind == core::ErrorKind::unavailable;
             hold(Hold::notKept, QString::fromStdString(core::describe(kept.error())));
             emit changed();
             return;

@@ -6,6 +6,7 @@
 #include "backend/study/session.h"
 #include "backend/study/stimulus_set.h"
 
+#include <QDateTime>
 #include <QObject>
 #include <QTimer>
 
@@ -26,9 +27,12 @@ class StudyRunner : public QObject {
 
 public:
     using Clock = std::function<std::int64_t()>;
+    using WallClock = std::function<QDateTime()>; ///< UTC
     using Kept = std::function<void(const core::Expected<void>&)>;
-    /// Keeps a result and calls back, on this thread, when it is safe or could not be kept.
-    using Keep = std::function<void(const study::TrialResult&, Kept)>;
+    /// Keeps a result and calls back, on this thread, when it is safe or could not be kept. The time is the
+    /// UTC of the trial's end: it is the same however often the result has to be kept. Error: unavailable
+    /// when the result is safe here and waits for its server.
+    using Keep = std::function<void(const study::TrialResult&, const QDateTime&, Kept)>;
 
     /// Why the session does not go on by itself.
     enum class Hold {
@@ -41,7 +45,8 @@ public:
         notKept,    ///< the last result could not be kept; retry() tries again
     };
 
-    StudyRunner(const core::StopSwitch& stop, Clock clock, Keep keep, QObject* parent = nullptr);
+    StudyRunner(const core::StopSwitch& stop, Clock clock, WallClock utcNow, Keep keep,
+                QObject* parent = nullptr);
 
     /// Begins or, with what was kept, goes on. began_ns: when the session began, at most now. Error: refused
     /// when what was kept does not fit, notFound when a stimulus has no pattern. output: must outlive the
@@ -74,6 +79,8 @@ public:
     [[nodiscard]] Hold hold() const { return m_hold; }
     [[nodiscard]] bool pauseWanted() const { return m_pauseWanted; }
     [[nodiscard]] bool isKeeping() const { return m_keeping; }
+    /// Of notKept: it is safe here, and is sent when the server is back or with the next start.
+    [[nodiscard]] bool waitsForServer() const { return m_hold == Hold::notKept && m_waitsForServer; }
     /// Why it holds, in words, for deviceLost and notKept.
     [[nodiscard]] const QString& reason() const { return m_reason; }
     /// Results of this session in their order, those that were kept before too.
@@ -109,6 +116,7 @@ private:
 
     const core::StopSwitch& m_stop;
     Clock m_clock;
+    WallClock m_utcNow;
     Keep m_keep;
     StimulusOutput* m_output = nullptr;
     QTimer m_timer; ///< runs while a trial does
@@ -121,11 +129,13 @@ private:
     std::pair<study::Phase, std::size_t> m_rested; ///< progress() at the last rest
     std::int64_t m_restUntil_ns = 0;
     std::vector<study::TrialResult> m_results;
+    QDateTime m_ended; ///< UTC: when the last of them ended, of this run of the session
     Hold m_hold = Hold::none;
     QString m_reason;
     bool m_pauseWanted = false;
     bool m_nextWanted = false; ///< asked for while the last result was being kept
     bool m_keeping = false;
+    bool m_waitsForServer = false; ///< the last result that was not kept
     bool m_concluded = false;
     bool m_testBegun = false; ///< the experimenter let the test follow the practice
     int m_turnsLate = 0;      ///< since the limit

@@ -381,7 +381,10 @@ void StudyScenes::describeRunning(const StudyController& controller, studyview::
     }
     case Hold::notKept:
         scene.next = tr("Try again to keep the last trial");
-        scene.state = tr("The last trial could not be kept; it is still in memory. %1").arg(runner.reason());
+        scene.state =
+            (runner.waitsForServer() ? tr("The last trial waits for the server. %1")
+                                     : tr("The last trial could not be kept; it is still in memory. %1"))
+                .arg(runner.reason());
         scene.tone = Tone::alarm;
         break;
     case Hold::none:
@@ -419,8 +422,10 @@ studyview::ParticipantScene StudyScenes::participant(const StudyController& cont
         scene.state = State::questionnaire;
         scene.mode = controller.overview()->head.mode;
         scene.title = text(controller.overview()->head.protocol.name);
-        scene.questionnaireLocked = round.isKeeping() || round.isSimulated();
-        if (!round.problem().isEmpty() && !round.isSkipping())
+        const bool areNotKept = !round.problem().isEmpty() && !round.isSkipping();
+        // What is tried again is what was given: it stays as it is shown.
+        scene.questionnaireLocked = round.isKeeping() || round.isSimulated() || areNotKept;
+        if (areNotKept)
             scene.questionnaireProblem =
                 tr("Your answers could not be kept yet. Please tell the experimenter.");
         return scene;

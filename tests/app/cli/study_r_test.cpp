@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -83,4 +84,49 @@ TEST(StudyR, theScriptThatComesWithAStudyGivesTheSameNumbersInR) {
     EXPECT_EQ(tableOf(study + "/summary_r.csv", 3).size(), 24U);
     EXPECT_EQ(tableOf(study + "/group_r.csv", 2).size(), 4U);
     EXPECT_EQ(tableOf(study + "/anova_r.csv", 3).size(), tableOf(results + "/anova.csv", 3).size());
+}
+
+TEST(StudyR, anIdWithACommaOrAQuoteIsOneFieldAndPatternsThatNobodyFeltCount) {
+    if (std::system("Rscript --version > /dev/null 2>&1") != 0)
+        GTEST_SKIP() << "Rscript is not installed, so there is nothing to compare with";
+    const TemporaryFolder folder;
+    const std::string results = folder.path("results");
+    const std::string odd = "\"O'Neil, \"\"B\"\"\"";
+    std::string table = "participant_id,task,condition,phase,stimulus,response,outcome,response_time_s,"
+                        "n_alternatives\n";
+    const auto add = [&](const std::string& id, const std::string& answers) {
+        for (std::size_t i = 0; i < answers.size(); ++i) {
+            const char stimulus = i < answers.size() / 2 ? 'A' : 'B';
+            table += id + ",shape,static,test," + stimulus + ',' + answers[i] +
+                     (answers[i] == stimulus ? ",correct,1.5,6\n" : ",incorrect,2.5,6\n");
+        }
+    };
+    add("P1", "ABBB");
+    add("P2", "AAAB");
+    add(odd, "BBBA");
+    const std::string data = "study/data/subject-1_task-shape_data.csv";
+    std::filesystem::create_directories(folder.path("study/data"));
+    const std::string trials = folder.write(data, table);
+    ASSERT_EQ(run({"study", "analyze", trials, "--out", results}).exitCode, 0);
+    const auto inR = [&](const std::string& from, const std::string& out) {
+        return std::system(
+            ("Rscript --vanilla '" + results + "/analysis.R' '" + from + "' '" + out + "' > /dev/null")
+                .c_str());
+    };
+    ASSERT_EQ(inR(folder.path("study"), folder.path("of_trials")), 0);
+    ASSERT_EQ(inR(results, folder.path("of_results")), 0);
+    for (const char* file : {"results/summary.csv", "of_trials/summary_r.csv", "of_results/summary_r.csv"}) {
+        const std::string text = readAll(folder.path(file));
+        EXPECT_NE(text.find('\n' + odd + ",shape,static,4,1,0,"), std::string::npos) << file << '\n' << text;
+        EXPECT_NE(text.find("\nP1,shape,static,4,3,0,"), std::string::npos) << file << '\n' << text;
+    }
+    // The row of the odd id has a comma more than the others and is left out here.
+    const Table theirs = tableOf(folder.path("of_trials/summary_r.csv"), 3);
+    EXPECT_EQ(theirs.size(), 2U);
+    expectSame(tableOf(results + "/summary.csv", 3), theirs,
+               {"accuracy", "p_chance", "it_bits", "rt_median_s", "rt_n"});
+    expectSame(tableOf(results + "/group.csv", 2), tableOf(folder.path("of_trials/group_r.csv"), 2),
+               {"participants", "accuracy_mean", "it_bits", "it_few_trials"});
+    expectSame(tableOf(results + "/anova.csv", 3), tableOf(folder.path("of_trials/anova_r.csv"), 3),
+               {"f", "p", "n"});
 }

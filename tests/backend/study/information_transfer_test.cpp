@@ -142,6 +142,21 @@ TEST(GuesserTransfer, of30TrialsOfSixPatternsIsWhatTheSpecificationSays) {
     EXPECT_FALSE(guesserTransfer(ConfusionMatrix(6)));
 }
 
+TEST(GuesserTransfer, ofPatternsThatWereNotSeenIsThatOfTheMatrixWithThem) {
+    ConfusionMatrix seen(2);
+    ConfusionMatrix whole(6);
+    for (std::size_t i = 0; i < 2; ++i) {
+        seen.add(i, i, 15);
+        whole.add(i, i, 15);
+    }
+    EXPECT_NEAR(guesserTransfer(seen, 6).value(), guesserTransfer(whole).value(), 1e-14);
+    EXPECT_NE(guesserTransfer(seen), guesserTransfer(whole));
+    EXPECT_EQ(guesserTransfer(whole, 2), guesserTransfer(whole));
+    EXPECT_FALSE(informationTransfer(seen)->fewTrials) << "30 of 5 2^2";
+    EXPECT_TRUE(informationTransfer(seen, 6)->fewTrials) << "30 of 5 6^2";
+    EXPECT_EQ(informationTransfer(seen, 6)->measured_bit, informationTransfer(seen)->measured_bit);
+}
+
 // With many trials the bias formula is exact to first order.
 TEST(GuesserTransfer, comesToTheBiasWithManyTrials) {
     ConfusionMatrix matrix(5);

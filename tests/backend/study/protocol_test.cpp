@@ -125,6 +125,22 @@ TEST(Protocol, refusesATaskWithOnePattern) {
     EXPECT_EQ(errorOf(with(kSmall, ", { letter = \"B\" }", "")).where.line, 14);
 }
 
+TEST(Protocol, refusesMorePatternsThanThereAreDigitsToAnswerWith) {
+    const auto patterns = [](int count) {
+        std::string list = "{ letter = \"B\" }";
+        for (int i = 2; i < count; ++i)
+            list += ",\n  { letter = \"" + std::string(1, static_cast<char>('A' + i)) + "\" }";
+        return list;
+    };
+    const auto most = parseProtocol(with(kSmall, "{ letter = \"B\" }", patterns(9)), "p.toml");
+    ASSERT_TRUE(most) << core::describe(most.error());
+    EXPECT_EQ(most->tasks[0].patterns.size(), kMostPatterns);
+    const core::Error error = errorOf(with(kSmall, "{ letter = \"B\" }", patterns(10)));
+    EXPECT_EQ(error.kind, core::ErrorKind::badInput);
+    EXPECT_EQ(error.where.line, 22) << "that of the tenth";
+    EXPECT_NE(error.expected.find("at most 9"), std::string::npos) << error.expected;
+}
+
 TEST(Protocol, tellsAMissingFile) {
     const core::Expected<Protocol> protocol = readProtocol("/nowhere/p.toml");
     ASSERT_FALSE(protocol);

@@ -149,6 +149,12 @@ TEST(OneWayAnova, ofTwoLevelsIsThePairedTTest) {
     EXPECT_NEAR(table->effect->p, p, 1e-12);
 }
 
+TEST(IncompleteParticipants, areThoseWithAMissingCell) {
+    EXPECT_EQ(incompleteParticipants({{1, 2}, {kMissing, 3}, {4, 5}, {6, kMissing}}),
+              (std::vector<std::size_t>{1, 3}));
+    EXPECT_TRUE(incompleteParticipants({}).empty());
+}
+
 TEST(OneWayAnova, saysWhyThereIsNoEffect) {
     EXPECT_EQ(oneWayAnova({}).error(), Refusal::noData);
     EXPECT_EQ(oneWayAnova({{1}, {2}}).error(), Refusal::tooFewLevels);

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -126,6 +127,38 @@ TEST_F(StudyExportTest, theExcelCopyHasTheDecimalSignOfTheLocale) {
     const std::string table = read("excel/P07_20261103T142233_shape.csv");
     EXPECT_EQ(table.substr(0, 3), "\xEF\xBB\xBF");
     EXPECT_NE(table.find(";1,25;-0,75;10;3;keyboard;\";\";"), std::string::npos) << table;
+}
+
+TEST(TableText, ofASpreadsheetHasNothingThatItWouldComputeWithOrRound) {
+    constexpr std::array<std::string_view, 1> kOne{"x"};
+    const auto cell = [&](TrialCell::Kind kind, const std::string& text, bool guarded) {
+        const std::vector<TrialRow> rows{TrialRow{TrialCell{kind, text}}};
+        const std::string table = tableText(rows, {';', "NA", ',', false, true, guarded}, kOne);
+        return table.substr(2, table.size() - 3);
+    };
+    const auto text = [&](const std::string& value) { return cell(TrialCell::Kind::text, value, true); };
+    for (const char* formula : {"=1+2", "+cmd", "-x", "@SUM(A1)", "-inf", "=-1", "-1-1", "\t=1"})
+        EXPECT_EQ(text(formula), '\'' + std::string(formula));
+    EXPECT_EQ(text("=\"a\";1"), "\"'=\"\"a\"\";1\"");
+    EXPECT_EQ(text("\r=1"), "\"'\r=1\"");
+    EXPECT_EQ(text("18000000000000000001"), "'18000000000000000001");
+    EXPECT_EQ(text("1234567890123456"), "'1234567890123456");
+    for (const char* plain : {"123456789012345", "-1.5", "+3", "-7", "P-1", "a=b", "4"})
+        EXPECT_EQ(text(plain), plain);
+    EXPECT_EQ(cell(TrialCell::Kind::number, "-0.30000000000000004", true), "-0,30000000000000004");
+    EXPECT_EQ(cell(TrialCell::Kind::text, "=1+2", false), "=1+2");
+}
+
+TEST_F(StudyExportTest, theExcelCopyIsGuardedAndTheOthersAreAsTheyWere) {
+    StudyStore store = create(Mode::run);
+    addSession(store, "=1+2");
+    ASSERT_TRUE(exportStudy(store, ExportFormat::excel));
+    ASSERT_TRUE(exportStudy(store, ExportFormat::psychds));
+    EXPECT_NE(read("excel/12x1_20261103T142233_shape.csv").find("\n1;'=1+2;20261103T142233;run;"),
+              std::string::npos);
+    EXPECT_NE(read("data/subject-12x1/subject-12x1_session-20261103T142233_task-shape_data.csv")
+                  .find("\n1,=1+2,20261103T142233,run,"),
+              std::string::npos);
 }
 
 TEST_F(StudyExportTest, otherFormatsDoNotDependOnTheLocale) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -82,6 +83,29 @@ TEST(StudyResults, namesWhoWasDroppedForAMissingCell) {
     EXPECT_EQ(line->dropped, std::vector<std::string>{"half"});
     EXPECT_EQ(line->participants, 8U);
     EXPECT_NEAR(line->row->f, 18.77777778, 0.6e-8);
+}
+
+TEST(StudyResults, namesWhoWasDroppedAlsoWhereTooFewAreLeft) {
+    TrialTally tally;
+    for (const char pattern : {'A', 'B'}) {
+        for (const char* condition : {"dynamic", "static"})
+            addCell(tally, "whole", condition, pattern, 3);
+        addCell(tally, "half", "static", pattern, 2);
+    }
+    const auto results = studyResults(tally);
+    for (const AnovaLine* line : {lineOf(results[0], "condition"), lineOf(results[0], "condition:pattern"),
+                                  lineOf(results[0], "condition", "A")}) {
+        ASSERT_TRUE(line);
+        EXPECT_FALSE(line->row);
+        EXPECT_EQ(line->note, "fewer than two complete participants");
+        EXPECT_EQ(line->participants, 1U);
+        EXPECT_EQ(line->dropped, std::vector<std::string>{"half"});
+    }
+    const test::TemporaryFolder folder;
+    ASSERT_TRUE(writeResults(results, folder.path("out")));
+    EXPECT_NE(
+        test::readAll(folder.path("out/anova.csv")).find(",1,half,fewer than two complete participants\n"),
+        std::string::npos);
 }
 
 TEST(StudyResults, saysWhyOneParticipantAndPerfectOnesHaveNoAnova) {
@@ -161,6 +185,38 @@ TEST(StudyResults, doNotDependOnTheOrderOfTrials) {
     ASSERT_EQ(one[0].matrices.size(), other[0].matrices.size());
     for (std::size_t i = 0; i < one[0].matrices.size(); ++i)
         EXPECT_EQ(one[0].matrices[i].matrix, other[0].matrices[i].matrix);
+}
+
+// Two of two are right by chance with 1/4 among two patterns, with 1/9 among three and 1/36 among six.
+TEST(StudyResults, chanceIsThatOfAllPatternsOfTheTaskAndNotOfThoseThatWereSeen) {
+    const auto chance = [](const TrialTally& tally) {
+        const test::TemporaryFolder folder;
+        EXPECT_TRUE(writeResults(studyResults(tally), folder.path("out")));
+        std::istringstream row(test::readAll(folder.path("out/summary.csv")));
+        std::string field;
+        std::getline(row, field);
+        for (int column = 0; column < 12; ++column)
+            std::getline(row, field, ',');
+        return std::stod(field);
+    };
+    TrialTally tally;
+    for (const char* pattern : {"A", "B"})
+        ASSERT_TRUE(tally.add({"P1", "shape", "static", Phase::test, pattern, pattern, 1.0}));
+    EXPECT_NEAR(chance(tally), 1.0 / 4.0, 1e-12);
+    tally.expectPattern("shape", "C");
+    tally.expectPattern("shape", "A");
+    tally.expectPattern("stiffness", "F");
+    const auto results = studyResults(tally);
+    ASSERT_EQ(results.size(), 1U);
+    EXPECT_EQ(results[0].patterns, (std::vector<std::string>{"A", "B", "C"}));
+    EXPECT_EQ(results[0].groups[0].matrix.patterns(), 3U);
+    EXPECT_NEAR(chance(tally), 1.0 / 9.0, 1e-12);
+    tally.expectCount("shape", 2);
+    EXPECT_EQ(studyResults(tally)[0].alternatives(), 3U);
+    tally.expectCount("shape", 6);
+    tally.expectCount("shape", 5);
+    EXPECT_EQ(studyResults(tally)[0].alternatives(), 6U);
+    EXPECT_NEAR(chance(tally), 1.0 / 36.0, 1e-12);
 }
 
 TEST(StudyResults, thereAreNoneOfAnEmptyTally) {

@@ -4,17 +4,22 @@
 #include "backend/study/trial_journal.h"
 #include "tests/backend/core/temporary_folder.h"
 #include "tests/backend/study/small_protocol.h"
+#include "tests/support/breakable_line.h"
 #include "tests/support/postgres_server.h"
 
 #include <QCoreApplication>
+#include <QSqlDatabase>
+#include <QSqlQuery>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <filesystem>
 #include <memory>
 #include <set>
+#include <sys/types.h>
 #include <thread>
 #include <tuple>
 
@@ -113,6 +118,31 @@ protected:
     static SessionRecord begin(StudyStore& store, const Participant& participant) {
         const auto plan = planSessions(store.head().protocol, store.head().seed, participant.enrolment);
         return store.beginSession(participant, 0, plan[0], kNow).value();
+    }
+
+    [[nodiscard]] StoreLocation through(const test::BreakableLine& line) const {
+        return {m_folder.path("here"), PostgresServer::urlAt(line.port(), m_study)};
+    }
+
+    /// The process of the server that has a participant's lock; the tests have one at a time.
+    static pid_t holder() {
+        pid_t pid = 0;
+        {
+            QSqlDatabase beside =
+                QSqlDatabase::addDatabase(QStringLiteral("QPSQL"), QStringLiteral("beside"));
+            beside.setHostName(QStringLiteral("127.0.0.1"));
+            beside.setPort(s_server->port());
+            beside.setDatabaseName(QStringLiteral("postgres"));
+            beside.setUserName(QStringLiteral("console"));
+            beside.setPassword(QString::fromLatin1(PostgresServer::kPassword));
+            if (!beside.open())
+                throw std::runtime_error("cannot look at the locks");
+            QSqlQuery query(QStringLiteral("SELECT pid FROM pg_locks WHERE locktype = 'advisory'"), beside);
+            if (query.next())
+                pid = static_cast<pid_t>(query.value(0).toInt());
+        }
+        QSqlDatabase::removeDatabase(QStringLiteral("beside"));
+        return pid;
     }
 
     [[nodiscard]] bool hasPending() const { return !TrialJournal::sessionsIn(m_folder.path("here")).empty(); }
@@ -269,9 +299,10 @@ TEST_F(StudyServerTest, aServerThatIsKilledInASessionLosesAndRepeatsNothing) {
     }
     EXPECT_EQ(store.trials(session).error().kind, core::ErrorKind::unavailable);
     s_server->start();
-    ASSERT_TRUE(store.keepTrial(session, trialNumber(2), kNow.addSecs(9)));
+    const auto again = store.keepTrial(session, trialNumber(2), kNow.addSecs(60));
+    ASSERT_TRUE(again) << "whatever the clock says at the second try: " << core::describe(again.error());
     EXPECT_FALSE(hasPending());
-    ASSERT_TRUE(store.keepTrial(session, trialNumber(3), kNow.addSecs(20)));
+    ASSERT_TRUE(store.keepTrial(session, trialNumber(3), kNow.addSecs(70)));
     const auto trials = store.trials(session).value();
     ASSERT_EQ(trials.size(), 3U);
     EXPECT_EQ(trials[1].result.planned.trial, 2U);
@@ -328,6 +359,11 @@ TEST_F(StudyServerTest, aWaitingTrialThatTheServerHasIsNotKeptTwice) {
     EXPECT_EQ(StudyStore::open(at()).error().kind, core::ErrorKind::refused);
     EXPECT_TRUE(hasPending()) << "what differs is kept for a person to look at";
     ASSERT_TRUE(journal.remove());
+    other = trialNumber(1);
+    other.onset_s += 1.0;
+    ASSERT_TRUE(journal.append({session.key, session.id, other, kNow}));
+    EXPECT_EQ(StudyStore::open(at()).error().kind, core::ErrorKind::refused) << "it began at another time";
+    ASSERT_TRUE(journal.remove());
     ASSERT_TRUE(journal.append({session.key, "another study", trialNumber(2), kNow}));
     EXPECT_EQ(StudyStore::open(at()).error().kind, core::ErrorKind::badInput);
 }
@@ -365,6 +401,51 @@ TEST_F(StudyServerTest, keepsNothingOfAParticipantThatAnotherStationTookWhileThe
     ASSERT_TRUE(store.keepTrial(session, trialNumber(1), kNow)) << "the other station has left";
     claim.reset();
     EXPECT_FALSE(store.runner(participant).value());
+}
+
+TEST_F(StudyServerTest, aStationWhoseNetworkWentAwayKeepsItsParticipant) {
+    test::BreakableLine line(s_server->port());
+    StudyStore store = StudyStore::create(through(line), head()).value();
+    const Participant participant = store.enrol("P07").value();
+    const auto claim = store.claim(participant);
+    ASSERT_TRUE(claim) << core::describe(claim.error());
+    const SessionRecord session = begin(store, participant);
+    ASSERT_TRUE(store.keepTrial(session, trialNumber(1), kNow));
+    StudyStore other = StudyStore::open(at("there")).value();
+    // Twice: the connection that comes of the first time breaks too.
+    for (std::size_t number = 2; number < 4; ++number) {
+        const pid_t before = holder();
+        line.cut();
+        EXPECT_TRUE(other.runner(participant).value()) << "the server has not noticed";
+        const auto kept = store.keepTrial(session, trialNumber(number), kNow.addSecs(9));
+        ASSERT_TRUE(kept) << core::describe(kept.error());
+        EXPECT_FALSE(hasPending());
+        EXPECT_NE(holder(), before) << "the connection that broke has gone";
+        EXPECT_EQ(other.claim(participant).error().kind, core::ErrorKind::refused);
+    }
+    EXPECT_EQ(other.trials(session)->size(), 3U);
+}
+
+TEST_F(StudyServerTest, aTrialIsSafeWhileTheServerCannotEndTheConnectionThatBroke) {
+    test::BreakableLine line(s_server->port());
+    StudyStore store = StudyStore::create(through(line), head()).value();
+    const Participant participant = store.enrol("P07").value();
+    const auto claim = store.claim(participant);
+    ASSERT_TRUE(claim) << core::describe(claim.error());
+    const SessionRecord session = begin(store, participant);
+    const pid_t stuck = holder();
+    ASSERT_GT(stuck, 0);
+    line.cut();
+    ::kill(stuck, SIGSTOP);
+    const auto kept = store.keepTrial(session, trialNumber(1), kNow);
+    ::kill(stuck, SIGCONT);
+    ASSERT_FALSE(kept);
+    EXPECT_EQ(kept.error().kind, core::ErrorKind::unavailable) << core::describe(kept.error());
+    EXPECT_TRUE(hasPending());
+    const auto again = store.keepTrial(session, trialNumber(1), kNow);
+    ASSERT_TRUE(again) << core::describe(again.error());
+    EXPECT_FALSE(hasPending());
+    EXPECT_EQ(store.trials(session)->size(), 1U);
 }
 
 TEST_F(StudyServerTest, aConnectionThatCameBackIncompletelyIsMadeOnceMore) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/study_export.h"
+#include "backend/study/study_results.h"
 #include "backend/study/trial_source.h"
 #include "tests/backend/core/temporary_folder.h"
 #include "tests/backend/study/small_protocol.h"
@@ -91,6 +92,46 @@ TEST_F(TrialSourceTest, damagedRowsAreErrorsWithLineAndColumn) {
     expectWrong(kHead + ",response_time_s\nP,t,c,test,A,A,1,5\n", 2, 18);
     expectWrong(kHead + ",response_time_s\nP,t,c,test,A,A,fast\n", 2, 16);
     expectWrong("participant_id,task,condition,phase,stimulus\nP,t,c,test,A\n", 1, 1);
+}
+
+TEST_F(TrialSourceTest, keepsHowManyPatternsTheTrialsSayThatATaskHas) {
+    const std::string head = kHead + ",n_alternatives\n";
+    ASSERT_TRUE(read(head + "P,t,c,test,A,A,5\nP,t,c,test,A,A,6\nP,t,c,test,A,A,NA\nP,u,c,test,A,A,NA\n"));
+    ASSERT_NE(m_tally.alternatives("t"), nullptr);
+    EXPECT_EQ(m_tally.alternatives("t")->count, 6U);
+    EXPECT_EQ(m_tally.alternatives("u"), nullptr);
+    ASSERT_TRUE(read(kHead + "\nP,t,c,test,A,A\n"));
+    EXPECT_EQ(m_tally.alternatives("t"), nullptr);
+    for (const char* wrong : {"six", "0", "-6", "1001", "6.0"})
+        expectWrong(head + "P,t,c,test,A,A," + wrong + "\n", 2, 16);
+}
+
+TEST_F(TrialSourceTest, aStudyHasThePatternsOfItsProtocolAlsoThoseThatNobodyFelt) {
+    StudyHead head;
+    head.protocol = smallProtocol();
+    head.mode = Mode::pilot;
+    head.created = QDateTime(QDate(2026, 11, 3), QTime(9, 0), Qt::UTC);
+    StudyStore store = std::move(StudyStore::create(m_folder.path("study"), head).value());
+    const Participant participant = store.enrol("P01").value();
+    const PlannedSession plan = planSessions(head.protocol, head.seed, 0).front();
+    const SessionRecord session = store.beginSession(participant, 0, plan, head.created).value();
+    TrialResult result;
+    result.planned = {Phase::test, 1, 1, 1, 1};
+    result.outcome = Outcome::aborted;
+    ASSERT_TRUE(store.keepTrial(session, result, head.created));
+    ASSERT_TRUE(tallyStore(store, m_modes, m_tally));
+    EXPECT_TRUE(studyResults(m_tally).empty()) << "nothing was completed";
+    result.planned.attempt = 2;
+    result.outcome = Outcome::correct;
+    result.response = 1;
+    ASSERT_TRUE(store.keepTrial(session, result, head.created));
+    m_tally = {};
+    m_modes = {};
+    ASSERT_TRUE(tallyStore(store, m_modes, m_tally));
+    const std::vector<TaskResults> results = studyResults(m_tally);
+    ASSERT_EQ(results.size(), 1U);
+    EXPECT_EQ(results[0].patterns, (std::vector<std::string>{"A", "B", "C"}));
+    EXPECT_EQ(results[0].alternatives(), 3U);
 }
 
 TEST_F(TrialSourceTest, doesNotMergeModesUnlessOneIsChosen) {

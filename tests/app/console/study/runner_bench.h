@@ -7,6 +7,7 @@
 #include "widgets/study/answer_button.h"
 #include "widgets/study/participant_window.h"
 
+#include <QDateTime>
 #include <QTest>
 
 #include <deque>
@@ -83,25 +84,31 @@ protected:
     study::Protocol m_protocol;
     study::StimulusSet m_stimuli;
     study::PlannedSession m_plan;
+    QDateTime m_utc{QDate(2026, 11, 3), QTime(14, 22, 33), Qt::UTC};
     std::vector<study::TrialResult> m_kept;
+    std::vector<QDateTime> m_times;          ///< with which results were to be kept, in vain too
     std::deque<StudyRunner::Kept> m_waiting; ///< results that are being kept, when m_slowDisk
     bool m_slowDisk = false;
     bool m_fullDisk = false;
+    core::ErrorKind m_failure = core::ErrorKind::ioFailed; ///< of the full disk
 
     void make(const char* extra = "") {
         m_stop.release();
         m_slowDisk = m_fullDisk = false;
+        m_failure = core::ErrorKind::ioFailed;
         m_kept.clear();
+        m_times.clear();
         m_waiting.clear();
         m_device = std::make_unique<ScriptedStimulus>();
         m_protocol = protocol(extra);
         m_stimuli = study::StimulusSet::of(m_protocol, {}, "test").value();
         m_plan = study::planSessions(m_protocol, 1, 0).front();
         m_runner = std::make_unique<StudyRunner>(
-            m_stop, [this] { return m_now; },
-            [this](const study::TrialResult& result, StudyRunner::Kept kept) {
+            m_stop, [this] { return m_now; }, [this] { return m_utc; },
+            [this](const study::TrialResult& result, const QDateTime& ended, StudyRunner::Kept kept) {
+                m_times.push_back(ended);
                 if (m_fullDisk) {
-                    kept(core::Unexpected(core::Error{core::ErrorKind::ioFailed, "disk full", {}, {}}));
+                    kept(core::Unexpected(core::Error{m_failure, "disk full", {}, {}}));
                     return;
                 }
                 m_kept.push_back(result);

@@ -251,6 +251,24 @@ private slots:
         QVERIFY(answers().empty());
     }
 
+    void answersThatCouldNotBeKeptStayAsTheyAreUntilTheyAre() {
+        openStudy();
+        begin();
+        execute("ALTER TABLE answer RENAME TO hidden");
+        fillIn(Qt::Key_9);
+        QTRY_VERIFY_WITH_TIMEOUT(!window()->scene().questionnaireProblem.isEmpty(), kPatience_ms);
+        // Other answers than those that are tried again cannot be shown.
+        QVERIFY(window()->scene().questionnaireLocked);
+        QVERIFY(!form().doneButton()->isEnabled());
+        QCOMPARE(form().answers().front().value, std::optional<std::string>("9"));
+        execute("ALTER TABLE hidden RENAME TO answer");
+        QCOMPARE(nextButton()->text(), QStringLiteral("Try again to keep the answers"));
+        QTest::mouseClick(nextButton(), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(runner().isActive(), kPatience_ms);
+        QCOMPARE(answers().size(), std::size_t(1));
+        QCOMPARE(answers()[0].value, std::optional<std::string>("9"));
+    }
+
     void theQuestionWhetherToLeaveOneOutIsAboutThatOne() {
         m_more += kAlsoBefore;
         openStudy();

@@ -263,17 +263,37 @@ private slots:
         digit(1);
         QCOMPARE(m_runner->hold(), Hold::notKept);
         QVERIFY(m_runner->reason().contains(QStringLiteral("disk full")));
+        QVERIFY(!m_runner->waitsForServer());
         space();
         m_runner->goOn();
         QCOMPARE(m_runner->hold(), Hold::notKept);
+        const QDateTime ended = m_utc;
+        m_utc = m_utc.addSecs(60);
         m_runner->retry();
         QCOMPARE(m_runner->hold(), Hold::notKept);
         m_fullDisk = false;
         m_runner->retry();
         QCOMPARE(m_kept.size(), std::size_t(1));
+        QVERIFY2((m_times == std::vector<QDateTime>{ended, ended, ended}), "it ended when it ended");
         QCOMPARE(m_runner->hold(), Hold::paused);
         m_runner->goOn();
+        doTrial();
+        QCOMPARE(m_times.back(), m_utc);
+    }
+
+    void aTrialThatWaitsForItsServerIsHeldToo() {
+        make();
         startTrial();
+        endStimulus();
+        m_fullDisk = true;
+        m_failure = core::ErrorKind::unavailable;
+        digit(1);
+        QCOMPARE(m_runner->hold(), Hold::notKept);
+        QVERIFY(m_runner->waitsForServer());
+        m_fullDisk = false;
+        m_runner->retry();
+        QCOMPARE(m_runner->hold(), Hold::paused);
+        QVERIFY(!m_runner->waitsForServer());
     }
 
     void aSessionThatEndedWhileItsLastTrialCouldNotBeKeptIsOverOnceItIs() {

@@ -2,6 +2,7 @@
 #include "app/console/study/new_study_dialog.h"
 #include "app/console/study/server_fields.h"
 #include "app/console/study/server_study_dialog.h"
+#include "app/console/study/study_leaving.h"
 #include "tests/app/console/study/study_bench.h"
 #include "tests/support/postgres_server.h"
 #include "widgets/study/result_table.h"
@@ -11,6 +12,7 @@
 #include <QComboBox>
 #include <QDir>
 #include <QLabel>
+#include <QMessageBox>
 #include <QUrl>
 
 using namespace teleta;
@@ -88,10 +90,24 @@ private slots:
         QVERIFY(
             m_page->sessionPanel().scene().state.contains(QStringLiteral("sent when the server is back")));
         QCOMPARE(m_page->sessionPanel().scene().tone, studyview::Tone::alarm);
+        {
+            // Whoever leaves now loses nothing: it is asked about the session, not about the trial.
+            console::StudyLeaving leaving(controller(), *m_page);
+            leaving.whenSettled([] {});
+            QVERIFY(m_page->findChild<QMessageBox*>(QStringLiteral("notKept")) == nullptr);
+            auto* question = m_page->findChild<QMessageBox*>(QStringLiteral("endSession"));
+            QVERIFY(question != nullptr);
+            question->reject();
+        }
         m_server->start();
+        m_clockSet_s = 60;
         QTest::mouseClick(nextButton(), Qt::LeftButton);
-        QTRY_COMPARE_WITH_TIMEOUT(runner().hold(), Hold::paused, kPatience_ms);
+        // It is tried while the session is held: only then is it known whether the trial is kept.
+        QTRY_VERIFY_WITH_TIMEOUT(!runner().isKeeping(), kPatience_ms);
+        QVERIFY2(runner().hold() == Hold::paused, qPrintable(runner().reason()));
         QCOMPARE(onServer().size(), std::size_t(2));
+        QVERIFY2(onServer().back().time < QDateTime::currentDateTimeUtc(),
+                 "the trial has the time of its end, not of the second try");
     }
 
     void aServerThatIsAwayBeforeASessionIsSeenAndTheSessionDoesNotBegin() {
