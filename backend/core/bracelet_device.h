@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -64,9 +65,9 @@ struct BoardReport {
     bool timedOut = false;      ///< it turned its motors off because no frame came
     bool tooHot = false;
     bool supplyLow = false;
-    bool frameRefused = false; ///< the last frame was not understood
-    double supply_V = 0.0;
-    double temperature_degC = 0.0;
+    bool frameRefused = false; ///< the frame that it answers was not understood
+    double supply_V = std::numeric_limits<double>::quiet_NaN();         ///< not a number: not told
+    double temperature_degC = std::numeric_limits<double>::quiet_NaN(); ///< likewise
 };
 
 struct BraceletTelemetry {
@@ -77,7 +78,8 @@ struct BraceletTelemetry {
     std::uint64_t framesEchoed = 0;   ///< confirmed by the board
     std::uint64_t newestSent = 0;     ///< number of the newest frame that was handed to the link
     std::uint64_t newestEchoed = 0;   ///< number of the newest frame that the board confirmed; 0: none
-    std::uint64_t framesLost = 0;     ///< never confirmed although a later one was, or in flight at a loss
+    std::uint64_t framesLost = 0;     ///< never confirmed: refused, before a later one, in flight at a loss
+    std::uint64_t framesRefused = 0;  ///< of the lost ones those that the board did not understand
     std::uint64_t strayEchoes = 0;    ///< answers to no frame that waits for one
     std::uint64_t damagedReports = 0; ///< reports that were not understood
     std::uint64_t zeroedByDevice = 0; ///< times the device turned the motors off because no frame came

@@ -187,7 +187,11 @@ void BraceletWorker::readReports() {
             lose();
             break;
         case BraceletPort::Read::report:
-            m_ledger.echo(report.sequence);
+            // A frame that was not understood is not felt: the board's answer to it confirms nothing.
+            if (report.frameRefused)
+                m_ledger.refuse(report.sequence);
+            else
+                m_ledger.echo(report.sequence);
             m_telemetryNow.board = report;
             m_telemetryNow.reported_ns = now_ns();
             m_rate.add(m_telemetryNow.reported_ns);
@@ -225,6 +229,7 @@ void BraceletWorker::publish() {
     m_telemetryNow.newestSent = m_ledger.sent();
     m_telemetryNow.newestEchoed = m_ledger.newestEchoed();
     m_telemetryNow.framesLost = m_ledger.lost();
+    m_telemetryNow.framesRefused = m_ledger.refused();
     m_telemetryNow.strayEchoes = m_ledger.stray();
     m_telemetry.set(m_telemetryNow);
     m_statusNow.rate_Hz = m_rate.rate_Hz(m_statusNow.lastData_ns);

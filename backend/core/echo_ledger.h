@@ -7,7 +7,8 @@ namespace teleta::core {
 
 /// Numbers the frames to a board and finds out from its echoes which of them were lost. A write that succeeds
 /// says only that the kernel took the frame. A frame is lost when the echo of a later one comes first, when
-/// its connection ends, or when kLongestFlight later ones were sent without any echo. Thread: one.
+/// the board refuses it, when its connection ends, or when kLongestFlight later ones were sent without any
+/// echo. Thread: one.
 class EchoLedger {
 public:
     static constexpr std::uint64_t kLongestFlight = 256;
@@ -16,6 +17,9 @@ public:
     [[nodiscard]] std::uint16_t send();
     /// An echo that nothing waits for (a second one, an old one, one of another program) is counted as stray.
     void echo(std::uint16_t sequence);
+    /// An answer that says that the board did not understand the frame: it came, and counts as lost. One that
+    /// nothing waits for is stray, too.
+    void refuse(std::uint16_t sequence);
     /// What is in flight will not be answered any more.
     void endConnection();
 
@@ -24,15 +28,21 @@ public:
     /// Number of the newest frame that was echoed, not wrapped; 0: none.
     [[nodiscard]] std::uint64_t newestEchoed() const { return m_newestEchoed; }
     [[nodiscard]] std::uint64_t lost() const { return m_lost; }
+    /// Of the lost ones those that the board refused.
+    [[nodiscard]] std::uint64_t refused() const { return m_refused; }
     [[nodiscard]] std::uint64_t stray() const { return m_stray; }
     [[nodiscard]] std::uint64_t inFlight() const { return m_sent - m_settled; }
 
 private:
+    /// Settles an answered frame and all before it, which are lost. Its number; 0: nothing waits for it.
+    [[nodiscard]] std::uint64_t settle(std::uint16_t sequence);
+
     std::uint64_t m_sent = 0;
-    std::uint64_t m_settled = 0; ///< newest frame that was echoed or given up
+    std::uint64_t m_settled = 0; ///< newest frame that was answered or given up
     std::uint64_t m_echoed = 0;
     std::uint64_t m_newestEchoed = 0;
     std::uint64_t m_lost = 0;
+    std::uint64_t m_refused = 0;
     std::uint64_t m_stray = 0;
 };
 

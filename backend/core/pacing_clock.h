@@ -25,6 +25,10 @@ public:
 
     [[nodiscard]] virtual std::int64_t now_ns() const { return steadyNow_ns(); }
 
+    /// How long the machine has slept since it was started. now_ns() stands still meanwhile: what was due
+    /// before is due after the waking as if nothing had been.
+    [[nodiscard]] virtual std::int64_t suspended_ns() const { return suspendedSinceBoot_ns(); }
+
     /// Waits until the condition is notified or the deadline has passed; it may also return without either.
     /// lock: held by the caller before and after.
     virtual void waitUntil(std::condition_variable& condition, std::unique_lock<std::mutex>& lock,

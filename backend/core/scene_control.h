@@ -6,8 +6,8 @@
 namespace teleta::core {
 
 /// What an operator asks of a simulated scene that has no arm with a program of its own: to hold it, to let
-/// it go on, to begin it anew. STOP holds it as well. Thread: takeRestart() by the source's worker, the rest
-/// by any; lock-free.
+/// it go on, to begin it anew. STOP holds it as well, and it stays held when STOP is released: nothing moves
+/// on unless somebody asks for it. Thread: takeRestart() by the source's worker, the rest by any; lock-free.
 class SceneControl {
 public:
     void setRunning(bool running) { m_held.store(!running, std::memory_order_release); }

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <ctime>
 
 namespace teleta::core {
 
@@ -12,6 +13,24 @@ namespace teleta::core {
     return std::chrono::duration_cast<std::chrono::nanoseconds>(
                std::chrono::steady_clock::now().time_since_epoch())
         .count();
+}
+
+/// How long the machine has slept since it was started, to 1 ms: the steady clock stands still meanwhile.
+/// Thread: any.
+[[nodiscard]] inline std::int64_t suspendedSinceBoot_ns() {
+    constexpr std::int64_t kUndisturbed_ns = 1'000'000;
+    const auto read_ns = [](clockid_t clock) {
+        timespec time{};
+        (void)clock_gettime(clock, &time);
+        return std::int64_t{time.tv_sec} * 1'000'000'000 + std::int64_t{time.tv_nsec};
+    };
+    for (;;) {
+        const std::int64_t awake_ns = read_ns(CLOCK_MONOTONIC);
+        const std::int64_t all_ns = read_ns(CLOCK_BOOTTIME);
+        // A thread that was interrupted between the two would take that for sleep.
+        if (read_ns(CLOCK_MONOTONIC) - awake_ns < kUndisturbed_ns)
+            return all_ns - awake_ns;
+    }
 }
 
 /// A steady time as a time point, for waits with an absolute deadline.

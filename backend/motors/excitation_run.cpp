@@ -37,6 +37,9 @@ core::Unexpected endedEarly(const playback::PlayerStatus& status) {
                       RunText::tr("The computer was too slow for the measurement: the bracelet stood still "
                                   "meanwhile."),
                       RunText::tr("measure again with less other work"));
+    case playback::PlayerEnding::tooHot:
+        return failed(core::ErrorKind::refused, RunText::tr("The bracelet is too hot to be measured."),
+                      RunText::tr("let it cool down and measure again"));
     default:
         return failed(core::ErrorKind::refused, RunText::tr("Something else was played meanwhile."),
                       RunText::tr("measure again"));
@@ -66,11 +69,13 @@ core::Expected<MotorRecording> recordExcitation(playback::Player& player,
     if (!bracelet.motorSpeeds())
         return failed(core::ErrorKind::unavailable, RunText::tr("The bracelet does not measure its motors."),
                       RunText::tr("a recording with a sensor of your own, or answers of a person"));
+    if (stop.stop_requested())
+        return failed(core::ErrorKind::cancelled, RunText::tr("The measurement was ended."));
     std::mutex mutex;
     std::condition_variable never;
     std::unique_lock lock(mutex);
     const std::int64_t begin_ns = clock.now_ns();
-    player.play(programOf(excitation, tactor));
+    const std::uint64_t number = player.play(programOf(excitation, tactor));
     std::int64_t begun_ns = 0;
     MotorRecording recording;
     const auto samples = static_cast<std::size_t>(excitation.duration_s * 1e3) + 100;
@@ -81,17 +86,17 @@ core::Expected<MotorRecording> recordExcitation(playback::Player& player,
         while (clock.now_ns() < next_ns)
             clock.waitUntil(never, lock, next_ns);
         if (stop.stop_requested()) {
-            player.stop();
+            player.stop(number);
             return failed(core::ErrorKind::cancelled, RunText::tr("The measurement was ended."));
         }
         const playback::PlayerStatus status = player.status();
         const bool isProgram = status.mode == playback::PlayerMode::program;
         if (begun_ns == 0) {
-            if (isProgram && status.begun_ns >= begin_ns && status.duration_s == excitation.duration_s) {
+            if (isProgram && status.program == number) {
                 begun_ns = status.begun_ns;
             } else if (clock.now_ns() - begin_ns > kLongestBegin_ns) {
                 // A player that is late must not begin when nobody looks any more.
-                player.stop();
+                player.stop(number);
                 return endedEarly(status);
             } else {
                 continue;

@@ -30,6 +30,9 @@ PlaybackCycle::PlaybackCycle(core::BraceletSource& bracelet, const core::StopSwi
     , m_rate_Hz(usableRate_Hz(m_config.rate_Hz, bracelet.description().maximumRate_Hz))
     , m_limiter(m_config.limits, 1.0 / m_rate_Hz)
     , m_lastFrame_ns(now_ns()) {
+    if (m_config.heat)
+        if (const auto kept = m_config.heat->of(m_bracelet.description().serial))
+            m_limiter.resume(kept->heat, static_cast<double>(m_lastFrame_ns - kept->time_ns) / kNsPerS);
     const double threePeriods_ms = std::ceil(3e3 / m_rate_Hz);
     m_config.boardTimeout_ms =
         std::max(m_config.boardTimeout_ms, static_cast<std::uint16_t>(threePeriods_ms));
@@ -49,7 +52,8 @@ std::int64_t PlaybackCycle::run(PlayerCommands commands) {
         takeSettings(commands);
         return core::PacingClock::kNever_ns;
     }
-    if (commands.stop && m_mode != PlayerMode::idle)
+    const bool stopsProgram = m_mode == PlayerMode::program && commands.stopProgram == m_status.program;
+    if ((commands.stop && m_mode != PlayerMode::idle) || stopsProgram)
         end(PlayerEnding::stopped);
     takeSettings(commands);
     if (commands.start)
@@ -86,12 +90,16 @@ void PlaybackCycle::close() {
 
 PlayerCounters PlaybackCycle::counters() const {
     const core::BraceletTelemetry telemetry = m_bracelet.telemetry();
-    const std::uint64_t lost = telemetry.framesLost;
+    // A bracelet that was started anew counts from 0.
+    const auto since = [](std::uint64_t now, std::uint64_t before) {
+        return now >= before ? now - before : now;
+    };
     const std::scoped_lock lock(m_countersMutex);
     PlayerCounters counters = m_counters;
-    // A bracelet that was started anew counts from 0.
-    counters.framesLost = lost >= m_lostBefore ? lost - m_lostBefore : lost;
-    counters.confirmed = telemetry.newestEchoed > m_sentBefore;
+    counters.framesLost = since(telemetry.framesLost, m_lostBefore);
+    counters.framesRefused = since(telemetry.framesRefused, m_refusedBefore);
+    // A board that refuses what drives it understands the zero frame at the end all the same.
+    counters.confirmed = telemetry.newestEchoed > m_sentBefore && counters.framesRefused == 0;
     counters.setpointsReplaced = m_setpoints.replaced() - m_replacedBefore;
     counters.writeMedian_ns = m_timings.write.quantile_ns(0.5);
     counters.writeLongest_ns = m_timings.write.longest_ns();
@@ -135,6 +143,7 @@ void PlaybackCycle::beginAny(PlayerMode mode) {
     m_status.message.clear();
     m_status.begun_ns = now;
     m_status.ended_ns = 0;
+    m_suspended_ns = m_config.clock->suspended_ns();
     m_epoch_ns = now;
     m_cycle = 0;
     m_extraWritten = false;
@@ -147,6 +156,7 @@ void PlaybackCycle::beginAny(PlayerMode mode) {
         m_timings = {};
         m_rate.reset();
         m_lostBefore = telemetry.framesLost;
+        m_refusedBefore = telemetry.framesRefused;
         m_sentBefore = telemetry.newestSent;
         m_replacedBefore = m_setpoints.replaced();
     }
@@ -179,6 +189,8 @@ void PlaybackCycle::moveTo(double position_s, std::int64_t now) {
 
 void PlaybackCycle::end(PlayerEnding ending, std::string message) {
     m_limiter.off(sinceLastFrame_s(now_ns()));
+    if (m_config.heat)
+        m_config.heat->keep(m_bracelet.description().serial, {m_limiter.heat(), m_lastFrame_ns});
     m_mode = PlayerMode::idle;
     // A bracelet that is gone is told by its own time-out, and again when it comes back.
     m_bracelet.write({.drive = {}, .timeout_ms = m_config.boardTimeout_ms, .connection = m_connection});
@@ -210,14 +222,22 @@ void PlaybackCycle::writeDue(std::int64_t now) {
         const std::scoped_lock lock(m_countersMutex);
         m_timings.lateness.add(now - due_ns);
     }
-    if (now - due_ns > boardTimeout_ns()) {
+    // The clock stands still while the machine sleeps; the board does not.
+    const std::int64_t slept_ns = m_config.clock->suspended_ns() - m_suspended_ns;
+    if (std::max(now - due_ns, slept_ns) > boardTimeout_ns()) {
         end(PlayerEnding::stalled);
         return;
     }
+    const core::BraceletTelemetry telemetry = m_bracelet.telemetry();
     // Reports from before the playing say nothing of it.
-    const std::int64_t heard_ns = std::max(m_bracelet.telemetry().reported_ns, m_status.begun_ns);
+    const std::int64_t heard_ns = std::max(telemetry.reported_ns, m_status.begun_ns);
     if (now - heard_ns > m_config.longestSilence_ns) {
         end(PlayerEnding::deviceLost);
+        return;
+    }
+    // Also before the first frame: the bracelet told while it was idle.
+    if (telemetry.board.tooHot) {
+        end(PlayerEnding::tooHot);
         return;
     }
     core::Intensities wanted{};

@@ -74,10 +74,11 @@ private:
     core::Mailbox<Setpoint> m_setpoints;
 
     PlayerMode m_mode = PlayerMode::idle;
-    std::uint64_t m_connection = 0; ///< of the bracelet, at the begin
-    std::int64_t m_epoch_ns = 0;    ///< t0
-    std::int64_t m_cycle = 0;       ///< k of the next deadline
-    bool m_extraWritten = false;    ///< a setpoint had its frame out of turn in this period
+    std::uint64_t m_connection = 0;  ///< of the bracelet, at the begin
+    std::int64_t m_suspended_ns = 0; ///< how long the machine had slept at the begin
+    std::int64_t m_epoch_ns = 0;     ///< t0
+    std::int64_t m_cycle = 0;        ///< k of the next deadline
+    bool m_extraWritten = false;     ///< a setpoint had its frame out of turn in this period
     std::int64_t m_lastFrame_ns = 0;
 
     Program m_program;
@@ -96,6 +97,7 @@ private:
     PlayerTimings m_timings;
     core::RateMeter m_rate;
     std::uint64_t m_lostBefore = 0;
+    std::uint64_t m_refusedBefore = 0;
     std::uint64_t m_sentBefore = 0; ///< number of the last frame before the playing
     std::uint64_t m_replacedBefore = 0;
 };

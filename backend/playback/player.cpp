@@ -66,6 +66,20 @@ void Player::stop() {
     });
 }
 
+void Player::stop(std::uint64_t number) {
+    command([number](PlayerCommands& commands) {
+        const auto* request = commands.start ? std::get_if<ProgramRequest>(&*commands.start) : nullptr;
+        if (request != nullptr && request->number == number) {
+            // What came after it was for it.
+            commands.start.reset();
+            commands.change.reset();
+            commands.loop.reset();
+            commands.seek_s.reset();
+        }
+        commands.stopProgram = number;
+    });
+}
+
 void Player::seek(double time_s) {
     command([time_s](PlayerCommands& commands) { commands.seek_s = time_s; });
 }

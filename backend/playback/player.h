@@ -16,7 +16,7 @@ namespace teleta::playback {
 
 /// Drives a bracelet from one playback thread: plays programs, or follows live setpoints, below the safety
 /// limits. Whatever ends a playing writes a zero frame; nothing plays again unless asked:
-///   idle -> program -> idle (finished, stopped, stopSwitch, deviceLost, sourceFailed, stalled)
+///   idle -> program -> idle (finished, stopped, stopSwitch, deviceLost, sourceFailed, stalled, tooHot)
 ///   idle -> live    -> idle (the same but finished)
 /// Without a setpoint for PlayerConfig::setpointLifetime_ns all is off; live goes on with the next one.
 /// Thread: any for every call; each returns at once and is carried out in the next cycle, the latest one
@@ -39,6 +39,8 @@ public:
     /// Follows setpoints from now on.
     void startLive();
     void stop();
+    /// Ends the program with that number, or drops it before it begins. What else is played goes on.
+    void stop(std::uint64_t number);
     /// Clamped to the program; NaN and anything but a program that plays: ignored.
     void seek(double time_s);
     void setLoop(bool loop);

@@ -4,6 +4,7 @@
 #include "backend/core/bracelet_device.h"
 #include "backend/core/pacing_clock.h"
 #include "backend/core/tactors.h"
+#include "backend/playback/heat_memory.h"
 #include "backend/playback/safety_limiter.h"
 #include "backend/playback/time_histogram.h"
 
@@ -40,6 +41,9 @@ struct PlayerConfig {
     SafetyLimits limits{};
     DriveRanges ranges{};
     std::shared_ptr<core::PacingClock> clock = std::make_shared<core::PacingClock>();
+    /// Shared by the players of copies of this: one after the other goes on from the heat of its bracelet.
+    /// Null: motors begin cold.
+    std::shared_ptr<HeatMemory> heat = std::make_shared<HeatMemory>();
 };
 
 enum class PlayerMode {
@@ -56,7 +60,9 @@ enum class PlayerEnding {
     stopSwitch,   ///< STOP is, or was, engaged
     deviceLost,   ///< there is no bracelet, it was unplugged, or it answers no more
     sourceFailed, ///< the program threw an exception; PlayerStatus::message has its text
-    stalled,      ///< a cycle was later than the board's time-out, or the program or a write took longer
+    stalled,      ///< a cycle was later than the board's time-out, or the program, a write or the machine's
+                  ///< sleep took longer
+    tooHot,       ///< the board says that it is too hot; nothing is played until it is not any more
 };
 
 struct PlayerStatus {
@@ -79,7 +85,8 @@ struct PlayerCounters {
     std::uint64_t framesWritten = 0;
     std::uint64_t deadlineMisses = 0;    ///< deadlines that passed without a frame of their own
     std::uint64_t framesLost = 0;        ///< not confirmed by the board
-    bool confirmed = false;              ///< the board confirmed a frame of this playing
+    std::uint64_t framesRefused = 0;     ///< of these those that the board did not understand
+    bool confirmed = false;              ///< the board confirmed a frame of this playing and refused none
     std::uint64_t watchdogTrips = 0;     ///< times that setpoints stayed away
     std::uint64_t setpointsReplaced = 0; ///< by a newer one before a frame took them
     double rate_Hz = 0.0;                ///< achieved
@@ -121,6 +128,7 @@ struct LiveRequest {};
 /// What was asked since the last cycle, carried out in the order of the members.
 struct PlayerCommands {
     bool stop = false;
+    std::optional<std::uint64_t> stopProgram; ///< the program with that number ends, nothing else
     std::optional<SafetyLimits> limits;
     std::optional<DriveRanges> ranges;
     std::optional<std::variant<ProgramRequest, LiveRequest>> start;

@@ -113,6 +113,13 @@ void SafetyLimiter::off(double elapsed_s) {
     m_drive = {};
 }
 
+void SafetyLimiter::resume(const core::Intensities& heat, double elapsed_s) {
+    m_heat = heat;
+    m_output = {};
+    m_drive = {};
+    warm(elapsed_s > 0.0 ? elapsed_s : 0.0);
+}
+
 void SafetyLimiter::warm(double elapsed_s) {
     const double share = -std::expm1(-elapsed_s / m_limits.heatTime_s);
     for (std::size_t i = 0; i < core::kTactors; ++i)

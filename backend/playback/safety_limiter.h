@@ -67,6 +67,9 @@ public:
     /// All off, at once, whatever the limits are.
     void off(double elapsed_s);
 
+    /// Goes on from a heat that the motors had elapsed_s ago; all have been off since.
+    void resume(const core::Intensities& heat, double elapsed_s);
+
     /// Intensities of the last output.
     [[nodiscard]] const core::Intensities& output() const { return m_output; }
     /// Heat of each motor, 0 .. heatBudget while calls come on time.

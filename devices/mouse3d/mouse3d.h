@@ -25,7 +25,7 @@ public:
     void stop();
 
     /// Motion that counts now: zero without the dead-man button, without a mouse, and when the reports of a
-    /// deflected cap stop.
+    /// deflected cap stop; then the button has to be pressed anew.
     [[nodiscard]] SixAxes motion() const { return m_worker.motion(); }
     [[nodiscard]] Mouse3dReading reading() const { return m_worker.reading(); }
     [[nodiscard]] core::DeviceStatus status() const { return m_worker.status(); }

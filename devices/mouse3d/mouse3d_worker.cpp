@@ -40,9 +40,42 @@ void Mouse3dWorker::wake() {
 }
 
 SixAxes Mouse3dWorker::motion() const {
-    const Mouse3dReading reading = m_reading.get();
-    const bool fresh = now_ns() - reading.axesTime_ns <= m_config.axesLifetime_ns;
-    return reading.deadManHeld && fresh ? reading.axes : SixAxes{};
+    const Mouse3dReading now = reading();
+    return now.deadManHeld ? now.axes : SixAxes{};
+}
+
+Mouse3dReading Mouse3dWorker::reading() const {
+    Mouse3dReading reading = m_reading.get();
+    // The worker looks only after a read.
+    if (isSilent(reading)) {
+        reading.deadManHeld = false;
+        reading.axes = {};
+    }
+    return reading;
+}
+
+/// While the dead-man button is held: nothing came for longer than such a mouse is silent.
+bool Mouse3dWorker::isSilent(const Mouse3dReading& reading) const {
+    if (!reading.deadManHeld)
+        return false;
+    const bool atRest = reading.axes == SixAxes{};
+    const std::int64_t heard_ns = atRest ? reading.time_ns : reading.axesTime_ns;
+    // The steady clock stands still while the machine sleeps.
+    const std::int64_t silent_ns =
+        now_ns() - heard_ns + m_config.clock->suspended_ns() - reading.suspended_ns;
+    return silent_ns > (atRest ? m_config.restLifetime_ns : m_config.axesLifetime_ns);
+}
+
+/// A release may be among what did not come, and where the hand is nobody knows: the button has to be let go
+/// and pressed anew.
+void Mouse3dWorker::letGoIfSilent() {
+    if (!isSilent(m_now))
+        return;
+    m_deadManSeenReleased = false;
+    m_now.deadManHeld = false;
+    m_now.axes = {};
+    m_reading.set(m_now);
+    publish();
 }
 
 /// Tries until there is a mouse, less and less often. False: stopped.
@@ -77,6 +110,8 @@ void Mouse3dWorker::readReports(const std::stop_token& stop) {
     std::array<std::uint8_t, 64> report{};
     while (!stop.stop_requested()) {
         const int size = m_input->read(report, m_config.readTimeout_ms);
+        // Before a report that ends the silence counts.
+        letGoIfSilent();
         if (size < 0) {
             setState(core::DeviceState::lost,
                      QCoreApplication::translate("Mouse3d", "The 3D mouse was unplugged.").toStdString());
@@ -109,6 +144,8 @@ void Mouse3dWorker::take(std::span<const std::uint8_t> report) {
         publish();
         return;
     }
+    m_now.time_ns = time_ns;
+    m_now.suspended_ns = m_config.clock->suspended_ns();
     m_reading.set(m_now);
     ++m_status.framesRead;
     m_status.lastData_ns = time_ns;

@@ -19,10 +19,13 @@ namespace teleta::mouse3d {
 
 /// What the mouse tells now.
 struct Mouse3dReading {
-    SixAxes axes;                 ///< as deflected, whether the dead-man button is held or not
-    std::uint32_t buttons = 0;    ///< bit i: button i is held
-    bool deadManHeld = false;     ///< seen let go since the mouse was connected, pressed since, and held
-    std::int64_t axesTime_ns = 0; ///< steady time of the newest report of the axes
+    SixAxes axes;              ///< as deflected, whether the dead-man button is held or not
+    std::uint32_t buttons = 0; ///< bit i: button i is held
+    /// Seen let go since the mouse was connected, or fell silent, pressed since, and held.
+    bool deadManHeld = false;
+    std::int64_t axesTime_ns = 0;  ///< steady time of the newest report of the axes
+    std::int64_t time_ns = 0;      ///< of the newest report of axes or buttons
+    std::int64_t suspended_ns = 0; ///< PacingClock::suspended_ns() at that report
 };
 
 /// Reads the reports of the mouse and looks for it when it is gone.
@@ -36,7 +39,9 @@ public:
     /// Ends a wait of run(), so that it looks at its stop token.
     void wake();
 
-    [[nodiscard]] Mouse3dReading reading() const { return m_reading.get(); }
+    /// Axes and dead man belong together: a mouse that has fallen silent holds no dead man and is not
+    /// deflected.
+    [[nodiscard]] Mouse3dReading reading() const;
     [[nodiscard]] core::DeviceStatus status() const { return m_published.get(); }
     [[nodiscard]] std::string name() const { return m_name.get(); }
     /// Motion that counts: nothing without the dead-man button, nor from a cap that has fallen silent.
@@ -48,6 +53,8 @@ private:
     [[nodiscard]] bool connect(Lock& lock, const std::stop_token& stop);
     void readReports(const std::stop_token& stop);
     void take(std::span<const std::uint8_t> report);
+    [[nodiscard]] bool isSilent(const Mouse3dReading& reading) const;
+    void letGoIfSilent();
     void forget();
     void setState(core::DeviceState state, std::string message = {});
     void publish();
@@ -60,7 +67,7 @@ private:
     std::condition_variable m_condition;
     std::unique_ptr<HidInput> m_input;
     RawAxes m_raw;
-    bool m_deadManSeenReleased = false; ///< since the mouse was connected
+    bool m_deadManSeenReleased = false; ///< since the mouse was connected, or fell silent
     Mouse3dReading m_now;
     core::RateMeter m_rate;
     core::DeviceStatus m_status;

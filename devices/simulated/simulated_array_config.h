@@ -29,8 +29,9 @@ struct SimulatedArrayConfig {
     /// A worker that is later than this does not catch up: the simulated world then stood still meanwhile.
     double longestCatchUp_s = 1.0;
     SimulatedFaults faults{};
-    std::uint64_t faultSeed = 1;                         ///< which frames are dropped
-    std::shared_ptr<core::SceneControl> scene = nullptr; ///< null: nobody holds or restarts it
+    std::uint64_t faultSeed = 1; ///< which frames are dropped
+    /// Null: nobody holds or restarts it, and after STOP it goes on.
+    std::shared_ptr<core::SceneControl> scene = nullptr;
     std::shared_ptr<core::PacingClock> clock = std::make_shared<core::PacingClock>();
 };
 

@@ -29,7 +29,10 @@ SimulatedArrayWorker::SimulatedArrayWorker(std::unique_ptr<core::FrameGenerator>
                                             : core::staleAfter_ns(m_description.nominalRate_Hz))
     , m_outlet(m_config.queueBlocks)
     , m_link(m_config.clock, m_description.nominalRate_Hz, m_config.faults, m_config.faultSeed)
-    , m_values(m_description.layout.taxels()) {
+    , m_values(m_description.layout.taxels())
+    , m_stops(m_stopSwitch.engagements()) {
+    // It may be released before the first frame.
+    (void)lookAtStop();
 }
 
 void SimulatedArrayWorker::open(core::Wakeup& consumer) {
@@ -93,7 +96,7 @@ void SimulatedArrayWorker::readDue(const SimulatedFaults& faults, std::int64_t n
 
     core::SampleBlock block;
     for (std::size_t i = 0; i < kFramesPerBlock && m_link.due_ns(faults.lag_s) <= now_ns; ++i) {
-        const bool stopped = m_stopSwitch.engaged();
+        const bool stopped = lookAtStop();
         if (m_config.scene && m_config.scene->takeRestart(stopped)) {
             deliver(block); // a jump is told at the beginning of a block
             m_generator->restart();
@@ -111,6 +114,16 @@ void SimulatedArrayWorker::readDue(const SimulatedFaults& faults, std::int64_t n
         block.values.insert(block.values.end(), m_values.begin(), m_values.end());
     }
     deliver(block);
+}
+
+/// STOP is engaged. A scene that it held, also between two frames, does not go on by itself.
+bool SimulatedArrayWorker::lookAtStop() {
+    const bool stopped = m_stopSwitch.engaged();
+    const std::uint64_t stops = m_stopSwitch.engagements();
+    if (m_config.scene && (stopped || stops != m_stops))
+        m_config.scene->setRunning(false);
+    m_stops = stops;
+    return stopped;
 }
 
 void SimulatedArrayWorker::deliver(core::SampleBlock& block) {

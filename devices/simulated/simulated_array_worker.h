@@ -39,6 +39,7 @@ private:
     void waitForPlug(SimulatedLink::Lock& lock, const std::stop_token& stop);
     void readDue(const SimulatedFaults& faults, std::int64_t now_ns);
     void deliver(core::SampleBlock& block);
+    [[nodiscard]] bool lookAtStop();
 
     std::unique_ptr<core::FrameGenerator> m_generator;
     const core::StopSwitch& m_stopSwitch;
@@ -50,6 +51,7 @@ private:
 
     std::vector<float> m_values;
     bool m_discontinuity = false; ///< of the next block
+    std::uint64_t m_stops;        ///< how often STOP was engaged, as the scene knows
 };
 
 } // namespace teleta::simulated

@@ -11,7 +11,9 @@ namespace {
 constexpr std::size_t kAnswersKept = 64;
 constexpr double kSlowestWrite_s = 10.0;
 constexpr double kSupply_V = 5.0;
+constexpr double kLowSupply_V = 4.1;
 constexpr double kTemperature_degC = 25.0;
+constexpr double kTooHot_degC = 85.0;
 
 } // namespace
 
@@ -40,17 +42,20 @@ bool SimulatedBoard::take(std::uint16_t sequence, const core::Drive& drive, std:
         return true;
     const std::int64_t now_ns = m_clock->now_ns();
     advance(now_ns);
-    m_drive = drive;
-    m_timeoutAt_ns = now_ns + std::int64_t{timeout_ms} * 1'000'000;
+    const bool refused = m_faults.refuse && !core::isOff(drive);
+    if (!refused) {
+        m_drive = drive;
+        m_timeoutAt_ns = now_ns + std::int64_t{timeout_ms} * 1'000'000;
+    }
     if (!m_faults.mute && m_answers.size() < kAnswersKept)
         m_answers.push_back({.sequence = sequence,
-                             .driving = !core::isOff(drive),
+                             .driving = !core::isOff(m_drive),
                              .timedOut = m_timedOut,
-                             .tooHot = false,
-                             .supplyLow = false,
-                             .frameRefused = false,
-                             .supply_V = kSupply_V,
-                             .temperature_degC = kTemperature_degC});
+                             .tooHot = m_faults.tooHot,
+                             .supplyLow = m_faults.supplyLow,
+                             .frameRefused = refused,
+                             .supply_V = m_faults.supplyLow ? kLowSupply_V : kSupply_V,
+                             .temperature_degC = m_faults.tooHot ? kTooHot_degC : kTemperature_degC});
     m_timedOut = false;
     return true;
 }

@@ -17,6 +17,9 @@ struct BraceletFaults {
     bool mute = false;        ///< takes frames and answers none
     double slowWrite_s = 0.0; ///< every write takes so long; 0 .. 10
     double dropShare = 0.0;   ///< share of the frames that the link loses although writing succeeds, 0 .. 1
+    bool tooHot = false;      ///< its board says so, and does as it is told
+    bool supplyLow = false;   ///< likewise
+    bool refuse = false;      ///< its board understands no frame that drives a motor, and says so
 
     bool operator==(const BraceletFaults&) const = default;
 };

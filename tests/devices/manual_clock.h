@@ -22,6 +22,16 @@ public:
         return m_now_ns;
     }
 
+    [[nodiscard]] std::int64_t suspended_ns() const override {
+        const std::scoped_lock lock(m_mutex);
+        return m_suspended_ns;
+    }
+    /// As if the machine had slept for so long.
+    void suspend(std::int64_t duration_ns) {
+        const std::scoped_lock lock(m_mutex);
+        m_suspended_ns += duration_ns;
+    }
+
     void waitUntil(std::condition_variable& condition, std::unique_lock<std::mutex>& lock,
                    std::int64_t deadline_ns) override {
         std::unique_lock own(m_mutex);
@@ -86,6 +96,7 @@ private:
     mutable std::mutex m_mutex;
     std::condition_variable m_changed;
     std::int64_t m_now_ns = 1'000'000'000'000;
+    std::int64_t m_suspended_ns = 0;
     bool m_parked = false;
     std::int64_t m_deadline_ns = 0;
     std::condition_variable* m_condition = nullptr;

@@ -302,6 +302,7 @@ void JogPanel::setArm(const std::optional<core::ArmDescription>& arm) {
     m_arm = arm;
     m_hasSample = false;
     m_readingsOld = false;
+    m_age_s = 0.0;
     for (std::size_t joint = 0; joint < core::kArmJoints; ++joint) {
         m_ranges[joint]->setRange(arm ? arm->lowest_rad[joint] : 0.0, arm ? arm->highest_rad[joint] : 0.0);
         m_ranges[joint]->setAngle(std::numeric_limits<double>::quiet_NaN());
@@ -408,7 +409,7 @@ JointArray JogPanel::guidedRate() {
     const Eigen::Vector3d hand_m =
         scale_m * Eigen::Vector3d(m_hand.velocity[0], m_hand.velocity[1], m_hand.velocity[2]);
     const Eigen::Vector3d velocity = m_guide.velocity_mPerS(
-        true, clutch, hand_m, tipPosition(*m_arm, m_sample.reference_rad), kFullTipSpeed_mPerS);
+        true, clutch, hand_m, tipPosition(*m_arm, m_sample.reference_rad), kFullTipSpeed_mPerS, m_age_s);
     return velocity.isZero() ? JointArray{} : tipRates(*m_arm, m_sample.reference_rad, velocity);
 }
 

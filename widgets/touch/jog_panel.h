@@ -63,6 +63,8 @@ public:
     void setSample(const core::JointSample& sample);
     void setDrive(core::ArmDrive drive);
     void setStopEngaged(bool engaged);
+    /// How old the newest reading is by now: the older, the more slowly the tip is led by position.
+    void setReadingsAge(double age_s) { m_age_s = age_s; }
     /// The joint readings do not come any more: nothing is moved blindly.
     void setReadingsOld(bool old);
     /// What a 3D mouse tells now; empty: none is there.
@@ -138,6 +140,7 @@ private:
     bool m_hasSample = false;
     bool m_stopEngaged = false;
     bool m_readingsOld = false;
+    double m_age_s = 0.0; ///< of m_sample
     HandMotion m_hand;
     bool m_handReady = false; ///< its button was let go since it was taken out of effect
     Mode m_mode = Mode::joints;

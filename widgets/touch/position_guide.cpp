@@ -2,14 +2,16 @@
 #include "widgets/touch/position_guide.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace teleta::touch {
 
 using Eigen::Vector3d;
 
 Vector3d PositionGuide::velocity_mPerS(bool held, bool clutch, const Vector3d& hand_m, const Vector3d& tip_m,
-                                       double fastest_mPerS) {
-    if (!held || clutch || !hand_m.allFinite() || !tip_m.allFinite() || !(fastest_mPerS > 0.0)) {
+                                       double fastest_mPerS, double age_s) {
+    if (!held || clutch || !hand_m.allFinite() || !tip_m.allFinite() || !(fastest_mPerS > 0.0) ||
+        !std::isfinite(age_s)) {
         letGo();
         return Vector3d::Zero();
     }
@@ -19,7 +21,9 @@ Vector3d PositionGuide::velocity_mPerS(bool held, bool clutch, const Vector3d& h
     const double distance_m = m_way_m.norm();
     if (distance_m < kArrived_m)
         return Vector3d::Zero();
-    return m_way_m / distance_m * std::min(kGain_perS * distance_m, fastest_mPerS);
+    const double gain_perS =
+        std::min(kGain_perS, kLargestTurn / (2.0 * std::max(age_s, 0.0) + kOtherDelay_s));
+    return m_way_m / distance_m * std::min(gain_perS * distance_m, fastest_mPerS);
 }
 
 void PositionGuide::step(const Vector3d& by_m) {

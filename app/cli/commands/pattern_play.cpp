@@ -125,6 +125,11 @@ core::Expected<void> endedWell(const playback::PlayerStatus& status) {
                         PlayText::tr("A frame was so late that the bracelet had stopped.").toStdString(),
                         {},
                         {}});
+    case PlayerEnding::tooHot:
+        return core::Unexpected(core::Error{core::ErrorKind::refused,
+                                            PlayText::tr("The bracelet is too hot.").toStdString(),
+                                            PlayText::tr("let it cool down first").toStdString(),
+                                            {}});
     default:
         return {};
     }

@@ -31,7 +31,7 @@ class BraceletSession {
 public:
     /// Opens the bracelet and reads the profile of its motors. stop must outlive the session. choice: not
     /// none. deviceFile: that describes the bracelet. player: its limits and ranges are taken from the files
-    /// of the bracelet. Error: of the device or its file.
+    /// of the bracelet; copies of one share what they know of the heat. Error: of the device or its file.
     [[nodiscard]] static core::Expected<std::shared_ptr<BraceletSession>>
     open(BraceletChoice choice, const std::string& deviceFile, const core::StopSwitch& stop,
          playback::PlayerConfig player = {});

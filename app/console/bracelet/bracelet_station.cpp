@@ -7,9 +7,11 @@
 #include "backend/core/steady_time.h"
 #include "backend/pattern/built_in_patterns.h"
 #include "backend/playback/pattern_program.h"
+#include "widgets/base/quantity_text.h"
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -335,7 +337,15 @@ bool BraceletStation::isReady() const {
 }
 
 bool BraceletStation::isAnswering() const {
+    return isLive() && !isTooHot();
+}
+
+bool BraceletStation::isLive() const {
     return isReady() && stateNow() == core::DeviceState::live;
+}
+
+bool BraceletStation::isTooHot() const {
+    return m_session && m_session->source().telemetry().board.tooHot;
 }
 
 core::DeviceState BraceletStation::stateNow() const {
@@ -359,13 +369,41 @@ QString BraceletStation::note() const {
             .arg(QString::fromStdString(m_session->source().status().message));
     if (stateNow() == core::DeviceState::connecting)
         return tr("Connecting to the bracelet\u2026");
-    if (!isAnswering())
+    if (!isLive())
         return tr("The bracelet does not answer.");
+    if (isTooHot())
+        return tr("The bracelet is too hot: it is off until it has cooled down.");
     if (m_reserved)
         return tr("A study uses the bracelet.");
+    const core::BraceletTelemetry telemetry = m_session->source().telemetry();
+    if (telemetry.board.supplyLow)
+        return std::isfinite(telemetry.board.supply_V)
+                   ? tr("The supply of the bracelet is low: %1 V.")
+                         .arg(base::fixedDigits(telemetry.board.supply_V, 2))
+                   : tr("The supply of the bracelet is low.");
+    if (m_session->player().counters().framesRefused > 0)
+        return tr("The bracelet refused what was played last: it did not understand it.");
     if (!m_calibration.measured())
         return tr("The motors are not calibrated (page Calibrate).");
     return {};
+}
+
+QStringList BraceletStation::boardDetails() const {
+    const core::BraceletTelemetry telemetry = m_session->source().telemetry();
+    QStringList lines;
+    if (telemetry.board.tooHot)
+        lines << tr("too hot: off until it has cooled down");
+    if (telemetry.board.supplyLow)
+        lines << tr("supply low");
+    if (telemetry.framesRefused > 0)
+        lines << tr("frames refused: %1").arg(telemetry.framesRefused);
+    if (std::isfinite(telemetry.board.supply_V))
+        lines << tr("supply %1 V").arg(base::fixedDigits(telemetry.board.supply_V, 2));
+    if (std::isfinite(telemetry.board.temperature_degC))
+        lines << tr("temperature %1 \u00b0"
+                    "C")
+                     .arg(base::fixedDigits(telemetry.board.temperature_degC, 1));
+    return lines;
 }
 
 std::optional<chrome::DeviceReading> BraceletStation::reading() const {
@@ -384,8 +422,14 @@ std::optional<chrome::DeviceReading> BraceletStation::reading() const {
     reading.rate_Hz = status.rate_Hz;
     reading.lost = status.framesLost;
     reading.details = QString::fromStdString(status.message);
-    if (reading.details.isEmpty() && !m_calibration.measured())
-        reading.details = tr("not calibrated: the motors are assumed");
+    if (reading.details.isEmpty()) {
+        QStringList lines;
+        if (status.framesRead > 0)
+            lines = boardDetails();
+        if (!m_calibration.measured())
+            lines << tr("not calibrated: the motors are assumed");
+        reading.details = lines.join(QLatin1Char('\n'));
+    }
     reading.touchToSkin_s = m_touchToSkin_s;
     return reading;
 }

@@ -10,6 +10,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
 #include <QThreadPool>
 #include <QTimer>
 
@@ -103,8 +104,10 @@ public:
     [[nodiscard]] core::Intensities given() const;
     /// Connected, and not stopped.
     [[nodiscard]] bool isReady() const;
-    /// Ready, and its reports arrive: what is played is felt.
+    /// Ready, its reports arrive and do not say that it is too hot: what is played is felt.
     [[nodiscard]] bool isAnswering() const;
+    /// The newest report of its board says that it is too hot; nothing is played on it until it is not.
+    [[nodiscard]] bool isTooHot() const;
     /// Ready, and not reserved: what is asked to be played is played.
     [[nodiscard]] bool isFree() const { return isReady() && !m_reserved; }
     /// One line on the state; empty when there is nothing to say.
@@ -153,6 +156,10 @@ private:
 
     /// Of the bracelet that is connected, as it is seen from here.
     [[nodiscard]] core::DeviceState stateNow() const;
+    /// Its reports are as young as they should be.
+    [[nodiscard]] bool isLive() const;
+    /// What its board tells of itself, a line each.
+    [[nodiscard]] QStringList boardDetails() const;
     void letGo();
     void close(BraceletChoice choice, std::shared_ptr<BraceletSession> session);
     template <typename Ending>

@@ -20,9 +20,10 @@ HandStation::HandStation(mouse3d::Mouse3dConfig config, mouse3d::HidInputOpener 
 std::optional<touch::HandMotion> HandStation::motion() const {
     if (m_mouse.status().state != core::DeviceState::live)
         return std::nullopt;
-    // The mouse's own motion is zero without its button, and when a deflected cap falls silent.
+    // Of one reading: a hand that is held at rest while its cap is deflected would lead the tip back.
     const mouse3d::Mouse3dReading reading = m_mouse.reading();
-    return touch::HandMotion{m_mouse.motion().translation, reading.deadManHeld,
+    const mouse3d::SixAxes motion = reading.deadManHeld ? reading.axes : mouse3d::SixAxes{};
+    return touch::HandMotion{motion.translation, reading.deadManHeld,
                              ((reading.buttons >> kClutchButton) & 1U) != 0};
 }
 

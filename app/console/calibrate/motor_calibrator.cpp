@@ -97,6 +97,9 @@ void MotorCalibrator::tick() {
             facts.speeds_Hz = speeds->speeds_Hz;
     }
     m_view->setFacts(facts);
+    // One that waits for a thread would begin when nobody expects it. STOP and a loss end one that plays.
+    if (m_run && (m_station.isReserved() || (!m_run->begun && !m_station.isReady())))
+        refuseRun();
     if (m_measuring)
         m_view->setMeasuring(m_measuring, m_run ? m_run->progress.load() : 0.0);
 }
@@ -122,6 +125,7 @@ void MotorCalibrator::measureNext() {
         this,
         [session = std::move(session), run = m_run, motor = *m_measuring]() mutable {
             core::PacingClock clock;
+            run->begun = true;
             auto recording = motors::recordExcitation(session->player(), session->source(), motor,
                                                       motors::stairsAndPulses(), run->stop.get_token(),
                                                       run->progress, clock);
@@ -153,6 +157,13 @@ void MotorCalibrator::cancel() {
     m_run.reset();
     m_measuring.reset();
     m_view->setMeasuring(std::nullopt);
+}
+
+void MotorCalibrator::refuseRun() {
+    const std::size_t motor = m_measuring.value_or(0);
+    const core::Error why{core::ErrorKind::refused, m_station.note().toStdString(), {}, {}};
+    cancel();
+    m_view->takeFit(motor, {}, core::Unexpected(why));
 }
 
 void MotorCalibrator::openRecording(std::size_t motor, const QString& path) {

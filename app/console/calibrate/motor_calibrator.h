@@ -54,13 +54,16 @@ private:
     struct Run {
         std::stop_source stop;
         std::atomic<double> progress{0.0};
-        std::promise<void> ended; ///< its thread has let go of the bracelet
+        std::atomic<bool> begun{false}; ///< it has got a thread, which plays
+        std::promise<void> ended;       ///< its thread has let go of the bracelet
         std::future<void> end = ended.get_future();
     };
 
     void onSession();
     void measureNext();
     void cancel();
+    /// Ends a run that may not drive the bracelet (any more), and says why.
+    void refuseRun();
     void writeExcitation(const QString& path);
     void askForFile(const QString& title, const QString& filter, const QString& suffix,
                     std::function<void(const QString&)> done);

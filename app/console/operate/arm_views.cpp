@@ -29,7 +29,7 @@ std::vector<Eigen::Vector3d> atHeight(const std::vector<contour::Point>& points_
     return lifted;
 }
 
-/// The joints are not known any more: what moves the arm by them would be blind.
+/// The device says that the joints are not known any more: what moves the arm by them would be blind.
 bool readingsAreOld(const pipeline::ArmChannel& arm) {
     const core::DeviceStatus status = arm.status();
     const core::DeviceState state =
@@ -84,6 +84,8 @@ void ArmViews::addTo(OperateDocks& docks) {
 }
 
 void ArmViews::setArm(std::shared_ptr<pipeline::ArmChannel> arm, base::Provenance provenance) {
+    // While m_arm is the arm that is moved: the zero that ends it is not for the next one.
+    m_jog->letGo();
     if (m_arm) {
         m_arm->setFeedback(nullptr);
         m_kept.insert_or_assign(m_arm, Kept{m_sheet->model().takeNotes(), m_joints->takeContent(),
@@ -138,6 +140,7 @@ void ArmViews::clear() {
     m_objectsRevision = 0;
     m_begun_ns = 0;
     m_silent = false;
+    m_sample_ns = m_sampleCame_ns = 0;
     m_latency_s.reset();
 }
 
@@ -148,7 +151,8 @@ void ArmViews::setHand(const std::optional<touch::HandMotion>& hand, const QStri
 
 void ArmViews::tick() {
     m_jog->setStopEngaged(m_stop.engaged());
-    const bool silent = m_arm && readingsAreOld(*m_arm);
+    const bool isNew = m_arm && m_arm->update();
+    const bool silent = m_arm && (readingsWait() || readingsAreOld(*m_arm));
     // What is felt of an arm that tells nothing any more is no news of it.
     if (silent && !m_silent)
         m_bracelet.endFeedback();
@@ -167,11 +171,24 @@ void ArmViews::tick() {
         m_samples.push_back(sample);
     m_joints->append(m_samples);
     takeTouches();
-    if (m_arm->update()) {
+    if (isNew) {
         m_latency_s = static_cast<double>(core::steadyNow_ns() - m_arm->snapshot().newest.time_ns) * 1e-9;
         show(m_arm->snapshot());
     }
     m_joints->refresh();
+}
+
+/// No newer reading is there for longer than the arm may be silent, whatever its device says: they may wait
+/// on the way. One that is shown late, but with others behind it, only makes what leads by it slower.
+bool ArmViews::readingsWait() {
+    const std::int64_t sample_ns = m_arm->generation() > 0 ? m_arm->snapshot().newest.time_ns : 0;
+    if (sample_ns == 0 || m_arm->description().recorded)
+        return false;
+    const std::int64_t now_ns = core::steadyNow_ns();
+    m_jog->setReadingsAge(static_cast<double>(now_ns - sample_ns) * 1e-9);
+    if (std::exchange(m_sample_ns, sample_ns) != sample_ns)
+        m_sampleCame_ns = now_ns;
+    return now_ns - m_sampleCame_ns > core::staleAfter_ns(m_arm->description().nominalRate_Hz);
 }
 
 void ArmViews::show(const pipeline::ArmSnapshot& snapshot) {

@@ -80,6 +80,7 @@ private:
         std::int64_t begun_ns = 0;
     };
 
+    [[nodiscard]] bool readingsWait();
     void takeTouches();
     void showTouch(const pipeline::TouchRecord& record);
     void show(const pipeline::ArmSnapshot& snapshot);
@@ -109,8 +110,10 @@ private:
     std::vector<core::JointSample> m_samples; ///< of a tick
     std::uint64_t m_contourRevision = 0;
     std::uint64_t m_objectsRevision = 0;
-    std::int64_t m_begun_ns = 0; ///< as in the snapshot that is shown
-    bool m_silent = false;       ///< the arm tells nothing any more
+    std::int64_t m_begun_ns = 0;      ///< as in the snapshot that is shown
+    bool m_silent = false;            ///< the arm tells nothing any more
+    std::int64_t m_sample_ns = 0;     ///< of the newest reading that was seen; 0: none
+    std::int64_t m_sampleCame_ns = 0; ///< when it was seen first
     std::optional<double> m_latency_s;
 };
 

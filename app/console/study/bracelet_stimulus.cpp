@@ -33,6 +33,8 @@ QString words(const playback::PlayerStatus& status) {
             .arg(QString::fromStdString(status.message));
     case playback::PlayerEnding::stopped:
         return StimulusText::tr("something else stopped the bracelet");
+    case playback::PlayerEnding::tooHot:
+        return StimulusText::tr("the bracelet is too hot");
     case playback::PlayerEnding::none:
     case playback::PlayerEnding::finished:
         break;
@@ -111,10 +113,16 @@ StimulusState BraceletStimulus::state(std::int64_t now_ns) const {
     state.frameWrite_ms = static_cast<double>(counters.writeLongest_ns) * 1e-6;
     state.framesMissed = counters.deadlineMisses + counters.framesLost;
     if (!m_stop.engaged() && m_station.isReady() && !m_station.isAnswering()) {
-        state.failure = StimulusText::tr("the bracelet does not answer");
+        state.failure = m_station.isTooHot() ? StimulusText::tr("the bracelet is too hot")
+                                             : StimulusText::tr("the bracelet does not answer");
         return state;
     }
-    if (status.mode == playback::PlayerMode::program)
+    const bool isPlaying = status.mode == playback::PlayerMode::program;
+    if (counters.framesRefused > 0 && (isPlaying || status.ending == playback::PlayerEnding::finished)) {
+        state.failure = StimulusText::tr("the bracelet refused the stimulus: it did not understand it");
+        return state;
+    }
+    if (isPlaying)
         return state;
     if (status.ending == playback::PlayerEnding::finished && !counters.confirmed) {
         state.failure = StimulusText::tr("the bracelet did not confirm that it got the stimulus");

@@ -41,8 +41,10 @@ public:
             return false;
         m_taken.push_back(frame);
         if (m_answers)
-            m_reports.push_back(
-                {.sequence = frame.sequence, .driving = !isOff(frame.drive), .supply_V = 4.9});
+            m_reports.push_back({.sequence = frame.sequence,
+                                 .driving = !isOff(frame.drive),
+                                 .frameRefused = m_understandsNothing,
+                                 .supply_V = 4.9});
         return true;
     }
     BraceletPort::Read read(BoardReport& report) {
@@ -78,7 +80,8 @@ public:
     bool m_plugged = true;
     bool m_answers = true;
     bool m_refusesFrames = false;
-    int m_ports = 0; ///< that are open
+    bool m_understandsNothing = false; ///< and says so
+    int m_ports = 0;                   ///< that are open
     int m_damaged = 0;
     std::string m_serial = "A1";
     std::deque<BoardReport> m_reports;
@@ -361,6 +364,20 @@ TEST_F(BraceletLinkTest, countsReportsThatItDoesNotUnderstand) {
     m_clock->advance(10 * kMs_ns);
     EXPECT_EQ(m_link->telemetry().damagedReports, 3U);
     EXPECT_EQ(state(), DeviceState::live);
+}
+
+TEST_F(BraceletLinkTest, takesNoFrameForConfirmedThatTheBoardRefused) {
+    start();
+    m_board.change([](Board& board) { board.m_understandsNothing = true; });
+    write(kSome);
+    write(kSome);
+    const core::BraceletTelemetry telemetry = m_link->telemetry();
+    EXPECT_EQ(telemetry.framesRefused, 2U);
+    EXPECT_EQ(telemetry.framesLost, 2U);
+    EXPECT_EQ(telemetry.framesEchoed, 1U) << "the zero frame of the connection";
+    EXPECT_EQ(telemetry.newestEchoed, 1U);
+    EXPECT_EQ(telemetry.newestSent, 3U);
+    EXPECT_EQ(state(), DeviceState::live) << "it answers";
 }
 
 TEST_F(BraceletLinkTest, survivesABoardThatSendsWithoutEnd) {

@@ -73,6 +73,25 @@ TEST(EchoLedger, countsWhatIsInFlightAtALossOfTheConnection) {
     EXPECT_EQ(ledger.lost(), 4U);
 }
 
+TEST(EchoLedger, countsWhatTheBoardRefusesAsLostAndNotAsEchoed) {
+    EchoLedger ledger;
+    for (int i = 0; i < 4; ++i)
+        (void)ledger.send();
+    ledger.echo(1);
+    ledger.refuse(3);
+    EXPECT_EQ(ledger.lost(), 2U) << "the one before it, too";
+    EXPECT_EQ(ledger.refused(), 1U);
+    EXPECT_EQ(ledger.echoed(), 1U);
+    EXPECT_EQ(ledger.newestEchoed(), 1U);
+    EXPECT_EQ(ledger.inFlight(), 1U);
+    ledger.refuse(3);
+    EXPECT_EQ(ledger.stray(), 1U) << "a second answer";
+    EXPECT_EQ(ledger.refused(), 1U);
+    ledger.echo(4);
+    EXPECT_EQ(ledger.newestEchoed(), 4U);
+    EXPECT_EQ(ledger.lost(), 2U);
+}
+
 TEST(EchoLedger, countsTheFramesOfABoardThatNeverAnswers) {
     EchoLedger ledger;
     for (std::uint64_t i = 0; i < 100'000; ++i)

@@ -129,6 +129,23 @@ TEST_F(ExcitationRunTest, endsWhenItIsAskedToAndStopsTheMotor) {
     ASSERT_TRUE(
         test::eventually(m_wakeup, [&] { return m_player->status().mode == playback::PlayerMode::idle; }));
     EXPECT_TRUE(core::isOff(m_bracelet->drive()));
+    EXPECT_EQ(m_player->play({}), 1U) << "it was asked before it began: nothing was played";
+}
+
+TEST_F(ExcitationRunTest, endsItsOwnProgramWhenItIsAskedTo) {
+    make(simulated::unequalMotors());
+    std::stop_source source;
+    std::jthread asking([&](const std::stop_token& end) {
+        while (m_player->status().mode != playback::PlayerMode::program && !end.stop_requested())
+            std::this_thread::yield();
+        source.request_stop();
+    });
+    const auto recording = record(motors::stairsAndPulses(), source.get_token());
+    ASSERT_FALSE(recording);
+    EXPECT_EQ(recording.error().kind, core::ErrorKind::cancelled);
+    EXPECT_TRUE(
+        test::eventually(m_wakeup, [&] { return m_player->status().mode == playback::PlayerMode::idle; }));
+    EXPECT_EQ(m_player->status().ending, playback::PlayerEnding::stopped);
 }
 
 TEST_F(ExcitationRunTest, isRefusedWhenSomethingElseIsPlayedInItsPlace) {

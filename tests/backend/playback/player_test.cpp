@@ -129,6 +129,36 @@ TEST(Player, stopsForGoodWhenCommandsComeInARow) {
     EXPECT_EQ(player.status().mode, PlayerMode::idle);
 }
 
+TEST(Player, stopsAProgramByItsNumberAndNothingElse) {
+    const auto clock = std::make_shared<ManualClock>();
+    core::StopSwitch stop;
+    ScriptedBracelet bracelet(clock);
+    Player player(bracelet, stop, freeConfig(clock));
+    const std::uint64_t first = player.play({[](double) { return all(0.5); }, kInfinity});
+    ASSERT_TRUE(bracelet.waitFor(lastDrives));
+    const std::uint64_t second = player.play({[](double) { return all(1.0); }, kInfinity});
+    const auto drivesFully = [](const Frames& frames) {
+        return !frames.empty() && frames.back().frame.drive[0] == core::kFullDrive;
+    };
+    ASSERT_TRUE(bracelet.waitFor(drivesFully));
+    player.stop(first);
+    clock->settle();
+    clock->advance(5 * kMs_ns);
+    EXPECT_TRUE(drivesFully(bracelet.written())) << "another one is played by now";
+    EXPECT_EQ(player.status().mode, PlayerMode::program);
+    player.stop(second);
+    ASSERT_TRUE(bracelet.waitFor(lastIsOff));
+    clock->settle();
+    EXPECT_EQ(player.status().ending, PlayerEnding::stopped);
+    EXPECT_EQ(player.status().program, second);
+
+    player.stop(player.play({[](double) { return all(1.0); }, kInfinity}));
+    clock->settle();
+    clock->advance(100 * kMs_ns);
+    EXPECT_TRUE(lastIsOff(bracelet.written()));
+    EXPECT_EQ(player.status().mode, PlayerMode::idle);
+}
+
 TEST(Player, appliesLimitsWhilePlaying) {
     const auto clock = std::make_shared<ManualClock>();
     core::StopSwitch stop;

@@ -266,3 +266,13 @@ TEST(SafetyLimiter, goesOnAfterTheBudgetWasLoweredBelowTheHeatAndTheMotorCooled)
         ASSERT_GT(limiter.step(all(1.0), kPeriod_s)[0], 0);
     EXPECT_NEAR(limiter.step(all(1.0), kPeriod_s)[0], 0.5 * kFullDrive, 1.0);
 }
+
+TEST(SafetyLimiter, goesOnFromAHeatOfBeforeThatHasCooledSince) {
+    SafetyLimiter limiter({.rise_perS = kInfinity}, kPeriod_s);
+    limiter.resume(all(0.5), 0.0);
+    EXPECT_NEAR(limiter.step(all(1.0), 0.0)[0], std::sqrt(0.5) * kFullDrive, 1.0);
+    limiter.resume(all(0.5), 30.0);
+    EXPECT_NEAR(limiter.heat()[0], 0.5 * std::exp(-1.0), 1e-12);
+    limiter.resume(all(0.5), -1.0);
+    EXPECT_EQ(limiter.heat()[0], 0.5) << "no time has passed";
+}

@@ -7,6 +7,7 @@
 #include <condition_variable>
 #include <functional>
 #include <mutex>
+#include <string>
 #include <vector>
 
 namespace teleta::test {
@@ -15,12 +16,16 @@ namespace teleta::test {
 class SetClock : public core::PacingClock {
 public:
     [[nodiscard]] std::int64_t now_ns() const override { return m_now_ns += m_eachLook_ns; }
+    [[nodiscard]] std::int64_t suspended_ns() const override { return m_suspended_ns; }
     void add(std::int64_t step_ns) { m_now_ns += step_ns; }
+    /// As if the machine had slept for so long.
+    void suspend(std::int64_t duration_ns) { m_suspended_ns += duration_ns; }
     /// As if time went on between one look at the clock and the next.
     void addAtEachLook(std::int64_t step_ns) { m_eachLook_ns = step_ns; }
 
 private:
     std::int64_t m_eachLook_ns = 0;
+    std::int64_t m_suspended_ns = 0;
     mutable std::int64_t m_now_ns = 1'000'000'000'000;
 };
 
@@ -68,10 +73,20 @@ public:
         m_connection = connection;
     }
     void setLongestTimeout_ms(std::uint16_t timeout_ms) { m_description.longestTimeout_ms = timeout_ms; }
+    void setSerial(std::string serial) { m_description.serial = std::move(serial); }
     void setMaximumRate_Hz(double rate_Hz) { m_description.maximumRate_Hz = rate_Hz; }
     void setFramesLost(std::uint64_t frames) {
         const std::scoped_lock lock(m_mutex);
         m_telemetry.framesLost = frames;
+    }
+    void setFramesRefused(std::uint64_t frames) {
+        const std::scoped_lock lock(m_mutex);
+        m_telemetry.framesRefused = frames;
+    }
+    /// What its board says of itself.
+    void setTooHot(bool tooHot) {
+        const std::scoped_lock lock(m_mutex);
+        m_telemetry.board.tooHot = tooHot;
     }
     /// Takes frames and answers none.
     void setMute(bool mute) {

@@ -147,7 +147,7 @@ TEST_F(Mouse3dTest, takesTheButtonThatItIsToldTo) {
     EXPECT_EQ(m_device->motion().translation[0], 1.0);
 }
 
-TEST_F(Mouse3dTest, comesToRestWhenADeflectedCapFallsSilent) {
+TEST_F(Mouse3dTest, comesToRestWhenADeflectedCapFallsSilentAndWantsTheButtonAnew) {
     start();
     ASSERT_TRUE(becomes(DeviceState::live));
     ASSERT_TRUE(send({kReleased, kPressed, kRight}));
@@ -155,7 +155,39 @@ TEST_F(Mouse3dTest, comesToRestWhenADeflectedCapFallsSilent) {
     EXPECT_EQ(m_device->motion().translation[0], 1.0);
     m_clock->advanceAlone(1);
     EXPECT_EQ(m_device->motion(), SixAxes{});
+    EXPECT_FALSE(m_device->reading().deadManHeld) << "in the same reading: the hand is not held at rest";
+    EXPECT_EQ(m_device->reading().axes, SixAxes{});
     ASSERT_TRUE(send({kRight}));
+    EXPECT_EQ(m_device->motion(), SixAxes{}) << "the button was not pressed since";
+    ASSERT_TRUE(send({kPressed, kRight}));
+    EXPECT_EQ(m_device->motion(), SixAxes{}) << "nor let go";
+    ASSERT_TRUE(send({kReleased, kPressed, kRight}));
+    EXPECT_EQ(m_device->motion().translation[0], 1.0);
+}
+
+TEST_F(Mouse3dTest, takesAButtonThatIsHeldOverACapAtRestForLetGoAfterAWhile) {
+    start();
+    ASSERT_TRUE(becomes(DeviceState::live));
+    ASSERT_TRUE(send({kReleased, kPressed}));
+    m_clock->advanceAlone(3000 * kMs_ns);
+    EXPECT_TRUE(m_device->reading().deadManHeld);
+    m_clock->advanceAlone(1);
+    EXPECT_FALSE(m_device->reading().deadManHeld) << "its release may have been lost";
+    ASSERT_TRUE(send({kRight}));
+    EXPECT_EQ(m_device->motion(), SixAxes{});
+    ASSERT_TRUE(send({kReleased, kPressed, kRight}));
+    EXPECT_EQ(m_device->motion().translation[0], 1.0);
+}
+
+TEST_F(Mouse3dTest, wantsTheButtonAnewAfterTheMachineHasSlept) {
+    start();
+    ASSERT_TRUE(becomes(DeviceState::live));
+    ASSERT_TRUE(send({kReleased, kPressed, kRight}));
+    m_clock->suspend(3'600'000 * kMs_ns); // while the steady clock stands still
+    EXPECT_FALSE(m_device->reading().deadManHeld);
+    ASSERT_TRUE(send({kRight}));
+    EXPECT_EQ(m_device->motion(), SixAxes{});
+    ASSERT_TRUE(send({kReleased, kPressed, kRight}));
     EXPECT_EQ(m_device->motion().translation[0], 1.0);
 }
 

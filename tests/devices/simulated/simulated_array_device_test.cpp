@@ -197,6 +197,41 @@ TEST_F(SimulatedArrayDeviceTest, holdsTheMotionWhileStopIsEngaged) {
     EXPECT_EQ(blocks[29].frame(0)[1], 20.0F);
 }
 
+TEST_F(SimulatedArrayDeviceTest, aSceneThatStopHeldGoesOnOnlyWhenItIsAsked) {
+    auto scene = std::make_shared<core::SceneControl>();
+    make({.scene = scene});
+    start();
+    advance_ms(20);
+    m_stop.engage();
+    scene->setRunning(true); // is forgotten under STOP
+    advance_ms(20);
+    m_stop.release();
+    advance_ms(20);
+    EXPECT_TRUE(scene->isHeld());
+    EXPECT_EQ(drain().back().frame(0)[1], 4.0F);
+    scene->setRunning(true);
+    advance_ms(20);
+    EXPECT_EQ(drain().back().frame(0)[1], 8.0F);
+    m_stop.engage();
+    m_stop.release(); // before the next frame
+    advance_ms(20);
+    EXPECT_EQ(drain().back().frame(0)[1], 8.0F);
+    EXPECT_TRUE(scene->isHeld());
+}
+
+TEST_F(SimulatedArrayDeviceTest, aSceneThatIsOpenedUnderStopDoesNotBeginWithItsRelease) {
+    auto scene = std::make_shared<core::SceneControl>();
+    m_stop.engage();
+    make({.scene = scene});
+    m_stop.release();
+    start();
+    advance_ms(20);
+    EXPECT_EQ(drain().back().frame(0)[1], 0.0F);
+    scene->setRunning(true);
+    advance_ms(20);
+    EXPECT_EQ(drain().back().frame(0)[1], 4.0F);
+}
+
 TEST_F(SimulatedArrayDeviceTest, countsWhatAFullQueueLoses) {
     make({.queueBlocks = 4});
     start();

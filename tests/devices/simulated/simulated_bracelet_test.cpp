@@ -133,6 +133,26 @@ TEST_F(SimulatedBraceletTest, isStaleWhenItAnswersNothing) {
     EXPECT_EQ(state(), DeviceState::stale);
 }
 
+TEST_F(SimulatedBraceletTest, saysThatItIsTooHotThatItsSupplyIsLowAndThatItRefusesAFrame) {
+    make();
+    write(kFull);
+    EXPECT_FALSE(m_bracelet->telemetry().board.tooHot);
+    m_bracelet->setFaults({.tooHot = true, .supplyLow = true});
+    write(kFull);
+    core::BoardReport board = m_bracelet->telemetry().board;
+    EXPECT_TRUE(board.tooHot && board.supplyLow && !board.frameRefused);
+    EXPECT_GT(board.temperature_degC, 60.0);
+    EXPECT_LT(board.supply_V, 4.5);
+    write({});
+    m_bracelet->setFaults({.refuse = true});
+    write(kFull);
+    EXPECT_TRUE(m_bracelet->telemetry().board.frameRefused);
+    EXPECT_TRUE(isOff(m_bracelet->drive()));
+    EXPECT_EQ(m_bracelet->telemetry().framesRefused, 1U);
+    write({});
+    EXPECT_FALSE(m_bracelet->telemetry().board.frameRefused) << "a zero frame is understood";
+}
+
 // The real clock from here on: player and bracelet on their own threads.
 TEST(SimulatedBracelet, takesItsTimeWhenWritesAreSlow) {
     core::StopSwitch stop;

@@ -64,7 +64,7 @@ Bytes axesReport(std::uint8_t id, const std::vector<int>& counts) {
 
 /// For a machine that is emulated and busy: a cap that was deflected counts on and on.
 Mouse3dConfig patient() {
-    return {.axesLifetime_ns = 600'000'000'000};
+    return {.axesLifetime_ns = 600'000'000'000, .restLifetime_ns = 600'000'000'000};
 }
 
 class Mouse3dPeer : public testing::Test {

@@ -14,6 +14,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <deque>
 #include <limits>
 
 using namespace teleta;
@@ -110,6 +112,59 @@ private slots:
         QCOMPARE(speedFor(0.01), 0.01 * PositionGuide::kGain_perS);
         QCOMPARE(speedFor(-0.01), -0.01 * PositionGuide::kGain_perS);
         QCOMPARE(speedFor(0.5 * PositionGuide::kArrived_m), 0.0);
+    }
+
+    void aTipThatIsSeenLateIsLedMoreSlowlyAndDoesNotSwing_data() {
+        QTest::addColumn<double>("there_s");
+        QTest::addColumn<double>("back_s");
+        QTest::newRow("young readings") << 0.03 << 0.0;
+        QTest::newRow("old readings") << 0.0 << 0.45;
+        QTest::newRow("commands are late, too") << 0.45 << 0.45;
+    }
+    void aTipThatIsSeenLateIsLedMoreSlowlyAndDoesNotSwing() {
+        QFETCH(double, there_s);
+        QFETCH(double, back_s);
+        constexpr double kWay_m = 0.05;
+        PositionGuide guide;
+        // A plant that takes what it is told after there_s and is seen after back_s.
+        std::deque<double> told(static_cast<std::size_t>(std::lround(there_s / kPeriod_s)), 0.0);
+        std::deque<double> seen(static_cast<std::size_t>(std::lround(back_s / kPeriod_s)), 0.0);
+        double x_m = 0.0;
+        double furthest_m = 0.0;
+        double hand_m = 0.0; // takes hold first
+        for (int i = 0; i < 40'000; ++i) {
+            seen.push_back(x_m);
+            const Vector3d tip_m(seen.front(), 0.0, 0.0);
+            seen.pop_front();
+            told.push_back(
+                guide.velocity_mPerS(true, false, Vector3d(hand_m, 0, 0), tip_m, kFast_mPerS, back_s).x());
+            x_m += kPeriod_s * told.front();
+            told.pop_front();
+            furthest_m = std::max(furthest_m, x_m);
+            hand_m = kWay_m;
+        }
+        QVERIFY2(furthest_m < kWay_m + PositionGuide::kArrived_m, qPrintable(QString::number(furthest_m)));
+        QVERIFY(std::abs(x_m - kWay_m) < 2 * PositionGuide::kArrived_m);
+    }
+
+    void thePanelLeadsTheMoreSlowlyTheOlderItsReadingsAre() {
+        Follower arm;
+        QVERIFY(arm.active);
+        const auto fastest = [&] {
+            double rate = 0.0;
+            for (const double each : arm.panel.rate_radPerS())
+                rate = std::max(rate, std::abs(each));
+            return rate;
+        };
+        QTest::keyPress(&arm.panel, Qt::Key_Shift);
+        arm.click(Qt::Key_D);
+        arm.look({}, 1);
+        const double young = fastest();
+        QVERIFY(young > 0.0);
+        arm.panel.setReadingsAge(0.45);
+        arm.look({}, 1);
+        QVERIFY(fastest() > 0.0);
+        QVERIFY(fastest() < 0.2 * young);
     }
 
     void theClutchLetsTheHandGoBackWithoutTheTip() {

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/bracelet/hand_station.h"
+#include "backend/core/steady_time.h"
 
 #include <QTest>
 
+#include <atomic>
 #include <condition_variable>
 #include <deque>
+#include <memory>
 #include <mutex>
 
 using namespace teleta;
@@ -70,10 +73,25 @@ struct PlayedMouse {
     }
 };
 
+constexpr std::int64_t kPatience_ns = 60'000'000'000;
+
 /// Looks for a mouse without long pauses, and forgets no deflection while the test looks at it.
 mouse3d::Mouse3dConfig quick() {
-    return {.axesLifetime_ns = 60'000'000'000, .firstRetry_ns = 1'000'000, .longestRetry_ns = 10'000'000};
+    return {.axesLifetime_ns = kPatience_ns,
+            .restLifetime_ns = kPatience_ns,
+            .firstRetry_ns = 1'000'000,
+            .longestRetry_ns = 10'000'000};
 }
+
+/// The real clock, which a test puts forward.
+class SkippingClock : public core::PacingClock {
+public:
+    [[nodiscard]] std::int64_t now_ns() const override { return core::steadyNow_ns() + m_skipped_ns.load(); }
+    void skip(std::int64_t duration_ns) { m_skipped_ns += duration_ns; }
+
+private:
+    std::atomic<std::int64_t> m_skipped_ns{0};
+};
 
 } // namespace
 
@@ -106,6 +124,24 @@ private slots:
         QTRY_VERIFY(station.motion().has_value());
         QVERIFY2(!station.motion()->deadManHeld, "the button has to be pressed anew");
         QCOMPARE(station.motion()->velocity[0], 0.0);
+    }
+
+    void aDeflectedHandThatFallsSilentLetsGoInTheSameLook() {
+        PlayedMouse mouse;
+        mouse.plug(true);
+        mouse3d::Mouse3dConfig config = quick();
+        const auto clock = std::make_shared<SkippingClock>();
+        config.clock = clock;
+        HandStation station(config, mouse.opener());
+        QTRY_VERIFY(station.motion().has_value());
+        mouse.send({kReleased, kPressed, kRight});
+        QTRY_VERIFY(station.motion()->deadManHeld && station.motion()->velocity[0] == 1.0);
+        clock->skip(2 * kPatience_ns);
+        const auto silent = station.motion();
+        QVERIFY2(!silent->deadManHeld, "it would be held at rest, and lead the tip back");
+        QCOMPARE(silent->velocity[0], 0.0);
+        mouse.send({kRight, kReleased, kPressed, kRight});
+        QTRY_VERIFY(station.motion()->deadManHeld && station.motion()->velocity[0] == 1.0);
     }
 };
 

@@ -18,10 +18,13 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QThreadPool>
 #include <QTimer>
 #include <QTranslator>
 
 #include <algorithm>
+#include <cstdint>
+#include <latch>
 #include <memory>
 
 using namespace teleta;
@@ -133,6 +136,40 @@ private slots:
         QVERIFY(!view().button("cancel")->isVisibleTo(&view())); // no measurement began
         m_station->reserve(false);
         QTRY_VERIFY(view().button("measure")->isEnabled());
+    }
+
+    void aMeasurementThatWaitsForAThreadDoesNotBeginAfterStopOrInAReservedBracelet_data() {
+        QTest::addColumn<bool>("reserved");
+        QTest::newRow("STOP") << false;
+        QTest::newRow("reserved") << true;
+    }
+    void aMeasurementThatWaitsForAThreadDoesNotBeginAfterStopOrInAReservedBracelet() {
+        QFETCH(bool, reserved);
+        QThreadPool& pool = *QThreadPool::globalInstance();
+        QVERIFY(pool.waitForDone(60'000));
+        std::latch end(1);
+        const int threads = pool.maxThreadCount();
+        for (int i = 0; i < threads; ++i)
+            pool.start([&end] { end.wait(); });
+        QTest::mouseClick(view().button("measure"), Qt::LeftButton);
+        const bool waits = view().button("cancel")->isVisibleTo(&view());
+        if (reserved)
+            m_station->reserve(true);
+        else
+            m_stop.engage();
+        const bool refused = QTest::qWaitFor([this] { return !view().verdict().isEmpty(); }, 20'000);
+        const QString verdict = view().verdict();
+        const bool stillWaits = view().button("cancel")->isVisibleTo(&view());
+        m_stop.release();
+        end.count_down(); // whatever came out: the pool is everybody's
+        QVERIFY(pool.waitForDone(60'000));
+        QVERIFY(waits);
+        QVERIFY(refused);
+        QVERIFY(!stillWaits);
+        QVERIFY2(verdict.contains(reserved ? QLatin1String("study") : QLatin1String("STOP")),
+                 qPrintable(verdict));
+        QCOMPARE(m_station->session()->player().counters().framesWritten, std::uint64_t{0});
+        m_station->reserve(false);
     }
 
     void aChangedProfileReachesAReservedBraceletOnlyWhenItIsGivenBack() {

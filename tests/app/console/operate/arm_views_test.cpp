@@ -5,8 +5,11 @@
 #include "app/console/operate/operate_docks.h"
 #include "app/console/operate/operate_page.h"
 #include "app/console/patterns/patterns_page.h"
+#include "backend/core/steady_time.h"
 #include "backend/pattern/built_in_patterns.h"
 #include "backend/playback/pattern_program.h"
+#include "tests/backend/pipeline/scripted_arm_source.h"
+#include "tests/backend/pipeline/scripted_source.h"
 #include "widgets/base/theme.h"
 #include "widgets/bracelet/bracelet_view.h"
 #include "widgets/charts/joint_chart_view.h"
@@ -20,6 +23,7 @@
 #include "widgets/touch/stiffness_gauge.h"
 #include "widgets/touch/touch_table.h"
 #include "widgets/view3d/gl_setup.h"
+#include "widgets/view3d/scene3d_view.h"
 
 #include <QAction>
 #include <QApplication>
@@ -39,6 +43,30 @@ using console::ConsoleSettings;
 using console::MainWindow;
 using console::OperateDocks;
 using core::ArmDrive;
+
+namespace {
+
+/// An arm that tells what the test puts into its queue, and keeps what it is told.
+struct ScriptedChannel {
+    void tell() const {
+        core::JointSample sample;
+        sample.time_ns = core::steadyNow_ns();
+        sample.sourceTime_s = static_cast<double>(sample.time_ns) * 1e-9;
+        sample.angle_rad = sample.reference_rad = {0.1, -0.2, 0.3, 1.5};
+        (void)arm->push(sample);
+        (void)channel->process();
+    }
+
+    test::ScriptedArmSource* arm = new test::ScriptedArmSource; // owned by the channel
+    std::shared_ptr<pipeline::ArmChannel> channel = std::make_shared<pipeline::ArmChannel>(
+        std::unique_ptr<core::ArmSource>(arm),
+        std::make_shared<pipeline::TouchChannel>(
+            std::unique_ptr<core::TactileSource>(std::make_unique<test::ScriptedSource>(
+                core::ArrayLayout{.rows = 9, .columns = 9, .pitch_m = 0.005})),
+            pipeline::ChannelSettings{}));
+};
+
+} // namespace
 
 /// The views of an arm in the window, on a real display: from the first contact to gauge, table and bracelet.
 class ArmViewsTest : public QObject {
@@ -191,6 +219,45 @@ private slots:
         QCOMPARE(arm()->snapshot().newest.reference_rad[0], after_rad);
         m_window->operatePage().armViews().setProgramRunning(true);
         QTRY_COMPARE(arm()->snapshot().drive, ArmDrive::program);
+    }
+
+    void theZeroThatEndsAJogGoesToTheArmThatWasJogged() {
+        QWidget parent;
+        view3d::Scene3dView scene(&parent);
+        core::StopSwitch stop;
+        console::BraceletStation station(stop);
+        console::ArmViews views(stop, station, scene, &parent);
+        ScriptedChannel former;
+        ScriptedChannel next;
+        former.tell();
+        next.tell();
+        QVERIFY(former.channel->update() && next.channel->update());
+        views.setArm(former.channel, base::Provenance::live);
+        views.setHand(touch::HandMotion{}, {});
+        views.setHand(touch::HandMotion{{1.0, 0.0, 0.0}, true}, {});
+        QVERIFY(!former.arm->commands.empty());
+        QVERIFY(former.arm->commands.back().rate_radPerS != core::JointArray{});
+        views.setArm(next.channel, base::Provenance::live);
+        QCOMPARE(former.arm->commands.back().rate_radPerS, core::JointArray{});
+        QVERIFY(next.arm->commands.empty());
+    }
+
+    void anArmWhoseReadingsWaitOnTheWayIsNotMoved() {
+        QWidget parent;
+        view3d::Scene3dView scene(&parent);
+        core::StopSwitch stop;
+        console::BraceletStation station(stop);
+        console::ArmViews views(stop, station, scene, &parent);
+        const auto* panel = parent.findChild<touch::JogPanel*>();
+        ScriptedChannel arm; // whose device never says that anything is wrong
+        arm.tell();
+        views.setArm(arm.channel, base::Provenance::live);
+        views.tick();
+        QVERIFY2(panel->refusal().isEmpty(), qPrintable(panel->refusal()));
+        QTRY_VERIFY((views.tick(), panel->refusal().contains(QLatin1String("old"))));
+        arm.tell();
+        views.tick();
+        QVERIFY2(panel->refusal().isEmpty(), "it tells again");
     }
 
     void stopHaltsArmAndBracelet() {

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/tactors.h"
+
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+
+namespace teleta::playback {
+
+/// How hot the motors of each bracelet were when it was turned off: one that is chosen again goes on from
+/// there. It lasts no longer than the program: a bracelet that it does not know begins cold, also one that
+/// another program has driven until now, as `teleta pattern play` in a loop does. Thread: any.
+class HeatMemory {
+public:
+    struct Kept {
+        core::Intensities heat{};
+        std::int64_t time_ns = 0; ///< steady time from which on the motors were off
+    };
+
+    void keep(const std::string& bracelet, const Kept& kept) {
+        const std::scoped_lock lock(m_mutex);
+        m_kept.insert_or_assign(bracelet, kept);
+    }
+    /// Empty: it was never driven.
+    [[nodiscard]] std::optional<Kept> of(const std::string& bracelet) const {
+        const std::scoped_lock lock(m_mutex);
+        const auto found = m_kept.find(bracelet);
+        return found == m_kept.end() ? std::nullopt : std::optional(found->second);
+    }
+
+private:
+    mutable std::mutex m_mutex;
+    std::map<std::string, Kept> m_kept; ///< by the bracelet's serial number; guarded by m_mutex
+};
+
+} // namespace teleta::playback
