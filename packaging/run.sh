@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Installs what is missing, builds the programs and starts the console, by default with a simulated touch.
+# Installs what is missing, builds the programs and starts the console, with a simulated touch where nothing is named
+# to be opened.
 #   run.sh [arguments of teleta-console]
 # Without a display it starts one in memory, takes a picture of the console, says where it is, and ends.
 set -euo pipefail
@@ -13,11 +14,24 @@ cmake --build "$root/build/run" --target teleta-console teleta
 arguments=("$@")
 has_source=false
 has_screenshot=false
+previous=''
 for argument in "$@"; do
     case "$argument" in
-        --scene | --scene=* | --replay | --replay=* | -h | --help* | -v | --version) has_source=true ;;
+        --scene | --scene=* | --replay | --replay=* | --sources | --sources=*) has_source=true ;;
+        --camera | --camera=* | --study | --study=* | --rehearse) has_source=true ;;
+        -h | --help* | -v | --version) has_source=true ;;
         --screenshot | --screenshot=*) has_screenshot=true ;;
+        -*) ;;
+        *.teleta | *.csv | *.toml)
+            # A file to open, unless it belongs to the option before it.
+            case "$previous" in
+                -*=* | --fresh | --invert) has_source=true ;;
+                -*) ;;
+                *) has_source=true ;;
+            esac
+            ;;
     esac
+    previous=$argument
 done
 $has_source || arguments=(--scene "$root/resources/scenes/teleta-touch.toml" "${arguments[@]}")
 console="$root/build/run/app/console/teleta-console"

@@ -35,14 +35,6 @@
         <translation>STOP&#xa0;: tout ce qui bouge s’arrête aussitôt</translation>
     </message>
     <message>
-        <source>Ctrl+1</source>
-        <translation>Ctrl+1</translation>
-    </message>
-    <message>
-        <source>Page Operate</source>
-        <translation>Page Conduite</translation>
-    </message>
-    <message>
         <source>Space</source>
         <translation>Espace</translation>
     </message>
@@ -235,16 +227,40 @@
         <translation>Enregistrer, marquer cet instant dans l’enregistrement</translation>
     </message>
     <message>
-        <source>Undo, redo: marks on the page Operate, edits on the page Patterns</source>
-        <translation>Annuler, rétablir&#xa0;: les marques sur la page Conduite, les modifications sur la page Motifs</translation>
-    </message>
-    <message>
         <source>F1</source>
         <translation>F1</translation>
     </message>
     <message>
         <source>Handbook: the page on what is shown</source>
         <translation>Manuel&#xa0;: la page sur ce qui est affiché</translation>
+    </message>
+    <message>
+        <source>Ctrl+1 to 5</source>
+        <translation>Ctrl+1 à 5</translation>
+    </message>
+    <message>
+        <source>Page Operate, Patterns, Study, Calibrate, Cost</source>
+        <translation>Page Conduite, Motifs, Étude, Étalonnage, Coût</translation>
+    </message>
+    <message>
+        <source>F5, Shift+F5, Ctrl+F5</source>
+        <translation>F5, Shift+F5, Ctrl+F5</translation>
+    </message>
+    <message>
+        <source>Run the program of the arm, hold it, restart it, on the page Operate</source>
+        <translation>Exécuter le programme du bras, le maintenir, le recommencer, sur la page Conduite</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+N</source>
+        <translation>Ctrl+Shift+N</translation>
+    </message>
+    <message>
+        <source>Forget the explored contour, on the page Operate</source>
+        <translation>Oublier le contour exploré, sur la page Conduite</translation>
+    </message>
+    <message>
+        <source>Undo, redo: marks on the page Operate, edits on the pages Patterns and Calibrate</source>
+        <translation>Annuler, rétablir&#xa0;: les marques sur la page Conduite, les modifications sur les pages Motifs et Étalonnage</translation>
     </message>
 </context>
 <context>
@@ -363,6 +379,14 @@
     <message>
         <source>the bracelet did not confirm that it got the stimulus</source>
         <translation>le bracelet n’a pas confirmé avoir reçu le stimulus</translation>
+    </message>
+    <message>
+        <source>the bracelet is too hot</source>
+        <translation>le bracelet est trop chaud</translation>
+    </message>
+    <message>
+        <source>the bracelet refused the stimulus: it did not understand it</source>
+        <translation>le bracelet a refusé le stimulus&#xa0;: il ne l’a pas compris</translation>
     </message>
 </context>
 <context>
@@ -494,6 +518,10 @@
     <message>
         <source>The camera that was written has no lens: it is off by %1 mm on average over the pairs that it kept (%2 of %3).</source>
         <translation>La caméra écrite n’a pas d’objectif&#xa0;: elle s’écarte de %1 mm en moyenne sur les paires qu’elle a gardées (%2 sur %3).</translation>
+    </message>
+    <message>
+        <source>the camera is written to this file</source>
+        <translation>la caméra est écrite dans ce fichier</translation>
     </message>
 </context>
 <context>
@@ -3446,6 +3474,14 @@ Aire %6</translation>
         <source>No bracelet answers.</source>
         <translation>Aucun bracelet ne répond.</translation>
     </message>
+    <message>
+        <source>The bracelet is too hot.</source>
+        <translation>Le bracelet est trop chaud.</translation>
+    </message>
+    <message>
+        <source>let it cool down first</source>
+        <translation>laissez-le d’abord refroidir</translation>
+    </message>
 </context>
 <context>
     <name>PlaybackRequest</name>
@@ -3836,6 +3872,10 @@ Aire %6</translation>
     <message>
         <source>it is of an array, but the stream &quot;%1&quot; is of a camera</source>
         <translation>cela concerne une matrice, mais le flux «&#xa0;%1&#xa0;» est celui d’une caméra</translation>
+    </message>
+    <message>
+        <source>the settings changed during the recording; those of its beginning are used</source>
+        <translation>les réglages ont changé pendant l’enregistrement&#xa0;; ceux du début sont utilisés</translation>
     </message>
 </context>
 <context>
@@ -4237,6 +4277,14 @@ Aire %6</translation>
     <message>
         <source>measure again</source>
         <translation>mesurez à nouveau</translation>
+    </message>
+    <message>
+        <source>The bracelet is too hot to be measured.</source>
+        <translation>Le bracelet est trop chaud pour être mesuré.</translation>
+    </message>
+    <message>
+        <source>let it cool down and measure again</source>
+        <translation>laissez-le refroidir et mesurez à nouveau</translation>
     </message>
 </context>
 <context>
@@ -4734,6 +4782,14 @@ Aire %6</translation>
         <source>The file stays as it is: %1</source>
         <translation>Le fichier reste tel quel&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>The settings cannot be kept: what is set now is forgotten at the end.</source>
+        <translation>Les réglages ne peuvent pas être conservés&#xa0;: ce qui est réglé maintenant est oublié à la fin.</translation>
+    </message>
+    <message>
+        <source>This file cannot be written: %1</source>
+        <translation>Ce fichier ne peut pas être écrit&#xa0;: %1</translation>
+    </message>
 </context>
 <context>
     <name>SimulateCommand</name>
@@ -5104,6 +5160,10 @@ Aire %6</translation>
     <message>
         <source>something else stopped the bracelet</source>
         <translation>autre chose a arrêté le bracelet</translation>
+    </message>
+    <message>
+        <source>the bracelet is too hot</source>
+        <translation>le bracelet est trop chaud</translation>
     </message>
 </context>
 <context>
@@ -5729,6 +5789,14 @@ Aire %6</translation>
         <source>cannot open the protocol: %1</source>
         <translation>impossible d’ouvrir le protocole&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>there are too many patterns</source>
+        <translation>il y a trop de motifs</translation>
+    </message>
+    <message>
+        <source>at most %1, one digit each</source>
+        <translation>au plus %1, un chiffre pour chacun</translation>
+    </message>
 </context>
 <context>
     <name>StudyQuestionnaire</name>
@@ -6351,6 +6419,10 @@ Aire %6</translation>
         <source>Rest. The participant goes on with Space.</source>
         <translation>Repos. Le participant continue avec Espace.</translation>
     </message>
+    <message>
+        <source>The last trial waits for the server. %1</source>
+        <translation>Le dernier essai attend le serveur. %1</translation>
+    </message>
 </context>
 <context>
     <name>StudySchema</name>
@@ -6627,6 +6699,14 @@ Aire %6</translation>
         <source>version %1 of the program, or a new study</source>
         <translation>la version %1 du programme, ou une nouvelle étude</translation>
     </message>
+    <message>
+        <source>the server still has the connection that broke, and with it this participant</source>
+        <translation>le serveur garde encore la connexion rompue, et avec elle ce participant</translation>
+    </message>
+    <message>
+        <source>another try in a moment</source>
+        <translation>une nouvelle tentative dans un instant</translation>
+    </message>
 </context>
 <context>
     <name>StudyTrialSource</name>
@@ -6795,6 +6875,22 @@ Aire %6</translation>
         <source>presses of the whole array</source>
         <translation>des appuis sur toute la matrice</translation>
     </message>
+    <message>
+        <source>Most taxels read the same value in all frames: %1.</source>
+        <translation>La plupart des taxels donnent la même valeur dans toutes les trames&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>a load that the taxels can measure</source>
+        <translation>une charge que les taxels peuvent mesurer</translation>
+    </message>
+    <message>
+        <source>In all but %1 frames under load the taxels are at the end of their range.</source>
+        <translation>Sauf dans %1 trames sous charge, les taxels sont au bout de leur plage.</translation>
+    </message>
+    <message>
+        <source>at least %1, under a smaller load</source>
+        <translation>au moins %1, sous une charge plus faible</translation>
+    </message>
 </context>
 <context>
     <name>Timeline</name>
@@ -6837,11 +6933,11 @@ Aire %6</translation>
         <translation>&amp;Copier</translation>
     </message>
     <message>
-        <source>&amp;Paste in Place</source>
+        <source>&amp;Paste in place</source>
         <translation>Coller sur &amp;place</translation>
     </message>
     <message>
-        <source>Paste at Play&amp;head</source>
+        <source>Paste at play&amp;head</source>
         <translation>Coller à la &amp;tête de lecture</translation>
     </message>
     <message>
@@ -6901,7 +6997,7 @@ Aire %6</translation>
         <translation>Δ %1&#xa0;%, RMS %2&#xa0;%</translation>
     </message>
     <message>
-        <source>O&amp;verdrive: Help the Motors up</source>
+        <source>O&amp;verdrive: help the motors up</source>
         <translation>S&amp;urintensité&#xa0;: aider les moteurs à démarrer</translation>
     </message>
 </context>
@@ -9320,6 +9416,42 @@ Aire %6</translation>
         <source>The bracelet does not answer.</source>
         <translation>Le bracelet ne répond pas.</translation>
     </message>
+    <message>
+        <source>The bracelet is too hot: it is off until it has cooled down.</source>
+        <translation>Le bracelet est trop chaud&#xa0;: il est éteint jusqu’à ce qu’il ait refroidi.</translation>
+    </message>
+    <message>
+        <source>The supply of the bracelet is low: %1 V.</source>
+        <translation>L’alimentation du bracelet est faible&#xa0;: %1&#xa0;V.</translation>
+    </message>
+    <message>
+        <source>The supply of the bracelet is low.</source>
+        <translation>L’alimentation du bracelet est faible.</translation>
+    </message>
+    <message>
+        <source>The bracelet refused what was played last: it did not understand it.</source>
+        <translation>Le bracelet a refusé ce qui a été joué en dernier&#xa0;: il ne l’a pas compris.</translation>
+    </message>
+    <message>
+        <source>too hot: off until it has cooled down</source>
+        <translation>trop chaud&#xa0;: éteint jusqu’à ce qu’il ait refroidi</translation>
+    </message>
+    <message>
+        <source>supply low</source>
+        <translation>alimentation faible</translation>
+    </message>
+    <message>
+        <source>frames refused: %1</source>
+        <translation>trames refusées&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>supply %1 V</source>
+        <translation>alimentation %1&#xa0;V</translation>
+    </message>
+    <message>
+        <source>temperature %1 °C</source>
+        <translation>température %1&#xa0;°C</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::CalibratePage</name>
@@ -9338,6 +9470,19 @@ Aire %6</translation>
     <message>
         <source>Taxel gains</source>
         <translation>Gains des taxels</translation>
+    </message>
+    <message>
+        <source>Unsaved calibration</source>
+        <translation>Étalonnage non enregistré</translation>
+    </message>
+    <message>
+        <source>%1: the calibration is not saved.</source>
+        <comment>a part of the page</comment>
+        <translation>%1&#xa0;: l’étalonnage n’est pas enregistré.</translation>
+    </message>
+    <message>
+        <source>What is discarded has to be measured again.</source>
+        <translation>Ce qui est abandonné devra être mesuré à nouveau.</translation>
     </message>
 </context>
 <context>
@@ -9585,6 +9730,10 @@ Aire %6</translation>
     <message>
         <source>Calibrating…</source>
         <translation>Étalonnage…</translation>
+    </message>
+    <message>
+        <source>The camera was not saved: it is being calibrated.</source>
+        <translation>La caméra n’a pas été enregistrée&#xa0;: l’étalonnage est en cours.</translation>
     </message>
 </context>
 <context>
@@ -10708,10 +10857,6 @@ Aire %6</translation>
         <translation>La source %1 a été perdue.</translation>
     </message>
     <message>
-        <source>What came before the damaged place can still be played. Repair the file and open it again.</source>
-        <translation>Ce qui précède l’endroit endommagé peut encore être lu. Réparez le fichier et rouvrez-le.</translation>
-    </message>
-    <message>
         <source>Check the cable and the power supply; it is tried again by itself.</source>
         <translation>Vérifiez le câble et l’alimentation&#xa0;; une nouvelle tentative est faite automatiquement.</translation>
     </message>
@@ -10762,6 +10907,28 @@ Aire %6</translation>
     <message>
         <source>The page of the handbook to begin with (F1)</source>
         <translation>La page du manuel par laquelle commencer (F1)</translation>
+    </message>
+    <message>
+        <source>The file cannot be read further: it is damaged, or its disk is gone. Open it again when it can be read.</source>
+        <translation>La suite du fichier est illisible&#xa0;: il est endommagé, ou son disque n’est plus là. Ouvrez-le à nouveau lorsqu’il sera lisible.</translation>
+    </message>
+    <message>
+        <source>The settings of %1 changed while it was recorded.</source>
+        <comment>a source</comment>
+        <translation>Les réglages de %1 ont changé pendant l’enregistrement.</translation>
+    </message>
+    <message>
+        <source>It is played with those of the beginning; the events of the recording have the others.</source>
+        <translation>La lecture utilise ceux du début&#xa0;; les événements de l’enregistrement contiennent les autres.</translation>
+    </message>
+    <message>
+        <source>The recording of %1 is damaged.</source>
+        <comment>a source</comment>
+        <translation>L’enregistrement de %1 est endommagé.</translation>
+    </message>
+    <message>
+        <source>The blocks that cannot be read are passed over; the others are played.</source>
+        <translation>Les blocs illisibles sont ignorés&#xa0;; les autres sont lus.</translation>
     </message>
 </context>
 <context>
@@ -11205,6 +11372,14 @@ Aire %6</translation>
         <source>There is no pattern %1 to be felt. Name a file for it, or take a task, letter and condition whose pattern comes with the program; the protocol can be saved.</source>
         <translation>Il n’y a pas de motif %1 à ressentir. Nommez un fichier pour lui, ou prenez une tâche, une lettre et une condition dont le motif est fourni avec le programme&#xa0;; le protocole peut être enregistré.</translation>
     </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Changements non enregistrés</translation>
+    </message>
+    <message>
+        <source>The protocol has changes that are not saved.</source>
+        <translation>Le protocole a des changements non enregistrés.</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::QuestionnaireEditor</name>
@@ -11406,8 +11581,12 @@ Aire %6</translation>
         <translation>Les marques de %1 n’ont pas pu être modifiées.</translation>
     </message>
     <message>
-        <source>Close whatever else uses the file, and change them again.</source>
-        <translation>Fermez ce qui utilise encore le fichier, puis modifiez-les à nouveau.</translation>
+        <source>The recording was cut off; what had been written is there.</source>
+        <translation>L’enregistrement a été coupé&#xa0;; ce qui avait été écrit est là.</translation>
+    </message>
+    <message>
+        <source>Close whatever else uses the file. It is tried again with the next change of a mark, and when the program ends.</source>
+        <translation>Fermez tout ce qui utilise encore le fichier. Un nouvel essai a lieu à la prochaine modification d’une marque, et à la fin du programme.</translation>
     </message>
 </context>
 <context>
@@ -12047,39 +12226,39 @@ Aire %6</translation>
         <translation>%1 (copie)</translation>
     </message>
     <message>
-        <source>Add Breakpoint</source>
+        <source>Add breakpoint</source>
         <translation>Ajouter un nœud</translation>
     </message>
     <message>
-        <source>Move Object</source>
+        <source>Move object</source>
         <translation>Déplacer l’objet</translation>
     </message>
     <message>
-        <source>Move Breakpoints</source>
+        <source>Move breakpoints</source>
         <translation>Déplacer les nœuds</translation>
     </message>
     <message>
-        <source>Set Breakpoint</source>
+        <source>Set breakpoint</source>
         <translation>Régler le nœud</translation>
     </message>
     <message>
-        <source>Change Curve</source>
+        <source>Change curve</source>
         <translation>Changer la courbe</translation>
     </message>
     <message>
-        <source>Scale Intensity</source>
+        <source>Scale intensity</source>
         <translation>Mettre l’intensité à l’échelle</translation>
     </message>
     <message>
-        <source>Stretch in Time</source>
+        <source>Stretch in time</source>
         <translation>Étirer dans le temps</translation>
     </message>
     <message>
-        <source>Delete Object</source>
+        <source>Delete object</source>
         <translation>Supprimer l’objet</translation>
     </message>
     <message>
-        <source>Delete Breakpoints</source>
+        <source>Delete breakpoints</source>
         <translation>Supprimer les nœuds</translation>
     </message>
     <message>
@@ -12103,27 +12282,27 @@ Aire %6</translation>
         <translation>Mettre en miroir</translation>
     </message>
     <message>
-        <source>Swap Arms</source>
+        <source>Swap arms</source>
         <translation>Changer de bras</translation>
     </message>
     <message>
-        <source>Add Object</source>
+        <source>Add object</source>
         <translation>Ajouter un objet</translation>
     </message>
     <message>
-        <source>Change Object</source>
+        <source>Change object</source>
         <translation>Modifier l’objet</translation>
     </message>
     <message>
-        <source>Bake Object</source>
+        <source>Bake object</source>
         <translation>Convertir l’objet en nœuds</translation>
     </message>
     <message>
-        <source>Bake All</source>
+        <source>Bake all</source>
         <translation>Tout convertir en nœuds</translation>
     </message>
     <message>
-        <source>Follow the Law</source>
+        <source>Follow the law</source>
         <translation>Suivre la loi</translation>
     </message>
     <message>
@@ -12131,23 +12310,23 @@ Aire %6</translation>
         <translation>Renommer</translation>
     </message>
     <message>
-        <source>Edit Notes</source>
+        <source>Edit notes</source>
         <translation>Modifier les notes</translation>
     </message>
     <message>
-        <source>Edit Tags</source>
+        <source>Edit tags</source>
         <translation>Modifier les étiquettes</translation>
     </message>
     <message>
-        <source>Change Task</source>
+        <source>Change task</source>
         <translation>Changer la tâche</translation>
     </message>
     <message>
-        <source>Change Condition</source>
+        <source>Change condition</source>
         <translation>Changer la condition</translation>
     </message>
     <message>
-        <source>Change Duration</source>
+        <source>Change duration</source>
         <translation>Changer la durée</translation>
     </message>
     <message>
@@ -12214,7 +12393,7 @@ Aire %6</translation>
         <translation>Enregistrer le motif&#xa0;; sans fichier, il va parmi vos propres motifs</translation>
     </message>
     <message>
-        <source>Save As…</source>
+        <source>Save as…</source>
         <translation>Enregistrer sous…</translation>
     </message>
     <message>
@@ -12616,7 +12795,7 @@ Aire %6</translation>
         <translation>&amp;Ouvrir</translation>
     </message>
     <message>
-        <source>&amp;Compare with It</source>
+        <source>&amp;Compare with it</source>
         <translation>&amp;Comparer à celui-ci</translation>
     </message>
     <message>
@@ -12678,19 +12857,19 @@ Aire %6</translation>
         <translation>motif</translation>
     </message>
     <message>
-        <source>&amp;Type Numbers…</source>
+        <source>&amp;Type numbers…</source>
         <translation>&amp;Saisir des nombres…</translation>
     </message>
     <message>
-        <source>Add &amp;Breakpoint Here</source>
+        <source>Add &amp;breakpoint here</source>
         <translation>Ajouter un &amp;nœud ici</translation>
     </message>
     <message>
-        <source>&amp;Zoom to Fit</source>
+        <source>&amp;Zoom to fit</source>
         <translation>&amp;Zoom ajusté</translation>
     </message>
     <message>
-        <source>Clear &amp;Loop</source>
+        <source>Clear &amp;loop</source>
         <translation>Effacer la &amp;boucle</translation>
     </message>
     <message>
@@ -12942,7 +13121,7 @@ Aire %6</translation>
         <translation>%1 répondu comme %2&#xa0;: </translation>
     </message>
     <message>
-        <source>In &amp;Percent</source>
+        <source>In &amp;percent</source>
         <translation>En &amp;pour cent</translation>
     </message>
 </context>

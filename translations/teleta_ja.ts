@@ -35,14 +35,6 @@
         <translation>STOP: 動いているものをすべて直ちに停止</translation>
     </message>
     <message>
-        <source>Ctrl+1</source>
-        <translation>Ctrl+1</translation>
-    </message>
-    <message>
-        <source>Page Operate</source>
-        <translation>操作ページ</translation>
-    </message>
-    <message>
         <source>Space</source>
         <translation>Space</translation>
     </message>
@@ -235,16 +227,40 @@
         <translation>記録、この瞬間にマークを付ける</translation>
     </message>
     <message>
-        <source>Undo, redo: marks on the page Operate, edits on the page Patterns</source>
-        <translation>元に戻す、やり直す: 操作ページではマーク、パターンページでは編集</translation>
-    </message>
-    <message>
         <source>F1</source>
         <translation>F1</translation>
     </message>
     <message>
         <source>Handbook: the page on what is shown</source>
         <translation>ハンドブック: 表示中の画面についてのページ</translation>
+    </message>
+    <message>
+        <source>Ctrl+1 to 5</source>
+        <translation>Ctrl+1～5</translation>
+    </message>
+    <message>
+        <source>Page Operate, Patterns, Study, Calibrate, Cost</source>
+        <translation>操作、パターン、実験、キャリブレーション、コストのページ</translation>
+    </message>
+    <message>
+        <source>F5, Shift+F5, Ctrl+F5</source>
+        <translation>F5, Shift+F5, Ctrl+F5</translation>
+    </message>
+    <message>
+        <source>Run the program of the arm, hold it, restart it, on the page Operate</source>
+        <translation>アームのプログラムの実行、保持、再開始 (操作ページ)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+N</source>
+        <translation>Ctrl+Shift+N</translation>
+    </message>
+    <message>
+        <source>Forget the explored contour, on the page Operate</source>
+        <translation>探索した輪郭を破棄 (操作ページ)</translation>
+    </message>
+    <message>
+        <source>Undo, redo: marks on the page Operate, edits on the pages Patterns and Calibrate</source>
+        <translation>元に戻す、やり直す: 操作ページではマーク、パターンページとキャリブレーションページでは編集</translation>
     </message>
 </context>
 <context>
@@ -363,6 +379,14 @@
     <message>
         <source>the bracelet did not confirm that it got the stimulus</source>
         <translation>ブレスレットが刺激の受信を確認しませんでした</translation>
+    </message>
+    <message>
+        <source>the bracelet is too hot</source>
+        <translation>ブレスレットが熱すぎます</translation>
+    </message>
+    <message>
+        <source>the bracelet refused the stimulus: it did not understand it</source>
+        <translation>ブレスレットは刺激を解釈できず、拒否しました</translation>
     </message>
 </context>
 <context>
@@ -494,6 +518,10 @@
     <message>
         <source>The camera that was written has no lens: it is off by %1 mm on average over the pairs that it kept (%2 of %3).</source>
         <translation>書き込んだカメラにはレンズモデルがありません。残したペア (%3 個中 %2 個) で平均 %1 mm ずれています。</translation>
+    </message>
+    <message>
+        <source>the camera is written to this file</source>
+        <translation>このファイルにはカメラが書き込まれます</translation>
     </message>
 </context>
 <context>
@@ -3442,6 +3470,14 @@ x %4, y %5
         <source>No bracelet answers.</source>
         <translation>応答するブレスレットがありません。</translation>
     </message>
+    <message>
+        <source>The bracelet is too hot.</source>
+        <translation>ブレスレットが熱すぎます。</translation>
+    </message>
+    <message>
+        <source>let it cool down first</source>
+        <translation>先に冷ましてください</translation>
+    </message>
 </context>
 <context>
     <name>PlaybackRequest</name>
@@ -3829,6 +3865,10 @@ x %4, y %5
     <message>
         <source>it is of an array, but the stream &quot;%1&quot; is of a camera</source>
         <translation>アレイ用のオプションですが、ストリーム「%1」はカメラのものです</translation>
+    </message>
+    <message>
+        <source>the settings changed during the recording; those of its beginning are used</source>
+        <translation>設定は記録中に変更されました。開始時の設定が使われます</translation>
     </message>
 </context>
 <context>
@@ -4230,6 +4270,14 @@ x %4, y %5
     <message>
         <source>measure again</source>
         <translation>再測定</translation>
+    </message>
+    <message>
+        <source>The bracelet is too hot to be measured.</source>
+        <translation>ブレスレットが熱すぎるため測定できません。</translation>
+    </message>
+    <message>
+        <source>let it cool down and measure again</source>
+        <translation>冷ましてから再測定</translation>
     </message>
 </context>
 <context>
@@ -4727,6 +4775,14 @@ x %4, y %5
         <source>The file stays as it is: %1</source>
         <translation>ファイルはそのまま残ります: %1</translation>
     </message>
+    <message>
+        <source>The settings cannot be kept: what is set now is forgotten at the end.</source>
+        <translation>設定を保存できません: ここで設定した内容は終了時に失われます。</translation>
+    </message>
+    <message>
+        <source>This file cannot be written: %1</source>
+        <translation>このファイルに書き込めません: %1</translation>
+    </message>
 </context>
 <context>
     <name>SimulateCommand</name>
@@ -5097,6 +5153,10 @@ x %4, y %5
     <message>
         <source>something else stopped the bracelet</source>
         <translation>ほかの処理がブレスレットを停止しました</translation>
+    </message>
+    <message>
+        <source>the bracelet is too hot</source>
+        <translation>ブレスレットが熱すぎます</translation>
     </message>
 </context>
 <context>
@@ -5722,6 +5782,14 @@ x %4, y %5
         <source>cannot open the protocol: %1</source>
         <translation>プロトコルを開けません: %1</translation>
     </message>
+    <message>
+        <source>there are too many patterns</source>
+        <translation>パターンが多すぎます</translation>
+    </message>
+    <message>
+        <source>at most %1, one digit each</source>
+        <translation>%1以下、それぞれに数字キー1つ</translation>
+    </message>
 </context>
 <context>
     <name>StudyQuestionnaire</name>
@@ -6341,6 +6409,10 @@ x %4, y %5
         <source>Rest. The participant goes on with Space.</source>
         <translation>休憩中です。参加者がスペースキーで続けます。</translation>
     </message>
+    <message>
+        <source>The last trial waits for the server. %1</source>
+        <translation>最後の試行はサーバーの復帰を待っています。%1</translation>
+    </message>
 </context>
 <context>
     <name>StudySchema</name>
@@ -6617,6 +6689,14 @@ x %4, y %5
         <source>version %1 of the program, or a new study</source>
         <translation>バージョン %1 のプログラム、または新しいスタディ</translation>
     </message>
+    <message>
+        <source>the server still has the connection that broke, and with it this participant</source>
+        <translation>切断された接続とこの参加者が、まだサーバーに残っています</translation>
+    </message>
+    <message>
+        <source>another try in a moment</source>
+        <translation>しばらくしてからの再試行</translation>
+    </message>
 </context>
 <context>
     <name>StudyTrialSource</name>
@@ -6785,6 +6865,22 @@ x %4, y %5
         <source>presses of the whole array</source>
         <translation>アレイ全体への押圧</translation>
     </message>
+    <message>
+        <source>Most taxels read the same value in all frames: %1.</source>
+        <translation>ほとんどのタクセルがすべてのフレームで同じ値を示しています: %1。</translation>
+    </message>
+    <message>
+        <source>a load that the taxels can measure</source>
+        <translation>タクセルが測定できる荷重</translation>
+    </message>
+    <message>
+        <source>In all but %1 frames under load the taxels are at the end of their range.</source>
+        <translation>荷重のかかったフレームのうち %1 個を除いて、タクセルが測定範囲の上限に達しています。</translation>
+    </message>
+    <message>
+        <source>at least %1, under a smaller load</source>
+        <translation>%1 個以上 (より小さい荷重で)</translation>
+    </message>
 </context>
 <context>
     <name>Timeline</name>
@@ -6827,11 +6923,11 @@ x %4, y %5
         <translation>コピー(&amp;C)</translation>
     </message>
     <message>
-        <source>&amp;Paste in Place</source>
+        <source>&amp;Paste in place</source>
         <translation>同じ位置に貼り付け(&amp;P)</translation>
     </message>
     <message>
-        <source>Paste at Play&amp;head</source>
+        <source>Paste at play&amp;head</source>
         <translation>再生ヘッドに貼り付け(&amp;H)</translation>
     </message>
     <message>
@@ -6891,7 +6987,7 @@ x %4, y %5
         <translation>Δ %1 %、rms %2 %</translation>
     </message>
     <message>
-        <source>O&amp;verdrive: Help the Motors up</source>
+        <source>O&amp;verdrive: help the motors up</source>
         <translation>オーバードライブ：モーターの立ち上がりを助ける(&amp;V)</translation>
     </message>
 </context>
@@ -9299,6 +9395,42 @@ x %4, y %5
         <source>The bracelet does not answer.</source>
         <translation>ブレスレットが応答しません。</translation>
     </message>
+    <message>
+        <source>The bracelet is too hot: it is off until it has cooled down.</source>
+        <translation>ブレスレットが熱すぎます。冷めるまで停止します。</translation>
+    </message>
+    <message>
+        <source>The supply of the bracelet is low: %1 V.</source>
+        <translation>ブレスレットの電源電圧が低下しています: %1 V。</translation>
+    </message>
+    <message>
+        <source>The supply of the bracelet is low.</source>
+        <translation>ブレスレットの電源電圧が低下しています。</translation>
+    </message>
+    <message>
+        <source>The bracelet refused what was played last: it did not understand it.</source>
+        <translation>ブレスレットは最後に再生したものを解釈できず、拒否しました。</translation>
+    </message>
+    <message>
+        <source>too hot: off until it has cooled down</source>
+        <translation>過熱: 冷めるまで停止</translation>
+    </message>
+    <message>
+        <source>supply low</source>
+        <translation>電源電圧低下</translation>
+    </message>
+    <message>
+        <source>frames refused: %1</source>
+        <translation>拒否されたフレーム: %1</translation>
+    </message>
+    <message>
+        <source>supply %1 V</source>
+        <translation>電源電圧 %1 V</translation>
+    </message>
+    <message>
+        <source>temperature %1 °C</source>
+        <translation>温度 %1 °C</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::CalibratePage</name>
@@ -9317,6 +9449,19 @@ x %4, y %5
     <message>
         <source>Taxel gains</source>
         <translation>タクセルのゲイン</translation>
+    </message>
+    <message>
+        <source>Unsaved calibration</source>
+        <translation>未保存のキャリブレーション</translation>
+    </message>
+    <message>
+        <source>%1: the calibration is not saved.</source>
+        <comment>a part of the page</comment>
+        <translation>%1: キャリブレーションが保存されていません。</translation>
+    </message>
+    <message>
+        <source>What is discarded has to be measured again.</source>
+        <translation>破棄したものは、測定し直す必要があります。</translation>
     </message>
 </context>
 <context>
@@ -9560,6 +9705,10 @@ x %4, y %5
     <message>
         <source>Calibrating…</source>
         <translation>キャリブレーション中…</translation>
+    </message>
+    <message>
+        <source>The camera was not saved: it is being calibrated.</source>
+        <translation>カメラは保存されませんでした: キャリブレーション中です。</translation>
     </message>
 </context>
 <context>
@@ -10682,10 +10831,6 @@ x %4, y %5
         <translation>%1 との接続が切れました。</translation>
     </message>
     <message>
-        <source>What came before the damaged place can still be played. Repair the file and open it again.</source>
-        <translation>破損箇所より前の部分はまだ再生できます。ファイルを修復して開き直してください。</translation>
-    </message>
-    <message>
         <source>Check the cable and the power supply; it is tried again by itself.</source>
         <translation>ケーブルと電源を確認してください。自動的に再試行します。</translation>
     </message>
@@ -10736,6 +10881,28 @@ x %4, y %5
     <message>
         <source>The page of the handbook to begin with (F1)</source>
         <translation>最初に読むハンドブックのページ (F1)</translation>
+    </message>
+    <message>
+        <source>The file cannot be read further: it is damaged, or its disk is gone. Open it again when it can be read.</source>
+        <translation>ファイルのこれより先を読み取れません。ファイルが破損しているか、ディスクがなくなっています。読み取れるようになってから、もう一度開いてください。</translation>
+    </message>
+    <message>
+        <source>The settings of %1 changed while it was recorded.</source>
+        <comment>a source</comment>
+        <translation>%1の設定は記録中に変更されました。</translation>
+    </message>
+    <message>
+        <source>It is played with those of the beginning; the events of the recording have the others.</source>
+        <translation>再生には開始時の設定が使われます。ほかの設定は記録のイベントにあります。</translation>
+    </message>
+    <message>
+        <source>The recording of %1 is damaged.</source>
+        <comment>a source</comment>
+        <translation>%1の記録は破損しています。</translation>
+    </message>
+    <message>
+        <source>The blocks that cannot be read are passed over; the others are played.</source>
+        <translation>読み取れないブロックは飛ばされ、ほかのブロックは再生されます。</translation>
     </message>
 </context>
 <context>
@@ -11177,6 +11344,14 @@ x %4, y %5
         <source>There is no pattern %1 to be felt. Name a file for it, or take a task, letter and condition whose pattern comes with the program; the protocol can be saved.</source>
         <translation>感じるべきパターン %1 がありません。ファイルを指定するか、パターンがプログラムに付属している課題、文字、条件にしてください。プロトコルは保存できます。</translation>
     </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>未保存の変更</translation>
+    </message>
+    <message>
+        <source>The protocol has changes that are not saved.</source>
+        <translation>プロトコルに未保存の変更があります。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::QuestionnaireEditor</name>
@@ -11376,8 +11551,12 @@ x %4, y %5
         <translation>%1 のマークを変更できませんでした。</translation>
     </message>
     <message>
-        <source>Close whatever else uses the file, and change them again.</source>
-        <translation>このファイルを使っているものを閉じてから、もう一度変更してください。</translation>
+        <source>The recording was cut off; what had been written is there.</source>
+        <translation>記録は途中で切れています。それまでに書き込まれた分は残っています。</translation>
+    </message>
+    <message>
+        <source>Close whatever else uses the file. It is tried again with the next change of a mark, and when the program ends.</source>
+        <translation>このファイルを使用しているほかのものを閉じてください。次にマークを変更したとき、およびプログラムの終了時に再試行されます。</translation>
     </message>
 </context>
 <context>
@@ -12016,39 +12195,39 @@ x %4, y %5
         <translation>%1 (コピー)</translation>
     </message>
     <message>
-        <source>Add Breakpoint</source>
+        <source>Add breakpoint</source>
         <translation>ブレークポイントの追加</translation>
     </message>
     <message>
-        <source>Move Object</source>
+        <source>Move object</source>
         <translation>オブジェクトの移動</translation>
     </message>
     <message>
-        <source>Move Breakpoints</source>
+        <source>Move breakpoints</source>
         <translation>ブレークポイントの移動</translation>
     </message>
     <message>
-        <source>Set Breakpoint</source>
+        <source>Set breakpoint</source>
         <translation>ブレークポイントの設定</translation>
     </message>
     <message>
-        <source>Change Curve</source>
+        <source>Change curve</source>
         <translation>曲線の変更</translation>
     </message>
     <message>
-        <source>Scale Intensity</source>
+        <source>Scale intensity</source>
         <translation>強度の拡大・縮小</translation>
     </message>
     <message>
-        <source>Stretch in Time</source>
+        <source>Stretch in time</source>
         <translation>時間方向の伸縮</translation>
     </message>
     <message>
-        <source>Delete Object</source>
+        <source>Delete object</source>
         <translation>オブジェクトの削除</translation>
     </message>
     <message>
-        <source>Delete Breakpoints</source>
+        <source>Delete breakpoints</source>
         <translation>ブレークポイントの削除</translation>
     </message>
     <message>
@@ -12072,27 +12251,27 @@ x %4, y %5
         <translation>反転</translation>
     </message>
     <message>
-        <source>Swap Arms</source>
+        <source>Swap arms</source>
         <translation>腕の入れ替え</translation>
     </message>
     <message>
-        <source>Add Object</source>
+        <source>Add object</source>
         <translation>オブジェクトの追加</translation>
     </message>
     <message>
-        <source>Change Object</source>
+        <source>Change object</source>
         <translation>オブジェクトの変更</translation>
     </message>
     <message>
-        <source>Bake Object</source>
+        <source>Bake object</source>
         <translation>オブジェクトのベイク</translation>
     </message>
     <message>
-        <source>Bake All</source>
+        <source>Bake all</source>
         <translation>すべてベイク</translation>
     </message>
     <message>
-        <source>Follow the Law</source>
+        <source>Follow the law</source>
         <translation>法則に合わせる</translation>
     </message>
     <message>
@@ -12100,23 +12279,23 @@ x %4, y %5
         <translation>名前の変更</translation>
     </message>
     <message>
-        <source>Edit Notes</source>
+        <source>Edit notes</source>
         <translation>メモの編集</translation>
     </message>
     <message>
-        <source>Edit Tags</source>
+        <source>Edit tags</source>
         <translation>タグの編集</translation>
     </message>
     <message>
-        <source>Change Task</source>
+        <source>Change task</source>
         <translation>課題の変更</translation>
     </message>
     <message>
-        <source>Change Condition</source>
+        <source>Change condition</source>
         <translation>条件の変更</translation>
     </message>
     <message>
-        <source>Change Duration</source>
+        <source>Change duration</source>
         <translation>長さの変更</translation>
     </message>
     <message>
@@ -12183,7 +12362,7 @@ x %4, y %5
         <translation>パターンを保存します。ファイルがない場合は自作パターンに入ります</translation>
     </message>
     <message>
-        <source>Save As…</source>
+        <source>Save as…</source>
         <translation>名前を付けて保存…</translation>
     </message>
     <message>
@@ -12585,7 +12764,7 @@ x %4, y %5
         <translation>開く(&amp;O)</translation>
     </message>
     <message>
-        <source>&amp;Compare with It</source>
+        <source>&amp;Compare with it</source>
         <translation>これと比較(&amp;C)</translation>
     </message>
     <message>
@@ -12647,19 +12826,19 @@ x %4, y %5
         <translation>パターン</translation>
     </message>
     <message>
-        <source>&amp;Type Numbers…</source>
+        <source>&amp;Type numbers…</source>
         <translation>数値を入力(&amp;T)…</translation>
     </message>
     <message>
-        <source>Add &amp;Breakpoint Here</source>
+        <source>Add &amp;breakpoint here</source>
         <translation>ここにブレークポイントを追加(&amp;B)</translation>
     </message>
     <message>
-        <source>&amp;Zoom to Fit</source>
+        <source>&amp;Zoom to fit</source>
         <translation>全体を表示(&amp;Z)</translation>
     </message>
     <message>
-        <source>Clear &amp;Loop</source>
+        <source>Clear &amp;loop</source>
         <translation>ループを解除(&amp;L)</translation>
     </message>
     <message>
@@ -12911,7 +13090,7 @@ x %4, y %5
         <translation>%1を%2と回答: </translation>
     </message>
     <message>
-        <source>In &amp;Percent</source>
+        <source>In &amp;percent</source>
         <translation>割合で表示(&amp;P)</translation>
     </message>
 </context>

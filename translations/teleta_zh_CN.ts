@@ -35,14 +35,6 @@
         <translation>STOP：立即停止一切运动</translation>
     </message>
     <message>
-        <source>Ctrl+1</source>
-        <translation>Ctrl+1</translation>
-    </message>
-    <message>
-        <source>Page Operate</source>
-        <translation>“操作”页</translation>
-    </message>
-    <message>
         <source>Space</source>
         <translation>空格键</translation>
     </message>
@@ -235,16 +227,40 @@
         <translation>记录；在记录中标记此刻</translation>
     </message>
     <message>
-        <source>Undo, redo: marks on the page Operate, edits on the page Patterns</source>
-        <translation>撤销、重做：“操作”页上的标记，“图案”页上的编辑</translation>
-    </message>
-    <message>
         <source>F1</source>
         <translation>F1</translation>
     </message>
     <message>
         <source>Handbook: the page on what is shown</source>
         <translation>手册：有关当前画面的页面</translation>
+    </message>
+    <message>
+        <source>Ctrl+1 to 5</source>
+        <translation>Ctrl+1 至 5</translation>
+    </message>
+    <message>
+        <source>Page Operate, Patterns, Study, Calibrate, Cost</source>
+        <translation>“操作”、“图案”、“研究”、“标定”、“代价”页</translation>
+    </message>
+    <message>
+        <source>F5, Shift+F5, Ctrl+F5</source>
+        <translation>F5、Shift+F5、Ctrl+F5</translation>
+    </message>
+    <message>
+        <source>Run the program of the arm, hold it, restart it, on the page Operate</source>
+        <translation>在“操作”页：运行机械臂的程序、保持、重新开始</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+N</source>
+        <translation>Ctrl+Shift+N</translation>
+    </message>
+    <message>
+        <source>Forget the explored contour, on the page Operate</source>
+        <translation>在“操作”页：清除已探索的轮廓</translation>
+    </message>
+    <message>
+        <source>Undo, redo: marks on the page Operate, edits on the pages Patterns and Calibrate</source>
+        <translation>撤销、重做：“操作”页上的标记，“图案”页和“标定”页上的编辑</translation>
     </message>
 </context>
 <context>
@@ -363,6 +379,14 @@
     <message>
         <source>the bracelet did not confirm that it got the stimulus</source>
         <translation>手环没有确认收到刺激</translation>
+    </message>
+    <message>
+        <source>the bracelet is too hot</source>
+        <translation>手环过热</translation>
+    </message>
+    <message>
+        <source>the bracelet refused the stimulus: it did not understand it</source>
+        <translation>手环拒绝了刺激：无法识别</translation>
     </message>
 </context>
 <context>
@@ -494,6 +518,10 @@
     <message>
         <source>The camera that was written has no lens: it is off by %1 mm on average over the pairs that it kept (%2 of %3).</source>
         <translation>写出的相机没有镜头模型：在其保留的点对（%3 个中的 %2 个）上平均偏差 %1 mm。</translation>
+    </message>
+    <message>
+        <source>the camera is written to this file</source>
+        <translation>此文件用于写入相机</translation>
     </message>
 </context>
 <context>
@@ -3442,6 +3470,14 @@ x %4，y %5
         <source>No bracelet answers.</source>
         <translation>没有手环应答。</translation>
     </message>
+    <message>
+        <source>The bracelet is too hot.</source>
+        <translation>手环过热。</translation>
+    </message>
+    <message>
+        <source>let it cool down first</source>
+        <translation>请先让它冷却</translation>
+    </message>
 </context>
 <context>
     <name>PlaybackRequest</name>
@@ -3829,6 +3865,10 @@ x %4，y %5
     <message>
         <source>it is of an array, but the stream &quot;%1&quot; is of a camera</source>
         <translation>此选项用于阵列，但数据流“%1”来自相机</translation>
+    </message>
+    <message>
+        <source>the settings changed during the recording; those of its beginning are used</source>
+        <translation>设置在记录期间发生了更改；使用开始时的设置</translation>
     </message>
 </context>
 <context>
@@ -4230,6 +4270,14 @@ x %4，y %5
     <message>
         <source>measure again</source>
         <translation>重新测量</translation>
+    </message>
+    <message>
+        <source>The bracelet is too hot to be measured.</source>
+        <translation>手环过热，无法测量。</translation>
+    </message>
+    <message>
+        <source>let it cool down and measure again</source>
+        <translation>让它冷却后重新测量</translation>
     </message>
 </context>
 <context>
@@ -4727,6 +4775,14 @@ x %4，y %5
         <source>The file stays as it is: %1</source>
         <translation>文件保持不变：%1</translation>
     </message>
+    <message>
+        <source>The settings cannot be kept: what is set now is forgotten at the end.</source>
+        <translation>无法保存设置：现在所做的设置在退出后会丢失。</translation>
+    </message>
+    <message>
+        <source>This file cannot be written: %1</source>
+        <translation>无法写入此文件：%1</translation>
+    </message>
 </context>
 <context>
     <name>SimulateCommand</name>
@@ -5097,6 +5153,10 @@ x %4，y %5
     <message>
         <source>something else stopped the bracelet</source>
         <translation>其他任务停止了手环</translation>
+    </message>
+    <message>
+        <source>the bracelet is too hot</source>
+        <translation>手环过热</translation>
     </message>
 </context>
 <context>
@@ -5722,6 +5782,14 @@ x %4，y %5
         <source>cannot open the protocol: %1</source>
         <translation>无法打开方案：%1</translation>
     </message>
+    <message>
+        <source>there are too many patterns</source>
+        <translation>图案过多</translation>
+    </message>
+    <message>
+        <source>at most %1, one digit each</source>
+        <translation>至多 %1 个，各对应一个数字键</translation>
+    </message>
 </context>
 <context>
     <name>StudyQuestionnaire</name>
@@ -6341,6 +6409,10 @@ x %4，y %5
         <source>Rest. The participant goes on with Space.</source>
         <translation>休息。被试按空格键继续。</translation>
     </message>
+    <message>
+        <source>The last trial waits for the server. %1</source>
+        <translation>上一个试次正在等待服务器。%1</translation>
+    </message>
 </context>
 <context>
     <name>StudySchema</name>
@@ -6617,6 +6689,14 @@ x %4，y %5
         <source>version %1 of the program, or a new study</source>
         <translation>%1 版程序，或新的研究</translation>
     </message>
+    <message>
+        <source>the server still has the connection that broke, and with it this participant</source>
+        <translation>服务器仍保留着已中断的连接及此被试</translation>
+    </message>
+    <message>
+        <source>another try in a moment</source>
+        <translation>稍后重试</translation>
+    </message>
 </context>
 <context>
     <name>StudyTrialSource</name>
@@ -6785,6 +6865,22 @@ x %4，y %5
         <source>presses of the whole array</source>
         <translation>对整个阵列的按压</translation>
     </message>
+    <message>
+        <source>Most taxels read the same value in all frames: %1.</source>
+        <translation>大多数触元在所有帧中的读数都相同：%1。</translation>
+    </message>
+    <message>
+        <source>a load that the taxels can measure</source>
+        <translation>触元能够测量的载荷</translation>
+    </message>
+    <message>
+        <source>In all but %1 frames under load the taxels are at the end of their range.</source>
+        <translation>除 %1 帧外，受载各帧中的触元都已到达量程上限。</translation>
+    </message>
+    <message>
+        <source>at least %1, under a smaller load</source>
+        <translation>至少 %1 帧，载荷更小</translation>
+    </message>
 </context>
 <context>
     <name>Timeline</name>
@@ -6827,11 +6923,11 @@ x %4，y %5
         <translation>复制(&amp;C)</translation>
     </message>
     <message>
-        <source>&amp;Paste in Place</source>
+        <source>&amp;Paste in place</source>
         <translation>原位粘贴(&amp;P)</translation>
     </message>
     <message>
-        <source>Paste at Play&amp;head</source>
+        <source>Paste at play&amp;head</source>
         <translation>粘贴到播放头(&amp;H)</translation>
     </message>
     <message>
@@ -6891,7 +6987,7 @@ x %4，y %5
         <translation>Δ %1 %，rms %2 %</translation>
     </message>
     <message>
-        <source>O&amp;verdrive: Help the Motors up</source>
+        <source>O&amp;verdrive: help the motors up</source>
         <translation>过驱动(&amp;V)：帮助电机起动</translation>
     </message>
 </context>
@@ -9299,6 +9395,42 @@ x %4，y %5
         <source>The bracelet does not answer.</source>
         <translation>手环没有响应。</translation>
     </message>
+    <message>
+        <source>The bracelet is too hot: it is off until it has cooled down.</source>
+        <translation>手环过热：冷却之前保持关闭。</translation>
+    </message>
+    <message>
+        <source>The supply of the bracelet is low: %1 V.</source>
+        <translation>手环供电电压过低：%1 V。</translation>
+    </message>
+    <message>
+        <source>The supply of the bracelet is low.</source>
+        <translation>手环供电电压过低。</translation>
+    </message>
+    <message>
+        <source>The bracelet refused what was played last: it did not understand it.</source>
+        <translation>手环拒绝了上次播放的内容：无法识别。</translation>
+    </message>
+    <message>
+        <source>too hot: off until it has cooled down</source>
+        <translation>过热：冷却之前保持关闭</translation>
+    </message>
+    <message>
+        <source>supply low</source>
+        <translation>供电电压过低</translation>
+    </message>
+    <message>
+        <source>frames refused: %1</source>
+        <translation>被拒绝的帧：%1</translation>
+    </message>
+    <message>
+        <source>supply %1 V</source>
+        <translation>供电电压 %1 V</translation>
+    </message>
+    <message>
+        <source>temperature %1 °C</source>
+        <translation>温度 %1 °C</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::CalibratePage</name>
@@ -9317,6 +9449,19 @@ x %4，y %5
     <message>
         <source>Taxel gains</source>
         <translation>触元增益</translation>
+    </message>
+    <message>
+        <source>Unsaved calibration</source>
+        <translation>未保存的标定</translation>
+    </message>
+    <message>
+        <source>%1: the calibration is not saved.</source>
+        <comment>a part of the page</comment>
+        <translation>%1：标定尚未保存。</translation>
+    </message>
+    <message>
+        <source>What is discarded has to be measured again.</source>
+        <translation>丢弃的内容须重新测量。</translation>
     </message>
 </context>
 <context>
@@ -9560,6 +9705,10 @@ x %4，y %5
     <message>
         <source>Calibrating…</source>
         <translation>正在标定…</translation>
+    </message>
+    <message>
+        <source>The camera was not saved: it is being calibrated.</source>
+        <translation>相机未保存：正在标定。</translation>
     </message>
 </context>
 <context>
@@ -10682,10 +10831,6 @@ x %4，y %5
         <translation>%1 已断开。</translation>
     </message>
     <message>
-        <source>What came before the damaged place can still be played. Repair the file and open it again.</source>
-        <translation>损坏处之前的内容仍可播放。请修复文件并重新打开。</translation>
-    </message>
-    <message>
         <source>Check the cable and the power supply; it is tried again by itself.</source>
         <translation>请检查电缆和电源；会自动重试。</translation>
     </message>
@@ -10736,6 +10881,28 @@ x %4，y %5
     <message>
         <source>The page of the handbook to begin with (F1)</source>
         <translation>手册中首先阅读的页面（F1）</translation>
+    </message>
+    <message>
+        <source>The file cannot be read further: it is damaged, or its disk is gone. Open it again when it can be read.</source>
+        <translation>文件无法继续读取：文件已损坏，或其磁盘已不存在。可以读取时请重新打开。</translation>
+    </message>
+    <message>
+        <source>The settings of %1 changed while it was recorded.</source>
+        <comment>a source</comment>
+        <translation>%1 的设置在记录期间发生了更改。</translation>
+    </message>
+    <message>
+        <source>It is played with those of the beginning; the events of the recording have the others.</source>
+        <translation>回放使用开始时的设置；其余的在记录的事件中。</translation>
+    </message>
+    <message>
+        <source>The recording of %1 is damaged.</source>
+        <comment>a source</comment>
+        <translation>%1 的记录已损坏。</translation>
+    </message>
+    <message>
+        <source>The blocks that cannot be read are passed over; the others are played.</source>
+        <translation>无法读取的数据块会被跳过，其余的会被播放。</translation>
     </message>
 </context>
 <context>
@@ -11177,6 +11344,14 @@ x %4，y %5
         <source>There is no pattern %1 to be felt. Name a file for it, or take a task, letter and condition whose pattern comes with the program; the protocol can be saved.</source>
         <translation>没有可供感受的图案 %1。请为它指定文件，或改用图案随程序提供的任务、字母和条件；方案可以保存。</translation>
     </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>未保存的更改</translation>
+    </message>
+    <message>
+        <source>The protocol has changes that are not saved.</source>
+        <translation>方案有未保存的更改。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::QuestionnaireEditor</name>
@@ -11376,8 +11551,12 @@ x %4，y %5
         <translation>无法更改 %1 的标记。</translation>
     </message>
     <message>
-        <source>Close whatever else uses the file, and change them again.</source>
-        <translation>请关闭正在使用该文件的其他程序，然后再次更改。</translation>
+        <source>The recording was cut off; what had been written is there.</source>
+        <translation>记录被截断；已写入的内容仍保留。</translation>
+    </message>
+    <message>
+        <source>Close whatever else uses the file. It is tried again with the next change of a mark, and when the program ends.</source>
+        <translation>请关闭其他正在使用该文件的程序。下次更改标记时以及程序结束时会重试。</translation>
     </message>
 </context>
 <context>
@@ -12016,39 +12195,39 @@ x %4，y %5
         <translation>%1（副本）</translation>
     </message>
     <message>
-        <source>Add Breakpoint</source>
+        <source>Add breakpoint</source>
         <translation>添加节点</translation>
     </message>
     <message>
-        <source>Move Object</source>
+        <source>Move object</source>
         <translation>移动对象</translation>
     </message>
     <message>
-        <source>Move Breakpoints</source>
+        <source>Move breakpoints</source>
         <translation>移动节点</translation>
     </message>
     <message>
-        <source>Set Breakpoint</source>
+        <source>Set breakpoint</source>
         <translation>设置节点</translation>
     </message>
     <message>
-        <source>Change Curve</source>
+        <source>Change curve</source>
         <translation>更改曲线</translation>
     </message>
     <message>
-        <source>Scale Intensity</source>
+        <source>Scale intensity</source>
         <translation>缩放强度</translation>
     </message>
     <message>
-        <source>Stretch in Time</source>
+        <source>Stretch in time</source>
         <translation>按时间拉伸</translation>
     </message>
     <message>
-        <source>Delete Object</source>
+        <source>Delete object</source>
         <translation>删除对象</translation>
     </message>
     <message>
-        <source>Delete Breakpoints</source>
+        <source>Delete breakpoints</source>
         <translation>删除节点</translation>
     </message>
     <message>
@@ -12072,27 +12251,27 @@ x %4，y %5
         <translation>镜像</translation>
     </message>
     <message>
-        <source>Swap Arms</source>
+        <source>Swap arms</source>
         <translation>交换手臂</translation>
     </message>
     <message>
-        <source>Add Object</source>
+        <source>Add object</source>
         <translation>添加对象</translation>
     </message>
     <message>
-        <source>Change Object</source>
+        <source>Change object</source>
         <translation>更改对象</translation>
     </message>
     <message>
-        <source>Bake Object</source>
+        <source>Bake object</source>
         <translation>将对象转为节点</translation>
     </message>
     <message>
-        <source>Bake All</source>
+        <source>Bake all</source>
         <translation>全部转为节点</translation>
     </message>
     <message>
-        <source>Follow the Law</source>
+        <source>Follow the law</source>
         <translation>遵循规律</translation>
     </message>
     <message>
@@ -12100,23 +12279,23 @@ x %4，y %5
         <translation>重命名</translation>
     </message>
     <message>
-        <source>Edit Notes</source>
+        <source>Edit notes</source>
         <translation>编辑备注</translation>
     </message>
     <message>
-        <source>Edit Tags</source>
+        <source>Edit tags</source>
         <translation>编辑标签</translation>
     </message>
     <message>
-        <source>Change Task</source>
+        <source>Change task</source>
         <translation>更改任务</translation>
     </message>
     <message>
-        <source>Change Condition</source>
+        <source>Change condition</source>
         <translation>更改条件</translation>
     </message>
     <message>
-        <source>Change Duration</source>
+        <source>Change duration</source>
         <translation>更改时长</translation>
     </message>
     <message>
@@ -12183,7 +12362,7 @@ x %4，y %5
         <translation>保存图案；没有文件的图案存入自己的图案中</translation>
     </message>
     <message>
-        <source>Save As…</source>
+        <source>Save as…</source>
         <translation>另存为…</translation>
     </message>
     <message>
@@ -12585,7 +12764,7 @@ x %4，y %5
         <translation>打开(&amp;O)</translation>
     </message>
     <message>
-        <source>&amp;Compare with It</source>
+        <source>&amp;Compare with it</source>
         <translation>与之比较(&amp;C)</translation>
     </message>
     <message>
@@ -12647,19 +12826,19 @@ x %4，y %5
         <translation>图案</translation>
     </message>
     <message>
-        <source>&amp;Type Numbers…</source>
+        <source>&amp;Type numbers…</source>
         <translation>输入数值(&amp;T)…</translation>
     </message>
     <message>
-        <source>Add &amp;Breakpoint Here</source>
+        <source>Add &amp;breakpoint here</source>
         <translation>在此添加节点(&amp;B)</translation>
     </message>
     <message>
-        <source>&amp;Zoom to Fit</source>
+        <source>&amp;Zoom to fit</source>
         <translation>缩放至适合(&amp;Z)</translation>
     </message>
     <message>
-        <source>Clear &amp;Loop</source>
+        <source>Clear &amp;loop</source>
         <translation>清除循环(&amp;L)</translation>
     </message>
     <message>
@@ -12911,7 +13090,7 @@ x %4，y %5
         <translation>%1 被回答为 %2： </translation>
     </message>
     <message>
-        <source>In &amp;Percent</source>
+        <source>In &amp;percent</source>
         <translation>以百分比显示(&amp;P)</translation>
     </message>
 </context>

@@ -88,12 +88,12 @@ core::Expected<contact::ConditioningSettings> ArrayOptions::conditioning() const
     return settings;
 }
 
-void refuseToReplace(const std::string& output, std::span<const std::string> inputs) {
+void refuseToReplace(const std::string& output, std::span<const std::string> inputs, const char* option) {
     for (const std::string& input : inputs) {
         std::error_code missing;
         if (!output.empty() && std::filesystem::equivalent(input, output, missing))
             throw CLI::ValidationError(
-                "--out", FrameOptionText::tr("the output would replace the input").toStdString());
+                option, FrameOptionText::tr("the output would replace the input").toStdString());
     }
 }
 

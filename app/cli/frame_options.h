@@ -38,8 +38,9 @@ struct ArrayOptions {
     [[nodiscard]] core::Expected<contact::ConditioningSettings> conditioning() const;
 };
 
-/// Throws CLI::ValidationError when the output would replace one of the inputs.
-void refuseToReplace(const std::string& output, std::span<const std::string> inputs);
+/// Throws CLI::ValidationError that names the option when the output would replace one of the inputs.
+void refuseToReplace(const std::string& output, std::span<const std::string> inputs,
+                     const char* option = "--out");
 
 /// Arguments and options of the commands that compute something of each tactile frame.
 struct FrameOptions {

@@ -95,6 +95,7 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
     m_parser.addPositionalArgument(QStringLiteral("FILE"),
                                    tr("Recordings (.teleta, .csv), scenes and source lists (.toml) to open."),
                                    QStringLiteral("[FILE...]"));
+    // It adds --help-all too, of which this program has no more to say.
     const QCommandLineOption help = m_parser.addHelpOption();
     const QCommandLineOption version = m_parser.addVersionOption();
 
@@ -161,7 +162,7 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
 
     if (!m_parser.parse(arguments))
         return {std::nullopt, m_parser.errorText(), 2};
-    if (m_parser.isSet(help))
+    if (m_parser.isSet(help) || m_parser.isSet(QStringLiteral("help-all")))
         return {std::nullopt, m_parser.helpText(), 0};
     if (m_parser.isSet(version))
         return {std::nullopt,

@@ -31,7 +31,7 @@ struct ConsoleOptions {
     QStringList scenes;
     std::vector<Recording> recordings;
     QString sourceList;
-    QString record; ///< file to record into from the start on
+    QString record; ///< file to record into once all that is asked for is open
     std::uint64_t seed = 1;
     QString pattern;       ///< id or file to open on the Patterns page
     QString dataFolder;    ///< of the user's own patterns and of what was not saved; empty: none is used

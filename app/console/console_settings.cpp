@@ -52,6 +52,9 @@ ConsoleSettings::ConsoleSettings(bool fresh) {
         m_keptFile = keepCopy(m_keptFile);
     }
     m_settings->setValue(QStringLiteral("version"), kVersion);
+    m_settings->sync();
+    if (m_found == Found::usable && m_settings->status() == QSettings::AccessError)
+        m_found = Found::unwritable;
 }
 
 QStringList ConsoleSettings::recentFiles() const {

@@ -16,8 +16,9 @@ namespace teleta::console {
 /// What the console remembers from one start to the next, in an INI file under the user's configuration
 /// folder. Versioned: those of older versions are taken over, a newer file is left alone and the defaults
 /// used. Of a damaged file a copy stays beside it (console.ini.damaged), and what can be read is used; the
-/// user is told of both. Of several consoles that run each writes what it changed; where that is the same,
-/// the last one counts. Thread: GUI; QSettings writes the file by itself, atomically.
+/// user is told of both, and when the file cannot be written. Of several consoles that run each writes what
+/// it changed; where that is the same, the last one counts. Thread: GUI; QSettings writes the file by itself,
+/// atomically.
 class ConsoleSettings {
 public:
     static constexpr int kVersion = 1;
@@ -27,7 +28,12 @@ public:
     explicit ConsoleSettings(bool fresh);
 
     /// How the file was found.
-    enum class Found { usable, damaged, newer };
+    enum class Found {
+        usable,
+        damaged,
+        newer,
+        unwritable, ///< what is remembered is forgotten at the end
+    };
     [[nodiscard]] Found found() const { return m_found; }
     /// Of a damaged file its copy, empty when none could be made; else the file. Empty when fresh.
     [[nodiscard]] QString keptFile() const { return m_keptFile; }

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/main_window.h"
 
-#include "app/common/scene_file.h"
-#include "app/console/background.h"
 #include "app/console/bracelet/bracelet_menu.h"
 #include "app/console/bracelet/bracelet_station.h"
 #include "app/console/bracelet/hand_station.h"
 #include "app/console/calibrate/calibrate_page.h"
 #include "app/console/cost/cost_page.h"
+#include "app/console/file_opener.h"
 #include "app/console/help/about.h"
 #include "app/console/help/help_menu.h"
 #include "app/console/language_menu.h"
@@ -17,7 +16,6 @@
 #include "app/console/operate/operate_page.h"
 #include "app/console/operate/recording_controls.h"
 #include "app/console/operate/recording_files.h"
-#include "app/console/operate/source_list.h"
 #include "app/console/page_stack.h"
 #include "app/console/patterns/pattern_collection.h"
 #include "app/console/patterns/patterns_page.h"
@@ -46,9 +44,11 @@
 #include <QMimeData>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <initializer_list>
+#include <utility>
 
 namespace teleta::console {
 
@@ -98,10 +98,11 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     , m_braceletMenu(new BraceletMenu(m_operate->bracelet(), settings, this))
     , m_recording(new RecordingControls(m_sources, *m_operate, settings, stop, this))
     , m_help(new HelpMenu(*this, [this] { return m_rail->currentPage(); }))
+    , m_opener(new FileOpener(m_sources, *m_recordings, *m_study, options.seed, this))
     , m_hand(std::make_unique<HandStation>())
     , m_devices(new chrome::DeviceStrip(this))
     , m_stopButton(new chrome::StopButton(this))
-    , m_seed(options.seed) {
+    , m_questions(*this, *m_patterns, *m_calibrate, *m_study) {
     setWindowTitle(tr("TeleTA Console"));
     setAcceptDrops(true);
     m_rail->addPage(QLatin1String(kOperate), base::Icon::operate, tr("Operate"),
@@ -154,27 +155,36 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     connect(&m_sources, &SourceManager::failed, this, &MainWindow::onFailed);
     connect(m_recordings, &RecordingFiles::failed, this, &MainWindow::onFailed);
     connect(m_recordings, &RecordingFiles::opened, this, &MainWindow::addRecent);
+    connect(m_opener, &FileOpener::failed, this, &MainWindow::onFailed);
+    connect(m_opener, &FileOpener::listOpened, this, &MainWindow::addRecent);
+    connect(m_opener, &FileOpener::studyShown, this, [this] { showPage(QLatin1String(kStudy)); });
+    connect(&m_questions, &ClosingQuestions::pageRequested, this, &MainWindow::showPage);
+    // The release of a key that is down then goes elsewhere.
+    connect(qApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState state) {
+        if (state != Qt::ApplicationActive)
+            m_escapeDown = false;
+    });
     connect(m_operate, &OperatePage::demoRequested, this, &MainWindow::openDemo);
     connect(m_operate, &OperatePage::firstStepsRequested, m_help, &HelpMenu::openFirstSteps);
     connect(m_operate, &OperatePage::openRecordingRequested, this, [this] {
-        askForFile(tr("Open recording"), tr("Recordings (*.teleta *.csv)"), &MainWindow::openRecording,
+        askForFile(tr("Open recording"), tr("Recordings (*.teleta *.csv)"), &FileOpener::openRecording,
                    m_recordings->folder(m_recording->folder()));
     });
     connect(m_operate, &OperatePage::openListRequested, this, [this] {
-        askForFile(tr("Open source list"), tr("Source lists (*.toml)"), &MainWindow::openList);
+        askForFile(tr("Open source list"), tr("Source lists (*.toml)"), &FileOpener::openList);
     });
     connect(m_cost, &CostPage::demoCameraRequested, this,
-            [this] { openScene(QStringLiteral(":/scenes/vtacarm-multicontact.toml")); });
+            [this] { m_opener->openScene(QStringLiteral(":/scenes/vtacarm-multicontact.toml")); });
     auto& chooser = m_operate->chooser();
-    connect(m_calibrate, &CalibratePage::demoRequested, this, &MainWindow::openScene);
-    connect(&chooser, &chrome::SourceChooser::demoRequested, this, &MainWindow::openScene);
+    connect(m_calibrate, &CalibratePage::demoRequested, m_opener, &FileOpener::openScene);
+    connect(&chooser, &chrome::SourceChooser::demoRequested, m_opener, &FileOpener::openScene);
     connect(&chooser, &chrome::SourceChooser::openRecordingRequested, m_operate,
             &OperatePage::openRecordingRequested);
     connect(&chooser, &chrome::SourceChooser::openListRequested, m_operate, &OperatePage::openListRequested);
     connect(&chooser, &chrome::SourceChooser::openSceneRequested, this,
-            [this] { askForFile(tr("Open scene"), tr("Scenes (*.toml)"), &MainWindow::openScene); });
+            [this] { askForFile(tr("Open scene"), tr("Scenes (*.toml)"), &FileOpener::openScene); });
     connect(&chooser, &chrome::SourceChooser::openCameraRequested, this, &MainWindow::openCamera);
-    connect(&chooser, &chrome::SourceChooser::recentRequested, this, &MainWindow::openFile);
+    connect(&chooser, &chrome::SourceChooser::recentRequested, m_opener, &FileOpener::openFile);
     connect(&m_operate->bracelet(), &BraceletStation::chosen, this, &MainWindow::buildMenus);
     connect(&m_operate->armViews().feedbackPanel(), &FeedbackPanel::changed, this, &MainWindow::saveFeedback);
     connect(&m_sources, &SourceManager::activeChanged, this, &MainWindow::buildMenus);
@@ -233,6 +243,7 @@ void MainWindow::onTick() {
     m_study->tick();
     m_calibrate->tick();
     m_cost->tick(m_operate->cameraViews().camera());
+    beginRecording();
     std::vector<chrome::DeviceReading> readings = m_operate->readings();
     if (auto hand = m_hand->reading())
         readings.push_back(std::move(*hand));
@@ -241,69 +252,41 @@ void MainWindow::onTick() {
 }
 
 void MainWindow::openRequested(const ConsoleOptions& options) {
+    if (!options.screenshot.isEmpty() || options.measure_s)
+        m_questions.waive();
     if (options.scenes.isEmpty())
-        openStudy(options.study, options.rehearse);
+        m_opener->openStudy(options.study, options.rehearse);
     else
-        openScenes(options.scenes, options.study, options.rehearse);
+        m_opener->openScenes(options.scenes, options.study, options.rehearse);
     for (const QString& path : options.files)
-        openFile(path);
+        m_opener->openFile(path);
     for (const ConsoleOptions::Recording& recording : options.recordings)
-        m_recordings->openAs(recording);
+        m_opener->openAs(recording);
     if (options.camera)
         m_sources.open(*options.camera);
     if (!options.sourceList.isEmpty())
-        openList(options.sourceList);
+        m_opener->openList(options.sourceList);
     if (!options.pattern.isEmpty())
         m_patterns->open(options.pattern);
-    if (!options.record.isEmpty())
-        m_recording->station().start(options.record);
+    m_record = options.record;
     if (!options.cameraPairs.isEmpty())
         m_calibrate->openPairs(options.cameraPairs);
 }
 
+/// The recording that was asked for at the start. Its head tells of what is open by then, so it waits for all
+/// of that, and for nothing that has failed.
+void MainWindow::beginRecording() {
+    const BraceletStation& bracelet = m_operate->bracelet();
+    const auto& items = m_sources.items();
+    const bool isWaiting =
+        m_opener->isReading() || (bracelet.choice() != BraceletChoice::none && !bracelet.session()) ||
+        std::any_of(items.begin(), items.end(), [](const auto& item) { return !item.isOpen(); });
+    if (!m_record.isEmpty() && !isWaiting)
+        m_recording->station().start(std::exchange(m_record, {}));
+}
+
 void MainWindow::openDemo() {
-    openScene(QStringLiteral(":/scenes/teleta-touch.toml"));
-}
-
-void MainWindow::openScene(const QString& path) {
-    openScenes({path}, {}, false);
-}
-
-void MainWindow::openStudy(const QString& study, bool rehearse) {
-    if (rehearse)
-        m_study->watchRehearsal(study);
-    else if (!study.isEmpty())
-        m_study->open(study);
-}
-
-/// A scene of a study goes to its page, in a folder of its own or the one that is named, and is a rehearsal
-/// already; all others are sources, beside which the study is opened as it would be without them.
-void MainWindow::openScenes(const QStringList& scenes, const QString& study, bool rehearse) {
-    const auto read = [scenes] {
-        std::vector<std::optional<study::StudyScene>> studies;
-        for (const QString& scene : scenes) {
-            core::Expected<app::AnyScene> any = app::readAnyScene(scene.toStdString());
-            studies.emplace_back();
-            if (any && std::holds_alternative<study::StudyScene>(*any))
-                studies.back() = std::get<study::StudyScene>(std::move(*any));
-        }
-        return studies;
-    };
-    runInBackground(this, read, [this, scenes, study, rehearse](const auto& studies) {
-        bool isOpen = false;
-        for (qsizetype i = 0; i < scenes.size(); ++i) {
-            const auto& scene = studies[static_cast<std::size_t>(i)];
-            if (!scene) {
-                m_sources.open(SceneRequest{scenes[i].toStdString(), m_seed});
-                continue;
-            }
-            showPage(QLatin1String(kStudy));
-            m_study->watchScene(*scene, m_seed, study);
-            isOpen = true;
-        }
-        if (!isOpen)
-            openStudy(study, rehearse);
-    });
+    m_opener->openScene(QStringLiteral(":/scenes/teleta-touch.toml"));
 }
 
 void MainWindow::openCamera() {
@@ -316,54 +299,17 @@ void MainWindow::openCamera() {
     dialog->open();
 }
 
-void MainWindow::openFile(const QString& path) {
-    if (isRecordingName(path) || path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
-        openRecording(path);
-        return;
-    }
-    // A TOML file is a source list when it reads as one, else a scene, whose own errors are then the useful
-    // ones.
-    runInBackground(
-        this, [path] { return readSourceList(path.toStdString()); },
-        [this, path](core::Expected<std::vector<SourceRequest>> list) {
-            if (!list) {
-                openScene(path);
-                return;
-            }
-            for (const SourceRequest& request : *list)
-                m_sources.open(request);
-        });
-}
-
-void MainWindow::openRecording(const QString& path) {
-    m_recordings->open(path);
-}
-
-void MainWindow::openList(const QString& path) {
-    runInBackground(
-        this, [path] { return readSourceList(path.toStdString()); },
-        [this, path](core::Expected<std::vector<SourceRequest>> list) {
-            if (!list) {
-                onFailed(QFileInfo(path).fileName(), list.error());
-                return;
-            }
-            addRecent(path);
-            for (const SourceRequest& request : *list)
-                m_sources.open(request);
-        });
-}
-
 void MainWindow::addRecent(const QString& path) {
     m_settings.addRecentFile(path);
     m_operate->chooser().setRecent(m_settings.recentFiles());
 }
 
 void MainWindow::askForFile(const QString& title, const QString& filter,
-                            void (MainWindow::*open)(const QString&), const QString& folder) {
+                            void (FileOpener::*open)(const QString&), const QString& folder) {
     auto* dialog = new QFileDialog(this, title, folder, filter);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, this, open);
+    connect(dialog, &QFileDialog::fileSelected, m_opener, open);
     dialog->open();
 }
 
@@ -533,17 +479,8 @@ void MainWindow::saveState() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!m_closing && (m_patterns->hasUnsaved() || !m_study->isSettled())) {
+    if (!m_questions.allow()) {
         event->ignore();
-        showPage(QLatin1String(m_patterns->hasUnsaved() ? kPatterns : kStudy));
-        m_patterns->whenSettled([this] {
-            if (!m_study->isSettled())
-                showPage(QLatin1String(kStudy));
-            m_study->whenSettled([this] {
-                m_closing = true;
-                close();
-            });
-        });
         return;
     }
     // Whatever moves is stopped before the window that can stop it is gone.
@@ -589,7 +526,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 void MainWindow::dropEvent(QDropEvent* event) {
     for (const QUrl& url : event->mimeData()->urls()) {
         if (url.isLocalFile())
-            openFile(url.toLocalFile());
+            m_opener->openFile(url.toLocalFile());
     }
     event->acceptProposedAction();
 }

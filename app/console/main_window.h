@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/console/closing_questions.h"
 #include "app/console/console_options.h"
 #include "app/console/console_settings.h"
 #include "app/console/gui_clock.h"
@@ -23,6 +24,7 @@ namespace teleta::console {
 class BraceletMenu;
 class CalibratePage;
 class CostPage;
+class FileOpener;
 class HandStation;
 class HelpMenu;
 class OperatePage;
@@ -75,16 +77,11 @@ private:
     void onEscape(bool down);
     void showStop();
     void setTheme(const QString& theme);
-    void openFile(const QString& path);
-    void openRecording(const QString& path);
-    void openList(const QString& path);
     void addRecent(const QString& path);
-    void askForFile(const QString& title, const QString& filter, void (MainWindow::*open)(const QString&),
+    void askForFile(const QString& title, const QString& filter, void (FileOpener::*open)(const QString&),
                     const QString& folder = {});
-    void openScene(const QString& path);
-    void openScenes(const QStringList& scenes, const QString& study, bool rehearse);
-    void openStudy(const QString& study, bool rehearse);
     void openCamera();
+    void beginRecording();
     void saveState();
     void showPage(const QString& name);
 
@@ -104,14 +101,15 @@ private:
     BraceletMenu* m_braceletMenu;
     RecordingControls* m_recording;
     HelpMenu* m_help;
+    FileOpener* m_opener;
     std::unique_ptr<HandStation> m_hand;
     chrome::DeviceStrip* m_devices;
     chrome::StopButton* m_stopButton;
-    std::uint64_t m_seed;
+    ClosingQuestions m_questions;
+    QString m_record; ///< file to record into as soon as all that was asked for is open; empty: none
     QElapsedTimer m_lastEscape;
     bool m_escapeDown = false;
     bool m_anyFailure = false;
-    bool m_closing = false;
 };
 
 } // namespace teleta::console

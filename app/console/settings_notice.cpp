@@ -35,6 +35,11 @@ std::optional<chrome::Message> settingsNotice(const ConsoleSettings& settings) {
                                           "everything is as at the first start, and nothing is remembered.");
         message.advice = SettingsNotice::tr("The file stays as it is: %1").arg(file);
         return message;
+    case ConsoleSettings::Found::unwritable:
+        message.text =
+            SettingsNotice::tr("The settings cannot be kept: what is set now is forgotten at the end.");
+        message.advice = SettingsNotice::tr("This file cannot be written: %1").arg(file);
+        return message;
     }
     return std::nullopt;
 }

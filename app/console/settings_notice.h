@@ -9,8 +9,8 @@ namespace teleta::console {
 
 class ConsoleSettings;
 
-/// What the user is told of the settings file at the start: that it was damaged and where its copy is, or
-/// that a newer version made it. Empty: nothing is wrong with it. Thread: GUI.
+/// What the user is told of the settings file at the start: that it was damaged and where its copy is, that a
+/// newer version made it, or that it cannot be written. Empty: nothing is wrong with it. Thread: GUI.
 [[nodiscard]] std::optional<chrome::Message> settingsNotice(const ConsoleSettings& settings);
 
 } // namespace teleta::console

@@ -18,8 +18,11 @@ commands_in() { sed -n '/^Subcommands:/,/^$/s/^  \([a-z][a-z-]*\) .*/\1/p' <<<"$
 page() {
     local name=$1 summary=$2 included=$3
     shift 3
+    # help2man has a shell run its argument, which may hold a path with a space.
+    local program
+    program=$(printf '%q ' "$@")
     help2man --no-info --section=1 --name="$summary" --source="TeleTA Console $version" --version-string="$version" \
-        --include="$here/$included" --output="$folder/$name.1" "$*"
+        --include="$here/$included" --output="$folder/$name.1" "${program% }"
     # help2man calls the page by the program.
     sed -i -e "s/^\\.TH [^ ]* \"1\"/.TH ${name^^} \"1\"/" -e "s/^[^ ]*\\( [a-z ]*\\)\\? \\\\- /$name \\\\- /" "$folder/$name.1"
     gzip -9n "$folder/$name.1"

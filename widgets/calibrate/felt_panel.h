@@ -25,6 +25,11 @@ public:
     /// Leaves the questions, answered or not.
     void end() { m_task.reset(); }
     [[nodiscard]] const FeltTask* task() const { return m_task ? &*m_task : nullptr; }
+    /// A recording may be fitted while somebody answers: its motor stays as it was measured.
+    void setCalibration(const motors::MotorCalibration& calibration) {
+        if (m_task)
+            m_task->setCalibration(calibration);
+    }
     /// Whether the bracelet can play; without it nothing can be presented or answered.
     void setReady(bool ready);
     /// Takes the last answer back.

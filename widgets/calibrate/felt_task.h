@@ -38,6 +38,8 @@ public:
     /// Takes the last answer back, over motors too. False: there is none.
     bool undo();
 
+    /// What was learnt of the motors meanwhile: the answers change only what they tell.
+    void setCalibration(const motors::MotorCalibration& calibration) { m_calibration = calibration; }
     /// The calibration with what the answers tell. Error: what is wrong with the answers; the motor is named.
     [[nodiscard]] core::Expected<motors::MotorCalibration> result() const;
     /// Of a start that is done.

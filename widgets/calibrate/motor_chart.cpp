@@ -114,6 +114,17 @@ void MotorChart::draw() {
     m_recording->setAccessibleName(tr("Recording of motor %1, and the model").arg(m_number + 1));
 }
 
+/// In front of the lines of the grid.
+QCPItemText* MotorChart::addText(QCustomPlot* chart, const QColor& colour) const {
+    auto* text = new QCPItemText(chart);
+    text->position->setType(QCPItemPosition::ptAxisRectRatio);
+    text->setColor(colour);
+    text->setBrush(m_colours.color(QPalette::Base));
+    text->setPadding(QMargins(4, 2, 4, 2));
+    text->setFont(font());
+    return text;
+}
+
 void MotorChart::drawCurve() {
     const QPalette& colours = m_colours;
     m_curve->clearPlottables();
@@ -170,13 +181,10 @@ void MotorChart::drawCurve() {
     full->setPen(QPen(colours.color(QPalette::PlaceholderText), 1.0, Qt::DotLine));
     full->point1->setCoords(100.0 * profile.fullDrive, 0.0);
     full->point2->setCoords(100.0 * profile.fullDrive, 1.0);
-    auto* text = new QCPItemText(m_curve);
-    text->position->setType(QCPItemPosition::ptAxisRectRatio);
+    QCPItemText* text = addText(m_curve, colours.color(QPalette::Text));
     text->position->setCoords(0.03, 0.03);
     text->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
     text->setTextAlignment(Qt::AlignLeft);
-    text->setColor(colours.color(QPalette::Text));
-    text->setFont(font());
     QString words = assumed ? tr("Motor %1: curve and lag are assumed").arg(m_number + 1)
                             : tr("Motor %1").arg(m_number + 1);
     if (m_evidence)
@@ -197,11 +205,8 @@ void MotorChart::drawRecording() {
     m_recording->yAxis->setLabel(tr("speed (Hz)"));
     m_recording->legend->setVisible(m_evidence != nullptr);
     if (!m_evidence) {
-        auto* text = new QCPItemText(m_recording);
-        text->position->setType(QCPItemPosition::ptAxisRectRatio);
+        QCPItemText* text = addText(m_recording, colours.color(QPalette::PlaceholderText));
         text->position->setCoords(0.5, 0.5);
-        text->setColor(colours.color(QPalette::PlaceholderText));
-        text->setFont(font());
         text->setText(tr("No recording of this motor yet: measure it, or open a recording."));
         m_recording->xAxis->setRange(0.0, 10.0);
         m_recording->yAxis->setRange(0.0, 300.0);

@@ -50,6 +50,7 @@ private:
     void drawCurve();
     void drawRecording();
     void showAll();
+    QCPItemText* addText(QCustomPlot* chart, const QColor& colour) const;
     [[nodiscard]] base::Figure figure(QCustomPlot* plot, const QString& name, std::function<QString()> csv);
 
     std::size_t m_number = 0;

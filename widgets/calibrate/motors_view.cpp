@@ -5,6 +5,7 @@
 #include "widgets/base/elided_label.h"
 #include "widgets/base/number_format.h"
 #include "widgets/base/quantity_text.h"
+#include "widgets/base/redo_keys.h"
 #include "widgets/base/theme.h"
 #include "widgets/calibrate/felt_panel.h"
 #include "widgets/calibrate/motor_table.h"
@@ -160,9 +161,11 @@ MotorsView::MotorsView(QWidget* parent)
         refresh();
         m_felt->setFocus();
     });
-    for (const auto& [keys, slot] : {std::pair(QKeySequence::Undo, &MotorsView::undo),
-                                     std::pair(QKeySequence::Redo, &MotorsView::redo)}) {
-        auto* shortcut = new QShortcut(QKeySequence(keys), this);
+    for (const auto& [keys, slot] :
+         {std::pair(QKeySequence::keyBindings(QKeySequence::Undo), &MotorsView::undo),
+          std::pair(base::redoKeys(), &MotorsView::redo)}) {
+        auto* shortcut = new QShortcut(this);
+        shortcut->setKeys(keys);
         shortcut->setContext(Qt::WidgetWithChildrenShortcut);
         connect(shortcut, &QShortcut::activated, this, slot);
     }
@@ -277,6 +280,7 @@ void MotorsView::edit(const motors::MotorCalibration& after, const QString& text
 
 void MotorsView::take(const motors::MotorCalibration& calibration) {
     m_calibration = calibration;
+    m_felt->setCalibration(calibration);
     m_table->setCalibration(calibration);
     refresh();
     emit calibrationChanged(calibration);

@@ -102,11 +102,10 @@ MessageBar::MessageBar(QWidget* parent)
     m_tabStop->setFocusPolicy(Qt::ClickFocus); // Qt puts nothing behind one without a policy
     m_layout->setContentsMargins(0, 0, 0, 0);
     m_layout->setSpacing(1);
-    setAccessibleName(tr("Messages"));
     setAutoFillBackground(true);
-    hide();
     if (parent != nullptr)
         parent->installEventFilter(this);
+    rebuild();
 }
 
 void MessageBar::post(const Message& message) {
@@ -154,6 +153,8 @@ void MessageBar::settle() {
 bool MessageBar::event(QEvent* event) {
     if (event->type() == QEvent::LayoutRequest && isVisible())
         settle();
+    else if (event->type() == QEvent::LanguageChange)
+        rebuild();
     return QWidget::event(event);
 }
 
@@ -165,6 +166,7 @@ bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void MessageBar::rebuild() {
+    setAccessibleName(tr("Messages"));
     // A button that was pressed by a key is made anew, and has the keyboard again.
     QString button;
     QString message;

@@ -259,7 +259,7 @@ const Pattern& PatternDocument::dragBase() const {
 
 void PatternDocument::addPoint(std::size_t track, const Breakpoint& point) {
     Edited edited = withPoint(m_pattern, track, point);
-    apply(std::move(edited.pattern), tr("Add Breakpoint"), {std::move(edited.points), {}});
+    apply(std::move(edited.pattern), tr("Add breakpoint"), {std::move(edited.points), {}});
 }
 
 void PatternDocument::moveSelection(double time_s, double intensity) {
@@ -273,34 +273,34 @@ void PatternDocument::moveSelection(double time_s, double intensity) {
         base.tags = m_pattern.tags;
     }
     if (selection.object)
-        apply(movedObject(base, *selection.object, time_s), tr("Move Object"), selection, kind);
+        apply(movedObject(base, *selection.object, time_s), tr("Move object"), selection, kind);
     else if (!selection.points.empty()) {
         Edited edited = movedPoints(base, selection.points, time_s, intensity);
-        apply(std::move(edited.pattern), tr("Move Breakpoints"), {std::move(edited.points), {}}, kind);
+        apply(std::move(edited.pattern), tr("Move breakpoints"), {std::move(edited.points), {}}, kind);
     }
 }
 
 void PatternDocument::replacePoint(PointRef point, const Breakpoint& breakpoint) {
     Edited edited = replacedPoint(m_pattern, point, breakpoint);
-    apply(std::move(edited.pattern), tr("Set Breakpoint"), {std::move(edited.points), {}});
+    apply(std::move(edited.pattern), tr("Set breakpoint"), {std::move(edited.points), {}});
 }
 
 void PatternDocument::setEasing(Easing easing) {
-    apply(easedPoints(m_pattern, m_selection.points, easing), tr("Change Curve"), m_selection);
+    apply(easedPoints(m_pattern, m_selection.points, easing), tr("Change curve"), m_selection);
 }
 
 void PatternDocument::scaleIntensity(double factor) {
-    apply(scaledPoints(m_pattern, m_selection.points, factor), tr("Scale Intensity"), m_selection);
+    apply(scaledPoints(m_pattern, m_selection.points, factor), tr("Scale intensity"), m_selection);
 }
 
 void PatternDocument::stretch(double factor) {
     if (m_selection.points.size() > 1) {
         Edited edited = stretchedPoints(m_pattern, m_selection.points, factor);
-        apply(std::move(edited.pattern), tr("Stretch in Time"), {std::move(edited.points), {}});
+        apply(std::move(edited.pattern), tr("Stretch in time"), {std::move(edited.points), {}});
     } else {
         auto longer = stretched(m_pattern, factor);
         if (longer)
-            apply(std::move(*longer), tr("Stretch in Time"), m_selection);
+            apply(std::move(*longer), tr("Stretch in time"), m_selection);
         else
             emit refused(QString::fromStdString(core::describe(longer.error())));
     }
@@ -308,9 +308,9 @@ void PatternDocument::stretch(double factor) {
 
 void PatternDocument::deleteSelection() {
     if (m_selection.object)
-        apply(withoutObject(m_pattern, *m_selection.object), tr("Delete Object"), {});
+        apply(withoutObject(m_pattern, *m_selection.object), tr("Delete object"), {});
     else if (!m_selection.points.empty())
-        apply(withoutPoints(m_pattern, m_selection.points), tr("Delete Breakpoints"), {});
+        apply(withoutPoints(m_pattern, m_selection.points), tr("Delete breakpoints"), {});
 }
 
 void PatternDocument::copy() {
@@ -364,13 +364,13 @@ void PatternDocument::mirror() {
 }
 
 void PatternDocument::swapArms() {
-    apply(forOtherArm(m_pattern), tr("Swap Arms"), {});
+    apply(forOtherArm(m_pattern), tr("Swap arms"), {});
 }
 
 void PatternDocument::addObject(const PatternObject& object) {
     Pattern after = withObject(m_pattern, object);
     const std::size_t index = after.objects.size() - 1;
-    apply(std::move(after), tr("Add Object"), {{}, index});
+    apply(std::move(after), tr("Add object"), {{}, index});
 }
 
 void PatternDocument::replaceObject(std::size_t index, const PatternObject& object, const QString& field) {
@@ -378,7 +378,7 @@ void PatternDocument::replaceObject(std::size_t index, const PatternObject& obje
         return;
     Pattern after = m_pattern;
     after.objects[index] = object;
-    apply(std::move(after), tr("Change Object"), m_selection, kindOf(field));
+    apply(std::move(after), tr("Change object"), m_selection, kindOf(field));
 }
 
 void PatternDocument::bakeObject(std::size_t index) {
@@ -386,7 +386,7 @@ void PatternDocument::bakeObject(std::size_t index) {
         return;
     auto baked = bake(m_pattern, {index});
     if (baked)
-        apply(std::move(*baked), tr("Bake Object"), {});
+        apply(std::move(*baked), tr("Bake object"), {});
     else
         emit refused(QString::fromStdString(core::describe(baked.error())));
 }
@@ -394,7 +394,7 @@ void PatternDocument::bakeObject(std::size_t index) {
 void PatternDocument::bakeAll() {
     auto baked = bake(m_pattern);
     if (baked)
-        apply(std::move(*baked), tr("Bake All"), {});
+        apply(std::move(*baked), tr("Bake all"), {});
     else
         emit refused(QString::fromStdString(core::describe(baked.error())));
 }
@@ -411,7 +411,7 @@ void PatternDocument::overdrive() {
 
 void PatternDocument::fix(const Finding& finding) {
     if (auto better = fixed(m_pattern, finding))
-        apply(std::move(*better), tr("Follow the Law"), m_selection);
+        apply(std::move(*better), tr("Follow the law"), m_selection);
 }
 
 void PatternDocument::setName(const QString& name) {
@@ -423,7 +423,7 @@ void PatternDocument::setName(const QString& name) {
 void PatternDocument::setNotes(const QString& notes) {
     Pattern after = m_pattern;
     after.notes = notes.toStdString();
-    apply(std::move(after), tr("Edit Notes"), m_selection, kindOf(QStringLiteral("notes")));
+    apply(std::move(after), tr("Edit notes"), m_selection, kindOf(QStringLiteral("notes")));
 }
 
 void PatternDocument::setTags(const QStringList& tags) {
@@ -432,19 +432,19 @@ void PatternDocument::setTags(const QStringList& tags) {
     for (const QString& tag : tags)
         if (!tag.trimmed().isEmpty())
             after.tags.push_back(tag.trimmed().toStdString());
-    apply(std::move(after), tr("Edit Tags"), m_selection);
+    apply(std::move(after), tr("Edit tags"), m_selection);
 }
 
 void PatternDocument::setTask(Task task) {
     Pattern after = m_pattern;
     after.task = task;
-    apply(std::move(after), tr("Change Task"), m_selection);
+    apply(std::move(after), tr("Change task"), m_selection);
 }
 
 void PatternDocument::setCondition(Condition condition) {
     Pattern after = m_pattern;
     after.condition = condition;
-    apply(std::move(after), tr("Change Condition"), m_selection);
+    apply(std::move(after), tr("Change condition"), m_selection);
 }
 
 void PatternDocument::setDuration(double duration_s) {
@@ -452,7 +452,7 @@ void PatternDocument::setDuration(double duration_s) {
         return;
     Pattern after = m_pattern;
     after.duration_s = std::min(duration_s, Pattern::kLongest_s);
-    apply(std::move(after), tr("Change Duration"), m_selection, kindOf(QStringLiteral("duration")));
+    apply(std::move(after), tr("Change duration"), m_selection, kindOf(QStringLiteral("duration")));
 }
 
 } // namespace teleta::editor

@@ -2,6 +2,7 @@
 #include "widgets/pattern/pattern_editor.h"
 
 #include "widgets/base/icons.h"
+#include "widgets/base/redo_keys.h"
 #include "widgets/base/theme.h"
 #include "widgets/pattern/law_list.h"
 #include "widgets/pattern/pattern_inspector.h"
@@ -152,7 +153,8 @@ void PatternEditor::makeActions() {
     m_loop->setCheckable(true);
     QUndoStack* stack = m_document->undoStack();
     m_undo = action({}, QKeySequence::Undo, [stack] { stack->undo(); });
-    m_redo = action({}, QKeySequence::Redo, [stack] { stack->redo(); });
+    m_redo = action({}, {}, [stack] { stack->redo(); });
+    m_redo->setShortcuts(base::redoKeys());
     connect(stack, &QUndoStack::canUndoChanged, m_undo, &QAction::setEnabled);
     connect(stack, &QUndoStack::canRedoChanged, m_redo, &QAction::setEnabled);
     m_undo->setEnabled(false);
@@ -299,7 +301,7 @@ void PatternEditor::retranslate() {
     name(m_new, tr("New"), tr("An empty pattern"));
     name(m_open, tr("Open\u2026"), tr("Open a pattern file"));
     name(m_save, tr("Save"), tr("Save the pattern; one without a file goes to one's own patterns"));
-    name(m_saveAs, tr("Save As\u2026"), tr("Save the pattern under another name"));
+    name(m_saveAs, tr("Save as\u2026"), tr("Save the pattern under another name"));
     name(m_exportTo, tr("Export\u2026"), tr("Write HJIF, .haptic, AHAP, .tact, CSV or WAV"));
     name(m_play, m_playing ? tr("Pause") : tr("Play"), tr("Play from the playhead, or pause (Space)"));
     name(m_stop, tr("Stop"), tr("Stop playing"));

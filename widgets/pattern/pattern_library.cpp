@@ -260,7 +260,7 @@ void PatternLibrary::showMenu(const QPoint& at) {
         action->setEnabled(enabled);
     };
     add(tr("&Open"), Qt::Key_Return, true, [this, key] { emit openRequested(key); });
-    add(tr("&Compare with It"), {}, sound, [this, key] { emit compareRequested(key); });
+    add(tr("&Compare with it"), {}, sound, [this, key] { emit compareRequested(key); });
     add(tr("&Duplicate"), Qt::CTRL | Qt::Key_D, sound, [this, key] { emit duplicateRequested(key); });
     if (own) {
         add(tr("&Rename"), Qt::Key_F2, sound && own->renamable, [this, key] { rename(key); });

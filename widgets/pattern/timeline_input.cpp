@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the mouse and the keys do on the timeline.
 #include "widgets/base/inline_edit.h"
+#include "widgets/base/redo_keys.h"
 #include "widgets/pattern/timeline_menu.h"
 #include "widgets/pattern/timeline_view.h"
 
@@ -345,7 +346,7 @@ void TimelineView::keyPressEvent(QKeyEvent* event) {
         m_document->selectAll();
     else if (event->matches(QKeySequence::Undo))
         m_document->undoStack()->undo();
-    else if (event->matches(QKeySequence::Redo))
+    else if (base::isRedo(*event))
         m_document->undoStack()->redo();
     else if (event->key() == Qt::Key_V && event->modifiers() == (Qt::ControlModifier | Qt::ShiftModifier))
         m_document->paste(m_playhead_s);

@@ -75,29 +75,29 @@ void fillTimelineMenu(QMenu& menu, PatternDocument& document, double playhead_s)
     const bool some = !selection.empty();
     add(QT_TRANSLATE_NOOP("Timeline", "Cu&t"), QKeySequence::Cut, some, [&document] { document.cut(); });
     add(QT_TRANSLATE_NOOP("Timeline", "&Copy"), QKeySequence::Copy, some, [&document] { document.copy(); });
-    add(QT_TRANSLATE_NOOP("Timeline", "&Paste in Place"), QKeySequence::Paste, document.canPaste(),
+    add(QT_TRANSLATE_NOOP("Timeline", "&Paste in place"), QKeySequence::Paste, document.canPaste(),
         [&document] { document.paste(); });
-    add(QT_TRANSLATE_NOOP("Timeline", "Paste at Play&head"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_V),
+    add(QT_TRANSLATE_NOOP("Timeline", "Paste at play&head"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_V),
         document.canPaste(), [&document, playhead_s] { document.paste(playhead_s); });
     add(QT_TRANSLATE_NOOP("Timeline", "&Duplicate"), QKeySequence(Qt::CTRL | Qt::Key_D), some,
         [&document] { document.duplicate(); });
     add(QT_TRANSLATE_NOOP("Timeline", "De&lete"), QKeySequence(Qt::Key_Delete), some,
         [&document] { document.deleteSelection(); });
     menu.addSeparator();
-    add(QT_TRANSLATE_NOOP("Timeline", "O&verdrive: Help the Motors up"), {}, true,
+    add(QT_TRANSLATE_NOOP("Timeline", "O&verdrive: help the motors up"), {}, true,
         [&document] { document.overdrive(); });
     if (!selection.points.empty()) {
-        QMenu* curve = menu.addMenu(tr(QT_TRANSLATE_NOOP("Timeline", "C&urve from Here")));
+        QMenu* curve = menu.addMenu(tr(QT_TRANSLATE_NOOP("Timeline", "C&urve from here")));
         for (const Easing easing : kEasings)
             curve->addAction(easingName(easing), &document,
                              [&document, easing] { document.setEasing(easing); });
-        QMenu* scale = menu.addMenu(tr(QT_TRANSLATE_NOOP("Timeline", "&Scale Intensity")));
+        QMenu* scale = menu.addMenu(tr(QT_TRANSLATE_NOOP("Timeline", "&Scale intensity")));
         for (const double factor : kScales)
             scale->addAction(QStringLiteral("\u00d7 %1").arg(QLocale().toString(factor)), &document,
                              [&document, factor] { document.scaleIntensity(factor); });
     }
     if (selection.object)
-        menu.addAction(tr(QT_TRANSLATE_NOOP("Timeline", "Ba&ke into Breakpoints")), &document,
+        menu.addAction(tr(QT_TRANSLATE_NOOP("Timeline", "Ba&ke into breakpoints")), &document,
                        [&document, object = *selection.object] { document.bakeObject(object); });
 }
 

@@ -304,19 +304,19 @@ void TimelineView::populateMenu(QMenu& menu, std::optional<QPointF> at) {
     fillTimelineMenu(menu, *m_document, m_playhead_s);
     const PointRefs& chosen = m_document->selection().points;
     if (chosen.size() == 1)
-        menu.addAction(tr("&Type Numbers…"), this, [this, point = chosen.front()] { editPoint(point); });
+        menu.addAction(tr("&Type numbers…"), this, [this, point = chosen.front()] { editPoint(point); });
     const TimelineGeometry geometry = geometryNow();
     if (at && geometry.plot.contains(*at) && !pointAt(*at)) {
         const std::size_t lane = *geometry.laneAt(at->y());
         const Breakpoint point{m_document->snapped(geometry.timeAt(at->x())),
                                geometry.intensityAt(lane, at->y())};
-        menu.addAction(tr("Add &Breakpoint Here"), this,
+        menu.addAction(tr("Add &breakpoint here"), this,
                        [this, lane, point] { m_document->addPoint(lane, point); });
     }
     menu.addSeparator();
-    menu.addAction(tr("&Zoom to Fit"), this, &TimelineView::zoomToFit);
+    menu.addAction(tr("&Zoom to fit"), this, &TimelineView::zoomToFit);
     if (m_loop)
-        menu.addAction(tr("Clear &Loop"), this, [this] { setLoop(std::nullopt); });
+        menu.addAction(tr("Clear &loop"), this, [this] { setLoop(std::nullopt); });
     menu.addSeparator();
     m_export->addActions(menu);
 }

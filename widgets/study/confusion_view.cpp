@@ -109,7 +109,7 @@ void ConfusionView::paintEvent(QPaintEvent* /*event*/) {
 void ConfusionView::contextMenuEvent(QContextMenuEvent* event) {
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    QAction* percent = menu->addAction(tr("In &Percent"));
+    QAction* percent = menu->addAction(tr("In &percent"));
     percent->setCheckable(true);
     percent->setChecked(m_content.percent);
     connect(percent, &QAction::toggled, this, &ConfusionView::setPercent);

@@ -26,6 +26,15 @@ QString text(const std::string& value) {
     return QString::fromStdString(value);
 }
 
+QString conditionName(const std::string& condition, const ConditionNames& names) {
+    return names.value(text(condition), text(condition));
+}
+
+/// Data have the id, in every language.
+ResultCell conditionCell(const std::string& condition, const ConditionNames& names) {
+    return {conditionName(condition, names), text(condition)};
+}
+
 ResultCell missing() {
     return {QStringLiteral("\u2013"), QStringLiteral("NA")};
 }
@@ -129,17 +138,18 @@ study::ConfusionMatrix ResultsContent::matrix(const TaskResults& task, const std
     return sum;
 }
 
-IntervalChartContent ResultsContent::accuracy(const TaskResults& task, const ShownPeople& shown) {
+IntervalChartContent ResultsContent::accuracy(const TaskResults& task, const ShownPeople& shown,
+                                              const ConditionNames& names) {
     IntervalChartContent chart;
     chart.name = QStringLiteral("accuracy_") + text(task.task);
     chart.title = areAllOne(shown) ? tr("Right answers, 95 % Wilson interval")
                                    : tr("Right answers, mean of participants, 95 % t interval");
     chart.axis = tr("right, %");
     chart.highest = kPercent;
-    chart.reference = kPercent / static_cast<double>(std::max<std::size_t>(task.patterns.size(), 1));
+    chart.reference = kPercent / static_cast<double>(task.alternatives());
     chart.referenceName = tr("chance");
     for (const std::string& condition : task.conditions)
-        chart.categories << text(condition);
+        chart.categories << conditionName(condition, names);
     for (const QStringList& group : shown.groups()) {
         ChartSeries series{shown.beside ? nameOf(group) : tr("test"), {}};
         for (const std::string& condition : task.conditions) {
@@ -160,19 +170,20 @@ IntervalChartContent ResultsContent::accuracy(const TaskResults& task, const Sho
     return chart;
 }
 
-IntervalChartContent ResultsContent::patterns(const TaskResults& task, const ShownPeople& shown) {
+IntervalChartContent ResultsContent::patterns(const TaskResults& task, const ShownPeople& shown,
+                                              const ConditionNames& names) {
     IntervalChartContent chart;
     chart.name = QStringLiteral("patterns_") + text(task.task);
     chart.title = task.conditions.size() > 1 ? tr("Each pattern: %1", "conditions").arg([&] {
-        QStringList names;
+        QStringList shownNames;
         for (const std::string& condition : task.conditions)
-            names << text(condition);
-        return names.join(tr(" against "));
+            shownNames << conditionName(condition, names);
+        return shownNames.join(tr(" against "));
     }())
                                              : tr("Each pattern");
     chart.axis = tr("right, %");
     chart.highest = kPercent;
-    chart.reference = kPercent / static_cast<double>(std::max<std::size_t>(task.patterns.size(), 1));
+    chart.reference = kPercent / static_cast<double>(task.alternatives());
     chart.referenceName = tr("chance");
     for (const std::string& pattern : task.patterns) {
         chart.categories << text(pattern);
@@ -187,10 +198,10 @@ IntervalChartContent ResultsContent::patterns(const TaskResults& task, const Sho
     }
     for (const std::string& condition : task.conditions) {
         for (const QStringList& group : shown.groups()) {
-            ChartSeries series{
-                shown.beside ? tr("%1, %2", "condition, participant").arg(text(condition), nameOf(group))
-                             : text(condition),
-                {}};
+            ChartSeries series{shown.beside ? tr("%1, %2", "condition, participant")
+                                                  .arg(conditionName(condition, names), nameOf(group))
+                                            : conditionName(condition, names),
+                               {}};
             const auto people = under(task, condition, group);
             for (std::size_t p = 0; p < task.patterns.size(); ++p) {
                 if (isOne(group)) {
@@ -212,7 +223,8 @@ IntervalChartContent ResultsContent::patterns(const TaskResults& task, const Sho
     return chart;
 }
 
-IntervalChartContent ResultsContent::times(const TaskResults& task, const ShownPeople& shown) {
+IntervalChartContent ResultsContent::times(const TaskResults& task, const ShownPeople& shown,
+                                           const ConditionNames& names) {
     IntervalChartContent chart;
     chart.name = QStringLiteral("response_times_") + text(task.task);
     chart.title =
@@ -220,7 +232,7 @@ IntervalChartContent ResultsContent::times(const TaskResults& task, const ShownP
     chart.axis = tr("s from the onset");
     double highest = 0.0;
     for (const std::string& condition : task.conditions)
-        chart.categories << text(condition);
+        chart.categories << conditionName(condition, names);
     for (const QStringList& group : shown.groups()) {
         ChartSeries series{shown.beside ? nameOf(group) : tr("right answers of the test"), {}};
         for (const std::string& condition : task.conditions) {
@@ -243,7 +255,7 @@ IntervalChartContent ResultsContent::times(const TaskResults& task, const ShownP
     return chart;
 }
 
-TableContent ResultsContent::groups(const TaskResults& task) {
+TableContent ResultsContent::groups(const TaskResults& task, const ConditionNames& names) {
     TableContent table;
     table.header = QStringList{tr("Condition"),       tr("Participants"),  tr("Right %"), tr("SD"),
                                tr("95 % t interval"), tr("Trials"),        tr("IT bit"),  tr("Bias bit"),
@@ -264,21 +276,19 @@ TableContent ResultsContent::groups(const TaskResults& task) {
             return bits ? std::optional((*bits).*member) : std::nullopt;
         };
         table.rows.push_back(
-            {{text(group.condition)},
-             count(static_cast<std::int64_t>(group.participants)),
+            {conditionCell(group.condition, names), count(static_cast<std::int64_t>(group.participants)),
              cell(percent(group.accuracy ? std::optional(group.accuracy->mean) : std::nullopt), 1),
              cell(percent(group.accuracy ? group.accuracy->standardDeviation : std::nullopt), 1),
              cell(group.accuracy ? group.accuracy->interval : std::nullopt, 1, kPercent),
-             count(group.matrix.total()),
-             cell(value(&study::InformationTransfer::measured_bit), 2),
+             count(group.matrix.total()), cell(value(&study::InformationTransfer::measured_bit), 2),
              cell(value(&study::InformationTransfer::bias_bit), 2),
-             cell(value(&study::InformationTransfer::corrected_bit), 2),
-             cell(group.transferInterval, 2)});
+             cell(value(&study::InformationTransfer::corrected_bit), 2), cell(group.transferInterval, 2)});
     }
     return table;
 }
 
-TableContent ResultsContent::people(const TaskResults& task, const ShownPeople& shown) {
+TableContent ResultsContent::people(const TaskResults& task, const ShownPeople& shown,
+                                    const ConditionNames& names) {
     TableContent table;
     table.header =
         QStringList{tr("Participant"), tr("Condition"), tr("Trials"),      tr("Right"),
@@ -299,7 +309,7 @@ TableContent ResultsContent::people(const TaskResults& task, const ShownPeople& 
                              tr("Measured less bias"),
                              tr("Response time of right answers"),
                              {}};
-    const double chance = 1.0 / static_cast<double>(std::max<std::size_t>(task.patterns.size(), 1));
+    const double chance = 1.0 / static_cast<double>(task.alternatives());
     for (const ParticipantSummary& one : task.participants) {
         const auto has = [&](const QStringList& group) {
             return group.isEmpty() || group.contains(text(one.participant));
@@ -313,7 +323,7 @@ TableContent ResultsContent::people(const TaskResults& task, const ShownPeople& 
             return bits ? std::optional((*bits).*member) : std::nullopt;
         };
         table.rows.push_back({{text(one.participant)},
-                              {text(one.condition)},
+                              conditionCell(one.condition, names),
                               count(n),
                               count(correct),
                               count(one.matrix.unanswered()),
@@ -387,13 +397,13 @@ TableContent ResultsContent::anova(const TaskResults& task) {
 }
 
 QString ResultsContent::transferNote(const TaskResults& task) {
-    const std::size_t k = task.patterns.size();
+    const std::size_t k = task.alternatives();
     std::int64_t trials = 0;
     bool few = false;
     for (const study::GroupSummary& group : task.groups) {
         if (group.participants > 0)
             trials = std::max(trials, group.matrix.total() / static_cast<std::int64_t>(group.participants));
-        const auto bits = study::informationTransfer(group.matrix);
+        const auto bits = study::informationTransfer(group.matrix, k);
         few = few || (bits && bits->fewTrials);
     }
     if (trials == 0 || k < 2)

@@ -6,6 +6,7 @@
 #include "widgets/study/result_table.h"
 
 #include <QCoreApplication>
+#include <QMap>
 #include <QString>
 #include <QStringList>
 
@@ -14,6 +15,9 @@
 #include <vector>
 
 namespace teleta::studyview {
+
+/// How conditions are called, by id; one that is not in it is called by its id.
+using ConditionNames = QMap<QString, QString>;
 
 /// Header, explanations and rows of a table.
 struct TableContent {
@@ -39,21 +43,25 @@ class ResultsContent {
 public:
     /// Share of right answers: a group's mean with its t interval, or a participant's with Wilson's.
     [[nodiscard]] static IntervalChartContent accuracy(const study::TaskResults& task,
-                                                       const ShownPeople& people = {});
+                                                       const ShownPeople& people = {},
+                                                       const ConditionNames& names = {});
     /// The same for each pattern, conditions side by side, with p of the comparison where all are shown.
     [[nodiscard]] static IntervalChartContent patterns(const study::TaskResults& task,
-                                                       const ShownPeople& people = {});
+                                                       const ShownPeople& people = {},
+                                                       const ConditionNames& names = {});
     /// Median response times of right answers.
-    [[nodiscard]] static IntervalChartContent times(const study::TaskResults& task,
-                                                    const ShownPeople& people = {});
+    [[nodiscard]] static IntervalChartContent
+    times(const study::TaskResults& task, const ShownPeople& people = {}, const ConditionNames& names = {});
     /// Test trials of a group under a condition; empty group: all.
     [[nodiscard]] static study::ConfusionMatrix
     matrix(const study::TaskResults& task, const std::string& condition, const QStringList& group);
     /// "all participants", "P01, P02", "5 participants".
     [[nodiscard]] static QString nameOf(const QStringList& group);
 
-    [[nodiscard]] static TableContent groups(const study::TaskResults& task);
-    [[nodiscard]] static TableContent people(const study::TaskResults& task, const ShownPeople& shown = {});
+    [[nodiscard]] static TableContent groups(const study::TaskResults& task,
+                                             const ConditionNames& names = {});
+    [[nodiscard]] static TableContent people(const study::TaskResults& task, const ShownPeople& shown = {},
+                                             const ConditionNames& names = {});
     [[nodiscard]] static TableContent anova(const study::TaskResults& task);
     /// What a guesser would show, and how far the information transfer can be trusted.
     [[nodiscard]] static QString transferNote(const study::TaskResults& task);

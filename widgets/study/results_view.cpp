@@ -151,6 +151,10 @@ ShownPeople ResultsView::shown() const {
     return people;
 }
 
+ConditionNames ResultsView::conditionNames() const {
+    return m_scene.conditionNames.value(task());
+}
+
 const study::TaskResults* ResultsView::chosen() const {
     const auto found = std::find_if(m_scene.tasks.begin(), m_scene.tasks.end(), [this](const auto& one) {
         return QString::fromStdString(one.task) == task();
@@ -194,6 +198,7 @@ void ResultsView::refresh() {
 void ResultsView::showMatrices(const study::TaskResults& results) {
     const std::vector<QStringList> groups = shown().groups();
     const std::size_t columns = results.conditions.size();
+    const ConditionNames names = conditionNames();
     while (m_matrices.size() > groups.size() * columns) {
         delete m_matrices.back();
         m_matrices.pop_back();
@@ -209,12 +214,13 @@ void ResultsView::showMatrices(const study::TaskResults& results) {
     for (std::size_t i = 0; i < m_matrices.size(); ++i) {
         const QStringList& group = groups[i / columns];
         const std::string& condition = results.conditions[i % columns];
+        const QString id = QString::fromStdString(condition);
         ConfusionContent content;
         content.matrix = ResultsContent::matrix(results, condition, group);
         for (const std::string& letter : results.patterns)
             content.letters << QString::fromStdString(letter);
-        content.title = tr("%1, %2", "condition, participant")
-                            .arg(QString::fromStdString(condition), ResultsContent::nameOf(group));
+        content.title =
+            tr("%1, %2", "condition, participant").arg(names.value(id, id), ResultsContent::nameOf(group));
         content.mode = m_scene.mode;
         m_matrices[i]->setContent(std::move(content));
         m_matrices[i]->setMinimumHeight(base::em(this, 19));
@@ -228,15 +234,15 @@ void ResultsView::showCharts(const study::TaskResults& results) {
         chart->setContent(std::move(content));
         chart->setMinimumHeight(base::em(this, 17));
     };
-    set(m_accuracy, ResultsContent::accuracy(results, shown()));
-    set(m_patterns, ResultsContent::patterns(results, shown()));
-    set(m_times, ResultsContent::times(results, shown()));
+    set(m_accuracy, ResultsContent::accuracy(results, shown(), conditionNames()));
+    set(m_patterns, ResultsContent::patterns(results, shown(), conditionNames()));
+    set(m_times, ResultsContent::times(results, shown(), conditionNames()));
 }
 
 void ResultsView::showTables(const study::TaskResults& results) {
-    fill(m_groups, ResultsContent::groups(results));
+    fill(m_groups, ResultsContent::groups(results, conditionNames()));
     fill(m_anova, ResultsContent::anova(results));
-    fill(m_people, ResultsContent::people(results, shown()));
+    fill(m_people, ResultsContent::people(results, shown(), conditionNames()));
     m_groupsNote->setText(ResultsContent::transferNote(results));
     m_anovaNote->setText(ResultsContent::anovaNote(results));
 }

@@ -23,11 +23,13 @@ class ParticipantPicker;
 class IntervalChart;
 class ResultTable;
 struct ShownPeople;
+using ConditionNames = QMap<QString, QString>;
 
 /// Results of a study, and how to call its parts.
 struct ResultsScene {
     std::vector<study::TaskResults> tasks;
-    QMap<QString, QString> taskNames; ///< by id
+    QMap<QString, QString> taskNames;             ///< by id
+    QMap<QString, ConditionNames> conditionNames; ///< by id of the task
     study::Mode mode = study::Mode::run;
 };
 
@@ -71,6 +73,7 @@ private:
     void showMatrices(const study::TaskResults& task);
     void showCharts(const study::TaskResults& task);
     void showTables(const study::TaskResults& task);
+    [[nodiscard]] ConditionNames conditionNames() const;
     [[nodiscard]] const study::TaskResults* chosen() const;
     [[nodiscard]] ShownPeople shown() const;
 

@@ -4,6 +4,7 @@
 #include "backend/pattern/pattern_json.h"
 #include "backend/stiffness/material.h"
 #include "widgets/base/icons.h"
+#include "widgets/base/redo_keys.h"
 #include "widgets/base/theme.h"
 #include "widgets/touch/touch_texts.h"
 
@@ -118,13 +119,14 @@ PatternMapTable::PatternMapTable(QWidget* parent)
     connect(m_reset, &QPushButton::clicked, this, &PatternMapTable::resetToDefaults);
     connect(m_import, &QPushButton::clicked, this, [this] { askForFile(false); });
     connect(m_export, &QPushButton::clicked, this, [this] { askForFile(true); });
-    const auto shortcut = [this](QKeySequence::StandardKey key, void (QUndoStack::*act)()) {
-        auto* keys = new QShortcut(key, this);
-        keys->setContext(Qt::WidgetWithChildrenShortcut);
-        connect(keys, &QShortcut::activated, m_undo, act);
+    const auto shortcut = [this](const QList<QKeySequence>& keys, void (QUndoStack::*act)()) {
+        auto* made = new QShortcut(this);
+        made->setKeys(keys);
+        made->setContext(Qt::WidgetWithChildrenShortcut);
+        connect(made, &QShortcut::activated, m_undo, act);
     };
-    shortcut(QKeySequence::Undo, &QUndoStack::undo);
-    shortcut(QKeySequence::Redo, &QUndoStack::redo);
+    shortcut(QKeySequence::keyBindings(QKeySequence::Undo), &QUndoStack::undo);
+    shortcut(base::redoKeys(), &QUndoStack::redo);
     retranslate();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/touch/run_sheet.h"
 
+#include "widgets/base/redo_keys.h"
 #include "widgets/base/theme.h"
 
 #include <QClipboard>
@@ -160,7 +161,7 @@ void RunSheet::populateMenu(QMenu& menu) {
     back->setEnabled(m_model->undoStack().canUndo());
     QAction* again =
         menu.addAction(tr("&Redo %1").arg(m_model->undoStack().redoText()), this, &RunSheet::redo);
-    again->setShortcut(QKeySequence::Redo);
+    again->setShortcuts(base::redoKeys());
     again->setEnabled(m_model->undoStack().canRedo());
     menu.addSeparator();
     m_export->addDataActions(menu);
@@ -171,8 +172,8 @@ QSize RunSheet::sizeHint() const {
 }
 
 bool RunSheet::isOwnKey(const QKeyEvent& key) const {
-    return key.matches(QKeySequence::Delete) || key.matches(QKeySequence::Undo) ||
-           key.matches(QKeySequence::Redo) || key.matches(QKeySequence::Copy);
+    return key.matches(QKeySequence::Delete) || key.matches(QKeySequence::Undo) || base::isRedo(key) ||
+           key.matches(QKeySequence::Copy);
 }
 
 bool RunSheet::onKey(const QKeyEvent& key) {
@@ -182,7 +183,7 @@ bool RunSheet::onKey(const QKeyEvent& key) {
         removeSelected();
     else if (key.matches(QKeySequence::Undo))
         undo();
-    else if (key.matches(QKeySequence::Redo))
+    else if (base::isRedo(key))
         redo();
     else if (key.matches(QKeySequence::Copy))
         QGuiApplication::clipboard()->setText(csv());

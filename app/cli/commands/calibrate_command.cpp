@@ -2,6 +2,7 @@
 #include "app/cli/commands/calibrate_command.h"
 
 #include "app/cli/command_io.h"
+#include "app/cli/frame_options.h"
 #include "app/cli/interruption.h"
 #include "app/cli/validators.h"
 #include "backend/vision/camera_file.h"
@@ -11,6 +12,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -129,6 +131,11 @@ void CalibrateCommand::declare(CLI::App& app) {
 }
 
 core::Expected<void> CalibrateCommand::run() {
+    refuseToReplace(m_outPath, std::array{m_pairsPath});
+    refuseToReplace(m_residualsPath, std::array{m_pairsPath}, "--residuals");
+    if (!m_outPath.empty() && m_outPath == m_residualsPath)
+        throw CLI::ValidationError("--residuals",
+                                   CalibrateText::tr("the camera is written to this file").toStdString());
     core::Expected<std::vector<vision::CalibrationPair>> pairs = vision::readPairs(m_pairsPath, interrupted);
     if (!pairs)
         return core::Unexpected(pairs.error());

@@ -9,13 +9,19 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QListWidget>
+#include <QMessageBox>
 #include <QVBoxLayout>
+
+#include <utility>
 
 namespace teleta::console {
 
 namespace {
 
 constexpr double kRow_em = 2.2; ///< of the list: what a finger hits
+
+/// Rows of the list.
+enum CalibratePart { motorsPart, cameraPart, gainsPart, partCount };
 
 } // namespace
 
@@ -64,7 +70,7 @@ void CalibratePage::addPart(QWidget* content) {
 }
 
 void CalibratePage::openPairs(const QString& path) {
-    m_parts->setCurrentRow(1);
+    m_parts->setCurrentRow(cameraPart);
     m_camera->open(path);
 }
 
@@ -73,11 +79,61 @@ void CalibratePage::tick() {
     m_gains->tick();
 }
 
+bool CalibratePage::isSaved(int part) const {
+    switch (part) {
+    case motorsPart:
+        return m_motors->view().isSaved();
+    case cameraPart:
+        return m_camera->isSaved();
+    default:
+        return m_gains->isSaved();
+    }
+}
+
+bool CalibratePage::hasUnsaved() const {
+    return !isSaved(motorsPart) || !isSaved(cameraPart) || !isSaved(gainsPart);
+}
+
+void CalibratePage::whenSettled(std::function<void()> goOn) {
+    m_goOn = std::move(goOn);
+    if (m_question)
+        m_question->raise();
+    else
+        settle(motorsPart);
+}
+
+/// From that part on.
+void CalibratePage::settle(int part) {
+    while (part < partCount && isSaved(part))
+        ++part;
+    if (part == partCount) {
+        if (const auto goOn = std::exchange(m_goOn, nullptr))
+            goOn();
+        return;
+    }
+    m_parts->setCurrentRow(part);
+    auto* ask = new QMessageBox(
+        QMessageBox::Question, tr("Unsaved calibration"),
+        tr("%1: the calibration is not saved.", "a part of the page").arg(m_parts->item(part)->text()),
+        QMessageBox::Discard | QMessageBox::Cancel, this);
+    ask->setObjectName(QStringLiteral("unsavedCalibration%1").arg(part));
+    ask->setInformativeText(tr("What is discarded has to be measured again."));
+    ask->setAttribute(Qt::WA_DeleteOnClose);
+    ask->setDefaultButton(QMessageBox::Cancel);
+    connect(ask, &QMessageBox::finished, this, [this, part](int answer) {
+        m_question = nullptr;
+        if (answer == QMessageBox::Discard)
+            settle(part + 1);
+    });
+    m_question = ask;
+    ask->open();
+}
+
 void CalibratePage::retranslate() {
     m_parts->setAccessibleName(tr("What can be calibrated"));
-    m_parts->item(0)->setText(tr("Bracelet motors"));
-    m_parts->item(1)->setText(tr("Cylinder camera"));
-    m_parts->item(2)->setText(tr("Taxel gains"));
+    m_parts->item(motorsPart)->setText(tr("Bracelet motors"));
+    m_parts->item(cameraPart)->setText(tr("Cylinder camera"));
+    m_parts->item(gainsPart)->setText(tr("Taxel gains"));
 }
 
 void CalibratePage::changeEvent(QEvent* event) {

@@ -6,12 +6,14 @@
 #include "app/console/calibrate/motor_calibrator.h"
 #include "widgets/chrome/message_bar.h"
 
+#include <QPointer>
 #include <QString>
 #include <QWidget>
 
-#include <vector>
+#include <functional>
 
 class QListWidget;
+class QMessageBox;
 
 namespace teleta::console {
 
@@ -34,6 +36,12 @@ public:
     /// Shows what the devices do.
     void tick();
 
+    /// Something was calibrated that is in no file.
+    [[nodiscard]] bool hasUnsaved() const;
+    /// Goes on at once when there is no such thing; else brings one after another forward, asks whether it
+    /// may be lost, and does not go on where it may not. It stays until then.
+    void whenSettled(std::function<void()> goOn);
+
 signals:
     /// A scene to try the calibration with.
     void demoRequested(const QString& scene);
@@ -43,6 +51,8 @@ protected:
 
 private:
     void addPart(QWidget* content);
+    [[nodiscard]] bool isSaved(int part) const;
+    void settle(int part);
     void retranslate();
 
     chrome::MessageBar* m_messages;
@@ -51,6 +61,8 @@ private:
     MotorCalibrator* m_motors;
     CameraCalibrator* m_camera;
     GainCalibrator* m_gains;
+    QPointer<QMessageBox> m_question;
+    std::function<void()> m_goOn; ///< when all is answered
 };
 
 } // namespace teleta::console

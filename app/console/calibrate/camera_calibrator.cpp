@@ -20,18 +20,14 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFontMetrics>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QMimeData>
 #include <QSortFilterProxyModel>
-#include <QSplitter>
 #include <QTableView>
 #include <QTableWidget>
-#include <QToolBar>
 #include <QUndoCommand>
 #include <QUndoStack>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <utility>
@@ -88,150 +84,6 @@ CameraCalibrator::CameraCalibrator(QWidget* parent)
 }
 
 CameraCalibrator::~CameraCalibrator() = default;
-
-void CameraCalibrator::buildTools() {
-    m_tools = new QToolBar;
-    m_tools->setToolButtonStyle(Qt::ToolButtonTextOnly);
-    m_load = m_tools->addAction(QString(), this, [this] { askForFile(File::pairs, false); });
-    m_load->setShortcut(QKeySequence::Open);
-    m_savePairs = m_tools->addAction(QString(), this, [this] { askForFile(File::pairs, true); });
-    m_save = m_tools->addAction(QString(), this, [this] { askForFile(File::camera, true); });
-    m_save->setShortcut(QKeySequence::Save);
-    m_probe = m_tools->addAction(QString(), this, [this] { probe(); });
-    m_probeWith = m_tools->addAction(QString(), this, &CameraCalibrator::askForCamera);
-    m_tools->addSeparator();
-    m_methodLabel = new QLabel;
-    m_methods = new QComboBox;
-    for (std::size_t i = 0; i < vision::kCalibrationMethods.size(); ++i)
-        m_methods->addItem(QString());
-    m_methodLabel->setBuddy(m_methods);
-    m_tools->addWidget(m_methodLabel);
-    m_tools->addWidget(m_methods);
-    connect(m_methods, &QComboBox::activated, this,
-            [this](int row) { chooseMethod(vision::kCalibrationMethods[static_cast<std::size_t>(row)]); });
-    m_tools->addSeparator();
-    m_exclude = m_tools->addAction(QString(), this, &CameraCalibrator::excludeOutliers);
-    // Not those of the stack: they keep the language in which they were made.
-    m_undoAction = new QAction(this);
-    m_redoAction = new QAction(this);
-    for (QAction* action : {m_undoAction, m_redoAction})
-        action->setEnabled(false);
-    connect(m_undoAction, &QAction::triggered, m_undo, &QUndoStack::undo);
-    connect(m_redoAction, &QAction::triggered, m_undo, &QUndoStack::redo);
-    connect(m_undo, &QUndoStack::canUndoChanged, m_undoAction, &QAction::setEnabled);
-    connect(m_undo, &QUndoStack::canRedoChanged, m_redoAction, &QAction::setEnabled);
-    connect(m_undo, &QUndoStack::undoTextChanged, m_undoAction, &QAction::setToolTip);
-    connect(m_undo, &QUndoStack::redoTextChanged, m_redoAction, &QAction::setToolTip);
-    m_undoAction->setShortcut(QKeySequence::Undo);
-    m_redoAction->setShortcut(QKeySequence::Redo);
-    m_tools->addAction(m_undoAction);
-    m_tools->addAction(m_redoAction);
-    for (QAction* action : {m_load, m_save, m_undoAction, m_redoAction})
-        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    addActions({m_load, m_save, m_undoAction, m_redoAction});
-    m_tube = new TubeFields;
-    connect(m_tube, &TubeFields::changed, this, &CameraCalibrator::setSettings);
-    connect(m_tube, &TubeFields::holeFactorChanged, this, &CameraCalibrator::setHoleFactor);
-}
-
-QWidget* CameraCalibrator::buildTables() {
-    m_comparison = new QTableWidget(static_cast<int>(vision::kCalibrationMethods.size()), 6);
-    m_comparison->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_comparison->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_comparison->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_comparison->verticalHeader()->hide();
-    m_comparison->horizontalHeader()->setStretchLastSection(true);
-    connect(m_comparison, &QTableWidget::cellClicked, this, [this](int row, int) {
-        chooseMethod(vision::kCalibrationMethods[static_cast<std::size_t>(row)]);
-    });
-
-    m_model = new camera::PairModel(this);
-    connect(m_model, &camera::PairModel::useRequested, this,
-            [this](std::size_t pair, bool use) { setUsed({pair}, use); });
-    auto* sorted = new QSortFilterProxyModel(this);
-    sorted->setSourceModel(m_model);
-    sorted->setSortRole(camera::PairModel::kSortRole);
-    m_table = new QTableView;
-    m_table->setObjectName(QStringLiteral("pairs"));
-    m_table->setModel(sorted);
-    m_table->setSortingEnabled(true);
-    m_table->sortByColumn(camera::PairModel::number, Qt::AscendingOrder);
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->verticalHeader()->hide();
-    m_table->horizontalHeader()->setStretchLastSection(true);
-    m_table->setWordWrap(false);
-    m_toggle = new QAction(m_table);
-    connect(m_toggle, &QAction::triggered, this, [this] {
-        const std::vector<std::size_t> pairs = selectedPairs();
-        if (!pairs.empty())
-            setUsed(pairs, !m_work.used[pairs.front()]);
-    });
-    m_remove = new QAction(m_table);
-    m_remove->setShortcut(QKeySequence::Delete);
-    m_remove->setShortcutContext(Qt::WidgetShortcut);
-    connect(m_remove, &QAction::triggered, this, [this] { removePairs(selectedPairs()); });
-    m_table->addActions({m_toggle, m_remove});
-    m_table->setContextMenuPolicy(Qt::ActionsContextMenu);
-    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
-            [this, sorted](const QModelIndex& current) {
-                if (current.isValid())
-                    selectPair(static_cast<std::size_t>(sorted->mapToSource(current).row()));
-            });
-
-    m_entry = new PairEntry;
-    connect(m_entry, &PairEntry::entered, this, &CameraCalibrator::addPair);
-    auto* tables = new QSplitter(Qt::Vertical);
-    tables->addWidget(m_comparison);
-    tables->addWidget(m_table);
-    tables->setStretchFactor(0, 1);
-    tables->setStretchFactor(1, 3);
-    auto* all = new QWidget;
-    auto* layout = new QVBoxLayout(all);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(tables, 1);
-    layout->addWidget(m_entry);
-    return all;
-}
-
-void CameraCalibrator::build() {
-    setAcceptDrops(true);
-    buildTools();
-    buildProbing();
-    buildLive();
-    m_origin = new QLabel;
-    m_verdict = new QLabel;
-    m_verdict->setWordWrap(true);
-    m_verdict->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    m_image = new camera::ResidualView(camera::ResidualPicture::Surface::image);
-    m_cylinder = new camera::ResidualView(camera::ResidualPicture::Surface::cylinder);
-    for (camera::ResidualView* view : {m_image, m_cylinder}) {
-        connect(view, &camera::ResidualView::selected, this, &CameraCalibrator::selectPair);
-        connect(view, &camera::ResidualView::toggleRequested, this, &CameraCalibrator::toggle);
-        connect(view, &camera::ResidualView::exported, this,
-                [this](const QString& path) { emit message(tr("Saved %1").arg(path), false); });
-        connect(view, &camera::ResidualView::exportFailed, this,
-                [this](const QString& text) { emit message(text, true); });
-    }
-    auto* pictures = new QSplitter(Qt::Vertical);
-    pictures->addWidget(m_image);
-    pictures->addWidget(m_cylinder);
-    auto* halves = new QSplitter;
-    halves->addWidget(pictures);
-    halves->addWidget(buildTables());
-    halves->setStretchFactor(0, 3);
-    halves->setStretchFactor(1, 2);
-    auto* layout = new QVBoxLayout(this);
-    auto* head = new QHBoxLayout;
-    head->setContentsMargins(base::grid(this), 0, base::grid(this), 0);
-    head->addWidget(m_origin);
-    head->addWidget(m_verdict, 1);
-    head->addWidget(m_tube);
-    layout->addWidget(m_tools);
-    layout->addLayout(head);
-    layout->addWidget(m_strip);
-    layout->addWidget(m_live);
-    layout->addWidget(halves, 1);
-}
 
 void CameraCalibrator::retranslate() {
     setWindowTitle(tr("Cylinder camera"));
@@ -311,10 +163,14 @@ void CameraCalibrator::askForFile(File file, bool save) {
     dialog->setFileMode(save ? QFileDialog::AnyFile : QFileDialog::ExistingFile);
     if (save)
         dialog->setDefaultSuffix(camera ? QStringLiteral("json") : QStringLiteral("csv"));
-    connect(dialog, &QFileDialog::fileSelected, this,
-            camera ? &CameraCalibrator::save
-            : save ? &CameraCalibrator::savePairs
-                   : &CameraCalibrator::open);
+    if (camera) // the one that is looked at: probing may go on behind the dialog
+        connect(dialog, &QFileDialog::fileSelected, this,
+                [this, file = cameraFile(), changes = m_changes](const QString& path) {
+                    saveCamera(file, path, changes);
+                });
+    else
+        connect(dialog, &QFileDialog::fileSelected, this,
+                save ? &CameraCalibrator::savePairs : &CameraCalibrator::open);
     dialog->open();
 }
 
@@ -331,11 +187,19 @@ void CameraCalibrator::open(const QString& path) {
                 return;
             m_file = QFileInfo(path).absolutePath();
             setPairs(std::move(*pairs));
+            m_undo->setClean();
         });
 }
 
-void CameraCalibrator::write(const QString& path, std::function<core::Expected<void>()> writer) {
-    runInBackground(this, std::move(writer), [this, path](core::Expected<void> written) {
+bool CameraCalibrator::isSaved() const {
+    return m_undo->isClean() || m_work.pairs.empty();
+}
+
+void CameraCalibrator::write(const QString& path, std::uint64_t changes,
+                             std::function<core::Expected<void>()> writer) {
+    runInBackground(this, std::move(writer), [this, path, changes](core::Expected<void> written) {
+        if (written && changes == m_changes)
+            m_undo->setClean();
         if (written)
             emit message(tr("Saved %1").arg(path), false);
         else
@@ -343,17 +207,29 @@ void CameraCalibrator::write(const QString& path, std::function<core::Expected<v
     });
 }
 
-void CameraCalibrator::save(const QString& path) {
+std::optional<vision::CameraFile> CameraCalibrator::cameraFile() const {
     const Answer* chosen = answer();
     if (m_fitting || chosen == nullptr || !chosen->calibration)
+        return std::nullopt;
+    return vision::CameraFile{chosen->calibration->camera, vision::summaryOf(*chosen->calibration)};
+}
+
+void CameraCalibrator::save(const QString& path) {
+    saveCamera(cameraFile(), path, m_changes);
+}
+
+void CameraCalibrator::saveCamera(const std::optional<vision::CameraFile>& file, const QString& path,
+                                  std::uint64_t changes) {
+    if (!file) {
+        emit message(tr("The camera was not saved: it is being calibrated."), true);
         return;
-    write(path,
-          [file = vision::CameraFile{chosen->calibration->camera, vision::summaryOf(*chosen->calibration)},
-           path] { return vision::writeCamera(file, path.toStdString()); });
+    }
+    write(path, changes, [file = *file, path] { return vision::writeCamera(file, path.toStdString()); });
 }
 
 void CameraCalibrator::savePairs(const QString& path) {
-    write(path, [pairs = m_work.pairs, path] { return vision::writePairs(pairs, path.toStdString()); });
+    write(path, m_changes,
+          [pairs = m_work.pairs, path] { return vision::writePairs(pairs, path.toStdString()); });
 }
 
 void CameraCalibrator::edit(Work after, const QString& text, int run) {
@@ -361,6 +237,7 @@ void CameraCalibrator::edit(Work after, const QString& text, int run) {
 }
 
 void CameraCalibrator::apply(const Work& work) {
+    ++m_changes;
     const Work before = std::exchange(m_work, work);
     if (m_answers)
         takeAnswers(std::move(*m_answers), before);
@@ -505,7 +382,7 @@ QString CameraCalibrator::verdict() const {
     if (m_fitting || chosen == nullptr)
         return tr("Calibrating\u2026");
     if (!chosen->calibration)
-        return tr("No calibration: %1.").arg(chosen->refusal);
+        return tr("No calibration: %1.").arg(chosen->reason());
     const vision::Calibration& found = *chosen->calibration;
     const auto used = static_cast<int>(std::count(m_shown.used.begin(), m_shown.used.end(), true));
     QString text = tr("%1 of %n pair(s) kept; ", nullptr, used).arg(found.kept);
@@ -575,7 +452,7 @@ void CameraCalibrator::showComparison() {
                   << (c.isStructured() ? tr("has a pattern") : QString());
         } else {
             const QString none = QStringLiteral("\u2014");
-            cells << none << none << none << none << (found != nullptr ? found->refusal : QString());
+            cells << none << none << none << none << (found != nullptr ? found->reason() : QString());
         }
         for (int column = 0; column < cells.size(); ++column) {
             auto* item = new QTableWidgetItem(cells[column]);

@@ -5,6 +5,7 @@
 #include "app/console/calibrate/camera_fits.h"
 #include "backend/core/camera_source.h"
 #include "backend/core/error.h"
+#include "backend/vision/camera_file.h"
 #include "backend/vision/hole_grid.h"
 #include "widgets/camera/residual_picture.h"
 
@@ -57,7 +58,7 @@ public:
 
     /// Reads pairs from a CSV file and calibrates.
     void open(const QString& path);
-    /// Writes the camera of the chosen method; ignored while a fit runs.
+    /// Writes the camera of the chosen method; says so when a fit runs and there is none.
     void save(const QString& path);
     /// Writes all pairs, those that are left out too.
     void savePairs(const QString& path);
@@ -80,6 +81,8 @@ public:
     [[nodiscard]] LiveProbingPanel& live() { return *m_live; }
     void chooseMethod(vision::CalibrationMethod method);
 
+    /// There are no pairs, or they are as in their file, or camera or pairs were saved since the last change.
+    [[nodiscard]] bool isSaved() const;
     [[nodiscard]] QUndoStack& undoStack() { return *m_undo; }
     [[nodiscard]] const Work& work() const { return m_work; }
     [[nodiscard]] const camera::CalibratedPairs& shown() const { return m_shown; }
@@ -125,7 +128,12 @@ private:
     [[nodiscard]] std::vector<std::size_t> selectedPairs() const;
     void sizeColumns();
     void askForFile(File file, bool save);
-    void write(const QString& path, std::function<core::Expected<void>()> writer);
+    /// Empty while a fit runs, and without a camera.
+    [[nodiscard]] std::optional<vision::CameraFile> cameraFile() const;
+    /// changes: what m_changes was for what is written; nothing is unsaved when it is so still.
+    void saveCamera(const std::optional<vision::CameraFile>& file, const QString& path,
+                    std::uint64_t changes);
+    void write(const QString& path, std::uint64_t changes, std::function<core::Expected<void>()> writer);
 
     Work m_work;
     vision::CalibrationMethod m_method = vision::CalibrationMethod::robust;
@@ -133,7 +141,8 @@ private:
     std::optional<Answers> m_answers;
     bool m_fitting = false;
     bool m_again = false;
-    int m_opened = 0; ///< number of the newest file that was asked for
+    std::uint64_t m_changes = 0; ///< of the work
+    int m_opened = 0;            ///< number of the newest file that was asked for
     QString m_file;
 
     QUndoStack* m_undo;

@@ -26,6 +26,10 @@ void spreadResiduals(vision::Calibration& calibration, const std::vector<Calibra
 
 } // namespace
 
+QString CameraAnswer::reason() const {
+    return refusal ? QString::fromStdString(vision::describe(*refusal, pairs).message) : QString();
+}
+
 CameraAnswers fitAll(const std::vector<CalibrationPair>& pairs, const std::vector<bool>& used,
                      const vision::CalibrationSettings& settings) {
     std::vector<CalibrationPair> chosen;
@@ -35,10 +39,10 @@ CameraAnswers fitAll(const std::vector<CalibrationPair>& pairs, const std::vecto
     }
     CameraAnswers answers;
     for (std::size_t i = 0; i < answers.size(); ++i) {
+        answers[i].pairs = chosen.size();
         auto calibration = vision::calibrate(chosen, settings, vision::kCalibrationMethods[i]);
         if (!calibration) {
-            const core::Error error = vision::describe(calibration.error(), chosen.size());
-            answers[i].refusal = QString::fromStdString(error.message);
+            answers[i].refusal = calibration.error();
             continue;
         }
         spreadResiduals(*calibration, pairs, used);

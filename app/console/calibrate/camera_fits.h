@@ -6,6 +6,7 @@
 #include <QString>
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -13,8 +14,12 @@ namespace teleta::console {
 
 /// What one method makes of pairs.
 struct CameraAnswer {
-    std::optional<vision::Calibration> calibration; ///< residuals of all pairs, also of excluded ones
-    QString refusal;                                ///< why there is none
+    std::optional<vision::Calibration> calibration;    ///< residuals of all pairs, also of excluded ones
+    std::optional<vision::CalibrationRefusal> refusal; ///< why there is none
+    std::size_t pairs = 0;                             ///< that were used
+
+    /// The refusal in the language of the program; empty without one.
+    [[nodiscard]] QString reason() const;
 };
 /// One a method, in the order of vision::kCalibrationMethods.
 using CameraAnswers = std::array<CameraAnswer, vision::kCalibrationMethods.size()>;

@@ -90,8 +90,11 @@ void openAbout(QWidget* parent) {
 void openShortcuts(QWidget* parent) {
     const std::vector<std::pair<QString, QString>> shortcuts{
         {AboutText::tr("Esc Esc, Ctrl+."), AboutText::tr("STOP: whatever moves stops at once")},
-        {AboutText::tr("Ctrl+1"), AboutText::tr("Page Operate")},
+        {AboutText::tr("Ctrl+1 to 5"), AboutText::tr("Page Operate, Patterns, Study, Calibrate, Cost")},
         {AboutText::tr("Ctrl+R, M"), AboutText::tr("Record, mark this moment in the recording")},
+        {AboutText::tr("F5, Shift+F5, Ctrl+F5"),
+         AboutText::tr("Run the program of the arm, hold it, restart it, on the page Operate")},
+        {AboutText::tr("Ctrl+Shift+N"), AboutText::tr("Forget the explored contour, on the page Operate")},
         {AboutText::tr("Space"), AboutText::tr("Play or pause, in the playback bar")},
         {AboutText::tr("Left, Right"), AboutText::tr("One frame back or forward, in the playback bar")},
         {AboutText::tr("Home, End"), AboutText::tr("Start or end of the recording, in the playback bar")},
@@ -104,7 +107,7 @@ void openShortcuts(QWidget* parent) {
         {AboutText::tr("Ctrl+N, O, S, Shift+S, E"),
          AboutText::tr("New, open, save, save as, export, on the page Patterns")},
         {AboutText::tr("Ctrl+Z, Ctrl+Y"),
-         AboutText::tr("Undo, redo: marks on the page Operate, edits on the page Patterns")},
+         AboutText::tr("Undo, redo: marks on the page Operate, edits on the pages Patterns and Calibrate")},
         {AboutText::tr("Ctrl+X, C, V, Shift+V, D"),
          AboutText::tr("Cut, copy, paste in place, paste at the playhead, duplicate, in the timeline")},
         {AboutText::tr(",  .  with Shift"),

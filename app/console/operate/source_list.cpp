@@ -106,6 +106,11 @@ CameraRequest readCameraSource(scene::TomlTable& table, const std::string& listP
 
 } // namespace
 
+bool isSourceList(const std::string& path) {
+    const auto document = scene::TomlDocument::open(path);
+    return document && document->root().has("source");
+}
+
 core::Expected<std::vector<SourceRequest>> readSourceList(const std::string& path) {
     auto document = scene::TomlDocument::open(path);
     if (!document)

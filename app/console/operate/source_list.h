@@ -20,4 +20,8 @@ namespace teleta::console {
 /// Reads the header of each recording: not on the GUI's thread.
 [[nodiscard]] core::Expected<std::vector<SourceRequest>> readSourceList(const std::string& path);
 
+/// Whether a TOML file means to be a source list, whatever is wrong with its sources: it has a key "source",
+/// which no scene has. A file that cannot be read at all is none. Not on the GUI's thread.
+[[nodiscard]] bool isSourceList(const std::string& path);
+
 } // namespace teleta::console

@@ -13,15 +13,10 @@ namespace teleta::console {
 
 namespace {
 
-QString lockOf(const QString& file) {
-    return file + QStringLiteral(".lock");
-}
-
-/// Locked by a console that still runs: null.
-std::shared_ptr<QLockFile> claimed(const QString& file) {
-    auto lock = std::make_shared<QLockFile>(lockOf(file));
-    lock->setStaleLockTime(0); // only a program that is gone has left it
-    return lock->tryLock(0) ? lock : nullptr;
+/// Null when a console that still runs has it, this one too, or when it cannot be had.
+std::unique_ptr<study::FileClaim> claimOf(const QString& file) {
+    auto claim = study::FileClaim::take((file + QStringLiteral(".lock")).toStdString(), {});
+    return claim ? std::move(*claim) : nullptr;
 }
 
 std::vector<LostEdits> leftIn(const QString& folder, const QString& own) {
@@ -31,7 +26,7 @@ std::vector<LostEdits> leftIn(const QString& folder, const QString& own) {
         const QString file = dir.filePath(name);
         if (file == own)
             continue;
-        std::shared_ptr<QLockFile> claim = claimed(file);
+        std::shared_ptr<study::FileClaim> claim = claimOf(file);
         if (!claim)
             continue;
         // What cannot be read stays for a person to look at.
@@ -88,11 +83,10 @@ void RecoveryKeeper::write() {
     runInBackground(
         m_pool, this,
         [this, edits = *std::exchange(m_next, std::nullopt)]() -> core::Expected<void> {
-            if (!m_lock) {
+            // Without a claim the edits are kept all the same: they may be offered too early.
+            if (!m_claim) {
                 QDir().mkpath(m_folder);
-                m_lock = std::make_unique<QLockFile>(lockOf(m_file));
-                m_lock->setStaleLockTime(0);
-                m_lock->tryLock(0);
+                m_claim = claimOf(m_file);
             }
             return pattern::writeRecovery(m_file.toStdString(), edits);
         },

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "backend/pattern/recovery_file.h"
+#include "backend/study/file_claim.h"
 
-#include <QLockFile>
 #include <QObject>
 #include <QString>
 #include <QThreadPool>
@@ -18,12 +18,12 @@ namespace teleta::console {
 struct LostEdits {
     pattern::RecoveredPattern recovered;
     QString file;
-    std::shared_ptr<QLockFile> claim; ///< no other console offers them meanwhile
+    std::shared_ptr<study::FileClaim> claim; ///< no other console offers them meanwhile
 };
 
 /// Keeps what is edited and not saved in a file of its own, beside those of other consoles, and finds what
 /// consoles have left that were killed. It writes nowhere else, never to the user's files. A file of a
-/// console that still runs is not offered: it is locked.
+/// console that still runs is not offered: the kernel holds its lock, and lets it go with the console.
 /// Thread: GUI; files are read and written on a thread of its own. Only the destructor waits for it.
 class RecoveryKeeper : public QObject {
     Q_OBJECT
@@ -56,8 +56,8 @@ private:
 
     QString m_folder;
     QString m_file;
-    std::unique_ptr<QLockFile> m_lock; ///< used on the pool's thread only
-    QThreadPool m_pool;                ///< of one thread, so that files are written in order
+    std::unique_ptr<study::FileClaim> m_claim; ///< used on the pool's thread only
+    QThreadPool m_pool;                        ///< of one thread, so that files are written in order
     std::vector<LostEdits> m_lost;
     std::optional<pattern::RecoveredPattern> m_next;
     bool m_writing = false;

@@ -22,6 +22,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScrollArea>
@@ -67,6 +68,7 @@ study::Protocol asSavedIn(const QDir& folder, study::Protocol protocol) {
 
 ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     : QDialog(parent)
+    , m_content(new QWidget(this))
     , m_name(new QLineEdit(QString::fromStdString(protocol.name), this))
     , m_description(new QLineEdit(QString::fromStdString(protocol.description), this))
     , m_stimulus_s(makeNumber(protocol.stimulus_s, kShortest_s, kLongest_s, 3, QStringLiteral(" s")))
@@ -127,18 +129,17 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     addRow(tr("Rests"), {m_restEvery, m_rest_s.box});
     addRow(tr("&Masking noise"), {m_noise, m_level_dBA.box});
 
-    auto* content = new QWidget(this);
-    auto* column = new QVBoxLayout(content);
+    auto* column = new QVBoxLayout(m_content);
     column->addLayout(form);
     column->addLayout(m_taskRows);
-    auto* addButton = new QPushButton(tr("&Add a task"), content);
+    auto* addButton = new QPushButton(tr("&Add a task"), m_content);
     connect(addButton, &QPushButton::clicked, this, [this] {
         addTask({});
         check();
     });
     column->addWidget(addButton, 0, Qt::AlignLeft);
     column->addLayout(m_questionnaireRows);
-    auto* askButton = new QPushButton(tr("Add a &questionnaire"), content);
+    auto* askButton = new QPushButton(tr("Add a &questionnaire"), m_content);
     askButton->setObjectName(QStringLiteral("addQuestionnaire"));
     connect(askButton, &QPushButton::clicked, this, [this] {
         addQuestionnaire({{}, {}, study::QuestionnaireTime::afterStudy, {study::QuestionnaireItem{}}});
@@ -149,7 +150,7 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     auto* area = new QScrollArea(this);
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
-    area->setWidget(content);
+    area->setWidget(m_content);
 
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     const auto button = [&](const QString& text, QDialogButtonBox::ButtonRole role) {
@@ -168,10 +169,12 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     layout->addWidget(buttons);
     resize(base::em(this, 46), base::em(this, 42));
 
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    connect(m_save, &QPushButton::clicked, this, &ProtocolDialog::save);
+    connect(buttons, &QDialogButtonBox::rejected, this, &ProtocolDialog::reject);
+    connect(m_save, &QPushButton::clicked, this, [this] { save({}); });
     connect(m_make, &QPushButton::clicked, this, [this] {
-        if (const auto valid = this->protocol())
+        const auto valid = this->protocol();
+        m_isStudyWanted = valid.has_value();
+        if (valid)
             emit studyRequested(*valid);
     });
     for (QLineEdit* edit : {m_name, m_description})
@@ -184,6 +187,7 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     for (const study::Questionnaire& questionnaire : protocol.questionnaires)
         addQuestionnaire(questionnaire);
     check();
+    m_saved = fields();
 }
 
 double ProtocolDialog::NumberField::value() const {
@@ -411,7 +415,77 @@ void ProtocolDialog::check() {
     m_verdict->setPalette(colours);
 }
 
-void ProtocolDialog::save() {
+QVariantList ProtocolDialog::fields() const {
+    QVariantList values;
+    const QList<QWidget*> widgets = m_content->findChildren<QWidget*>();
+    for (const QWidget* field : widgets) {
+        if (const auto* line = qobject_cast<const QLineEdit*>(field)) {
+            // That of a number is in another form in another language.
+            if (qobject_cast<const QAbstractSpinBox*>(line->parent()) == nullptr)
+                values << line->text();
+        } else if (const auto* text = qobject_cast<const QPlainTextEdit*>(field)) {
+            values << text->toPlainText();
+        } else if (const auto* whole = qobject_cast<const QSpinBox*>(field)) {
+            values << whole->value();
+        } else if (const auto* number = qobject_cast<const QDoubleSpinBox*>(field)) {
+            values << number->value();
+        } else if (const auto* choice = qobject_cast<const QComboBox*>(field)) {
+            values << choice->currentIndex();
+        } else if (const auto* box = qobject_cast<const QCheckBox*>(field)) {
+            values << box->isChecked();
+        }
+    }
+    return values;
+}
+
+bool ProtocolDialog::isChanged() const {
+    return fields() != m_saved;
+}
+
+void ProtocolDialog::reject() {
+    whenSettled([this] { QDialog::reject(); });
+}
+
+void ProtocolDialog::leaveTo(const study::Protocol& protocol) {
+    const auto said = this->protocol();
+    if (m_isStudyWanted && said && study::protocolText(*said) == study::protocolText(protocol))
+        done(QDialog::Accepted);
+}
+
+void ProtocolDialog::whenSettled(std::function<void()> goOn) {
+    if (!isChanged()) {
+        goOn();
+        return;
+    }
+    m_goOn = std::move(goOn);
+    if (m_question)
+        m_question->raise();
+    else
+        ask();
+}
+
+void ProtocolDialog::ask() {
+    auto* box = new QMessageBox(QMessageBox::Question, tr("Unsaved changes"),
+                                tr("The protocol has changes that are not saved."),
+                                QMessageBox::Discard | QMessageBox::Cancel, this);
+    box->setObjectName(QStringLiteral("unsavedProtocol"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    QPushButton* saveFirst = box->addButton(tr("Sa&ve as\u2026"), QMessageBox::AcceptRole);
+    saveFirst->setEnabled(m_save->isEnabled()); // only what can be read again is written
+    box->setDefaultButton(QMessageBox::Cancel);
+    connect(box, &QMessageBox::finished, this, [this, box, saveFirst] {
+        const auto goOn = std::exchange(m_goOn, nullptr);
+        m_question = nullptr;
+        if (box->clickedButton() == saveFirst)
+            save(goOn);
+        else if (box->clickedButton() == box->button(QMessageBox::Discard))
+            goOn();
+    });
+    m_question = box;
+    box->open();
+}
+
+void ProtocolDialog::save(std::function<void()> goOn) {
     const auto valid = protocol();
     if (!valid)
         return;
@@ -420,7 +494,8 @@ void ProtocolDialog::save() {
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setNameFilter(tr("Protocols (*.toml)"));
     dialog->setDefaultSuffix(QStringLiteral("toml"));
-    connect(dialog, &QFileDialog::fileSelected, this, [this, protocol = *valid](const QString& path) {
+    const auto write = [this, protocol = *valid, entered = fields(),
+                        goOn = std::move(goOn)](const QString& path) {
         runInBackground(
             this,
             [path, text = study::protocolText(asSavedIn(QFileInfo(path).absoluteDir(), protocol))] {
@@ -429,12 +504,18 @@ void ProtocolDialog::save() {
                     return file.finish();
                 });
             },
-            [this, path](const core::Expected<void>& saved) {
+            [this, path, entered, goOn](const core::Expected<void>& saved) {
                 m_verdict->setText(saved ? tr("\u2713 Saved: %1").arg(path)
                                          : QStringLiteral("\u2717 ") +
                                                QString::fromStdString(core::describe(saved.error())));
+                if (!saved)
+                    return;
+                m_saved = entered;
+                if (goOn && !isChanged())
+                    goOn();
             });
-    });
+    };
+    connect(dialog, &QFileDialog::fileSelected, this, write);
     dialog->open();
 }
 

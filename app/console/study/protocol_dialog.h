@@ -4,7 +4,10 @@
 #include "backend/study/protocol.h"
 
 #include <QDialog>
+#include <QPointer>
+#include <QVariant>
 
+#include <functional>
 #include <vector>
 
 class QCheckBox;
@@ -12,6 +15,7 @@ class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
 class QLineEdit;
+class QMessageBox;
 class QPlainTextEdit;
 class QPushButton;
 class QSpinBox;
@@ -22,8 +26,8 @@ namespace teleta::console {
 class QuestionnaireEditor;
 
 /// A protocol as a form. What is entered is checked by the reader of protocol files as it is typed. It can be
-/// saved as a file, and a study made of it; a study that was made keeps the protocol that it has. Thread:
-/// GUI; it does not block.
+/// saved as a file, and a study made of it; a study that was made keeps the protocol that it has. What is
+/// entered and not saved goes with the form only when that is confirmed. Thread: GUI; it does not block.
 class ProtocolDialog : public QDialog {
     Q_OBJECT
 
@@ -32,6 +36,15 @@ public:
 
     /// What the form says, as the reader understands it. Error: what the reader says.
     [[nodiscard]] core::Expected<study::Protocol> protocol() const;
+    /// Something was entered, valid or not, that is in no file.
+    [[nodiscard]] bool isChanged() const;
+    /// Goes on at once when nothing is changed; else asks whether it may be lost, or is to be saved first,
+    /// and does not go on when it may not. The form stays as it is.
+    void whenSettled(std::function<void()> goOn);
+    /// A study was opened: the form closes when one was asked for, and it is of just what the form says.
+    void leaveTo(const study::Protocol& protocol);
+
+    void reject() override;
 
 signals:
     /// A study is to be made of a valid protocol.
@@ -72,8 +85,13 @@ private:
     [[nodiscard]] static QString placeForPattern(const TaskRow& row);
     void askForPattern(const TaskRow& row);
     void check();
-    void save();
+    /// The values of all fields, as they are.
+    [[nodiscard]] QVariantList fields() const;
+    void ask();
+    /// goOn: called when all of the form is saved.
+    void save(std::function<void()> goOn);
 
+    QWidget* m_content; ///< with all fields
     QLineEdit* m_name;
     QLineEdit* m_description;
     NumberField m_stimulus_s;
@@ -94,6 +112,10 @@ private:
     QLabel* m_verdict;
     QPushButton* m_save;
     QPushButton* m_make;
+    bool m_isStudyWanted = false;
+    QVariantList m_saved; ///< fields() as they were at first, or are in a file
+    QPointer<QMessageBox> m_question;
+    std::function<void()> m_goOn; ///< when it is answered
 };
 
 } // namespace teleta::console

@@ -66,6 +66,7 @@ StudyPage::StudyPage(BraceletStation& station, core::StopSwitch& stop, StudyCont
     , m_controller(station, stop, std::move(clock), std::move(utcNow))
     , m_messages(new chrome::MessageBar(this))
     , m_stack(new QStackedWidget(this))
+    , m_empty(new chrome::EmptyState(base::Icon::study, this))
     , m_tabs(new QTabWidget(this))
     , m_study(new studyview::StudyPanel(this))
     , m_session(new studyview::SessionPanel(this))
@@ -92,23 +93,15 @@ StudyPage::~StudyPage() {
 }
 
 void StudyPage::build() {
-    auto* empty = new chrome::EmptyState(base::Icon::study, this);
-    empty->setTexts(tr("No study"),
-                    tr("Run the user study of the paper, or one of your own: from the first practice "
-                       "trial to confusion matrices and ANOVA."));
-    QPushButton* watch =
-        empty->addAction(tr("Watch a rehearsal"), tr("Simulated participants go through the whole study"));
-    watch->setObjectName(QStringLiteral("watchRehearsal"));
-    connect(watch, &QPushButton::clicked, this, [this] { watchRehearsal(); });
-    QPushButton* make =
-        empty->addAction(tr("New study\u2026"), tr("Of the paper's protocol, or of one of your own"));
-    make->setObjectName(QStringLiteral("newStudyButton"));
-    connect(make, &QPushButton::clicked, this, [this] { askForNewStudy(study::Mode::run); });
-    connect(empty->addAction(tr("Open a study\u2026"), tr("The folder of a study")), &QPushButton::clicked,
-            this, &StudyPage::askForStudy);
-    connect(empty->addAction(tr("Study on a server\u2026"), tr("A study that several stations share")),
-            &QPushButton::clicked, this, &StudyPage::askForServer);
-    m_empty = empty;
+    const auto add = [this](const char* name, auto act) {
+        QPushButton* button = m_empty->addAction({}, {});
+        button->setObjectName(QLatin1String(name));
+        connect(button, &QPushButton::clicked, this, act);
+    };
+    add("watchRehearsal", [this] { watchRehearsal(); });
+    add("newStudyButton", [this] { askForNewStudy(study::Mode::run); });
+    add("openStudyButton", [this] { askForStudy(); });
+    add("serverStudyButton", [this] { askForServer(); });
 
     m_counts->setObjectName(QStringLiteral("counts"));
     m_speed->setObjectName(QStringLiteral("speed"));
@@ -331,8 +324,15 @@ void StudyPage::askForNewStudy(study::Mode mode, std::optional<study::Protocol> 
 
 /// In place of the form that may be open.
 void StudyPage::showProtocol(const study::Protocol& protocol) {
-    for (auto* old : findChildren<ProtocolDialog*>())
-        old->close();
+    for (auto* old : findChildren<ProtocolDialog*>()) {
+        if (!old->isVisible()) // closed already
+            continue;
+        old->whenSettled([this, old, protocol] {
+            old->done(QDialog::Rejected);
+            showProtocol(protocol);
+        });
+        return;
+    }
     auto* dialog = new ProtocolDialog(protocol, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &ProtocolDialog::openRequested, this, &StudyPage::askForProtocol);
@@ -346,10 +346,11 @@ void StudyPage::showProtocol(const study::Protocol& protocol) {
                     report(tr("The paper's protocol could not be read."), paper.error());
             });
     });
-    connect(dialog, &ProtocolDialog::studyRequested, this, [this, dialog](const study::Protocol& valid) {
-        dialog->close();
-        askForNewStudy(study::Mode::run, valid);
-    });
+    connect(dialog, &ProtocolDialog::studyRequested, this,
+            [this](const study::Protocol& valid) { askForNewStudy(study::Mode::run, valid); });
+    // Who thinks better of a new study has the form still.
+    connect(&m_controller, &StudyController::opened, dialog,
+            [this, dialog] { dialog->leaveTo(m_controller.overview()->head.protocol); });
     dialog->show();
 }
 
@@ -503,8 +504,13 @@ void StudyPage::analyse() {
     const StudyOverview& overview = *m_controller.overview();
     studyview::ResultsScene scene;
     scene.mode = overview.head.mode;
-    for (const study::StudyTask& task : overview.head.protocol.tasks)
-        scene.taskNames.insert(QString::fromStdString(task.id), studyview::displayName(task));
+    for (const study::StudyTask& task : overview.head.protocol.tasks) {
+        const QString id = QString::fromStdString(task.id);
+        scene.taskNames.insert(id, studyview::displayName(task));
+        for (const std::string& condition : task.conditions)
+            scene.conditionNames[id].insert(QString::fromStdString(condition),
+                                            studyview::displayCondition(task, condition));
+    }
     runInBackground(
         this, [location = overview.location] { return resultsOf(location); },
         [this, scene](core::Expected<std::vector<study::TaskResults>> results) mutable {
@@ -534,6 +540,18 @@ void StudyPage::report(const QString& what, const core::Error& error) {
 }
 
 void StudyPage::retranslate() {
+    m_empty->setTexts(tr("No study"),
+                      tr("Run the user study of the paper, or one of your own: from the first practice "
+                         "trial to confusion matrices and ANOVA."));
+    const auto set = [this](const char* name, const QString& text, const QString& toolTip) {
+        auto* button = m_empty->findChild<QPushButton*>(QLatin1String(name));
+        button->setText(text);
+        button->setToolTip(toolTip);
+    };
+    set("watchRehearsal", tr("Watch a rehearsal"), tr("Simulated participants go through the whole study"));
+    set("newStudyButton", tr("New study\u2026"), tr("Of the paper's protocol, or of one of your own"));
+    set("openStudyButton", tr("Open a study\u2026"), tr("The folder of a study"));
+    set("serverStudyButton", tr("Study on a server\u2026"), tr("A study that several stations share"));
     m_tabs->setTabText(0, tr("Session"));
     m_tabs->setTabText(1, tr("Results"));
     m_counts->setItemText(0, tr("Counts"));

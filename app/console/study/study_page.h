@@ -20,6 +20,10 @@ class QLabel;
 class QStackedWidget;
 class QTabWidget;
 
+namespace teleta::chrome {
+class EmptyState;
+}
+
 namespace teleta::studyview {
 class ConfusionView;
 class ParticipantWindow;
@@ -98,7 +102,7 @@ private:
     NoisePlayer m_noise;
     chrome::MessageBar* m_messages;
     QStackedWidget* m_stack;
-    QWidget* m_empty;
+    chrome::EmptyState* m_empty;
     QTabWidget* m_tabs;
     studyview::StudyPanel* m_study;
     studyview::SessionPanel* m_session;

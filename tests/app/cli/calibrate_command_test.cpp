@@ -187,6 +187,15 @@ TEST_F(CalibrateCommand, wrongUsageAndBadInputHaveTheirExitCodes) {
     expectError(calibrate(pairsCsv(), {"--out", m_folder.path("absent/camera.json")}), 1, "absent");
 }
 
+TEST_F(CalibrateCommand, doesNotReplaceThePairs) {
+    const std::string pairs = m_folder.path("pairs.csv");
+    expectError(calibrate(pairsCsv(), {"--out", pairs}), 2, "--out");
+    expectError(calibrate(pairsCsv(), {"--residuals", pairs}), 2, "--residuals");
+    const std::string both = m_folder.path("both");
+    expectError(calibrate(pairsCsv(), {"--out", both, "--residuals", both}), 2, "--residuals");
+    EXPECT_EQ(readAll(pairs), pairsCsv());
+}
+
 TEST_F(LocateCommand, tellsThePointAndItsDeviationOfEachPixel) {
     const Pixel a = seen(0.025, 0.0, 0.03);
     const Pixel b = seen(0.0, -0.025, 0.09);

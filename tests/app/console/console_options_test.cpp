@@ -88,6 +88,9 @@ private slots:
         for (const char* option : {"--scene", "--replay", "--study", "--page", "--dock", "--screenshot",
                                    "--after", "--theme", "--tare"})
             QVERIFY2(help.text.contains(QLatin1String(option)), option);
+        const auto all = parseOptions({"teleta-console", "--help-all"});
+        QVERIFY(!all.options.has_value());
+        QCOMPARE(all.text, help.text);
         QCOMPARE(parseOptions({"teleta-console", "--version"}).exitCode, 0);
     }
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/console_settings.h"
+#include "app/console/settings_notice.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -148,6 +149,21 @@ private slots:
         QCOMPARE(int(settings.found()), int(ConsoleSettings::Found::damaged));
         QCOMPARE(settings.keptFile(), QString());
         QCOMPARE(settings.theme(), QString("dark"));
+    }
+
+    void tellsThatNothingCanBeKept() {
+        // No folder, so that nobody can make one there, the administrator neither.
+        QFile inTheWay(m_folder->filePath("teleta"));
+        QVERIFY(inTheWay.open(QIODevice::WriteOnly));
+        ConsoleSettings settings(false);
+        QCOMPARE(int(settings.found()), int(ConsoleSettings::Found::unwritable));
+        const auto notice = teleta::console::settingsNotice(settings);
+        QVERIFY(notice.has_value());
+        QVERIFY2(notice->advice.contains(file()), qPrintable(notice->advice));
+        settings.setTheme("dark");
+        QCOMPARE(settings.theme(), QString("dark"));
+        const ConsoleSettings fresh(true);
+        QCOMPARE(int(fresh.found()), int(ConsoleSettings::Found::usable));
     }
 
     void twoConsolesLoseNothingOfEachOther() {

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/calibrate/calibrate_page.h"
 #include "app/console/main_window.h"
+#include "app/console/study/protocol_dialog.h"
 #include "app/console/study/study_page.h"
 #include "backend/study/study_store.h"
 #include "tests/app/console/study/study_bench.h"
 #include "widgets/base/theme.h"
+#include "widgets/calibrate/gains_view.h"
+#include "widgets/calibrate/motors_view.h"
+#include "widgets/chrome/page_rail.h"
 #include "widgets/view3d/gl_setup.h"
 
 #include <QApplication>
+#include <QFile>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QTest>
 
@@ -18,7 +25,7 @@ using console::ConsoleSettings;
 using console::MainWindow;
 using test::kPatience_ms;
 
-/// The program is left while a session runs.
+/// The program is left while a session runs, or something is not saved.
 class MainWindowClosingTest : public QObject {
     Q_OBJECT
 
@@ -61,6 +68,28 @@ class MainWindowClosingTest : public QObject {
     }
     void press(Qt::Key key) const { QTest::keyClick(&page().participantWindow(), key); }
 
+    void openWindow(const ConsoleOptions& options) {
+        m_window = std::make_unique<MainWindow>(options, *m_settings, *m_stop);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        m_window->openRequested(options);
+    }
+    /// Without a bracelet, whose profile would come in place of what is calibrated here.
+    static ConsoleOptions withoutBracelet() {
+        ConsoleOptions options;
+        options.bracelet = QStringLiteral("none");
+        return options;
+    }
+    void calibrateMotorsAndCamera() const {
+        auto& view = m_window->calibratePage().motors().view();
+        motors::MotorCalibration profile = view.calibration();
+        profile.motors[0].profile.startDrive += 0.05;
+        view.takeProfile(profile);
+        QVERIFY(!view.isSaved());
+        m_window->calibratePage().camera().addPair({});
+        QVERIFY(!m_window->calibratePage().camera().isSaved());
+    }
+
     /// The window with a session whose first trial is felt.
     void beginTrial() {
         {
@@ -73,10 +102,7 @@ class MainWindowClosingTest : public QObject {
         ConsoleOptions options;
         options.study = studyFolder();
         options.bracelet = QStringLiteral("simulated");
-        m_window = std::make_unique<MainWindow>(options, *m_settings, *m_stop);
-        m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-        m_window->openRequested(options);
+        openWindow(options);
         QTRY_VERIFY_WITH_TIMEOUT(page().controller().overview().has_value(), kPatience_ms);
         page().controller().setNoiseConfirmed(true);
         QTRY_VERIFY_WITH_TIMEOUT(study::allPassed(page().controller().checks()), kPatience_ms);
@@ -131,6 +157,81 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->isVisible(), kPatience_ms);
         m_window.reset();
         QCOMPARE(kept(), std::size_t(1));
+    }
+
+    void eachCalibrationThatIsNotSavedIsAskedAbout() {
+        openWindow(withoutBracelet());
+        calibrateMotorsAndCamera();
+        const auto* rail = m_window->findChild<chrome::PageRail*>();
+        QVERIFY(rail->currentPage() != QStringLiteral("calibrate"));
+        QVERIFY(!m_window->close());
+        QCOMPARE(rail->currentPage(), QStringLiteral("calibrate"));
+        choose("unsavedCalibration0", QMessageBox::RejectRole);
+        QTRY_VERIFY_WITH_TIMEOUT(question("unsavedCalibration0") == nullptr, kPatience_ms);
+        QVERIFY(m_window->isVisible() && !m_stop->engaged());
+        QVERIFY2(question("unsavedCalibration1") == nullptr, "who thinks better of it is asked no more");
+        QVERIFY(!m_window->close());
+        choose("unsavedCalibration0", QMessageBox::DestructiveRole);
+        QVERIFY(m_window->isVisible());
+        choose("unsavedCalibration1", QMessageBox::DestructiveRole);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->isVisible(), kPatience_ms);
+    }
+
+    void gainsThatAreNotSavedAreAskedAbout() {
+        openWindow(withoutBracelet());
+        auto& gains = m_window->calibratePage().gains().view();
+        gains.take({}, QStringLiteral("loading"));
+        QVERIFY(!gains.isSaved());
+        QVERIFY(!m_window->close());
+        choose("unsavedCalibration2", QMessageBox::DestructiveRole);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->isVisible(), kPatience_ms);
+    }
+
+    void aProtocolThatIsNotSavedIsAskedAbout() {
+        openWindow(withoutBracelet());
+        QFile file(m_folder->filePath(QStringLiteral("short.toml")));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(test::kShort) > 0);
+        file.close();
+        const auto form = [this]() -> console::ProtocolDialog* {
+            for (auto* each : m_window->findChildren<console::ProtocolDialog*>())
+                if (each->isVisible())
+                    return each;
+            return nullptr;
+        };
+        page().open(file.fileName());
+        QTRY_VERIFY_WITH_TIMEOUT(form() != nullptr, kPatience_ms);
+        console::ProtocolDialog* first = form();
+        // One that is opened in its place has to wait.
+        first->findChild<QLineEdit*>("protocolName")->setText(QStringLiteral("Mine"));
+        page().open(file.fileName());
+        QTRY_VERIFY_WITH_TIMEOUT(question("unsavedProtocol") != nullptr, kPatience_ms);
+        choose("unsavedProtocol", QMessageBox::RejectRole);
+        QTRY_VERIFY_WITH_TIMEOUT(question("unsavedProtocol") == nullptr, kPatience_ms);
+        QCOMPARE(form(), first);
+        QVERIFY(first->isChanged());
+        page().open(file.fileName());
+        QTRY_VERIFY_WITH_TIMEOUT(question("unsavedProtocol") != nullptr, kPatience_ms);
+        choose("unsavedProtocol", QMessageBox::DestructiveRole);
+        QTRY_VERIFY_WITH_TIMEOUT(form() != nullptr && form() != first, kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(m_window->findChildren<console::ProtocolDialog*>().size(), 1, kPatience_ms);
+        QVERIFY(!form()->isChanged());
+
+        form()->findChild<QLineEdit*>("protocolName")->setText(QStringLiteral("Mine"));
+        QVERIFY(!m_window->close());
+        choose("unsavedProtocol", QMessageBox::RejectRole);
+        QTRY_VERIFY_WITH_TIMEOUT(question("unsavedProtocol") == nullptr, kPatience_ms);
+        QVERIFY(m_window->isVisible() && form() != nullptr);
+        QVERIFY(!m_window->close());
+        choose("unsavedProtocol", QMessageBox::DestructiveRole);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->isVisible(), kPatience_ms);
+    }
+
+    void nobodyIsAskedWhereNobodyIsThere() {
+        ConsoleOptions options = withoutBracelet();
+        options.screenshot = m_folder->filePath(QStringLiteral("picture.png"));
+        openWindow(options);
+        calibrateMotorsAndCamera();
+        QVERIFY(m_window->close());
     }
 
     void whatIsGivenUpIsGone() {

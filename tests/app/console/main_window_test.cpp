@@ -227,6 +227,31 @@ private slots:
         QVERIFY(QApplication::activeModalWidget() == nullptr);
     }
 
+    void aSourceListWithAMistakeIsNotTakenForAScene() {
+        ConsoleOptions options;
+        options.files << write("lab.toml", "[[source]]\nscene = \"demo.toml\"\nspeeed = 2\n");
+        openWindow(options);
+        auto& messages = m_window->operatePage().messages();
+        QTRY_COMPARE_WITH_TIMEOUT(messages.count(), 1, 20'000);
+        const auto labels = messages.findChildren<QLabel*>();
+        QVERIFY(std::any_of(labels.begin(), labels.end(),
+                            [](const QLabel* label) { return label->text().contains("speeed"); }));
+        QVERIFY(m_window->anyFailure());
+        QVERIFY(m_window->sources().items().empty());
+    }
+
+    void aReleaseOfEscapeThatIsLostTakesNoStopAway() {
+        openWindow();
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        QTest::keyPress(m_window.get(), Qt::Key_Escape);
+        emit qApp->applicationStateChanged(Qt::ApplicationInactive); // the release goes elsewhere
+        QVERIFY(!m_stop->engaged());
+        QTest::keyPress(m_window.get(), Qt::Key_Escape);
+        QVERIFY(m_stop->engaged());
+        QTest::keyRelease(m_window.get(), Qt::Key_Escape);
+    }
+
     void stopsByButtonByKeyAndByTwoEscapesAndReleasesOnlyByHolding() {
         openWindow();
         auto* button = child<chrome::StopButton>();

@@ -200,6 +200,23 @@ private slots:
         QVERIFY(!desk.view.calibration().measured());
     }
 
+    void answersLeaveWhatWasMeasuredMeanwhile() {
+        Desk desk;
+        desk.view.table()->selectMotor(2);
+        QTest::mouseClick(desk.view.button("feel"), Qt::LeftButton);
+        FeltPanel* panel = desk.view.feltPanel();
+        desk.fit(1); // its recording was being read when the questions began
+        QTest::keyClick(panel, Qt::Key_Space);
+        for (int i = 0; i < 200 && panel->task() != nullptr; ++i) {
+            const playback::Program program = panel->task()->presentation();
+            QTest::keyClick(panel, program.evaluate(0.3)[2] > 0.3 ? Qt::Key_Y : Qt::Key_N);
+        }
+        QVERIFY(panel->task() == nullptr);
+        const auto& motors = desk.view.calibration().motors;
+        QCOMPARE(motors[2].startFrom, motors::CalibratedMotor::Origin::answers);
+        QCOMPARE(motors[1].startFrom, motors::CalibratedMotor::Origin::recording);
+    }
+
     void anotherBraceletEndsTheQuestionsAboutTheOneBefore() {
         Desk desk;
         QTest::mouseClick(desk.view.button("feel"), Qt::LeftButton);

@@ -137,8 +137,15 @@ private slots:
         studyview::ResultsScene scene;
         scene.tasks = {results()};
         scene.taskNames.insert("shape", "Object shape");
+        scene.conditionNames["shape"].insert("static", "statique");
         scene.mode = study::Mode::pilot;
         view.setScene(scene);
+        // A condition without a name is called by its id, and data have the id in every language.
+        QCOMPARE(view.accuracyChart()->content().categories, (QStringList{"dynamic", "statique"}));
+        QVERIFY(view.matrices()[1]->content().title.startsWith("statique, "));
+        QCOMPARE(view.groupTable()->item(1, 0)->text(), QStringLiteral("statique"));
+        QVERIFY(view.groupTable()->csv().contains("\nstatic,"));
+        QVERIFY(!view.groupTable()->csv().contains("statique"));
         view.resize(1200, 900);
         view.show();
         QCOMPARE(view.matrices().size(), std::size_t(2));

@@ -25,6 +25,12 @@ private slots:
         QTRY_VERIFY(!table->horizontalScrollBar()->isVisible());
         const QSize screen = dialog->screen()->availableSize();
         QVERIFY(dialog->width() <= screen.width() && dialog->height() <= screen.height());
+        QStringList keys;
+        for (int row = 0; row < table->rowCount(); ++row)
+            keys << table->item(row, 0)->text();
+        for (const char* known :
+             {"Ctrl+1 to 5", "F5, Shift+F5, Ctrl+F5", "Ctrl+Shift+N", "Ctrl+Z, Ctrl+Y", "F11", "F1"})
+            QVERIFY2(keys.contains(QLatin1String(known)), known);
         const auto cutRows = [table] {
             int cut = 0;
             for (int row = 0; row < table->rowCount(); ++row) {

@@ -8,6 +8,7 @@
 
 using teleta::console::CameraRequest;
 using teleta::console::guessRecording;
+using teleta::console::isSourceList;
 using teleta::console::readSourceList;
 using teleta::console::RecordingRequest;
 using teleta::console::SceneRequest;
@@ -149,6 +150,24 @@ private slots:
         QVERIFY(!requests.has_value());
         QCOMPARE(int(requests.error().where.line), line);
         QCOMPARE(int(requests.error().where.column), column);
+    }
+
+    void aListIsKnownByItsContentWhateverIsWrongWithIt_data() {
+        QTest::addColumn<QByteArray>("content");
+        QTest::addColumn<bool>("isList");
+        QTest::newRow("a list") << QByteArray("[[source]]\nscene = \"demo.toml\"\n") << true;
+        QTest::newRow("in one line") << QByteArray("source = [{scene = \"demo.toml\"}]\n") << true;
+        QTest::newRow("a key that is unknown") << QByteArray("[[source]]\nspeeed = 2\n") << true;
+        QTest::newRow("no source in it") << QByteArray("source = []\n") << true;
+        QTest::newRow("a scene") << QByteArray("name = \"x\"\n[array]\nrows = 2\n") << false;
+        QTest::newRow("no TOML") << QByteArray("[[source\n") << false;
+        QTest::newRow("empty") << QByteArray() << false;
+    }
+    void aListIsKnownByItsContentWhateverIsWrongWithIt() {
+        QFETCH(QByteArray, content);
+        QFETCH(bool, isList);
+        QCOMPARE(isSourceList(write("some.toml", content).toStdString()), isList);
+        QVERIFY(!isSourceList(m_folder.filePath("nowhere.toml").toStdString()));
     }
 
     void namesThePlaceOfWhatIsWrong() {

@@ -24,6 +24,7 @@
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QLocale>
+#include <QLockFile>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QMouseEvent>
@@ -345,6 +346,29 @@ private slots:
         other.look();
         QVERIFY(!found.wait(200));
         QVERIFY(other.lost().empty());
+    }
+
+    /// In a sandbox each console has the name and the number of the one before.
+    void editsOfAKilledConsoleAreOfferedToOneOfItsNumber() {
+        m_page.reset();
+        QVERIFY(QDir().mkpath(recovery()));
+        const QString left = QDir(recovery()).filePath("left.json");
+        QVERIFY(pattern::writeRecovery(left.toStdString(), {edited(), "", 1}));
+        const QString lockFile = m_folder->filePath("names-this-program.lock");
+        QLockFile lock(lockFile);
+        QVERIFY(lock.lock());
+        QVERIFY(QFile::copy(lockFile, left + ".lock"));
+        RecoveryKeeper keeper(recovery());
+        QSignalSpy found(&keeper, &RecoveryKeeper::found);
+        keeper.look();
+        QTRY_COMPARE_WITH_TIMEOUT(found.size(), 1, kPatience_ms);
+        QCOMPARE(keeper.lost().size(), std::size_t(1));
+        QVERIFY(keeper.lost().front().recovered.pattern == edited());
+        // Now this one has them.
+        RecoveryKeeper other(recovery());
+        QSignalSpy again(&other, &RecoveryKeeper::found);
+        other.look();
+        QVERIFY(!again.wait(200));
     }
 
     void unsavedEditsAreAskedAbout() {

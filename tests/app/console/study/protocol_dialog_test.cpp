@@ -4,13 +4,18 @@
 #include "app/console/study/questionnaire_editor.h"
 #include "tests/support/form_labels.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QFile>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QTemporaryDir>
 #include <QTest>
 
 using namespace teleta;
@@ -27,7 +32,99 @@ study::Protocol paper() {
 class ProtocolDialogTest : public QObject {
     Q_OBJECT
 
+    static QMessageBox* question(const ProtocolDialog& dialog) {
+        return dialog.findChild<QMessageBox*>("unsavedProtocol");
+    }
+    static void answer(const ProtocolDialog& dialog, QMessageBox::ButtonRole role) {
+        QMessageBox* box = question(dialog);
+        QVERIFY(box != nullptr);
+        for (QAbstractButton* button : box->buttons()) {
+            if (box->buttonRole(button) == role) {
+                QTest::mouseClick(button, Qt::LeftButton);
+                return;
+            }
+        }
+        QFAIL("there is no such button");
+    }
+
 private slots:
+    void whatIsEnteredIsLostOnlyWhenThatIsConfirmed() {
+        ProtocolDialog dialog(paper());
+        dialog.show();
+        QVERIFY(!dialog.isChanged());
+        QTest::keyClick(&dialog, Qt::Key_Escape);
+        QVERIFY2(!dialog.isVisible() && question(dialog) == nullptr, "nothing was entered");
+        dialog.show();
+        auto* patterns = dialog.findChild<QPlainTextEdit*>("taskPatterns");
+        patterns->appendPlainText("not yet");
+        QVERIFY2(dialog.isChanged(), "also while it is not valid");
+        QTest::keyClick(&dialog, Qt::Key_Escape);
+        QVERIFY(dialog.isVisible());
+        answer(dialog, QMessageBox::RejectRole);
+        QTRY_VERIFY(question(dialog) == nullptr);
+        QVERIFY(dialog.isVisible() && dialog.isChanged());
+        QVERIFY(!dialog.close());
+        answer(dialog, QMessageBox::DestructiveRole);
+        QVERIFY(!dialog.isVisible());
+    }
+
+    void changesOfEachKindCountAndWhatIsTakenBackDoesNot() {
+        ProtocolDialog dialog(paper());
+        auto* seconds = dialog.findChild<QDoubleSpinBox*>("rest_s");
+        const double before_s = seconds->value();
+        seconds->setValue(before_s + 1.0);
+        QVERIFY(dialog.isChanged());
+        seconds->setValue(before_s);
+        QVERIFY(!dialog.isChanged());
+        QTest::mouseClick(dialog.findChild<QPushButton*>("addQuestionnaire"), Qt::LeftButton);
+        QVERIFY(dialog.isChanged());
+        QTest::mouseClick(dialog.findChildren<QPushButton*>("removeQuestionnaire").last(), Qt::LeftButton);
+        QTRY_VERIFY(!dialog.isChanged()); // it goes with the next turn of the event loop
+    }
+
+    void whatIsEnteredIsSavedBeforeTheFormGoes() {
+        const QTemporaryDir folder;
+        QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+        ProtocolDialog dialog(paper());
+        dialog.show();
+        auto* name = dialog.findChild<QLineEdit*>("protocolName");
+        name->setText("Mine");
+        QVERIFY(!dialog.close());
+        answer(dialog, QMessageBox::AcceptRole);
+        auto* files = dialog.findChild<QFileDialog*>();
+        QVERIFY(files != nullptr && dialog.isVisible());
+        const QString path = folder.filePath("mine.toml");
+        emit files->fileSelected(path);
+        files->close();
+        QTRY_VERIFY(!dialog.isVisible());
+        QVERIFY(!dialog.isChanged());
+        const auto saved = study::readProtocol(path.toStdString());
+        QVERIFY(saved.has_value());
+        QCOMPARE(saved->name, std::string("Mine"));
+        // One that cannot be read again is not saved.
+        dialog.show();
+        dialog.findChild<QLineEdit*>("taskId")->clear();
+        QVERIFY(!dialog.protocol());
+        QVERIFY(!dialog.close());
+        for (QAbstractButton* button : question(dialog)->buttons())
+            QCOMPARE(button->isEnabled(), question(dialog)->buttonRole(button) != QMessageBox::AcceptRole);
+    }
+
+    void aFormOfWhichAStudyWasMadeGoes() {
+        ProtocolDialog dialog(paper());
+        dialog.show();
+        dialog.findChild<QLineEdit*>("protocolName")->setText("Mine");
+        const study::Protocol entered = dialog.protocol().value();
+        dialog.leaveTo(entered);
+        QVERIFY2(dialog.isVisible(), "nobody asked for a study");
+        QTest::mouseClick(dialog.findChild<QPushButton*>("makeStudy"), Qt::LeftButton);
+        QVERIFY2(dialog.isVisible(), "there may be none in the end");
+        dialog.leaveTo(paper());
+        QVERIFY2(dialog.isVisible(), "it is another study");
+        dialog.leaveTo(entered);
+        QVERIFY(!dialog.isVisible());
+    }
+
     void changesNothingThatNobodyTouches() {
         study::Protocol protocol = paper();
         protocol.stimulus_s = 1.23456789;

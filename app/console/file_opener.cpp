@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/file_opener.h"
+
+#include "app/common/scene_file.h"
+#include "app/console/background.h"
+#include "app/console/operate/recording_files.h"
+#include "app/console/operate/source_list.h"
+#include "app/console/operate/source_manager.h"
+#include "app/console/study/study_page.h"
+
+#include <QFileInfo>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace teleta::console {
+
+FileOpener::FileOpener(SourceManager& sources, RecordingFiles& recordings, StudyPage& study,
+                       std::uint64_t seed, QObject* parent)
+    : QObject(parent)
+    , m_sources(sources)
+    , m_recordings(recordings)
+    , m_study(study)
+    , m_seed(seed) {
+    connect(&m_recordings, &RecordingFiles::opened, this,
+            [this](const QString& path) { m_awaited.removeOne(path); });
+    // It tells the name alone.
+    connect(&m_recordings, &RecordingFiles::failed, this, [this](const QString& name) {
+        const auto awaited = std::find_if(m_awaited.begin(), m_awaited.end(), [&](const QString& path) {
+            return QFileInfo(path).fileName() == name;
+        });
+        if (awaited != m_awaited.end())
+            m_awaited.erase(awaited);
+    });
+    connect(&m_sources, &SourceManager::itemsChanged, this, &FileOpener::onItems);
+}
+
+/// Frames in CSV are opened without a word of it but the source.
+void FileOpener::onItems() {
+    for (const SourceManager::Item& item : m_sources.items())
+        if (const auto* recording = std::get_if<RecordingRequest>(&item.request))
+            m_awaited.removeAll(QString::fromStdString(recording->path));
+}
+
+/// In the background; counted until done has been called.
+template <typename Work, typename Done>
+void FileOpener::read(Work work, Done done) {
+    ++m_reading;
+    runInBackground(this, std::move(work), [this, done = std::move(done)](const auto& result) {
+        done(result);
+        --m_reading;
+    });
+}
+
+void FileOpener::openFile(const QString& path) {
+    if (isRecordingName(path) || path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
+        openRecording(path);
+        return;
+    }
+    read([path] { return isSourceList(path.toStdString()); },
+         [this, path](bool isList) {
+             if (isList)
+                 openList(path);
+             else
+                 openScene(path);
+         });
+}
+
+void FileOpener::openRecording(const QString& path) {
+    if (isRecordingName(path))
+        m_awaited.append(path);
+    m_recordings.open(path);
+}
+
+void FileOpener::openAs(const ConsoleOptions::Recording& recording) {
+    m_awaited.append(recording.path);
+    m_recordings.openAs(recording);
+}
+
+void FileOpener::openList(const QString& path) {
+    read([path] { return readSourceList(path.toStdString()); },
+         [this, path](const core::Expected<std::vector<SourceRequest>>& list) {
+             if (!list) {
+                 emit failed(QFileInfo(path).fileName(), list.error());
+                 return;
+             }
+             emit listOpened(path);
+             for (const SourceRequest& request : *list)
+                 m_sources.open(request);
+         });
+}
+
+void FileOpener::openScene(const QString& path) {
+    openScenes({path}, {}, false);
+}
+
+void FileOpener::openStudy(const QString& study, bool rehearse) {
+    if (rehearse)
+        m_study.watchRehearsal(study);
+    else if (!study.isEmpty())
+        m_study.open(study);
+}
+
+void FileOpener::openScenes(const QStringList& scenes, const QString& study, bool rehearse) {
+    const auto studiesIn = [scenes] {
+        std::vector<std::optional<study::StudyScene>> studies;
+        for (const QString& scene : scenes) {
+            core::Expected<app::AnyScene> any = app::readAnyScene(scene.toStdString());
+            studies.emplace_back();
+            if (any && std::holds_alternative<study::StudyScene>(*any))
+                studies.back() = std::get<study::StudyScene>(std::move(*any));
+        }
+        return studies;
+    };
+    read(studiesIn,
+         [this, scenes, study, rehearse](const std::vector<std::optional<study::StudyScene>>& studies) {
+             bool isOpen = false;
+             for (qsizetype i = 0; i < scenes.size(); ++i) {
+                 const std::optional<study::StudyScene>& scene = studies[static_cast<std::size_t>(i)];
+                 if (!scene) {
+                     m_sources.open(SceneRequest{scenes[i].toStdString(), m_seed});
+                     continue;
+                 }
+                 emit studyShown();
+                 m_study.watchScene(*scene, m_seed, study);
+                 isOpen = true;
+             }
+             if (!isOpen)
+                 openStudy(study, rehearse);
+         });
+}
+
+} // namespace teleta::console

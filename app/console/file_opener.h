@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/console_options.h"
+#include "backend/core/error.h"
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+
+#include <cstdint>
+
+namespace teleta::console {
+
+class RecordingFiles;
+class SourceManager;
+class StudyPage;
+
+/// Opens what files name, from the command line, a menu or a drop: recordings, source lists, scenes and the
+/// studies of scenes. Files are read on pool threads. Thread: GUI.
+class FileOpener : public QObject {
+    Q_OBJECT
+
+public:
+    /// All of them outlive this. seed: of the scenes.
+    FileOpener(SourceManager& sources, RecordingFiles& recordings, StudyPage& study, std::uint64_t seed,
+               QObject* parent);
+
+    /// A recording by its name; of the other files a source list or a scene by what is in it.
+    void openFile(const QString& path);
+    void openRecording(const QString& path);
+    /// Asks nothing: what the command line does not say is guessed.
+    void openAs(const ConsoleOptions::Recording& recording);
+    void openList(const QString& path);
+    void openScene(const QString& path);
+    /// A scene of a study goes to its page, in a folder of its own or the one that is named, and is a
+    /// rehearsal already; all others are sources, beside which the study is opened as it would be without
+    /// them.
+    void openScenes(const QStringList& scenes, const QString& study, bool rehearse);
+    /// study: empty: a new one, and only for a rehearsal.
+    void openStudy(const QString& study, bool rehearse);
+
+    /// Some of what is to be opened is not among the sources yet. A recording of which a person is asked how
+    /// it is to be read does not count.
+    [[nodiscard]] bool isReading() const { return m_reading > 0 || !m_awaited.isEmpty(); }
+
+signals:
+    /// A source list was read.
+    void listOpened(const QString& path);
+    void failed(const QString& name, const teleta::core::Error& error);
+    /// The page with the study is to be shown.
+    void studyShown();
+
+private:
+    template <typename Work, typename Done>
+    void read(Work work, Done done);
+    void onItems();
+
+    SourceManager& m_sources;
+    RecordingFiles& m_recordings;
+    StudyPage& m_study;
+    std::uint64_t m_seed;
+    int m_reading = 0;
+    QStringList m_awaited; ///< recordings that are being read
+};
+
+} // namespace teleta::console

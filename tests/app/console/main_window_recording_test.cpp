@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/main_window.h"
+#include "app/console/operate/recording_controls.h"
+#include "backend/recording/recording.h"
+#include "widgets/base/theme.h"
+#include "widgets/view3d/gl_setup.h"
+
+#include <QApplication>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+
+using namespace teleta;
+using console::ConsoleOptions;
+using console::ConsoleSettings;
+using console::MainWindow;
+using console::RecordingStation;
+
+namespace {
+
+constexpr int kPatience_ms = 60'000;
+
+} // namespace
+
+/// The recording that the command line asks for.
+class MainWindowRecordingTest : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<core::StopSwitch> m_stop;
+    std::unique_ptr<ConsoleSettings> m_settings;
+    std::unique_ptr<MainWindow> m_window;
+
+private slots:
+    void initTestCase() { base::applyTheme(base::ThemeChoice::light); }
+    void init() {
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_stop = std::make_unique<core::StopSwitch>();
+        m_settings = std::make_unique<ConsoleSettings>(true);
+    }
+    void cleanup() { m_window.reset(); }
+
+    void aRecordingFromTheStartTellsOfWhatWasAskedForWithIt_data() {
+        QTest::addColumn<QStringList>("scenes");
+        QTest::addColumn<QStringList>("files");
+        QTest::addColumn<bool>("asList");
+        const QString scene = QStringLiteral("tactile-indenter");
+        QTest::newRow("a scene") << QStringList{scene} << QStringList() << false;
+        QTest::newRow("beside some that cannot be opened")
+            << QStringList{scene} << QStringList{"/nowhere/scene.toml", "/nowhere/run.teleta"} << false;
+        QTest::newRow("a source list") << QStringList() << QStringList() << true;
+    }
+    void aRecordingFromTheStartTellsOfWhatWasAskedForWithIt() {
+        QFETCH(QStringList, scenes);
+        QFETCH(QStringList, files);
+        QFETCH(bool, asList);
+        ConsoleOptions options;
+        options.scenes = scenes;
+        options.files = files;
+        options.bracelet = QStringLiteral("simulated");
+        options.record = m_folder->filePath("new.teleta");
+        if (asList) {
+            QFile list(m_folder->filePath("list.toml"));
+            QVERIFY(list.open(QIODevice::WriteOnly));
+            QVERIFY(list.write("[[source]]\nscene = \":/scenes/tactile-indenter.toml\"\n") > 0);
+            options.sourceList = list.fileName();
+        }
+        m_window = std::make_unique<MainWindow>(options, *m_settings, *m_stop);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        m_window->openRequested(options);
+        RecordingStation& station = m_window->recording().station();
+        QTRY_VERIFY_WITH_TIMEOUT(station.status().frames >= 200, kPatience_ms);
+        QCOMPARE(station.path(), options.record);
+        QCOMPARE(m_window->anyFailure(), !files.isEmpty());
+        m_window->recording().stop();
+        QTRY_COMPARE_WITH_TIMEOUT(station.state(), RecordingStation::State::idle, kPatience_ms);
+        const auto recording = recording::Recording::open(options.record.toStdString());
+        QVERIFY2(recording, recording ? "" : core::describe(recording.error()).c_str());
+        QCOMPARE(recording->head().scene, std::string("tactile-indenter"));
+        QVERIFY(recording->head().sceneText.find("rate_Hz") != std::string::npos);
+        const std::string& configuration = recording->head().configuration;
+        QVERIFY2(configuration.find("\"scene\":") != std::string::npos, configuration.c_str());
+        QVERIFY2(configuration.find("\"bracelet\":") != std::string::npos, configuration.c_str());
+        QVERIFY2(configuration.find("nowhere") == std::string::npos, configuration.c_str());
+        QVERIFY(std::ranges::any_of(recording->streams(), [](const recording::StreamInfo& stream) {
+            return stream.name == "tactile-indenter-frames";
+        }));
+    }
+};
+
+int main(int argc, char* argv[]) {
+    view3d::configureOpenGlBeforeApplication();
+    QApplication application(argc, argv);
+    MainWindowRecordingTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "main_window_recording_test.moc"

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QKeySequence>
+#include <QList>
+
+class QKeyEvent;
+
+namespace teleta::base {
+
+/// The desktop's keys for Redo and Ctrl+Y, which many know and most desktops leave out. The first one is that
+/// of the desktop, which a menu shows. Thread: GUI.
+[[nodiscard]] QList<QKeySequence> redoKeys();
+[[nodiscard]] bool isRedo(const QKeyEvent& key);
+
+} // namespace teleta::base
