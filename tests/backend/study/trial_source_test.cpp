@@ -118,13 +118,15 @@ TEST_F(TrialSourceTest, aStudyHasThePatternsOfItsProtocolAlsoThoseThatNobodyFelt
     TrialResult result;
     result.planned = {Phase::test, 1, 1, 1, 1};
     result.outcome = Outcome::aborted;
-    ASSERT_TRUE(store.keepTrial(session, result, head.created));
+    const auto kept = store.keepTrial(session, result, head.created);
+    ASSERT_TRUE(kept) << describe(kept.error());
     ASSERT_TRUE(tallyStore(store, m_modes, m_tally));
     EXPECT_TRUE(studyResults(m_tally).empty()) << "nothing was completed";
-    result.planned.attempt = 2;
+    result.planned.attempt = result.trialInBlock = 2;
     result.outcome = Outcome::correct;
     result.response = 1;
-    ASSERT_TRUE(store.keepTrial(session, result, head.created));
+    const auto again = store.keepTrial(session, result, head.created);
+    ASSERT_TRUE(again) << describe(again.error());
     m_tally = {};
     m_modes = {};
     ASSERT_TRUE(tallyStore(store, m_modes, m_tally));
