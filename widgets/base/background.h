@@ -9,6 +9,11 @@
 
 namespace teleta::base {
 
+/// Where work runs that nobody has a pool of its own for. Not the pool of Qt: its painter fills large areas
+/// there and waits for that, so that a window whose pool is full of long computations is not painted.
+/// Thread: any.
+[[nodiscard]] QThreadPool& backgroundPool();
+
 /// Runs work on a thread of a pool and hands its result to done on the receiver's thread; when the receiver
 /// is gone by then, the result is dropped. For files and long computations that the GUI asks for: its own
 /// thread never waits for one. A pool of one thread keeps the order.
@@ -30,10 +35,10 @@ void runInBackground(QThreadPool& pool, QObject* receiver, Work work, Done done)
     });
 }
 
-/// The same on the application's pool, in any order.
+/// The same on backgroundPool(), in any order.
 template <typename Work, typename Done>
 void runInBackground(QObject* receiver, Work work, Done done) {
-    runInBackground(*QThreadPool::globalInstance(), receiver, std::move(work), std::move(done));
+    runInBackground(backgroundPool(), receiver, std::move(work), std::move(done));
 }
 
 } // namespace teleta::base

@@ -216,6 +216,8 @@ void DeviceStrip::mousePressEvent(QMouseEvent* event) {
 }
 
 bool DeviceStrip::event(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange)
+        setAccessibleName(tr("Devices"));
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
         const int index = cellAt(help->pos());

@@ -60,6 +60,7 @@ PatternEditor::PatternEditor(QWidget* parent)
     , m_endComparison(new QPushButton(m_comparison))
     , m_snapStep(new QDoubleSpinBox(this))
     , m_fileMenu(new QMenu(this))
+    , m_recentMenu(new QMenu(this))
     , m_addMenu(new QMenu(this)) {
     makeActions();
     makeFileMenu();
@@ -185,6 +186,7 @@ void PatternEditor::makeActions() {
 
 void PatternEditor::makeFileMenu() {
     connect(m_fileMenu, &QMenu::aboutToShow, this, &PatternEditor::fillFileMenu);
+    m_recentMenu->setToolTipsVisible(true);
     fillFileMenu();
 }
 
@@ -192,12 +194,12 @@ void PatternEditor::fillFileMenu() {
     m_fileMenu->clear();
     m_fileMenu->addAction(m_new);
     m_fileMenu->addAction(m_open);
-    QMenu* recent = m_fileMenu->addMenu(tr("&Recent"));
+    m_fileMenu->addMenu(m_recentMenu);
+    m_recentMenu->clear();
     for (const QString& path : m_recent)
-        recent->addAction(QFileInfo(path).fileName(), this, [this, path] { emit openRequested(path); })
+        m_recentMenu->addAction(QFileInfo(path).fileName(), this, [this, path] { emit openRequested(path); })
             ->setToolTip(path);
-    recent->setToolTipsVisible(true);
-    recent->setEnabled(!m_recent.isEmpty());
+    m_recentMenu->setEnabled(!m_recent.isEmpty());
     m_fileMenu->addSeparator();
     m_fileMenu->addAction(m_save);
     m_fileMenu->addAction(m_saveAs);
@@ -297,6 +299,7 @@ void PatternEditor::retranslate() {
         const QString keys = action->shortcut().toString(QKeySequence::NativeText);
         action->setToolTip(keys.isEmpty() ? help : help + QStringLiteral(" (") + keys + QLatin1Char(')'));
     };
+    m_recentMenu->setTitle(tr("&Recent"));
     name(m_file, tr("File"), tr("New, open, recent, save, export"));
     name(m_new, tr("New"), tr("An empty pattern"));
     name(m_open, tr("Open\u2026"), tr("Open a pattern file"));

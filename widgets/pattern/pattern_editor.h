@@ -98,7 +98,7 @@ private:
     QLabel* m_comparisonText;
     QPushButton* m_endComparison;
     QDoubleSpinBox* m_snapStep;
-    QMenu *m_fileMenu, *m_addMenu;
+    QMenu *m_fileMenu, *m_recentMenu, *m_addMenu;
     QStringList m_recent;
     QAction *m_file, *m_new, *m_open, *m_save, *m_saveAs, *m_exportTo, *m_play, *m_stop, *m_loop, *m_undo,
         *m_redo, *m_pen, *m_snap, *m_rotateBack, *m_rotate, *m_mirror, *m_swap, *m_fit, *m_add;

@@ -102,6 +102,7 @@ void CameraCalibrator::retranslate() {
         tr("Collect pairs: press a stick through the holes of a shell while a camera, or a "
            "video of it, is watched"));
     m_strip->retranslate();
+    m_origin->setText(tr("SIMULATED"));
     m_methodLabel->setText(tr("&Method:"));
     m_methods->setAccessibleName(tr("Method of calibration"));
     const std::array<QString, vision::kCalibrationMethods.size()> names{
@@ -431,7 +432,6 @@ void CameraCalibrator::refresh() {
     m_probeWith->setEnabled(m_probe->isEnabled());
     m_tube->setEnabled(m_probe->isEnabled()); // what is probed is a tube and an image of its own
     m_origin->setVisible(m_work.simulated);
-    m_origin->setText(tr("SIMULATED"));
     QPalette colours = palette();
     colours.setColor(QPalette::WindowText, base::statusColours(palette()).simulated);
     m_origin->setPalette(colours);

@@ -3,6 +3,7 @@
 
 #include "widgets/base/theme.h"
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
 #include <QDataStream>
@@ -327,8 +328,20 @@ void OperateDocks::retranslate() {
                                              tr("Feedback"),   tr("Contour"),        tr("Servo"),
                                              tr("Servo runs"), tr("Run sheet"),      tr("Camera"),
                                              tr("Events"),     tr("Marks")};
-    for (std::size_t i = 0; i < kDocks; ++i)
+    // Qt says what its buttons do once, in the language of that time.
+    constexpr const char* kQt = "QDockWidget";
+    const auto name = [kQt](const QDockWidget& dock, const char* button, const char* text,
+                            const char* description) {
+        if (auto* found = dock.findChild<QAbstractButton*>(QLatin1String(button))) {
+            found->setAccessibleName(QCoreApplication::translate(kQt, text));
+            found->setAccessibleDescription(QCoreApplication::translate(kQt, description));
+        }
+    };
+    for (std::size_t i = 0; i < kDocks; ++i) {
         m_docks[i]->setWindowTitle(titles[i]);
+        name(*m_docks[i], "qt_dockwidget_closebutton", "Close", "Closes the dock widget");
+        name(*m_docks[i], "qt_dockwidget_floatbutton", "Float", "Undocks and re-attaches the dock widget");
+    }
 }
 
 } // namespace teleta::console

@@ -94,18 +94,26 @@ public:
             own += letters(part);
         if (own >= kLetters)
             m_formats.push_back(
-                QRegularExpression(QRegularExpression::anchoredPattern(escaped.join(QStringLiteral(".*"))),
-                                   QRegularExpression::DotMatchesEverythingOption));
+                {parts.front(), parts.back(),
+                 QRegularExpression(QRegularExpression::anchoredPattern(escaped.join(QStringLiteral(".*"))),
+                                    QRegularExpression::DotMatchesEverythingOption)});
     }
     [[nodiscard]] bool has(const QString& text) const {
-        return m_whole.contains(text) ||
-               std::any_of(m_formats.begin(), m_formats.end(),
-                           [&](const QRegularExpression& format) { return format.match(text).hasMatch(); });
+        return m_whole.contains(text) || std::ranges::any_of(m_formats, [&](const Format& format) {
+                   return text.startsWith(format.head) && text.endsWith(format.tail) &&
+                          format.whole.match(text).hasMatch();
+               });
     }
 
 private:
+    /// Few texts begin and end as it does: the expression is slow.
+    struct Format {
+        QString head;
+        QString tail;
+        QRegularExpression whole;
+    };
     QSet<QString> m_whole;
-    std::vector<QRegularExpression> m_formats;
+    std::vector<Format> m_formats;
 };
 
 QString describe(const QObject* object) {
@@ -136,6 +144,7 @@ class MainWindowLanguageTest : public QObject {
     std::unique_ptr<MainWindow> m_window;
     KnownTexts m_english;
     KnownTexts m_french;
+    QHash<const KnownTexts*, QHash<QString, bool>> m_known; ///< whether a text is of this language alone
 
     void openWindow(const ConsoleOptions& options) {
         m_settings = std::make_unique<ConsoleSettings>(true);
@@ -196,8 +205,8 @@ class MainWindowLanguageTest : public QObject {
     }
 
     /// Texts of a language that are not texts of the other one too.
-    QStringList texts(const KnownTexts& of, const KnownTexts& notOf) const {
-        QHash<QString, bool> known;
+    QStringList texts(const KnownTexts& of, const KnownTexts& notOf) {
+        QHash<QString, bool>& known = m_known[&of];
         QStringList found;
         visitTexts([&](const QString& shown, const QObject* object) {
             const QString text = withoutMnemonic(shown);
@@ -237,10 +246,8 @@ private slots:
         QTest::addColumn<bool>("study");
         QTest::newRow("no source") << QString() << false;
         QTest::newRow("arm, study") << QStringLiteral(":/scenes/teleta-touch.toml") << true;
-        QTest::newRow("array") << QStringLiteral(":/scenes/tactile-two-contacts.toml") << false;
         QTest::newRow("servo") << QStringLiteral(":/scenes/servo-bent-bar.toml") << false;
         QTest::newRow("camera") << QStringLiteral(":/scenes/vtacarm-multicontact.toml") << false;
-        QTest::newRow("teleoperation") << QStringLiteral(":/scenes/teleoperation.toml") << false;
     }
     void nothingKeepsTheLanguageBefore() {
         QFETCH(QString, scene);

@@ -4,6 +4,7 @@
 #include "backend/motors/motor_file.h"
 #include "tests/app/console/bracelet/patient_station.h"
 #include "tests/backend/motors/measured_motor.h"
+#include "widgets/base/background.h"
 #include "widgets/base/theme.h"
 #include "widgets/calibrate/motor_table.h"
 #include "widgets/calibrate/motors_view.h"
@@ -18,7 +19,6 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QThreadPool>
 #include <QTimer>
 #include <QTranslator>
 
@@ -145,7 +145,7 @@ private slots:
     }
     void aMeasurementThatWaitsForAThreadDoesNotBeginAfterStopOrInAReservedBracelet() {
         QFETCH(bool, reserved);
-        QThreadPool& pool = *QThreadPool::globalInstance();
+        QThreadPool& pool = base::backgroundPool();
         QVERIFY(pool.waitForDone(60'000));
         std::latch end(1);
         const int threads = pool.maxThreadCount();

@@ -5,6 +5,7 @@
 #include "app/console/calibrate/tube_fields.h"
 #include "backend/vision/camera_file.h"
 #include "tests/backend/vision/simulated_pairs.h"
+#include "widgets/base/background.h"
 #include "widgets/base/number_format.h"
 
 #include <QAction>
@@ -20,7 +21,6 @@
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QThreadPool>
 #include <QTranslator>
 #include <QUndoStack>
 
@@ -188,7 +188,7 @@ private slots:
         calibrator.open(folder.filePath("many.csv"));
         calibrator.open(folder.filePath("few.csv"));
         QVERIFY(done.wait(60'000));
-        QThreadPool::globalInstance()->waitForDone();
+        base::backgroundPool().waitForDone();
         QCoreApplication::processEvents();
         QCOMPARE(calibrator.shown().pairs.size(), few.size());
     }

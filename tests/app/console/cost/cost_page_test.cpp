@@ -2,6 +2,7 @@
 #include "app/console/cost/cost_page.h"
 #include "app/console/operate/source_manager.h"
 #include "backend/cost/cost_file.h"
+#include "widgets/base/background.h"
 #include "widgets/base/theme.h"
 #include "widgets/cost/cost_chart.h"
 
@@ -19,7 +20,6 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QThread>
-#include <QThreadPool>
 #include <QTimer>
 
 #include <algorithm>
@@ -244,7 +244,7 @@ private slots:
         QTRY_VERIFY(m_page->measuring().isRunning());
         m_page.reset();
         *held = false;
-        QVERIFY(QThreadPool::globalInstance()->waitForDone(kPatience_ms));
+        QVERIFY(base::backgroundPool().waitForDone(kPatience_ms));
         QVERIFY(!QFile::exists(file()));
     }
 

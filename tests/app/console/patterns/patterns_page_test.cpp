@@ -6,6 +6,7 @@
 #include "backend/pattern/pattern_file.h"
 #include "backend/pattern/pattern_json.h"
 #include "tests/app/console/bracelet/patient_station.h"
+#include "widgets/base/background.h"
 #include "widgets/pattern/law_list.h"
 #include "widgets/pattern/pattern_editor.h"
 #include "widgets/pattern/pattern_library.h"
@@ -34,7 +35,6 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QThreadPool>
 #include <QTimer>
 #include <QTreeWidget>
 
@@ -458,7 +458,7 @@ private slots:
         QSignalSpy opened(&document(), &editor::PatternDocument::patternOpened);
         writeTo(slow, *text);
         // On the same pool and from the same thread: when this has come, that has.
-        QThreadPool::globalInstance()->waitForDone();
+        base::backgroundPool().waitForDone();
         QCoreApplication::processEvents();
         QVERIFY(opened.isEmpty());
         QCOMPARE(document().path(), quick);
