@@ -246,8 +246,10 @@ private slots:
         QTest::addColumn<bool>("study");
         QTest::newRow("no source") << QString() << false;
         QTest::newRow("arm, study") << QStringLiteral(":/scenes/teleta-touch.toml") << true;
+        QTest::newRow("array") << QStringLiteral(":/scenes/tactile-two-contacts.toml") << false;
         QTest::newRow("servo") << QStringLiteral(":/scenes/servo-bent-bar.toml") << false;
         QTest::newRow("camera") << QStringLiteral(":/scenes/vtacarm-multicontact.toml") << false;
+        QTest::newRow("teleoperation") << QStringLiteral(":/scenes/teleoperation.toml") << false;
     }
     void nothingKeepsTheLanguageBefore() {
         QFETCH(QString, scene);
