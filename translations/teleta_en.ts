@@ -63,7 +63,7 @@
     </message>
 </context>
 <context>
-    <name>StudyReport</name>
+    <name>ReportText</name>
     <message numerus="yes">
         <source>Stimuli: %n trial(s) were played on a bracelet; the longest write of a frame took %1 ms.</source>
         <translation>

@@ -7,6 +7,10 @@
         <source>interrupted before all runs were done</source>
         <translation>interrompu avant la fin de toutes les exécutions</translation>
     </message>
+    <message>
+        <source>the spread of a measure needs at least two seeds</source>
+        <translation>la dispersion d’une mesure demande au moins deux graines</translation>
+    </message>
 </context>
 <context>
     <name>About</name>
@@ -341,55 +345,6 @@
     </message>
 </context>
 <context>
-    <name>BraceletStimulus</name>
-    <message>
-        <source>%1, ready</source>
-        <comment>bracelet</comment>
-        <translation>%1, prêt</translation>
-    </message>
-    <message>
-        <source>%1, ready; last stimulus: %2 frames, longest write %3 ms, %4 late, %5 lost</source>
-        <comment>bracelet</comment>
-        <translation>%1, prêt&#xa0;; dernier stimulus&#xa0;: %2 trames, écriture la plus longue %3 ms, %4 en retard, %5 perdues</translation>
-    </message>
-    <message>
-        <source>the bracelet was lost</source>
-        <translation>le bracelet a été perdu</translation>
-    </message>
-    <message>
-        <source>STOP was pressed</source>
-        <translation>STOP a été enclenché</translation>
-    </message>
-    <message>
-        <source>the bracelet did not begin</source>
-        <translation>le bracelet n’a pas commencé</translation>
-    </message>
-    <message>
-        <source>something else used the bracelet</source>
-        <translation>autre chose a utilisé le bracelet</translation>
-    </message>
-    <message>
-        <source>No bracelet: this rehearsal runs too fast to be played</source>
-        <translation>Pas de bracelet&#xa0;: cette répétition générale est trop rapide pour être jouée</translation>
-    </message>
-    <message>
-        <source>the bracelet does not answer</source>
-        <translation>le bracelet ne répond pas</translation>
-    </message>
-    <message>
-        <source>the bracelet did not confirm that it got the stimulus</source>
-        <translation>le bracelet n’a pas confirmé avoir reçu le stimulus</translation>
-    </message>
-    <message>
-        <source>the bracelet is too hot</source>
-        <translation>le bracelet est trop chaud</translation>
-    </message>
-    <message>
-        <source>the bracelet refused the stimulus: it did not understand it</source>
-        <translation>le bracelet a refusé le stimulus&#xa0;: il ne l’a pas compris</translation>
-    </message>
-</context>
-<context>
     <name>CalibrateCommand</name>
     <message>
         <source>Pairs</source>
@@ -527,10 +482,6 @@
 <context>
     <name>Camera</name>
     <message>
-        <source>The camera gives no frames any more.</source>
-        <translation>La caméra ne donne plus d’images.</translation>
-    </message>
-    <message>
         <source>camera %1 cannot be opened</source>
         <translation>la caméra %1 ne peut pas être ouverte</translation>
     </message>
@@ -561,40 +512,6 @@
     <message>
         <source>camera %1</source>
         <translation>la caméra %1</translation>
-    </message>
-</context>
-<context>
-    <name>CameraCalibration</name>
-    <message>
-        <source>interrupted</source>
-        <translation>interrompu</translation>
-    </message>
-    <message>
-        <source>the file has too many pairs</source>
-        <translation>le fichier a trop de paires</translation>
-    </message>
-    <message>
-        <source>at most %1</source>
-        <translation>au plus %1</translation>
-    </message>
-</context>
-<context>
-    <name>CameraFile</name>
-    <message>
-        <source>this is no camera matrix</source>
-        <translation>ce n’est pas une matrice de caméra</translation>
-    </message>
-    <message>
-        <source>this is no camera file</source>
-        <translation>ce n’est pas un fichier de caméra</translation>
-    </message>
-    <message>
-        <source>the file is of a newer version</source>
-        <translation>le fichier est d’une version plus récente</translation>
-    </message>
-    <message>
-        <source>the cylinder has no length</source>
-        <translation>le cylindre n’a pas de longueur</translation>
     </message>
 </context>
 <context>
@@ -658,6 +575,26 @@
         <source>the distortion folds on the axis already</source>
         <translation>la distorsion se replie déjà sur l’axe</translation>
     </message>
+    <message>
+        <source>this is no camera matrix</source>
+        <translation>ce n’est pas une matrice de caméra</translation>
+    </message>
+    <message>
+        <source>this is no camera file</source>
+        <translation>ce n’est pas un fichier de caméra</translation>
+    </message>
+    <message>
+        <source>the file is of a newer version</source>
+        <translation>le fichier est d’une version plus récente</translation>
+    </message>
+    <message>
+        <source>the cylinder has no length</source>
+        <translation>le cylindre n’a pas de longueur</translation>
+    </message>
+    <message>
+        <source>The camera gives no frames any more.</source>
+        <translation>La caméra ne donne plus d’images.</translation>
+    </message>
 </context>
 <context>
     <name>ChartText</name>
@@ -704,6 +641,10 @@
     <message>
         <source>less bias</source>
         <translation>sans biais</translation>
+    </message>
+    <message>
+        <source>cannot make the folder</source>
+        <translation>impossible de créer le dossier</translation>
     </message>
 </context>
 <context>
@@ -1151,7 +1092,15 @@ Exemples&#xa0;:
     </message>
 </context>
 <context>
-    <name>CostFigure</name>
+    <name>CostFigureText</name>
+    <message>
+        <source>Filled: no other rung is both as quick and as exact. Lines: to the 95 % error and the 99 % time.</source>
+        <translation>Pleins&#xa0;: aucun autre échelon n’est à la fois aussi rapide et aussi exact. Traits&#xa0;: jusqu’à l’erreur à 95&#xa0;% et au temps à 99&#xa0;%.</translation>
+    </message>
+    <message>
+        <source>Not measured, the machine was too noisy or there is no error: %1.</source>
+        <translation>Non mesuré, machine trop perturbée ou erreur inconnue&#xa0;: %1.</translation>
+    </message>
     <message>
         <source>Median time of one call</source>
         <translation>Temps médian d’un appel</translation>
@@ -1166,18 +1115,11 @@ Exemples&#xa0;:
     </message>
 </context>
 <context>
-    <name>CostFigureText</name>
+    <name>CostFileText</name>
     <message>
-        <source>Filled: no other rung is both as quick and as exact. Lines: to the 95 % error and the 99 % time.</source>
-        <translation>Pleins&#xa0;: aucun autre échelon n’est à la fois aussi rapide et aussi exact. Traits&#xa0;: jusqu’à l’erreur à 95&#xa0;% et au temps à 99&#xa0;%.</translation>
+        <source>&quot;%1&quot; is no value of the column %2</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas une valeur de la colonne %2</translation>
     </message>
-    <message>
-        <source>Not measured, the machine was too noisy or there is no error: %1.</source>
-        <translation>Non mesuré, machine trop perturbée ou erreur inconnue&#xa0;: %1.</translation>
-    </message>
-</context>
-<context>
-    <name>CostFile</name>
     <message>
         <source>a number that is not negative, or NA</source>
         <translation>un nombre non négatif, ou NA</translation>
@@ -1189,13 +1131,6 @@ Exemples&#xa0;:
     <message>
         <source>a number of samples</source>
         <translation>un nombre d’échantillons</translation>
-    </message>
-</context>
-<context>
-    <name>CostFileText</name>
-    <message>
-        <source>&quot;%1&quot; is no value of the column %2</source>
-        <translation>«&#xa0;%1&#xa0;» n’est pas une valeur de la colonne %2</translation>
     </message>
 </context>
 <context>
@@ -1642,13 +1577,6 @@ Exemples&#xa0;:
     </message>
 </context>
 <context>
-    <name>EffectAblation</name>
-    <message>
-        <source>the spread of a measure needs at least two seeds</source>
-        <translation>la dispersion d’une mesure demande au moins deux graines</translation>
-    </message>
-</context>
-<context>
     <name>Error</name>
     <message>
         <source> (expected %1)</source>
@@ -1821,17 +1749,6 @@ Exemples&#xa0;:
     </message>
 </context>
 <context>
-    <name>FigureFile</name>
-    <message>
-        <source>the picture has no size</source>
-        <translation>l’image n’a pas de taille</translation>
-    </message>
-    <message>
-        <source>the picture would have too many pixels</source>
-        <translation>l’image aurait trop de pixels</translation>
-    </message>
-</context>
-<context>
     <name>FigureText</name>
     <message>
         <source>Actual pattern</source>
@@ -1840,6 +1757,90 @@ Exemples&#xa0;:
     <message>
         <source>cannot draw the picture: %1</source>
         <translation>impossible de dessiner l’image&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>the picture has no size</source>
+        <translation>l’image n’a pas de taille</translation>
+    </message>
+    <message>
+        <source>the picture would have too many pixels</source>
+        <translation>l’image aurait trop de pixels</translation>
+    </message>
+    <message>
+        <source>Force, N</source>
+        <translation>Force, N</translation>
+    </message>
+    <message>
+        <source>CoP y, mm</source>
+        <translation>CoP y, mm</translation>
+    </message>
+    <message>
+        <source>CoC x, mm</source>
+        <translation>CoC x, mm</translation>
+    </message>
+    <message>
+        <source>DZMP y, mm</source>
+        <translation>DZMP y, mm</translation>
+    </message>
+    <message>
+        <source>α z, °</source>
+        <translation>α z, °</translation>
+    </message>
+    <message>
+        <source>Turn z, °</source>
+        <translation>Rotation z, °</translation>
+    </message>
+    <message>
+        <source>Way, mm</source>
+        <translation>Trajet, mm</translation>
+    </message>
+    <message>
+        <source>Tactile servoing: force and features over time</source>
+        <translation>Asservissement tactile&#xa0;: force et caractéristiques au cours du temps</translation>
+    </message>
+    <message>
+        <source>desired</source>
+        <translation>désiré</translation>
+    </message>
+    <message>
+        <source>true</source>
+        <translation>vrai</translation>
+    </message>
+    <message>
+        <source>in contact</source>
+        <translation>en contact</translation>
+    </message>
+    <message>
+        <source>weight is moved; its moment is gone</source>
+        <translation>le poids est déplacé&#xa0;; son moment a disparu</translation>
+    </message>
+    <message>
+        <source>Tactile servoing, simulated</source>
+        <translation>Asservissement tactile, simulé</translation>
+    </message>
+    <message>
+        <source>Tactile servoing</source>
+        <translation>Asservissement tactile</translation>
+    </message>
+    <message>
+        <source>a limit acts (%1)</source>
+        <translation>une limite agit (%1)</translation>
+    </message>
+    <message>
+        <source>time, s</source>
+        <translation>temps, s</translation>
+    </message>
+    <message>
+        <source>Subject response, %</source>
+        <translation>Réponse du sujet,&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Subject response, trials</source>
+        <translation>Réponse du sujet, essais</translation>
+    </message>
+    <message>
+        <source>Subject response, % and trials</source>
+        <translation>Réponse du sujet,&#xa0;% et essais</translation>
     </message>
 </context>
 <context>
@@ -1851,6 +1852,54 @@ Exemples&#xa0;:
     <message>
         <source>one of %1</source>
         <translation>l’un de %1</translation>
+    </message>
+    <message>
+        <source>these values contradict each other</source>
+        <translation>ces valeurs se contredisent</translation>
+    </message>
+    <message>
+        <source>0 &lt; start_drive &lt; full_drive, a curve that rises from the start or before it to the drive 1</source>
+        <translation>0 &lt; start_drive &lt; full_drive, une courbe qui monte depuis le démarrage ou avant jusqu’à la commande 1</translation>
+    </message>
+    <message>
+        <source>the file is of a newer version</source>
+        <translation>le fichier est d’une version plus récente</translation>
+    </message>
+    <message>
+        <source>there are %1 motors</source>
+        <translation>il y a %1 moteurs</translation>
+    </message>
+    <message>
+        <source>the profile is of the bracelet &quot;%1&quot;</source>
+        <translation>le profil est celui du bracelet «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>there is no such file or built-in pattern</source>
+        <translation>il n’y a pas de tel fichier ni de tel motif intégré</translation>
+    </message>
+    <message>
+        <source>a pattern file, or an id of teleta pattern list</source>
+        <translation>un fichier de motif, ou un identifiant de teleta pattern list</translation>
+    </message>
+    <message>
+        <source>the file is too large</source>
+        <translation>le fichier est trop grand</translation>
+    </message>
+    <message>
+        <source>at most %1 MiB</source>
+        <translation>au plus %1 MiB</translation>
+    </message>
+    <message>
+        <source>this format holds one tactor, the pattern uses more</source>
+        <translation>ce format contient un seul tacteur, le motif en utilise davantage</translation>
+    </message>
+    <message>
+        <source>a name that ends with %1</source>
+        <translation>un nom qui se termine par %1</translation>
+    </message>
+    <message>
+        <source>patterns are written in this format, but not read</source>
+        <translation>les motifs s’écrivent dans ce format, mais ne s’y lisent pas</translation>
     </message>
 </context>
 <context>
@@ -2491,24 +2540,12 @@ Exemples&#xa0;:
 <context>
     <name>MotorFile</name>
     <message>
-        <source>these values contradict each other</source>
-        <translation>ces valeurs se contredisent</translation>
-    </message>
-    <message>
-        <source>0 &lt; start_drive &lt; full_drive, a curve that rises from the start or before it to the drive 1</source>
-        <translation>0 &lt; start_drive &lt; full_drive, une courbe qui monte depuis le démarrage ou avant jusqu’à la commande 1</translation>
-    </message>
-    <message>
         <source>the file is of a newer version</source>
         <translation>le fichier est d’une version plus récente</translation>
     </message>
     <message>
         <source>there are %1 motors</source>
         <translation>il y a %1 moteurs</translation>
-    </message>
-    <message>
-        <source>the profile is of the bracelet &quot;%1&quot;</source>
-        <translation>le profil est celui du bracelet «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>the limits are of the bracelet &quot;%1&quot;</source>
@@ -2640,18 +2677,6 @@ Exemples&#xa0;:
 </context>
 <context>
     <name>MotorRecording</name>
-    <message>
-        <source>The bracelet does not measure its motors.</source>
-        <translation>Le bracelet ne mesure pas ses moteurs.</translation>
-    </message>
-    <message>
-        <source>a recording with a sensor of your own, or answers of a person</source>
-        <translation>un enregistrement avec votre propre capteur, ou les réponses d’une personne</translation>
-    </message>
-    <message>
-        <source>The measurement was ended.</source>
-        <translation>La mesure a été arrêtée.</translation>
-    </message>
     <message>
         <source>the time does not rise</source>
         <translation>le temps n’augmente pas</translation>
@@ -2907,6 +2932,18 @@ Aire %6</translation>
         <source>a positive radius, width and height of 1 to %1 pixels</source>
         <translation>un rayon positif, une largeur et une hauteur de 1 à %1 pixels</translation>
     </message>
+    <message>
+        <source>interrupted</source>
+        <translation>interrompu</translation>
+    </message>
+    <message>
+        <source>the file has too many pairs</source>
+        <translation>le fichier a trop de paires</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>au plus %1</translation>
+    </message>
 </context>
 <context>
     <name>PatternCommand</name>
@@ -3134,34 +3171,6 @@ Aire %6</translation>
         <translation>le fichier est d’une version plus récente</translation>
     </message>
     <message>
-        <source>there is no such file or built-in pattern</source>
-        <translation>il n’y a pas de tel fichier ni de tel motif intégré</translation>
-    </message>
-    <message>
-        <source>a pattern file, or an id of teleta pattern list</source>
-        <translation>un fichier de motif, ou un identifiant de teleta pattern list</translation>
-    </message>
-    <message>
-        <source>the file is too large</source>
-        <translation>le fichier est trop grand</translation>
-    </message>
-    <message>
-        <source>at most %1 MiB</source>
-        <translation>au plus %1 MiB</translation>
-    </message>
-    <message>
-        <source>this format holds one tactor, the pattern uses more</source>
-        <translation>ce format contient un seul tacteur, le motif en utilise davantage</translation>
-    </message>
-    <message>
-        <source>a name that ends with %1</source>
-        <translation>un nom qui se termine par %1</translation>
-    </message>
-    <message>
-        <source>patterns are written in this format, but not read</source>
-        <translation>les motifs s’écrivent dans ce format, mais ne s’y lisent pas</translation>
-    </message>
-    <message>
         <source>this name is not known</source>
         <translation>ce nom n’est pas connu</translation>
     </message>
@@ -3180,18 +3189,6 @@ Aire %6</translation>
     <message>
         <source>this effect is for other devices</source>
         <translation>cet effet est pour d’autres appareils</translation>
-    </message>
-    <message>
-        <source>the zip archive has too many files</source>
-        <translation>l’archive zip a trop de fichiers</translation>
-    </message>
-    <message>
-        <source>at most %1</source>
-        <translation>au plus %1</translation>
-    </message>
-    <message>
-        <source>the unpacked zip archive is too large</source>
-        <translation>l’archive zip décompressée est trop grande</translation>
     </message>
     <message>
         <source>the folder cannot be made</source>
@@ -3577,9 +3574,6 @@ Aire %6</translation>
         <source>the stream &quot;%1&quot; is not described: %2</source>
         <translation>le flux «&#xa0;%1&#xa0;» n’est pas décrit&#xa0;: %2</translation>
     </message>
-</context>
-<context>
-    <name>RecordedStreams</name>
     <message>
         <source>it is no array</source>
         <translation>ce n’est pas une matrice</translation>
@@ -3588,6 +3582,9 @@ Aire %6</translation>
         <source>it is no arm</source>
         <translation>ce n’est pas un bras</translation>
     </message>
+</context>
+<context>
+    <name>RecordedStreams</name>
     <message>
         <source>the recording has no frames of an array or a camera</source>
         <translation>l’enregistrement n’a ni trames de matrice ni images de caméra</translation>
@@ -3907,6 +3904,261 @@ Aire %6</translation>
     <message>
         <source>analysis.R beside this page computes its numbers again from confusion_long.csv, but the response times, which that file does not have, and the bootstrap intervals: Rscript analysis.R. In the folder of the study it computes the response times too, from the exported trials.</source>
         <translation>analysis.R, à côté de cette page, recalcule ses nombres à partir de confusion_long.csv, sauf les temps de réponse, que ce fichier n’a pas, et les intervalles de bootstrap&#xa0;: Rscript analysis.R. Dans le dossier de l’étude, il calcule aussi les temps de réponse, à partir des essais exportés.</translation>
+    </message>
+    <message>
+        <source>There are no test trials.</source>
+        <translation>Il n’y a pas d’essais de test.</translation>
+    </message>
+    <message>
+        <source>Correct answers of the group; the interval is that of Student&apos;s t over participants (95 %)</source>
+        <translation>Réponses correctes du groupe&#xa0;; l’intervalle est celui du t de Student sur les participants (95&#xa0;%)</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Condition</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>Participants</translation>
+    </message>
+    <message>
+        <source>Mean, %</source>
+        <translation>Moyenne,&#xa0;%</translation>
+    </message>
+    <message>
+        <source>SD, %</source>
+        <translation>Écart-type,&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Interval, %</source>
+        <translation>Intervalle,&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Correct answers</source>
+        <translation>Réponses correctes</translation>
+    </message>
+    <message>
+        <source>Dots: participants. Marks: mean with the t interval over participants.</source>
+        <translation>Points&#xa0;: participants. Marques&#xa0;: moyenne avec l’intervalle t sur les participants.</translation>
+    </message>
+    <message>
+        <source>Rows: presented; columns: answered. Percent of the row, all participants.</source>
+        <translation>Lignes&#xa0;: présenté&#xa0;; colonnes&#xa0;: répondu. Pourcentage de la ligne, tous les participants.</translation>
+    </message>
+    <message>
+        <source>Presented</source>
+        <translation>Présenté</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Essais</translation>
+    </message>
+    <message>
+        <source>%1: trials and share of the row in percent</source>
+        <translation>%1&#xa0;: essais et part de la ligne en pour cent</translation>
+    </message>
+    <message>
+        <source>Confusion matrices</source>
+        <translation>Matrices de confusion</translation>
+    </message>
+    <message>
+        <source>Pattern</source>
+        <translation>Motif</translation>
+    </message>
+    <message>
+        <source>%1, %</source>
+        <translation>%1,&#xa0;%</translation>
+    </message>
+    <message>
+        <source>df</source>
+        <translation>ddl</translation>
+    </message>
+    <message>
+        <source>Mean of the participants&apos; correct answers for each pattern; two conditions are compared within participants</source>
+        <translation>Moyenne des réponses correctes des participants pour chaque motif&#xa0;; deux conditions sont comparées intra-participants</translation>
+    </message>
+    <message>
+        <source>Patterns and conditions</source>
+        <translation>Motifs et conditions</translation>
+    </message>
+    <message>
+        <source>Mean of the participants with the t interval (95 %).</source>
+        <translation>Moyenne des participants avec l’intervalle t (95&#xa0;%).</translation>
+    </message>
+    <message>
+        <source>Participants&apos; median response times of correct, answered test trials, from the onset of the stimulus</source>
+        <translation>Temps de réponse médians des participants pour les essais de test répondus correctement, depuis le début du stimulus</translation>
+    </message>
+    <message>
+        <source>Median of the medians, s</source>
+        <translation>Médiane des médianes, s</translation>
+    </message>
+    <message>
+        <source>Shortest, s</source>
+        <translation>Le plus court, s</translation>
+    </message>
+    <message>
+        <source>Longest, s</source>
+        <translation>Le plus long, s</translation>
+    </message>
+    <message>
+        <source>Response times</source>
+        <translation>Temps de réponse</translation>
+    </message>
+    <message>
+        <source>Dots: medians of participants. Marks: the median of these.</source>
+        <translation>Points&#xa0;: médianes des participants. Marques&#xa0;: médiane de celles-ci.</translation>
+    </message>
+    <message>
+        <source>Information transfer of the pooled answers in bit, its bias, and the bootstrap interval over participants (95 %, of the measured value)</source>
+        <translation>Transfert d’information des réponses cumulées en bit, son biais, et l’intervalle bootstrap sur les participants (95&#xa0;%, de la valeur mesurée)</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Mesuré</translation>
+    </message>
+    <message>
+        <source>Bias</source>
+        <translation>Biais</translation>
+    </message>
+    <message>
+        <source>Corrected</source>
+        <translation>Corrigé</translation>
+    </message>
+    <message>
+        <source>Interval</source>
+        <translation>Intervalle</translation>
+    </message>
+    <message>
+        <source>A guesser would show</source>
+        <translation>Valeur en devinant</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>Remarque</translation>
+    </message>
+    <message>
+        <source>few trials: fewer than 5 k²</source>
+        <translation>peu d’essais&#xa0;: moins de 5 k²</translation>
+    </message>
+    <message>
+        <source>Information transfer</source>
+        <translation>Transfert d’information</translation>
+    </message>
+    <message>
+        <source>Filled: measured, with the bootstrap interval. Hollow: less the bias.</source>
+        <translation>Pleins&#xa0;: mesuré, avec l’intervalle bootstrap. Creux&#xa0;: moins le biais.</translation>
+    </message>
+    <message>
+        <source>The measured value is too high with few trials: even a participant who only guesses shows more than 0 bit. Compare it with the column of the guesser, and use the corrected value with care.</source>
+        <translation>La valeur mesurée est trop élevée avec peu d’essais&#xa0;: même un participant qui ne fait que deviner montre plus de 0 bit. Comparez-la à la colonne de la valeur en devinant, et utilisez la valeur corrigée avec prudence.</translation>
+    </message>
+    <message>
+        <source>Each participant, test trials; intervals of 95 %, p of so many correct answers by chance</source>
+        <translation>Chaque participant, essais de test&#xa0;; intervalles à 95&#xa0;%, p d’autant de réponses correctes au hasard</translation>
+    </message>
+    <message>
+        <source>Participant</source>
+        <translation>Participant</translation>
+    </message>
+    <message>
+        <source>Correct</source>
+        <translation>Correctes</translation>
+    </message>
+    <message>
+        <source>No answer</source>
+        <translation>Sans réponse</translation>
+    </message>
+    <message>
+        <source>Accuracy, %</source>
+        <translation>Exactitude,&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Wilson, %</source>
+        <translation>Wilson,&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Clopper-Pearson, %</source>
+        <translation>Clopper-Pearson,&#xa0;%</translation>
+    </message>
+    <message>
+        <source>p of chance</source>
+        <translation>p au hasard</translation>
+    </message>
+    <message>
+        <source>Transfer, bit</source>
+        <translation>Transfert, bit</translation>
+    </message>
+    <message>
+        <source>Guesser, bit</source>
+        <translation>En devinant, bit</translation>
+    </message>
+    <message>
+        <source>Corrected, bit</source>
+        <translation>Corrigé, bit</translation>
+    </message>
+    <message>
+        <source>Median time, s</source>
+        <translation>Temps médian, s</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Analysis of variance within participants of the shares of correct answers; p with the corrections of Greenhouse and Geisser and of Huynh and Feldt</source>
+        <translation>Analyse de variance intra-participants des parts de réponses correctes&#xa0;; p avec les corrections de Greenhouse et Geisser et de Huynh et Feldt</translation>
+    </message>
+    <message>
+        <source>Effect</source>
+        <translation>Effet</translation>
+    </message>
+    <message>
+        <source>partial η²</source>
+        <translation>η² partiel</translation>
+    </message>
+    <message>
+        <source>generalised η²</source>
+        <translation>η² généralisé</translation>
+    </message>
+    <message>
+        <source>%1 is left out: a cell is missing</source>
+        <translation>%1 est écarté&#xa0;: une cellule manque</translation>
+    </message>
+    <message>
+        <source>Analysis of variance</source>
+        <translation>Analyse de variance</translation>
+    </message>
+    <message numerus="yes">
+        <source>Stimuli: %n trial(s) were played on a bracelet; the longest write of a frame took %1 ms.</source>
+        <translation>
+            <numerusform>Stimuli&#xa0;: %n essai a été joué sur un bracelet&#xa0;; l’écriture la plus longue d’une trame a pris %1 ms.</numerusform>
+            <numerusform>Stimuli&#xa0;: %n essais ont été joués sur un bracelet&#xa0;; l’écriture la plus longue d’une trame a pris %1 ms.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Stimuli: the frames of %n trial(s) were counted.</source>
+        <translation>
+            <numerusform>Stimuli&#xa0;: les trames de %n essai ont été comptées.</numerusform>
+            <numerusform>Stimuli&#xa0;: les trames de %n essais ont été comptées.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 Frames were missed in %2 of them, %3 in all.</source>
+        <comment>the sentence before, numbers</comment>
+        <translation>%1 Des trames ont manqué dans %2 d’entre eux, %3 au total.</translation>
+    </message>
+    <message>
+        <source>PILOT: these data were taken to try the study out.</source>
+        <translation>PILOTE&#xa0;: ces données ont été recueillies pour mettre l’étude à l’épreuve.</translation>
+    </message>
+    <message>
+        <source>SIMULATED: these answers were made by a program, not by people.</source>
+        <translation>SIMULÉ&#xa0;: ces réponses ont été données par un programme, non par des personnes.</translation>
+    </message>
+    <message>
+        <source>cannot make the folder</source>
+        <translation>impossible de créer le dossier</translation>
     </message>
 </context>
 <context>
@@ -4286,6 +4538,18 @@ Aire %6</translation>
         <source>let it cool down and measure again</source>
         <translation>laissez-le refroidir et mesurez à nouveau</translation>
     </message>
+    <message>
+        <source>The bracelet does not measure its motors.</source>
+        <translation>Le bracelet ne mesure pas ses moteurs.</translation>
+    </message>
+    <message>
+        <source>a recording with a sensor of your own, or answers of a person</source>
+        <translation>un enregistrement avec votre propre capteur, ou les réponses d’une personne</translation>
+    </message>
+    <message>
+        <source>The measurement was ended.</source>
+        <translation>La mesure a été arrêtée.</translation>
+    </message>
 </context>
 <context>
     <name>Scene</name>
@@ -4548,73 +4812,6 @@ Aire %6</translation>
     <message>
         <source>names such as force+tool_speed, or nothing</source>
         <translation>des noms comme force+tool_speed, ou rien</translation>
-    </message>
-</context>
-<context>
-    <name>ServoFigure</name>
-    <message>
-        <source>Force, N</source>
-        <translation>Force, N</translation>
-    </message>
-    <message>
-        <source>CoP y, mm</source>
-        <translation>CoP y, mm</translation>
-    </message>
-    <message>
-        <source>CoC x, mm</source>
-        <translation>CoC x, mm</translation>
-    </message>
-    <message>
-        <source>DZMP y, mm</source>
-        <translation>DZMP y, mm</translation>
-    </message>
-    <message>
-        <source>α z, °</source>
-        <translation>α z, °</translation>
-    </message>
-    <message>
-        <source>Way, mm</source>
-        <translation>Trajet, mm</translation>
-    </message>
-    <message>
-        <source>Tactile servoing: force and features over time</source>
-        <translation>Asservissement tactile&#xa0;: force et caractéristiques au cours du temps</translation>
-    </message>
-    <message>
-        <source>desired</source>
-        <translation>désiré</translation>
-    </message>
-    <message>
-        <source>true</source>
-        <translation>vrai</translation>
-    </message>
-    <message>
-        <source>Tactile servoing, simulated</source>
-        <translation>Asservissement tactile, simulé</translation>
-    </message>
-    <message>
-        <source>Tactile servoing</source>
-        <translation>Asservissement tactile</translation>
-    </message>
-    <message>
-        <source>time, s</source>
-        <translation>temps, s</translation>
-    </message>
-    <message>
-        <source>in contact</source>
-        <translation>en contact</translation>
-    </message>
-    <message>
-        <source>a limit acts (%1)</source>
-        <translation>une limite agit (%1)</translation>
-    </message>
-    <message>
-        <source>weight is moved; its moment is gone</source>
-        <translation>le poids est déplacé&#xa0;; son moment a disparu</translation>
-    </message>
-    <message>
-        <source>Turn z, °</source>
-        <translation>Rotation z, °</translation>
     </message>
 </context>
 <context>
@@ -4947,6 +5144,54 @@ Aire %6</translation>
         <source>each participant in one study, under a name of their own</source>
         <translation>chaque participant dans une seule étude, sous un nom qui lui est propre</translation>
     </message>
+    <message>
+        <source>run, pilot or simulated</source>
+        <translation>run, pilot ou simulated</translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation>une valeur</translation>
+    </message>
+    <message>
+        <source>practice or test</source>
+        <translation>practice ou test</translation>
+    </message>
+    <message>
+        <source>correct, incorrect, timeout, aborted or device_error</source>
+        <translation>correct, incorrect, timeout, aborted ou device_error</translation>
+    </message>
+    <message>
+        <source>what stimulus and response say</source>
+        <translation>ce que disent stimulus et response</translation>
+    </message>
+    <message>
+        <source>a number of seconds or NA</source>
+        <translation>un nombre de secondes ou NA</translation>
+    </message>
+    <message>
+        <source>a whole number from 1 on</source>
+        <translation>un nombre entier à partir de 1</translation>
+    </message>
+    <message>
+        <source>%1 at most</source>
+        <translation>%1 au plus</translation>
+    </message>
+    <message>
+        <source>trial %1 of session %2 of %3 was counted before</source>
+        <translation>l’essai %1 de la session %2 de %3 a déjà été compté</translation>
+    </message>
+    <message>
+        <source>each trial once</source>
+        <translation>chaque essai une seule fois</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>interrompu</translation>
+    </message>
+    <message>
+        <source>there are too many different patterns</source>
+        <translation>il y a trop de motifs différents</translation>
+    </message>
 </context>
 <context>
     <name>StiffnessCommand</name>
@@ -5165,12 +5410,126 @@ Aire %6</translation>
         <source>the bracelet is too hot</source>
         <translation>le bracelet est trop chaud</translation>
     </message>
+    <message>
+        <source>%1, ready</source>
+        <comment>bracelet</comment>
+        <translation>%1, prêt</translation>
+    </message>
+    <message>
+        <source>%1, ready; last stimulus: %2 frames, longest write %3 ms, %4 late, %5 lost</source>
+        <comment>bracelet</comment>
+        <translation>%1, prêt&#xa0;; dernier stimulus&#xa0;: %2 trames, écriture la plus longue %3 ms, %4 en retard, %5 perdues</translation>
+    </message>
+    <message>
+        <source>the bracelet did not begin</source>
+        <translation>le bracelet n’a pas commencé</translation>
+    </message>
+    <message>
+        <source>the bracelet does not answer</source>
+        <translation>le bracelet ne répond pas</translation>
+    </message>
+    <message>
+        <source>the bracelet refused the stimulus: it did not understand it</source>
+        <translation>le bracelet a refusé le stimulus&#xa0;: il ne l’a pas compris</translation>
+    </message>
+    <message>
+        <source>the bracelet did not confirm that it got the stimulus</source>
+        <translation>le bracelet n’a pas confirmé avoir reçu le stimulus</translation>
+    </message>
+    <message>
+        <source>something else used the bracelet</source>
+        <translation>autre chose a utilisé le bracelet</translation>
+    </message>
+    <message>
+        <source>No bracelet: this rehearsal runs too fast to be played</source>
+        <translation>Pas de bracelet&#xa0;: cette répétition générale est trop rapide pour être jouée</translation>
+    </message>
+    <message>
+        <source>nobody can tell in which folder this pattern is</source>
+        <translation>on ne peut pas savoir dans quel dossier est ce motif</translation>
+    </message>
+    <message>
+        <source>the whole path of the file</source>
+        <translation>le chemin complet du fichier</translation>
+    </message>
 </context>
 <context>
     <name>StoreText</name>
     <message>
         <source>%1, process %2</source>
         <translation>%1, processus %2</translation>
+    </message>
+    <message>
+        <source>cannot make the folder of the study</source>
+        <translation>impossible de créer le dossier de l’étude</translation>
+    </message>
+    <message>
+        <source>there is a study of this name already</source>
+        <translation>il y a déjà une étude de ce nom</translation>
+    </message>
+    <message>
+        <source>a new name, or to go on with the study</source>
+        <translation>un nouveau nom, ou la reprise de l’étude</translation>
+    </message>
+    <message>
+        <source>there is a study in this folder already</source>
+        <translation>il y a déjà une étude dans ce dossier</translation>
+    </message>
+    <message>
+        <source>a new folder, or to go on with the study</source>
+        <translation>un nouveau dossier, ou la reprise de l’étude</translation>
+    </message>
+    <message>
+        <source>the study was never completely made</source>
+        <translation>la création de l’étude n’a jamais été achevée</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot name a participant</source>
+        <translation>«&#xa0;%1&#xa0;» ne peut pas désigner un participant</translation>
+    </message>
+    <message>
+        <source>another name: files have %1 for no value or for all participants</source>
+        <translation>un autre nom&#xa0;: les fichiers ont %1 pour aucune valeur ou pour tous les participants</translation>
+    </message>
+    <message>
+        <source>a text of 1 to %1 characters</source>
+        <translation>un texte de 1 à %1 caractères</translation>
+    </message>
+    <message>
+        <source>the participant &quot;%1&quot; is enrolled already</source>
+        <translation>le participant «&#xa0;%1&#xa0;» est déjà inscrit</translation>
+    </message>
+    <message>
+        <source>another name</source>
+        <translation>un autre nom</translation>
+    </message>
+    <message>
+        <source>other stations enrol participants all the time</source>
+        <translation>d’autres postes inscrivent sans cesse des participants</translation>
+    </message>
+    <message>
+        <source>to try again</source>
+        <translation>une nouvelle tentative</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is in a session already, at %2</source>
+        <translation>«&#xa0;%1&#xa0;» est déjà en session, sur %2</translation>
+    </message>
+    <message>
+        <source>one session of a participant at a time</source>
+        <translation>une seule session à la fois par participant</translation>
+    </message>
+    <message>
+        <source>another station</source>
+        <translation>un autre poste</translation>
+    </message>
+    <message>
+        <source>the patterns are not those with which this study was begun</source>
+        <translation>les motifs ne sont pas ceux avec lesquels cette étude a été commencée</translation>
+    </message>
+    <message>
+        <source>version %1 of the program, or a new study</source>
+        <translation>la version %1 du programme, ou une nouvelle étude</translation>
     </message>
 </context>
 <context>
@@ -5646,22 +6005,6 @@ Aire %6</translation>
 <context>
     <name>StudyFigure</name>
     <message>
-        <source>cannot make the folder</source>
-        <translation>impossible de créer le dossier</translation>
-    </message>
-    <message>
-        <source>Subject response, %</source>
-        <translation>Réponse du sujet,&#xa0;%</translation>
-    </message>
-    <message>
-        <source>Subject response, trials</source>
-        <translation>Réponse du sujet, essais</translation>
-    </message>
-    <message>
-        <source>Subject response, % and trials</source>
-        <translation>Réponse du sujet,&#xa0;% et essais</translation>
-    </message>
-    <message>
         <source>PILOT</source>
         <translation>PILOTE</translation>
     </message>
@@ -5846,264 +6189,6 @@ Aire %6</translation>
     <message>
         <source>a study that was begun as a rehearsal</source>
         <translation>une étude commencée comme répétition générale</translation>
-    </message>
-</context>
-<context>
-    <name>StudyReport</name>
-    <message>
-        <source>There are no test trials.</source>
-        <translation>Il n’y a pas d’essais de test.</translation>
-    </message>
-    <message>
-        <source>Correct answers of the group; the interval is that of Student&apos;s t over participants (95 %)</source>
-        <translation>Réponses correctes du groupe&#xa0;; l’intervalle est celui du t de Student sur les participants (95&#xa0;%)</translation>
-    </message>
-    <message>
-        <source>Condition</source>
-        <translation>Condition</translation>
-    </message>
-    <message>
-        <source>Participants</source>
-        <translation>Participants</translation>
-    </message>
-    <message>
-        <source>Mean, %</source>
-        <translation>Moyenne,&#xa0;%</translation>
-    </message>
-    <message>
-        <source>SD, %</source>
-        <translation>Écart-type,&#xa0;%</translation>
-    </message>
-    <message>
-        <source>Interval, %</source>
-        <translation>Intervalle,&#xa0;%</translation>
-    </message>
-    <message>
-        <source>Correct answers</source>
-        <translation>Réponses correctes</translation>
-    </message>
-    <message>
-        <source>Dots: participants. Marks: mean with the t interval over participants.</source>
-        <translation>Points&#xa0;: participants. Marques&#xa0;: moyenne avec l’intervalle t sur les participants.</translation>
-    </message>
-    <message>
-        <source>Rows: presented; columns: answered. Percent of the row, all participants.</source>
-        <translation>Lignes&#xa0;: présenté&#xa0;; colonnes&#xa0;: répondu. Pourcentage de la ligne, tous les participants.</translation>
-    </message>
-    <message>
-        <source>Presented</source>
-        <translation>Présenté</translation>
-    </message>
-    <message>
-        <source>Trials</source>
-        <translation>Essais</translation>
-    </message>
-    <message>
-        <source>%1: trials and share of the row in percent</source>
-        <translation>%1&#xa0;: essais et part de la ligne en pour cent</translation>
-    </message>
-    <message>
-        <source>Confusion matrices</source>
-        <translation>Matrices de confusion</translation>
-    </message>
-    <message>
-        <source>Pattern</source>
-        <translation>Motif</translation>
-    </message>
-    <message>
-        <source>%1, %</source>
-        <translation>%1,&#xa0;%</translation>
-    </message>
-    <message>
-        <source>df</source>
-        <translation>ddl</translation>
-    </message>
-    <message>
-        <source>Mean of the participants&apos; correct answers for each pattern; two conditions are compared within participants</source>
-        <translation>Moyenne des réponses correctes des participants pour chaque motif&#xa0;; deux conditions sont comparées intra-participants</translation>
-    </message>
-    <message>
-        <source>Patterns and conditions</source>
-        <translation>Motifs et conditions</translation>
-    </message>
-    <message>
-        <source>Mean of the participants with the t interval (95 %).</source>
-        <translation>Moyenne des participants avec l’intervalle t (95&#xa0;%).</translation>
-    </message>
-    <message>
-        <source>Participants&apos; median response times of correct, answered test trials, from the onset of the stimulus</source>
-        <translation>Temps de réponse médians des participants pour les essais de test répondus correctement, depuis le début du stimulus</translation>
-    </message>
-    <message>
-        <source>Median of the medians, s</source>
-        <translation>Médiane des médianes, s</translation>
-    </message>
-    <message>
-        <source>Shortest, s</source>
-        <translation>Le plus court, s</translation>
-    </message>
-    <message>
-        <source>Longest, s</source>
-        <translation>Le plus long, s</translation>
-    </message>
-    <message>
-        <source>Response times</source>
-        <translation>Temps de réponse</translation>
-    </message>
-    <message>
-        <source>Dots: medians of participants. Marks: the median of these.</source>
-        <translation>Points&#xa0;: médianes des participants. Marques&#xa0;: médiane de celles-ci.</translation>
-    </message>
-    <message>
-        <source>Information transfer of the pooled answers in bit, its bias, and the bootstrap interval over participants (95 %, of the measured value)</source>
-        <translation>Transfert d’information des réponses cumulées en bit, son biais, et l’intervalle bootstrap sur les participants (95&#xa0;%, de la valeur mesurée)</translation>
-    </message>
-    <message>
-        <source>Measured</source>
-        <translation>Mesuré</translation>
-    </message>
-    <message>
-        <source>Bias</source>
-        <translation>Biais</translation>
-    </message>
-    <message>
-        <source>Corrected</source>
-        <translation>Corrigé</translation>
-    </message>
-    <message>
-        <source>Interval</source>
-        <translation>Intervalle</translation>
-    </message>
-    <message>
-        <source>A guesser would show</source>
-        <translation>Valeur en devinant</translation>
-    </message>
-    <message>
-        <source>Remark</source>
-        <translation>Remarque</translation>
-    </message>
-    <message>
-        <source>few trials: fewer than 5 k²</source>
-        <translation>peu d’essais&#xa0;: moins de 5 k²</translation>
-    </message>
-    <message>
-        <source>Information transfer</source>
-        <translation>Transfert d’information</translation>
-    </message>
-    <message>
-        <source>Filled: measured, with the bootstrap interval. Hollow: less the bias.</source>
-        <translation>Pleins&#xa0;: mesuré, avec l’intervalle bootstrap. Creux&#xa0;: moins le biais.</translation>
-    </message>
-    <message>
-        <source>The measured value is too high with few trials: even a participant who only guesses shows more than 0 bit. Compare it with the column of the guesser, and use the corrected value with care.</source>
-        <translation>La valeur mesurée est trop élevée avec peu d’essais&#xa0;: même un participant qui ne fait que deviner montre plus de 0 bit. Comparez-la à la colonne de la valeur en devinant, et utilisez la valeur corrigée avec prudence.</translation>
-    </message>
-    <message>
-        <source>Each participant, test trials; intervals of 95 %, p of so many correct answers by chance</source>
-        <translation>Chaque participant, essais de test&#xa0;; intervalles à 95&#xa0;%, p d’autant de réponses correctes au hasard</translation>
-    </message>
-    <message>
-        <source>Participant</source>
-        <translation>Participant</translation>
-    </message>
-    <message>
-        <source>Correct</source>
-        <translation>Correctes</translation>
-    </message>
-    <message>
-        <source>No answer</source>
-        <translation>Sans réponse</translation>
-    </message>
-    <message>
-        <source>Accuracy, %</source>
-        <translation>Exactitude,&#xa0;%</translation>
-    </message>
-    <message>
-        <source>Wilson, %</source>
-        <translation>Wilson,&#xa0;%</translation>
-    </message>
-    <message>
-        <source>Clopper-Pearson, %</source>
-        <translation>Clopper-Pearson,&#xa0;%</translation>
-    </message>
-    <message>
-        <source>p of chance</source>
-        <translation>p au hasard</translation>
-    </message>
-    <message>
-        <source>Transfer, bit</source>
-        <translation>Transfert, bit</translation>
-    </message>
-    <message>
-        <source>Guesser, bit</source>
-        <translation>En devinant, bit</translation>
-    </message>
-    <message>
-        <source>Corrected, bit</source>
-        <translation>Corrigé, bit</translation>
-    </message>
-    <message>
-        <source>Median time, s</source>
-        <translation>Temps médian, s</translation>
-    </message>
-    <message>
-        <source>Times</source>
-        <translation>Temps</translation>
-    </message>
-    <message>
-        <source>Analysis of variance within participants of the shares of correct answers; p with the corrections of Greenhouse and Geisser and of Huynh and Feldt</source>
-        <translation>Analyse de variance intra-participants des parts de réponses correctes&#xa0;; p avec les corrections de Greenhouse et Geisser et de Huynh et Feldt</translation>
-    </message>
-    <message>
-        <source>Effect</source>
-        <translation>Effet</translation>
-    </message>
-    <message>
-        <source>partial η²</source>
-        <translation>η² partiel</translation>
-    </message>
-    <message>
-        <source>generalised η²</source>
-        <translation>η² généralisé</translation>
-    </message>
-    <message>
-        <source>%1 is left out: a cell is missing</source>
-        <translation>%1 est écarté&#xa0;: une cellule manque</translation>
-    </message>
-    <message>
-        <source>Analysis of variance</source>
-        <translation>Analyse de variance</translation>
-    </message>
-    <message>
-        <source>PILOT: these data were taken to try the study out.</source>
-        <translation>PILOTE&#xa0;: ces données ont été recueillies pour mettre l’étude à l’épreuve.</translation>
-    </message>
-    <message>
-        <source>SIMULATED: these answers were made by a program, not by people.</source>
-        <translation>SIMULÉ&#xa0;: ces réponses ont été données par un programme, non par des personnes.</translation>
-    </message>
-    <message>
-        <source>cannot make the folder</source>
-        <translation>impossible de créer le dossier</translation>
-    </message>
-    <message numerus="yes">
-        <source>Stimuli: %n trial(s) were played on a bracelet; the longest write of a frame took %1 ms.</source>
-        <translation>
-            <numerusform>Stimuli&#xa0;: %n essai a été joué sur un bracelet&#xa0;; l’écriture la plus longue d’une trame a pris %1 ms.</numerusform>
-            <numerusform>Stimuli&#xa0;: %n essais ont été joués sur un bracelet&#xa0;; l’écriture la plus longue d’une trame a pris %1 ms.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Stimuli: the frames of %n trial(s) were counted.</source>
-        <translation>
-            <numerusform>Stimuli&#xa0;: les trames de %n essai ont été comptées.</numerusform>
-            <numerusform>Stimuli&#xa0;: les trames de %n essais ont été comptées.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 Frames were missed in %2 of them, %3 in all.</source>
-        <comment>the sentence before, numbers</comment>
-        <translation>%1 Des trames ont manqué dans %2 d’entre eux, %3 au total.</translation>
     </message>
 </context>
 <context>
@@ -6455,17 +6540,6 @@ Aire %6</translation>
     </message>
 </context>
 <context>
-    <name>StudyStimuli</name>
-    <message>
-        <source>nobody can tell in which folder this pattern is</source>
-        <translation>on ne peut pas savoir dans quel dossier est ce motif</translation>
-    </message>
-    <message>
-        <source>the whole path of the file</source>
-        <translation>le chemin complet du fichier</translation>
-    </message>
-</context>
-<context>
     <name>StudyStore</name>
     <message>
         <source>cannot open the study: %1</source>
@@ -6480,40 +6554,12 @@ Aire %6</translation>
         <translation>impossible de créer le dossier de l’étude</translation>
     </message>
     <message>
-        <source>there is a study in this folder already</source>
-        <translation>il y a déjà une étude dans ce dossier</translation>
-    </message>
-    <message>
-        <source>a new folder, or to go on with the study</source>
-        <translation>un nouveau dossier, ou la reprise de l’étude</translation>
-    </message>
-    <message>
         <source>there is no study here</source>
         <translation>il n’y a pas d’étude ici</translation>
     </message>
     <message>
         <source>a folder with study.sqlite</source>
         <translation>un dossier avec study.sqlite</translation>
-    </message>
-    <message>
-        <source>the study was never completely made</source>
-        <translation>la création de l’étude n’a jamais été achevée</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; cannot name a participant</source>
-        <translation>«&#xa0;%1&#xa0;» ne peut pas désigner un participant</translation>
-    </message>
-    <message>
-        <source>a text of 1 to %1 characters</source>
-        <translation>un texte de 1 à %1 caractères</translation>
-    </message>
-    <message>
-        <source>the participant &quot;%1&quot; is enrolled already</source>
-        <translation>le participant «&#xa0;%1&#xa0;» est déjà inscrit</translation>
-    </message>
-    <message>
-        <source>another name</source>
-        <translation>un autre nom</translation>
     </message>
     <message>
         <source>this trial is kept already</source>
@@ -6612,30 +6658,6 @@ Aire %6</translation>
         <translation>l’étude est endommagée&#xa0;: une session ou un essai a un numéro que son protocole n’a pas</translation>
     </message>
     <message>
-        <source>there is a study of this name already</source>
-        <translation>il y a déjà une étude de ce nom</translation>
-    </message>
-    <message>
-        <source>a new name, or to go on with the study</source>
-        <translation>un nouveau nom, ou la reprise de l’étude</translation>
-    </message>
-    <message>
-        <source>another name: files have %1 for no value or for all participants</source>
-        <translation>un autre nom&#xa0;: les fichiers ont %1 pour aucune valeur ou pour tous les participants</translation>
-    </message>
-    <message>
-        <source>other stations enrol participants all the time</source>
-        <translation>d’autres postes inscrivent sans cesse des participants</translation>
-    </message>
-    <message>
-        <source>to try again</source>
-        <translation>une nouvelle tentative</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is in a session already, at %2</source>
-        <translation>«&#xa0;%1&#xa0;» est déjà en session, sur %2</translation>
-    </message>
-    <message>
         <source>these trials belong to another study</source>
         <translation>ces essais appartiennent à une autre étude</translation>
     </message>
@@ -6692,71 +6714,12 @@ Aire %6</translation>
         <translation>elle ne peut pas être modifiée ici, seulement consultée</translation>
     </message>
     <message>
-        <source>the patterns are not those with which this study was begun</source>
-        <translation>les motifs ne sont pas ceux avec lesquels cette étude a été commencée</translation>
-    </message>
-    <message>
-        <source>version %1 of the program, or a new study</source>
-        <translation>la version %1 du programme, ou une nouvelle étude</translation>
-    </message>
-    <message>
         <source>the server still has the connection that broke, and with it this participant</source>
         <translation>le serveur garde encore la connexion rompue, et avec elle ce participant</translation>
     </message>
     <message>
         <source>another try in a moment</source>
         <translation>une nouvelle tentative dans un instant</translation>
-    </message>
-</context>
-<context>
-    <name>StudyTrialSource</name>
-    <message>
-        <source>run, pilot or simulated</source>
-        <translation>run, pilot ou simulated</translation>
-    </message>
-    <message>
-        <source>a value</source>
-        <translation>une valeur</translation>
-    </message>
-    <message>
-        <source>practice or test</source>
-        <translation>practice ou test</translation>
-    </message>
-    <message>
-        <source>correct, incorrect, timeout, aborted or device_error</source>
-        <translation>correct, incorrect, timeout, aborted ou device_error</translation>
-    </message>
-    <message>
-        <source>what stimulus and response say</source>
-        <translation>ce que disent stimulus et response</translation>
-    </message>
-    <message>
-        <source>a number of seconds or NA</source>
-        <translation>un nombre de secondes ou NA</translation>
-    </message>
-    <message>
-        <source>there are too many different patterns</source>
-        <translation>il y a trop de motifs différents</translation>
-    </message>
-    <message>
-        <source>%1 at most</source>
-        <translation>%1 au plus</translation>
-    </message>
-    <message>
-        <source>interrupted</source>
-        <translation>interrompu</translation>
-    </message>
-    <message>
-        <source>a whole number from 1 on</source>
-        <translation>un nombre entier à partir de 1</translation>
-    </message>
-    <message>
-        <source>trial %1 of session %2 of %3 was counted before</source>
-        <translation>l’essai %1 de la session %2 de %3 a déjà été compté</translation>
-    </message>
-    <message>
-        <source>each trial once</source>
-        <translation>chaque essai une seule fois</translation>
     </message>
 </context>
 <context>
@@ -7530,7 +7493,75 @@ Aire %6</translation>
     </message>
 </context>
 <context>
-    <name>WtsDevice</name>
+    <name>WtsText</name>
+    <message>
+        <source>&quot;%1&quot; is not the address of a tactile array</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas l’adresse d’une matrice tactile</translation>
+    </message>
+    <message>
+        <source>the path of a serial port, or tcp://HOST:PORT</source>
+        <translation>le chemin d’un port série, ou tcp://HOST:PORT</translation>
+    </message>
+    <message>
+        <source>success</source>
+        <translation>succès</translation>
+    </message>
+    <message>
+        <source>not available</source>
+        <translation>non disponible</translation>
+    </message>
+    <message>
+        <source>no sensor connected</source>
+        <translation>aucun capteur connecté</translation>
+    </message>
+    <message>
+        <source>not initialised</source>
+        <translation>non initialisé</translation>
+    </message>
+    <message>
+        <source>already running</source>
+        <translation>déjà en marche</translation>
+    </message>
+    <message>
+        <source>not supported</source>
+        <translation>non pris en charge</translation>
+    </message>
+    <message>
+        <source>inconsistent data</source>
+        <translation>données incohérentes</translation>
+    </message>
+    <message>
+        <source>time-out in the sensor</source>
+        <translation>délai dépassé dans le capteur</translation>
+    </message>
+    <message>
+        <source>read error in the sensor</source>
+        <translation>erreur de lecture dans le capteur</translation>
+    </message>
+    <message>
+        <source>write error in the sensor</source>
+        <translation>erreur d’écriture dans le capteur</translation>
+    </message>
+    <message>
+        <source>wrong checksum</source>
+        <translation>somme de contrôle fausse</translation>
+    </message>
+    <message>
+        <source>unknown command</source>
+        <translation>commande inconnue</translation>
+    </message>
+    <message>
+        <source>wrong format</source>
+        <translation>mauvais format</translation>
+    </message>
+    <message>
+        <source>access denied</source>
+        <translation>accès refusé</translation>
+    </message>
+    <message>
+        <source>status %1</source>
+        <translation>état %1</translation>
+    </message>
     <message>
         <source>a serial port cannot run at %1 baud</source>
         <translation>un port série ne peut pas fonctionner à %1 bauds</translation>
@@ -7617,77 +7648,6 @@ Aire %6</translation>
     </message>
 </context>
 <context>
-    <name>WtsText</name>
-    <message>
-        <source>&quot;%1&quot; is not the address of a tactile array</source>
-        <translation>«&#xa0;%1&#xa0;» n’est pas l’adresse d’une matrice tactile</translation>
-    </message>
-    <message>
-        <source>the path of a serial port, or tcp://HOST:PORT</source>
-        <translation>le chemin d’un port série, ou tcp://HOST:PORT</translation>
-    </message>
-    <message>
-        <source>success</source>
-        <translation>succès</translation>
-    </message>
-    <message>
-        <source>not available</source>
-        <translation>non disponible</translation>
-    </message>
-    <message>
-        <source>no sensor connected</source>
-        <translation>aucun capteur connecté</translation>
-    </message>
-    <message>
-        <source>not initialised</source>
-        <translation>non initialisé</translation>
-    </message>
-    <message>
-        <source>already running</source>
-        <translation>déjà en marche</translation>
-    </message>
-    <message>
-        <source>not supported</source>
-        <translation>non pris en charge</translation>
-    </message>
-    <message>
-        <source>inconsistent data</source>
-        <translation>données incohérentes</translation>
-    </message>
-    <message>
-        <source>time-out in the sensor</source>
-        <translation>délai dépassé dans le capteur</translation>
-    </message>
-    <message>
-        <source>read error in the sensor</source>
-        <translation>erreur de lecture dans le capteur</translation>
-    </message>
-    <message>
-        <source>write error in the sensor</source>
-        <translation>erreur d’écriture dans le capteur</translation>
-    </message>
-    <message>
-        <source>wrong checksum</source>
-        <translation>somme de contrôle fausse</translation>
-    </message>
-    <message>
-        <source>unknown command</source>
-        <translation>commande inconnue</translation>
-    </message>
-    <message>
-        <source>wrong format</source>
-        <translation>mauvais format</translation>
-    </message>
-    <message>
-        <source>access denied</source>
-        <translation>accès refusé</translation>
-    </message>
-    <message>
-        <source>status %1</source>
-        <translation>état %1</translation>
-    </message>
-</context>
-<context>
     <name>ZipText</name>
     <message>
         <source>the zip archive is damaged</source>
@@ -7700,6 +7660,22 @@ Aire %6</translation>
     <message>
         <source>the zip archive could not be made</source>
         <translation>l’archive zip n’a pas pu être créée</translation>
+    </message>
+    <message>
+        <source>the zip archive has too many files</source>
+        <translation>l’archive zip a trop de fichiers</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>au plus %1</translation>
+    </message>
+    <message>
+        <source>the unpacked zip archive is too large</source>
+        <translation>l’archive zip décompressée est trop grande</translation>
+    </message>
+    <message>
+        <source>at most %1 MiB</source>
+        <translation>au plus %1 MiB</translation>
     </message>
 </context>
 <context>

@@ -7,6 +7,10 @@
         <source>interrupted before all runs were done</source>
         <translation>すべての実行が終わる前に中断されました</translation>
     </message>
+    <message>
+        <source>the spread of a measure needs at least two seeds</source>
+        <translation>指標のばらつきには少なくとも2つのシードが必要です</translation>
+    </message>
 </context>
 <context>
     <name>About</name>
@@ -341,55 +345,6 @@
     </message>
 </context>
 <context>
-    <name>BraceletStimulus</name>
-    <message>
-        <source>%1, ready</source>
-        <comment>bracelet</comment>
-        <translation>%1、準備完了</translation>
-    </message>
-    <message>
-        <source>%1, ready; last stimulus: %2 frames, longest write %3 ms, %4 late, %5 lost</source>
-        <comment>bracelet</comment>
-        <translation>%1、準備完了。直前の刺激: %2フレーム、最長書き込み %3 ms、遅延 %4、損失 %5</translation>
-    </message>
-    <message>
-        <source>the bracelet was lost</source>
-        <translation>ブレスレットとの接続が切れました</translation>
-    </message>
-    <message>
-        <source>STOP was pressed</source>
-        <translation>STOPが押されました</translation>
-    </message>
-    <message>
-        <source>the bracelet did not begin</source>
-        <translation>ブレスレットが始動しませんでした</translation>
-    </message>
-    <message>
-        <source>something else used the bracelet</source>
-        <translation>ほかの処理がブレスレットを使用しました</translation>
-    </message>
-    <message>
-        <source>No bracelet: this rehearsal runs too fast to be played</source>
-        <translation>ブレスレットなし: このリハーサルは速すぎるため再生できません</translation>
-    </message>
-    <message>
-        <source>the bracelet does not answer</source>
-        <translation>ブレスレットが応答しません</translation>
-    </message>
-    <message>
-        <source>the bracelet did not confirm that it got the stimulus</source>
-        <translation>ブレスレットが刺激の受信を確認しませんでした</translation>
-    </message>
-    <message>
-        <source>the bracelet is too hot</source>
-        <translation>ブレスレットが熱すぎます</translation>
-    </message>
-    <message>
-        <source>the bracelet refused the stimulus: it did not understand it</source>
-        <translation>ブレスレットは刺激を解釈できず、拒否しました</translation>
-    </message>
-</context>
-<context>
     <name>CalibrateCommand</name>
     <message>
         <source>Pairs</source>
@@ -527,10 +482,6 @@
 <context>
     <name>Camera</name>
     <message>
-        <source>The camera gives no frames any more.</source>
-        <translation>カメラからフレームが届かなくなりました。</translation>
-    </message>
-    <message>
         <source>camera %1 cannot be opened</source>
         <translation>カメラ %1 を開けません</translation>
     </message>
@@ -561,40 +512,6 @@
     <message>
         <source>camera %1</source>
         <translation>カメラ%1</translation>
-    </message>
-</context>
-<context>
-    <name>CameraCalibration</name>
-    <message>
-        <source>interrupted</source>
-        <translation>中断されました</translation>
-    </message>
-    <message>
-        <source>the file has too many pairs</source>
-        <translation>ファイルのペアが多すぎます</translation>
-    </message>
-    <message>
-        <source>at most %1</source>
-        <translation>%1以下</translation>
-    </message>
-</context>
-<context>
-    <name>CameraFile</name>
-    <message>
-        <source>this is no camera matrix</source>
-        <translation>カメラ行列ではありません</translation>
-    </message>
-    <message>
-        <source>this is no camera file</source>
-        <translation>カメラファイルではありません</translation>
-    </message>
-    <message>
-        <source>the file is of a newer version</source>
-        <translation>ファイルのバージョンが新しすぎます</translation>
-    </message>
-    <message>
-        <source>the cylinder has no length</source>
-        <translation>円筒に長さがありません</translation>
     </message>
 </context>
 <context>
@@ -658,6 +575,26 @@
         <source>the distortion folds on the axis already</source>
         <translation>歪みが光軸上ですでに折り返しています</translation>
     </message>
+    <message>
+        <source>this is no camera matrix</source>
+        <translation>カメラ行列ではありません</translation>
+    </message>
+    <message>
+        <source>this is no camera file</source>
+        <translation>カメラファイルではありません</translation>
+    </message>
+    <message>
+        <source>the file is of a newer version</source>
+        <translation>ファイルのバージョンが新しすぎます</translation>
+    </message>
+    <message>
+        <source>the cylinder has no length</source>
+        <translation>円筒に長さがありません</translation>
+    </message>
+    <message>
+        <source>The camera gives no frames any more.</source>
+        <translation>カメラからフレームが届かなくなりました。</translation>
+    </message>
 </context>
 <context>
     <name>ChartText</name>
@@ -704,6 +641,10 @@
     <message>
         <source>less bias</source>
         <translation>バイアス除去後</translation>
+    </message>
+    <message>
+        <source>cannot make the folder</source>
+        <translation>フォルダーを作成できません</translation>
     </message>
 </context>
 <context>
@@ -1150,7 +1091,15 @@ Examples:
     </message>
 </context>
 <context>
-    <name>CostFigure</name>
+    <name>CostFigureText</name>
+    <message>
+        <source>Filled: no other rung is both as quick and as exact. Lines: to the 95 % error and the 99 % time.</source>
+        <translation>塗りつぶし: これより速くかつ正確な段はほかにありません。線: 誤差の95 %点と時間の99 %点まで。</translation>
+    </message>
+    <message>
+        <source>Not measured, the machine was too noisy or there is no error: %1.</source>
+        <translation>未測定 (マシンのばらつきが大きすぎるか、誤差がありません): %1。</translation>
+    </message>
     <message>
         <source>Median time of one call</source>
         <translation>1回の呼び出しの時間の中央値</translation>
@@ -1165,18 +1114,11 @@ Examples:
     </message>
 </context>
 <context>
-    <name>CostFigureText</name>
+    <name>CostFileText</name>
     <message>
-        <source>Filled: no other rung is both as quick and as exact. Lines: to the 95 % error and the 99 % time.</source>
-        <translation>塗りつぶし: これより速くかつ正確な段はほかにありません。線: 誤差の95 %点と時間の99 %点まで。</translation>
+        <source>&quot;%1&quot; is no value of the column %2</source>
+        <translation>「%1」は列 %2 の値として使えません</translation>
     </message>
-    <message>
-        <source>Not measured, the machine was too noisy or there is no error: %1.</source>
-        <translation>未測定 (マシンのばらつきが大きすぎるか、誤差がありません): %1。</translation>
-    </message>
-</context>
-<context>
-    <name>CostFile</name>
     <message>
         <source>a number that is not negative, or NA</source>
         <translation>負でない数値またはNA</translation>
@@ -1188,13 +1130,6 @@ Examples:
     <message>
         <source>a number of samples</source>
         <translation>サンプル数</translation>
-    </message>
-</context>
-<context>
-    <name>CostFileText</name>
-    <message>
-        <source>&quot;%1&quot; is no value of the column %2</source>
-        <translation>「%1」は列 %2 の値として使えません</translation>
     </message>
 </context>
 <context>
@@ -1641,13 +1576,6 @@ Examples:
     </message>
 </context>
 <context>
-    <name>EffectAblation</name>
-    <message>
-        <source>the spread of a measure needs at least two seeds</source>
-        <translation>指標のばらつきには少なくとも2つのシードが必要です</translation>
-    </message>
-</context>
-<context>
     <name>Error</name>
     <message>
         <source> (expected %1)</source>
@@ -1818,17 +1746,6 @@ Examples:
     </message>
 </context>
 <context>
-    <name>FigureFile</name>
-    <message>
-        <source>the picture has no size</source>
-        <translation>画像にサイズがありません</translation>
-    </message>
-    <message>
-        <source>the picture would have too many pixels</source>
-        <translation>画像の画素数が多すぎます</translation>
-    </message>
-</context>
-<context>
     <name>FigureText</name>
     <message>
         <source>Actual pattern</source>
@@ -1837,6 +1754,90 @@ Examples:
     <message>
         <source>cannot draw the picture: %1</source>
         <translation>画像を描画できません: %1</translation>
+    </message>
+    <message>
+        <source>the picture has no size</source>
+        <translation>画像にサイズがありません</translation>
+    </message>
+    <message>
+        <source>the picture would have too many pixels</source>
+        <translation>画像の画素数が多すぎます</translation>
+    </message>
+    <message>
+        <source>Force, N</source>
+        <translation>力、N</translation>
+    </message>
+    <message>
+        <source>CoP y, mm</source>
+        <translation>CoP y、mm</translation>
+    </message>
+    <message>
+        <source>CoC x, mm</source>
+        <translation>CoC x、mm</translation>
+    </message>
+    <message>
+        <source>DZMP y, mm</source>
+        <translation>DZMP y、mm</translation>
+    </message>
+    <message>
+        <source>α z, °</source>
+        <translation>α z、°</translation>
+    </message>
+    <message>
+        <source>Turn z, °</source>
+        <translation>z軸回りの回転、°</translation>
+    </message>
+    <message>
+        <source>Way, mm</source>
+        <translation>移動量、mm</translation>
+    </message>
+    <message>
+        <source>Tactile servoing: force and features over time</source>
+        <translation>触覚サーボ: 力と特徴量の時間変化</translation>
+    </message>
+    <message>
+        <source>desired</source>
+        <translation>目標</translation>
+    </message>
+    <message>
+        <source>true</source>
+        <translation>真値</translation>
+    </message>
+    <message>
+        <source>in contact</source>
+        <translation>接触中</translation>
+    </message>
+    <message>
+        <source>weight is moved; its moment is gone</source>
+        <translation>おもりの移動、モーメントの消失</translation>
+    </message>
+    <message>
+        <source>Tactile servoing, simulated</source>
+        <translation>触覚サーボ、シミュレーション</translation>
+    </message>
+    <message>
+        <source>Tactile servoing</source>
+        <translation>触覚サーボ</translation>
+    </message>
+    <message>
+        <source>a limit acts (%1)</source>
+        <translation>制限が作用中 (%1)</translation>
+    </message>
+    <message>
+        <source>time, s</source>
+        <translation>時間、s</translation>
+    </message>
+    <message>
+        <source>Subject response, %</source>
+        <translation>参加者の応答、%</translation>
+    </message>
+    <message>
+        <source>Subject response, trials</source>
+        <translation>参加者の応答、試行数</translation>
+    </message>
+    <message>
+        <source>Subject response, % and trials</source>
+        <translation>参加者の応答、%と試行数</translation>
     </message>
 </context>
 <context>
@@ -1848,6 +1849,54 @@ Examples:
     <message>
         <source>one of %1</source>
         <translation>次のいずれか: %1</translation>
+    </message>
+    <message>
+        <source>these values contradict each other</source>
+        <translation>これらの値は矛盾しています</translation>
+    </message>
+    <message>
+        <source>0 &lt; start_drive &lt; full_drive, a curve that rises from the start or before it to the drive 1</source>
+        <translation>0 &lt; start_drive &lt; full_drive、始動点またはその手前から駆動量1まで上昇する曲線</translation>
+    </message>
+    <message>
+        <source>the file is of a newer version</source>
+        <translation>ファイルのバージョンが新しすぎます</translation>
+    </message>
+    <message>
+        <source>there are %1 motors</source>
+        <translation>モーターが%1個あります</translation>
+    </message>
+    <message>
+        <source>the profile is of the bracelet &quot;%1&quot;</source>
+        <translation>プロファイルはブレスレット「%1」のものです</translation>
+    </message>
+    <message>
+        <source>there is no such file or built-in pattern</source>
+        <translation>そのようなファイルまたは組み込みパターンはありません</translation>
+    </message>
+    <message>
+        <source>a pattern file, or an id of teleta pattern list</source>
+        <translation>パターンファイル、またはteleta pattern listのid</translation>
+    </message>
+    <message>
+        <source>the file is too large</source>
+        <translation>ファイルが大きすぎます</translation>
+    </message>
+    <message>
+        <source>at most %1 MiB</source>
+        <translation>%1 MiB以下</translation>
+    </message>
+    <message>
+        <source>this format holds one tactor, the pattern uses more</source>
+        <translation>この形式が保持できるタクタは1つですが、パターンは複数使用しています</translation>
+    </message>
+    <message>
+        <source>a name that ends with %1</source>
+        <translation>%1 で終わる名前</translation>
+    </message>
+    <message>
+        <source>patterns are written in this format, but not read</source>
+        <translation>この形式のパターンは書き込みのみで、読み取りはできません</translation>
     </message>
 </context>
 <context>
@@ -2487,24 +2536,12 @@ Examples:
 <context>
     <name>MotorFile</name>
     <message>
-        <source>these values contradict each other</source>
-        <translation>これらの値は矛盾しています</translation>
-    </message>
-    <message>
-        <source>0 &lt; start_drive &lt; full_drive, a curve that rises from the start or before it to the drive 1</source>
-        <translation>0 &lt; start_drive &lt; full_drive、始動点またはその手前から駆動量1まで上昇する曲線</translation>
-    </message>
-    <message>
         <source>the file is of a newer version</source>
         <translation>ファイルのバージョンが新しすぎます</translation>
     </message>
     <message>
         <source>there are %1 motors</source>
         <translation>モーターが%1個あります</translation>
-    </message>
-    <message>
-        <source>the profile is of the bracelet &quot;%1&quot;</source>
-        <translation>プロファイルはブレスレット「%1」のものです</translation>
     </message>
     <message>
         <source>the limits are of the bracelet &quot;%1&quot;</source>
@@ -2636,18 +2673,6 @@ Examples:
 </context>
 <context>
     <name>MotorRecording</name>
-    <message>
-        <source>The bracelet does not measure its motors.</source>
-        <translation>このブレスレットは自身のモーターを測定しません。</translation>
-    </message>
-    <message>
-        <source>a recording with a sensor of your own, or answers of a person</source>
-        <translation>ご自身のセンサーによる記録、または人の回答</translation>
-    </message>
-    <message>
-        <source>The measurement was ended.</source>
-        <translation>測定が終了されました。</translation>
-    </message>
     <message>
         <source>the time does not rise</source>
         <translation>時刻が増加していません</translation>
@@ -2903,6 +2928,18 @@ x %4, y %5
         <source>a positive radius, width and height of 1 to %1 pixels</source>
         <translation>正の半径と、1～%1 ピクセルの幅と高さ</translation>
     </message>
+    <message>
+        <source>interrupted</source>
+        <translation>中断されました</translation>
+    </message>
+    <message>
+        <source>the file has too many pairs</source>
+        <translation>ファイルのペアが多すぎます</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>%1以下</translation>
+    </message>
 </context>
 <context>
     <name>PatternCommand</name>
@@ -3130,34 +3167,6 @@ x %4, y %5
         <translation>ファイルのバージョンが新しすぎます</translation>
     </message>
     <message>
-        <source>there is no such file or built-in pattern</source>
-        <translation>そのようなファイルまたは組み込みパターンはありません</translation>
-    </message>
-    <message>
-        <source>a pattern file, or an id of teleta pattern list</source>
-        <translation>パターンファイル、またはteleta pattern listのid</translation>
-    </message>
-    <message>
-        <source>the file is too large</source>
-        <translation>ファイルが大きすぎます</translation>
-    </message>
-    <message>
-        <source>at most %1 MiB</source>
-        <translation>%1 MiB以下</translation>
-    </message>
-    <message>
-        <source>this format holds one tactor, the pattern uses more</source>
-        <translation>この形式が保持できるタクタは1つですが、パターンは複数使用しています</translation>
-    </message>
-    <message>
-        <source>a name that ends with %1</source>
-        <translation>%1 で終わる名前</translation>
-    </message>
-    <message>
-        <source>patterns are written in this format, but not read</source>
-        <translation>この形式のパターンは書き込みのみで、読み取りはできません</translation>
-    </message>
-    <message>
         <source>this name is not known</source>
         <translation>この名前は不明です</translation>
     </message>
@@ -3176,18 +3185,6 @@ x %4, y %5
     <message>
         <source>this effect is for other devices</source>
         <translation>この効果はほかのデバイス用です</translation>
-    </message>
-    <message>
-        <source>the zip archive has too many files</source>
-        <translation>zipアーカイブのファイルが多すぎます</translation>
-    </message>
-    <message>
-        <source>at most %1</source>
-        <translation>%1以下</translation>
-    </message>
-    <message>
-        <source>the unpacked zip archive is too large</source>
-        <translation>展開したzipアーカイブが大きすぎます</translation>
     </message>
     <message>
         <source>the folder cannot be made</source>
@@ -3573,9 +3570,6 @@ x %4, y %5
         <source>the stream &quot;%1&quot; is not described: %2</source>
         <translation>ストリーム「%1」が記述されていません: %2</translation>
     </message>
-</context>
-<context>
-    <name>RecordedStreams</name>
     <message>
         <source>it is no array</source>
         <translation>アレイではありません</translation>
@@ -3584,6 +3578,9 @@ x %4, y %5
         <source>it is no arm</source>
         <translation>アームではありません</translation>
     </message>
+</context>
+<context>
+    <name>RecordedStreams</name>
     <message>
         <source>the recording has no frames of an array or a camera</source>
         <translation>記録にアレイまたはカメラのフレームがありません</translation>
@@ -3900,6 +3897,259 @@ x %4, y %5
     <message>
         <source>analysis.R beside this page computes its numbers again from confusion_long.csv, but the response times, which that file does not have, and the bootstrap intervals: Rscript analysis.R. In the folder of the study it computes the response times too, from the exported trials.</source>
         <translation>このページと同じ場所にあるanalysis.Rで、このページの数値をconfusion_long.csvから再計算できます (このファイルにない反応時間とブートストラップ区間を除く): Rscript analysis.R。スタディのフォルダーでは、エクスポートされた試行から反応時間も計算します。</translation>
+    </message>
+    <message>
+        <source>There are no test trials.</source>
+        <translation>テスト試行がありません。</translation>
+    </message>
+    <message>
+        <source>Correct answers of the group; the interval is that of Student&apos;s t over participants (95 %)</source>
+        <translation>グループの正答。区間は参加者にわたるStudentのtによるものです (95 %)</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>条件</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>参加者数</translation>
+    </message>
+    <message>
+        <source>Mean, %</source>
+        <translation>平均、%</translation>
+    </message>
+    <message>
+        <source>SD, %</source>
+        <translation>SD、%</translation>
+    </message>
+    <message>
+        <source>Interval, %</source>
+        <translation>区間、%</translation>
+    </message>
+    <message>
+        <source>Correct answers</source>
+        <translation>正答</translation>
+    </message>
+    <message>
+        <source>Dots: participants. Marks: mean with the t interval over participants.</source>
+        <translation>点: 参加者。マーク: 平均と参加者にわたるt区間。</translation>
+    </message>
+    <message>
+        <source>Rows: presented; columns: answered. Percent of the row, all participants.</source>
+        <translation>行: 提示。列: 回答。行に対する割合 (%)、全参加者。</translation>
+    </message>
+    <message>
+        <source>Presented</source>
+        <translation>提示</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>試行数</translation>
+    </message>
+    <message>
+        <source>%1: trials and share of the row in percent</source>
+        <translation>%1: 試行数と行に対する割合 (%)</translation>
+    </message>
+    <message>
+        <source>Confusion matrices</source>
+        <translation>混同行列</translation>
+    </message>
+    <message>
+        <source>Pattern</source>
+        <translation>パターン</translation>
+    </message>
+    <message>
+        <source>%1, %</source>
+        <translation>%1、%</translation>
+    </message>
+    <message>
+        <source>df</source>
+        <translation>df</translation>
+    </message>
+    <message>
+        <source>Mean of the participants&apos; correct answers for each pattern; two conditions are compared within participants</source>
+        <translation>各パターンの参加者の正答の平均。2条件の比較は参加者内で行います</translation>
+    </message>
+    <message>
+        <source>Patterns and conditions</source>
+        <translation>パターンと条件</translation>
+    </message>
+    <message>
+        <source>Mean of the participants with the t interval (95 %).</source>
+        <translation>参加者の平均とt区間 (95 %)。</translation>
+    </message>
+    <message>
+        <source>Participants&apos; median response times of correct, answered test trials, from the onset of the stimulus</source>
+        <translation>回答のあったテスト試行のうち正答の、参加者ごとの応答時間の中央値 (刺激の開始から)</translation>
+    </message>
+    <message>
+        <source>Median of the medians, s</source>
+        <translation>中央値の中央値、s</translation>
+    </message>
+    <message>
+        <source>Shortest, s</source>
+        <translation>最短、s</translation>
+    </message>
+    <message>
+        <source>Longest, s</source>
+        <translation>最長、s</translation>
+    </message>
+    <message>
+        <source>Response times</source>
+        <translation>応答時間</translation>
+    </message>
+    <message>
+        <source>Dots: medians of participants. Marks: the median of these.</source>
+        <translation>点: 参加者の中央値。マーク: それらの中央値。</translation>
+    </message>
+    <message>
+        <source>Information transfer of the pooled answers in bit, its bias, and the bootstrap interval over participants (95 %, of the measured value)</source>
+        <translation>プールした回答の情報伝達量 (bit)、そのバイアス、参加者にわたるブートストラップ区間 (測定値の95 %)</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>測定値</translation>
+    </message>
+    <message>
+        <source>Bias</source>
+        <translation>バイアス</translation>
+    </message>
+    <message>
+        <source>Corrected</source>
+        <translation>補正値</translation>
+    </message>
+    <message>
+        <source>Interval</source>
+        <translation>区間</translation>
+    </message>
+    <message>
+        <source>A guesser would show</source>
+        <translation>当て推量での値</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>備考</translation>
+    </message>
+    <message>
+        <source>few trials: fewer than 5 k²</source>
+        <translation>試行数不足: 5 k²未満</translation>
+    </message>
+    <message>
+        <source>Information transfer</source>
+        <translation>情報伝達量</translation>
+    </message>
+    <message>
+        <source>Filled: measured, with the bootstrap interval. Hollow: less the bias.</source>
+        <translation>塗りつぶし: 測定値とブートストラップ区間。中空: バイアスを引いた値。</translation>
+    </message>
+    <message>
+        <source>The measured value is too high with few trials: even a participant who only guesses shows more than 0 bit. Compare it with the column of the guesser, and use the corrected value with care.</source>
+        <translation>試行数が少ないと測定値は過大になります: 当て推量だけの参加者でも0 bitを超えます。当て推量の列と比較し、補正値は慎重に扱ってください。</translation>
+    </message>
+    <message>
+        <source>Each participant, test trials; intervals of 95 %, p of so many correct answers by chance</source>
+        <translation>各参加者のテスト試行。95 %区間と、偶然にこの正答数となるp</translation>
+    </message>
+    <message>
+        <source>Participant</source>
+        <translation>参加者</translation>
+    </message>
+    <message>
+        <source>Correct</source>
+        <translation>正答</translation>
+    </message>
+    <message>
+        <source>No answer</source>
+        <translation>無回答</translation>
+    </message>
+    <message>
+        <source>Accuracy, %</source>
+        <translation>正答率、%</translation>
+    </message>
+    <message>
+        <source>Wilson, %</source>
+        <translation>Wilson、%</translation>
+    </message>
+    <message>
+        <source>Clopper-Pearson, %</source>
+        <translation>Clopper-Pearson、%</translation>
+    </message>
+    <message>
+        <source>p of chance</source>
+        <translation>偶然のp</translation>
+    </message>
+    <message>
+        <source>Transfer, bit</source>
+        <translation>伝達量、bit</translation>
+    </message>
+    <message>
+        <source>Guesser, bit</source>
+        <translation>当て推量、bit</translation>
+    </message>
+    <message>
+        <source>Corrected, bit</source>
+        <translation>補正値、bit</translation>
+    </message>
+    <message>
+        <source>Median time, s</source>
+        <translation>時間の中央値、s</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>時間の数</translation>
+    </message>
+    <message>
+        <source>Analysis of variance within participants of the shares of correct answers; p with the corrections of Greenhouse and Geisser and of Huynh and Feldt</source>
+        <translation>正答率の参加者内分散分析。pはGreenhouse-GeisserおよびHuynh-Feldtの補正付き</translation>
+    </message>
+    <message>
+        <source>Effect</source>
+        <translation>効果</translation>
+    </message>
+    <message>
+        <source>partial η²</source>
+        <translation>偏η²</translation>
+    </message>
+    <message>
+        <source>generalised η²</source>
+        <translation>一般化η²</translation>
+    </message>
+    <message>
+        <source>%1 is left out: a cell is missing</source>
+        <translation>%1 は除外: セルが欠けています</translation>
+    </message>
+    <message>
+        <source>Analysis of variance</source>
+        <translation>分散分析</translation>
+    </message>
+    <message numerus="yes">
+        <source>Stimuli: %n trial(s) were played on a bracelet; the longest write of a frame took %1 ms.</source>
+        <translation>
+            <numerusform>刺激: %n 試行がブレスレットで再生されました。フレームの書き込みは最長 %1 msでした。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Stimuli: the frames of %n trial(s) were counted.</source>
+        <translation>
+            <numerusform>刺激: %n 試行のフレームを数えました。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 Frames were missed in %2 of them, %3 in all.</source>
+        <comment>the sentence before, numbers</comment>
+        <translation>%1%2 試行でフレームが欠け、合計は %3 です。</translation>
+    </message>
+    <message>
+        <source>PILOT: these data were taken to try the study out.</source>
+        <translation>パイロット: これらのデータは実験を試すために取得されました。</translation>
+    </message>
+    <message>
+        <source>SIMULATED: these answers were made by a program, not by people.</source>
+        <translation>シミュレーション: これらの回答は人ではなくプログラムによるものです。</translation>
+    </message>
+    <message>
+        <source>cannot make the folder</source>
+        <translation>フォルダーを作成できません</translation>
     </message>
 </context>
 <context>
@@ -4279,6 +4529,18 @@ x %4, y %5
         <source>let it cool down and measure again</source>
         <translation>冷ましてから再測定</translation>
     </message>
+    <message>
+        <source>The bracelet does not measure its motors.</source>
+        <translation>このブレスレットは自身のモーターを測定しません。</translation>
+    </message>
+    <message>
+        <source>a recording with a sensor of your own, or answers of a person</source>
+        <translation>ご自身のセンサーによる記録、または人の回答</translation>
+    </message>
+    <message>
+        <source>The measurement was ended.</source>
+        <translation>測定が終了されました。</translation>
+    </message>
 </context>
 <context>
     <name>Scene</name>
@@ -4541,73 +4803,6 @@ x %4, y %5
     <message>
         <source>names such as force+tool_speed, or nothing</source>
         <translation>force+tool_speed のような名前、または空</translation>
-    </message>
-</context>
-<context>
-    <name>ServoFigure</name>
-    <message>
-        <source>Force, N</source>
-        <translation>力、N</translation>
-    </message>
-    <message>
-        <source>CoP y, mm</source>
-        <translation>CoP y、mm</translation>
-    </message>
-    <message>
-        <source>CoC x, mm</source>
-        <translation>CoC x、mm</translation>
-    </message>
-    <message>
-        <source>DZMP y, mm</source>
-        <translation>DZMP y、mm</translation>
-    </message>
-    <message>
-        <source>α z, °</source>
-        <translation>α z、°</translation>
-    </message>
-    <message>
-        <source>Way, mm</source>
-        <translation>移動量、mm</translation>
-    </message>
-    <message>
-        <source>Tactile servoing: force and features over time</source>
-        <translation>触覚サーボ: 力と特徴量の時間変化</translation>
-    </message>
-    <message>
-        <source>desired</source>
-        <translation>目標</translation>
-    </message>
-    <message>
-        <source>true</source>
-        <translation>真値</translation>
-    </message>
-    <message>
-        <source>Tactile servoing, simulated</source>
-        <translation>触覚サーボ、シミュレーション</translation>
-    </message>
-    <message>
-        <source>Tactile servoing</source>
-        <translation>触覚サーボ</translation>
-    </message>
-    <message>
-        <source>time, s</source>
-        <translation>時間、s</translation>
-    </message>
-    <message>
-        <source>in contact</source>
-        <translation>接触中</translation>
-    </message>
-    <message>
-        <source>a limit acts (%1)</source>
-        <translation>制限が作用中 (%1)</translation>
-    </message>
-    <message>
-        <source>weight is moved; its moment is gone</source>
-        <translation>おもりの移動、モーメントの消失</translation>
-    </message>
-    <message>
-        <source>Turn z, °</source>
-        <translation>z軸回りの回転、°</translation>
     </message>
 </context>
 <context>
@@ -4940,6 +5135,54 @@ x %4, y %5
         <source>each participant in one study, under a name of their own</source>
         <translation>参加者ごとに一つの実験、固有の名前</translation>
     </message>
+    <message>
+        <source>run, pilot or simulated</source>
+        <translation>run、pilot、またはsimulated</translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation>値</translation>
+    </message>
+    <message>
+        <source>practice or test</source>
+        <translation>practiceまたはtest</translation>
+    </message>
+    <message>
+        <source>correct, incorrect, timeout, aborted or device_error</source>
+        <translation>correct、incorrect、timeout、aborted、またはdevice_error</translation>
+    </message>
+    <message>
+        <source>what stimulus and response say</source>
+        <translation>刺激と応答が示すもの</translation>
+    </message>
+    <message>
+        <source>a number of seconds or NA</source>
+        <translation>秒数またはNA</translation>
+    </message>
+    <message>
+        <source>a whole number from 1 on</source>
+        <translation>1 以上の整数</translation>
+    </message>
+    <message>
+        <source>%1 at most</source>
+        <translation>%1以下</translation>
+    </message>
+    <message>
+        <source>trial %1 of session %2 of %3 was counted before</source>
+        <translation>%3 のセッション %2 の試行 %1 はすでに数えられています</translation>
+    </message>
+    <message>
+        <source>each trial once</source>
+        <translation>各試行は一度だけ</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>中断されました</translation>
+    </message>
+    <message>
+        <source>there are too many different patterns</source>
+        <translation>異なるパターンが多すぎます</translation>
+    </message>
 </context>
 <context>
     <name>StiffnessCommand</name>
@@ -5158,12 +5401,126 @@ x %4, y %5
         <source>the bracelet is too hot</source>
         <translation>ブレスレットが熱すぎます</translation>
     </message>
+    <message>
+        <source>%1, ready</source>
+        <comment>bracelet</comment>
+        <translation>%1、準備完了</translation>
+    </message>
+    <message>
+        <source>%1, ready; last stimulus: %2 frames, longest write %3 ms, %4 late, %5 lost</source>
+        <comment>bracelet</comment>
+        <translation>%1、準備完了。直前の刺激: %2フレーム、最長書き込み %3 ms、遅延 %4、損失 %5</translation>
+    </message>
+    <message>
+        <source>the bracelet did not begin</source>
+        <translation>ブレスレットが始動しませんでした</translation>
+    </message>
+    <message>
+        <source>the bracelet does not answer</source>
+        <translation>ブレスレットが応答しません</translation>
+    </message>
+    <message>
+        <source>the bracelet refused the stimulus: it did not understand it</source>
+        <translation>ブレスレットは刺激を解釈できず、拒否しました</translation>
+    </message>
+    <message>
+        <source>the bracelet did not confirm that it got the stimulus</source>
+        <translation>ブレスレットが刺激の受信を確認しませんでした</translation>
+    </message>
+    <message>
+        <source>something else used the bracelet</source>
+        <translation>ほかの処理がブレスレットを使用しました</translation>
+    </message>
+    <message>
+        <source>No bracelet: this rehearsal runs too fast to be played</source>
+        <translation>ブレスレットなし: このリハーサルは速すぎるため再生できません</translation>
+    </message>
+    <message>
+        <source>nobody can tell in which folder this pattern is</source>
+        <translation>このパターンがどのフォルダーにあるのかわかりません</translation>
+    </message>
+    <message>
+        <source>the whole path of the file</source>
+        <translation>ファイルの絶対パス</translation>
+    </message>
 </context>
 <context>
     <name>StoreText</name>
     <message>
         <source>%1, process %2</source>
         <translation>%1、プロセス%2</translation>
+    </message>
+    <message>
+        <source>cannot make the folder of the study</source>
+        <translation>実験のフォルダーを作成できません</translation>
+    </message>
+    <message>
+        <source>there is a study of this name already</source>
+        <translation>同じ名前の実験がすでにあります</translation>
+    </message>
+    <message>
+        <source>a new name, or to go on with the study</source>
+        <translation>新しい名前、または既存の実験の続行</translation>
+    </message>
+    <message>
+        <source>there is a study in this folder already</source>
+        <translation>このフォルダーにはすでに実験があります</translation>
+    </message>
+    <message>
+        <source>a new folder, or to go on with the study</source>
+        <translation>新しいフォルダー、または既存の実験の続行</translation>
+    </message>
+    <message>
+        <source>the study was never completely made</source>
+        <translation>実験の作成が完了していません</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot name a participant</source>
+        <translation>「%1」は参加者の名前に使えません</translation>
+    </message>
+    <message>
+        <source>another name: files have %1 for no value or for all participants</source>
+        <translation>別の名前: ファイルでは %1 が値なしまたは全参加者を表します</translation>
+    </message>
+    <message>
+        <source>a text of 1 to %1 characters</source>
+        <translation>1～%1文字のテキスト</translation>
+    </message>
+    <message>
+        <source>the participant &quot;%1&quot; is enrolled already</source>
+        <translation>参加者「%1」はすでに登録されています</translation>
+    </message>
+    <message>
+        <source>another name</source>
+        <translation>別の名前</translation>
+    </message>
+    <message>
+        <source>other stations enrol participants all the time</source>
+        <translation>ほかのステーションが絶えず参加者を登録しています</translation>
+    </message>
+    <message>
+        <source>to try again</source>
+        <translation>再試行</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is in a session already, at %2</source>
+        <translation>「%1」はすでにセッション中です (%2)</translation>
+    </message>
+    <message>
+        <source>one session of a participant at a time</source>
+        <translation>参加者ごとに同時に1つのセッション</translation>
+    </message>
+    <message>
+        <source>another station</source>
+        <translation>別のステーション</translation>
+    </message>
+    <message>
+        <source>the patterns are not those with which this study was begun</source>
+        <translation>パターンが、このスタディを始めたときのものと異なります</translation>
+    </message>
+    <message>
+        <source>version %1 of the program, or a new study</source>
+        <translation>バージョン %1 のプログラム、または新しいスタディ</translation>
     </message>
 </context>
 <context>
@@ -5639,22 +5996,6 @@ x %4, y %5
 <context>
     <name>StudyFigure</name>
     <message>
-        <source>cannot make the folder</source>
-        <translation>フォルダーを作成できません</translation>
-    </message>
-    <message>
-        <source>Subject response, %</source>
-        <translation>参加者の応答、%</translation>
-    </message>
-    <message>
-        <source>Subject response, trials</source>
-        <translation>参加者の応答、試行数</translation>
-    </message>
-    <message>
-        <source>Subject response, % and trials</source>
-        <translation>参加者の応答、%と試行数</translation>
-    </message>
-    <message>
         <source>PILOT</source>
         <translation>パイロット</translation>
     </message>
@@ -5839,262 +6180,6 @@ x %4, y %5
     <message>
         <source>a study that was begun as a rehearsal</source>
         <translation>リハーサルとして始めた実験</translation>
-    </message>
-</context>
-<context>
-    <name>StudyReport</name>
-    <message>
-        <source>There are no test trials.</source>
-        <translation>テスト試行がありません。</translation>
-    </message>
-    <message>
-        <source>Correct answers of the group; the interval is that of Student&apos;s t over participants (95 %)</source>
-        <translation>グループの正答。区間は参加者にわたるStudentのtによるものです (95 %)</translation>
-    </message>
-    <message>
-        <source>Condition</source>
-        <translation>条件</translation>
-    </message>
-    <message>
-        <source>Participants</source>
-        <translation>参加者数</translation>
-    </message>
-    <message>
-        <source>Mean, %</source>
-        <translation>平均、%</translation>
-    </message>
-    <message>
-        <source>SD, %</source>
-        <translation>SD、%</translation>
-    </message>
-    <message>
-        <source>Interval, %</source>
-        <translation>区間、%</translation>
-    </message>
-    <message>
-        <source>Correct answers</source>
-        <translation>正答</translation>
-    </message>
-    <message>
-        <source>Dots: participants. Marks: mean with the t interval over participants.</source>
-        <translation>点: 参加者。マーク: 平均と参加者にわたるt区間。</translation>
-    </message>
-    <message>
-        <source>Rows: presented; columns: answered. Percent of the row, all participants.</source>
-        <translation>行: 提示。列: 回答。行に対する割合 (%)、全参加者。</translation>
-    </message>
-    <message>
-        <source>Presented</source>
-        <translation>提示</translation>
-    </message>
-    <message>
-        <source>Trials</source>
-        <translation>試行数</translation>
-    </message>
-    <message>
-        <source>%1: trials and share of the row in percent</source>
-        <translation>%1: 試行数と行に対する割合 (%)</translation>
-    </message>
-    <message>
-        <source>Confusion matrices</source>
-        <translation>混同行列</translation>
-    </message>
-    <message>
-        <source>Pattern</source>
-        <translation>パターン</translation>
-    </message>
-    <message>
-        <source>%1, %</source>
-        <translation>%1、%</translation>
-    </message>
-    <message>
-        <source>df</source>
-        <translation>df</translation>
-    </message>
-    <message>
-        <source>Mean of the participants&apos; correct answers for each pattern; two conditions are compared within participants</source>
-        <translation>各パターンの参加者の正答の平均。2条件の比較は参加者内で行います</translation>
-    </message>
-    <message>
-        <source>Patterns and conditions</source>
-        <translation>パターンと条件</translation>
-    </message>
-    <message>
-        <source>Mean of the participants with the t interval (95 %).</source>
-        <translation>参加者の平均とt区間 (95 %)。</translation>
-    </message>
-    <message>
-        <source>Participants&apos; median response times of correct, answered test trials, from the onset of the stimulus</source>
-        <translation>回答のあったテスト試行のうち正答の、参加者ごとの応答時間の中央値 (刺激の開始から)</translation>
-    </message>
-    <message>
-        <source>Median of the medians, s</source>
-        <translation>中央値の中央値、s</translation>
-    </message>
-    <message>
-        <source>Shortest, s</source>
-        <translation>最短、s</translation>
-    </message>
-    <message>
-        <source>Longest, s</source>
-        <translation>最長、s</translation>
-    </message>
-    <message>
-        <source>Response times</source>
-        <translation>応答時間</translation>
-    </message>
-    <message>
-        <source>Dots: medians of participants. Marks: the median of these.</source>
-        <translation>点: 参加者の中央値。マーク: それらの中央値。</translation>
-    </message>
-    <message>
-        <source>Information transfer of the pooled answers in bit, its bias, and the bootstrap interval over participants (95 %, of the measured value)</source>
-        <translation>プールした回答の情報伝達量 (bit)、そのバイアス、参加者にわたるブートストラップ区間 (測定値の95 %)</translation>
-    </message>
-    <message>
-        <source>Measured</source>
-        <translation>測定値</translation>
-    </message>
-    <message>
-        <source>Bias</source>
-        <translation>バイアス</translation>
-    </message>
-    <message>
-        <source>Corrected</source>
-        <translation>補正値</translation>
-    </message>
-    <message>
-        <source>Interval</source>
-        <translation>区間</translation>
-    </message>
-    <message>
-        <source>A guesser would show</source>
-        <translation>当て推量での値</translation>
-    </message>
-    <message>
-        <source>Remark</source>
-        <translation>備考</translation>
-    </message>
-    <message>
-        <source>few trials: fewer than 5 k²</source>
-        <translation>試行数不足: 5 k²未満</translation>
-    </message>
-    <message>
-        <source>Information transfer</source>
-        <translation>情報伝達量</translation>
-    </message>
-    <message>
-        <source>Filled: measured, with the bootstrap interval. Hollow: less the bias.</source>
-        <translation>塗りつぶし: 測定値とブートストラップ区間。中空: バイアスを引いた値。</translation>
-    </message>
-    <message>
-        <source>The measured value is too high with few trials: even a participant who only guesses shows more than 0 bit. Compare it with the column of the guesser, and use the corrected value with care.</source>
-        <translation>試行数が少ないと測定値は過大になります: 当て推量だけの参加者でも0 bitを超えます。当て推量の列と比較し、補正値は慎重に扱ってください。</translation>
-    </message>
-    <message>
-        <source>Each participant, test trials; intervals of 95 %, p of so many correct answers by chance</source>
-        <translation>各参加者のテスト試行。95 %区間と、偶然にこの正答数となるp</translation>
-    </message>
-    <message>
-        <source>Participant</source>
-        <translation>参加者</translation>
-    </message>
-    <message>
-        <source>Correct</source>
-        <translation>正答</translation>
-    </message>
-    <message>
-        <source>No answer</source>
-        <translation>無回答</translation>
-    </message>
-    <message>
-        <source>Accuracy, %</source>
-        <translation>正答率、%</translation>
-    </message>
-    <message>
-        <source>Wilson, %</source>
-        <translation>Wilson、%</translation>
-    </message>
-    <message>
-        <source>Clopper-Pearson, %</source>
-        <translation>Clopper-Pearson、%</translation>
-    </message>
-    <message>
-        <source>p of chance</source>
-        <translation>偶然のp</translation>
-    </message>
-    <message>
-        <source>Transfer, bit</source>
-        <translation>伝達量、bit</translation>
-    </message>
-    <message>
-        <source>Guesser, bit</source>
-        <translation>当て推量、bit</translation>
-    </message>
-    <message>
-        <source>Corrected, bit</source>
-        <translation>補正値、bit</translation>
-    </message>
-    <message>
-        <source>Median time, s</source>
-        <translation>時間の中央値、s</translation>
-    </message>
-    <message>
-        <source>Times</source>
-        <translation>時間の数</translation>
-    </message>
-    <message>
-        <source>Analysis of variance within participants of the shares of correct answers; p with the corrections of Greenhouse and Geisser and of Huynh and Feldt</source>
-        <translation>正答率の参加者内分散分析。pはGreenhouse-GeisserおよびHuynh-Feldtの補正付き</translation>
-    </message>
-    <message>
-        <source>Effect</source>
-        <translation>効果</translation>
-    </message>
-    <message>
-        <source>partial η²</source>
-        <translation>偏η²</translation>
-    </message>
-    <message>
-        <source>generalised η²</source>
-        <translation>一般化η²</translation>
-    </message>
-    <message>
-        <source>%1 is left out: a cell is missing</source>
-        <translation>%1 は除外: セルが欠けています</translation>
-    </message>
-    <message>
-        <source>Analysis of variance</source>
-        <translation>分散分析</translation>
-    </message>
-    <message>
-        <source>PILOT: these data were taken to try the study out.</source>
-        <translation>パイロット: これらのデータは実験を試すために取得されました。</translation>
-    </message>
-    <message>
-        <source>SIMULATED: these answers were made by a program, not by people.</source>
-        <translation>シミュレーション: これらの回答は人ではなくプログラムによるものです。</translation>
-    </message>
-    <message>
-        <source>cannot make the folder</source>
-        <translation>フォルダーを作成できません</translation>
-    </message>
-    <message numerus="yes">
-        <source>Stimuli: %n trial(s) were played on a bracelet; the longest write of a frame took %1 ms.</source>
-        <translation>
-            <numerusform>刺激: %n 試行がブレスレットで再生されました。フレームの書き込みは最長 %1 msでした。</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Stimuli: the frames of %n trial(s) were counted.</source>
-        <translation>
-            <numerusform>刺激: %n 試行のフレームを数えました。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 Frames were missed in %2 of them, %3 in all.</source>
-        <comment>the sentence before, numbers</comment>
-        <translation>%1%2 試行でフレームが欠け、合計は %3 です。</translation>
     </message>
 </context>
 <context>
@@ -6445,17 +6530,6 @@ x %4, y %5
     </message>
 </context>
 <context>
-    <name>StudyStimuli</name>
-    <message>
-        <source>nobody can tell in which folder this pattern is</source>
-        <translation>このパターンがどのフォルダーにあるのかわかりません</translation>
-    </message>
-    <message>
-        <source>the whole path of the file</source>
-        <translation>ファイルの絶対パス</translation>
-    </message>
-</context>
-<context>
     <name>StudyStore</name>
     <message>
         <source>cannot open the study: %1</source>
@@ -6470,40 +6544,12 @@ x %4, y %5
         <translation>実験のフォルダーを作成できません</translation>
     </message>
     <message>
-        <source>there is a study in this folder already</source>
-        <translation>このフォルダーにはすでに実験があります</translation>
-    </message>
-    <message>
-        <source>a new folder, or to go on with the study</source>
-        <translation>新しいフォルダー、または既存の実験の続行</translation>
-    </message>
-    <message>
         <source>there is no study here</source>
         <translation>ここには実験がありません</translation>
     </message>
     <message>
         <source>a folder with study.sqlite</source>
         <translation>study.sqliteを含むフォルダー</translation>
-    </message>
-    <message>
-        <source>the study was never completely made</source>
-        <translation>実験の作成が完了していません</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; cannot name a participant</source>
-        <translation>「%1」は参加者の名前に使えません</translation>
-    </message>
-    <message>
-        <source>a text of 1 to %1 characters</source>
-        <translation>1～%1文字のテキスト</translation>
-    </message>
-    <message>
-        <source>the participant &quot;%1&quot; is enrolled already</source>
-        <translation>参加者「%1」はすでに登録されています</translation>
-    </message>
-    <message>
-        <source>another name</source>
-        <translation>別の名前</translation>
     </message>
     <message>
         <source>this trial is kept already</source>
@@ -6602,30 +6648,6 @@ x %4, y %5
         <translation>実験が破損しています: プロトコルにない番号のセッションまたは試行があります</translation>
     </message>
     <message>
-        <source>there is a study of this name already</source>
-        <translation>同じ名前の実験がすでにあります</translation>
-    </message>
-    <message>
-        <source>a new name, or to go on with the study</source>
-        <translation>新しい名前、または既存の実験の続行</translation>
-    </message>
-    <message>
-        <source>another name: files have %1 for no value or for all participants</source>
-        <translation>別の名前: ファイルでは %1 が値なしまたは全参加者を表します</translation>
-    </message>
-    <message>
-        <source>other stations enrol participants all the time</source>
-        <translation>ほかのステーションが絶えず参加者を登録しています</translation>
-    </message>
-    <message>
-        <source>to try again</source>
-        <translation>再試行</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is in a session already, at %2</source>
-        <translation>「%1」はすでにセッション中です (%2)</translation>
-    </message>
-    <message>
         <source>these trials belong to another study</source>
         <translation>これらの試行は別の実験のものです</translation>
     </message>
@@ -6682,71 +6704,12 @@ x %4, y %5
         <translation>ここでは書き込めません。見ることだけができます</translation>
     </message>
     <message>
-        <source>the patterns are not those with which this study was begun</source>
-        <translation>パターンが、このスタディを始めたときのものと異なります</translation>
-    </message>
-    <message>
-        <source>version %1 of the program, or a new study</source>
-        <translation>バージョン %1 のプログラム、または新しいスタディ</translation>
-    </message>
-    <message>
         <source>the server still has the connection that broke, and with it this participant</source>
         <translation>切断された接続とこの参加者が、まだサーバーに残っています</translation>
     </message>
     <message>
         <source>another try in a moment</source>
         <translation>しばらくしてからの再試行</translation>
-    </message>
-</context>
-<context>
-    <name>StudyTrialSource</name>
-    <message>
-        <source>run, pilot or simulated</source>
-        <translation>run、pilot、またはsimulated</translation>
-    </message>
-    <message>
-        <source>a value</source>
-        <translation>値</translation>
-    </message>
-    <message>
-        <source>practice or test</source>
-        <translation>practiceまたはtest</translation>
-    </message>
-    <message>
-        <source>correct, incorrect, timeout, aborted or device_error</source>
-        <translation>correct、incorrect、timeout、aborted、またはdevice_error</translation>
-    </message>
-    <message>
-        <source>what stimulus and response say</source>
-        <translation>刺激と応答が示すもの</translation>
-    </message>
-    <message>
-        <source>a number of seconds or NA</source>
-        <translation>秒数またはNA</translation>
-    </message>
-    <message>
-        <source>there are too many different patterns</source>
-        <translation>異なるパターンが多すぎます</translation>
-    </message>
-    <message>
-        <source>%1 at most</source>
-        <translation>%1以下</translation>
-    </message>
-    <message>
-        <source>interrupted</source>
-        <translation>中断されました</translation>
-    </message>
-    <message>
-        <source>a whole number from 1 on</source>
-        <translation>1 以上の整数</translation>
-    </message>
-    <message>
-        <source>trial %1 of session %2 of %3 was counted before</source>
-        <translation>%3 のセッション %2 の試行 %1 はすでに数えられています</translation>
-    </message>
-    <message>
-        <source>each trial once</source>
-        <translation>各試行は一度だけ</translation>
     </message>
 </context>
 <context>
@@ -7519,7 +7482,75 @@ x %4, y %5
     </message>
 </context>
 <context>
-    <name>WtsDevice</name>
+    <name>WtsText</name>
+    <message>
+        <source>&quot;%1&quot; is not the address of a tactile array</source>
+        <translation>「%1」は触覚アレイのアドレスではありません</translation>
+    </message>
+    <message>
+        <source>the path of a serial port, or tcp://HOST:PORT</source>
+        <translation>シリアルポートのパス、またはtcp://HOST:PORT</translation>
+    </message>
+    <message>
+        <source>success</source>
+        <translation>成功</translation>
+    </message>
+    <message>
+        <source>not available</source>
+        <translation>利用不可</translation>
+    </message>
+    <message>
+        <source>no sensor connected</source>
+        <translation>センサー未接続</translation>
+    </message>
+    <message>
+        <source>not initialised</source>
+        <translation>未初期化</translation>
+    </message>
+    <message>
+        <source>already running</source>
+        <translation>実行中</translation>
+    </message>
+    <message>
+        <source>not supported</source>
+        <translation>未対応</translation>
+    </message>
+    <message>
+        <source>inconsistent data</source>
+        <translation>データの不整合</translation>
+    </message>
+    <message>
+        <source>time-out in the sensor</source>
+        <translation>センサー内のタイムアウト</translation>
+    </message>
+    <message>
+        <source>read error in the sensor</source>
+        <translation>センサー内の読み取りエラー</translation>
+    </message>
+    <message>
+        <source>write error in the sensor</source>
+        <translation>センサー内の書き込みエラー</translation>
+    </message>
+    <message>
+        <source>wrong checksum</source>
+        <translation>チェックサムの誤り</translation>
+    </message>
+    <message>
+        <source>unknown command</source>
+        <translation>不明なコマンド</translation>
+    </message>
+    <message>
+        <source>wrong format</source>
+        <translation>形式の誤り</translation>
+    </message>
+    <message>
+        <source>access denied</source>
+        <translation>アクセス拒否</translation>
+    </message>
+    <message>
+        <source>status %1</source>
+        <translation>ステータス%1</translation>
+    </message>
     <message>
         <source>a serial port cannot run at %1 baud</source>
         <translation>シリアルポートを%1ボーで動作させられません</translation>
@@ -7606,77 +7637,6 @@ x %4, y %5
     </message>
 </context>
 <context>
-    <name>WtsText</name>
-    <message>
-        <source>&quot;%1&quot; is not the address of a tactile array</source>
-        <translation>「%1」は触覚アレイのアドレスではありません</translation>
-    </message>
-    <message>
-        <source>the path of a serial port, or tcp://HOST:PORT</source>
-        <translation>シリアルポートのパス、またはtcp://HOST:PORT</translation>
-    </message>
-    <message>
-        <source>success</source>
-        <translation>成功</translation>
-    </message>
-    <message>
-        <source>not available</source>
-        <translation>利用不可</translation>
-    </message>
-    <message>
-        <source>no sensor connected</source>
-        <translation>センサー未接続</translation>
-    </message>
-    <message>
-        <source>not initialised</source>
-        <translation>未初期化</translation>
-    </message>
-    <message>
-        <source>already running</source>
-        <translation>実行中</translation>
-    </message>
-    <message>
-        <source>not supported</source>
-        <translation>未対応</translation>
-    </message>
-    <message>
-        <source>inconsistent data</source>
-        <translation>データの不整合</translation>
-    </message>
-    <message>
-        <source>time-out in the sensor</source>
-        <translation>センサー内のタイムアウト</translation>
-    </message>
-    <message>
-        <source>read error in the sensor</source>
-        <translation>センサー内の読み取りエラー</translation>
-    </message>
-    <message>
-        <source>write error in the sensor</source>
-        <translation>センサー内の書き込みエラー</translation>
-    </message>
-    <message>
-        <source>wrong checksum</source>
-        <translation>チェックサムの誤り</translation>
-    </message>
-    <message>
-        <source>unknown command</source>
-        <translation>不明なコマンド</translation>
-    </message>
-    <message>
-        <source>wrong format</source>
-        <translation>形式の誤り</translation>
-    </message>
-    <message>
-        <source>access denied</source>
-        <translation>アクセス拒否</translation>
-    </message>
-    <message>
-        <source>status %1</source>
-        <translation>ステータス%1</translation>
-    </message>
-</context>
-<context>
     <name>ZipText</name>
     <message>
         <source>the zip archive is damaged</source>
@@ -7689,6 +7649,22 @@ x %4, y %5
     <message>
         <source>the zip archive could not be made</source>
         <translation>zipアーカイブを作成できませんでした</translation>
+    </message>
+    <message>
+        <source>the zip archive has too many files</source>
+        <translation>zipアーカイブのファイルが多すぎます</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>%1以下</translation>
+    </message>
+    <message>
+        <source>the unpacked zip archive is too large</source>
+        <translation>展開したzipアーカイブが大きすぎます</translation>
+    </message>
+    <message>
+        <source>at most %1 MiB</source>
+        <translation>%1 MiB以下</translation>
     </message>
 </context>
 <context>

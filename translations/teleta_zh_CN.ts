@@ -7,6 +7,10 @@
         <source>interrupted before all runs were done</source>
         <translation>在全部运行完成前中断</translation>
     </message>
+    <message>
+        <source>the spread of a measure needs at least two seeds</source>
+        <translation>要得到测量量的离散度，至少需要两个种子</translation>
+    </message>
 </context>
 <context>
     <name>About</name>
@@ -341,55 +345,6 @@
     </message>
 </context>
 <context>
-    <name>BraceletStimulus</name>
-    <message>
-        <source>%1, ready</source>
-        <comment>bracelet</comment>
-        <translation>%1，就绪</translation>
-    </message>
-    <message>
-        <source>%1, ready; last stimulus: %2 frames, longest write %3 ms, %4 late, %5 lost</source>
-        <comment>bracelet</comment>
-        <translation>%1，就绪；上一个刺激：%2 帧，最长写入 %3 ms，%4 帧延迟，%5 帧丢失</translation>
-    </message>
-    <message>
-        <source>the bracelet was lost</source>
-        <translation>手环已断开</translation>
-    </message>
-    <message>
-        <source>STOP was pressed</source>
-        <translation>按下了 STOP</translation>
-    </message>
-    <message>
-        <source>the bracelet did not begin</source>
-        <translation>手环没有开始</translation>
-    </message>
-    <message>
-        <source>something else used the bracelet</source>
-        <translation>手环被其他任务占用</translation>
-    </message>
-    <message>
-        <source>No bracelet: this rehearsal runs too fast to be played</source>
-        <translation>没有手环：此次预演速度过快，无法播放</translation>
-    </message>
-    <message>
-        <source>the bracelet does not answer</source>
-        <translation>手环没有响应</translation>
-    </message>
-    <message>
-        <source>the bracelet did not confirm that it got the stimulus</source>
-        <translation>手环没有确认收到刺激</translation>
-    </message>
-    <message>
-        <source>the bracelet is too hot</source>
-        <translation>手环过热</translation>
-    </message>
-    <message>
-        <source>the bracelet refused the stimulus: it did not understand it</source>
-        <translation>手环拒绝了刺激：无法识别</translation>
-    </message>
-</context>
-<context>
     <name>CalibrateCommand</name>
     <message>
         <source>Pairs</source>
@@ -527,10 +482,6 @@
 <context>
     <name>Camera</name>
     <message>
-        <source>The camera gives no frames any more.</source>
-        <translation>相机不再提供帧。</translation>
-    </message>
-    <message>
         <source>camera %1 cannot be opened</source>
         <translation>无法打开相机 %1</translation>
     </message>
@@ -561,40 +512,6 @@
     <message>
         <source>camera %1</source>
         <translation>相机 %1</translation>
-    </message>
-</context>
-<context>
-    <name>CameraCalibration</name>
-    <message>
-        <source>interrupted</source>
-        <translation>已中断</translation>
-    </message>
-    <message>
-        <source>the file has too many pairs</source>
-        <translation>文件中的点对过多</translation>
-    </message>
-    <message>
-        <source>at most %1</source>
-        <translation>至多 %1</translation>
-    </message>
-</context>
-<context>
-    <name>CameraFile</name>
-    <message>
-        <source>this is no camera matrix</source>
-        <translation>这不是相机矩阵</translation>
-    </message>
-    <message>
-        <source>this is no camera file</source>
-        <translation>这不是相机文件</translation>
-    </message>
-    <message>
-        <source>the file is of a newer version</source>
-        <translation>文件版本较新</translation>
-    </message>
-    <message>
-        <source>the cylinder has no length</source>
-        <translation>圆柱没有长度</translation>
     </message>
 </context>
 <context>
@@ -658,6 +575,26 @@
         <source>the distortion folds on the axis already</source>
         <translation>畸变在光轴上已发生折叠</translation>
     </message>
+    <message>
+        <source>this is no camera matrix</source>
+        <translation>这不是相机矩阵</translation>
+    </message>
+    <message>
+        <source>this is no camera file</source>
+        <translation>这不是相机文件</translation>
+    </message>
+    <message>
+        <source>the file is of a newer version</source>
+        <translation>文件版本较新</translation>
+    </message>
+    <message>
+        <source>the cylinder has no length</source>
+        <translation>圆柱没有长度</translation>
+    </message>
+    <message>
+        <source>The camera gives no frames any more.</source>
+        <translation>相机不再提供帧。</translation>
+    </message>
 </context>
 <context>
     <name>ChartText</name>
@@ -704,6 +641,10 @@
     <message>
         <source>less bias</source>
         <translation>减去偏差</translation>
+    </message>
+    <message>
+        <source>cannot make the folder</source>
+        <translation>无法创建文件夹</translation>
     </message>
 </context>
 <context>
@@ -1150,7 +1091,15 @@ Examples:
     </message>
 </context>
 <context>
-    <name>CostFigure</name>
+    <name>CostFigureText</name>
+    <message>
+        <source>Filled: no other rung is both as quick and as exact. Lines: to the 95 % error and the 99 % time.</source>
+        <translation>实心：没有其他档级能同样快且同样精确。线段：至 95 % 误差和 99 % 时间。</translation>
+    </message>
+    <message>
+        <source>Not measured, the machine was too noisy or there is no error: %1.</source>
+        <translation>未测量、机器干扰过大或没有误差：%1。</translation>
+    </message>
     <message>
         <source>Median time of one call</source>
         <translation>单次调用的中位时间</translation>
@@ -1165,18 +1114,11 @@ Examples:
     </message>
 </context>
 <context>
-    <name>CostFigureText</name>
+    <name>CostFileText</name>
     <message>
-        <source>Filled: no other rung is both as quick and as exact. Lines: to the 95 % error and the 99 % time.</source>
-        <translation>实心：没有其他档级能同样快且同样精确。线段：至 95 % 误差和 99 % 时间。</translation>
+        <source>&quot;%1&quot; is no value of the column %2</source>
+        <translation>“%1”不是列 %2 的有效值</translation>
     </message>
-    <message>
-        <source>Not measured, the machine was too noisy or there is no error: %1.</source>
-        <translation>未测量、机器干扰过大或没有误差：%1。</translation>
-    </message>
-</context>
-<context>
-    <name>CostFile</name>
     <message>
         <source>a number that is not negative, or NA</source>
         <translation>非负数，或 NA</translation>
@@ -1188,13 +1130,6 @@ Examples:
     <message>
         <source>a number of samples</source>
         <translation>样本数</translation>
-    </message>
-</context>
-<context>
-    <name>CostFileText</name>
-    <message>
-        <source>&quot;%1&quot; is no value of the column %2</source>
-        <translation>“%1”不是列 %2 的有效值</translation>
     </message>
 </context>
 <context>
@@ -1641,13 +1576,6 @@ Examples:
     </message>
 </context>
 <context>
-    <name>EffectAblation</name>
-    <message>
-        <source>the spread of a measure needs at least two seeds</source>
-        <translation>要得到测量量的离散度，至少需要两个种子</translation>
-    </message>
-</context>
-<context>
     <name>Error</name>
     <message>
         <source> (expected %1)</source>
@@ -1818,17 +1746,6 @@ Examples:
     </message>
 </context>
 <context>
-    <name>FigureFile</name>
-    <message>
-        <source>the picture has no size</source>
-        <translation>图片没有尺寸</translation>
-    </message>
-    <message>
-        <source>the picture would have too many pixels</source>
-        <translation>图片像素过多</translation>
-    </message>
-</context>
-<context>
     <name>FigureText</name>
     <message>
         <source>Actual pattern</source>
@@ -1837,6 +1754,90 @@ Examples:
     <message>
         <source>cannot draw the picture: %1</source>
         <translation>无法绘制图片：%1</translation>
+    </message>
+    <message>
+        <source>the picture has no size</source>
+        <translation>图片没有尺寸</translation>
+    </message>
+    <message>
+        <source>the picture would have too many pixels</source>
+        <translation>图片像素过多</translation>
+    </message>
+    <message>
+        <source>Force, N</source>
+        <translation>力，N</translation>
+    </message>
+    <message>
+        <source>CoP y, mm</source>
+        <translation>CoP y，mm</translation>
+    </message>
+    <message>
+        <source>CoC x, mm</source>
+        <translation>CoC x，mm</translation>
+    </message>
+    <message>
+        <source>DZMP y, mm</source>
+        <translation>DZMP y，mm</translation>
+    </message>
+    <message>
+        <source>α z, °</source>
+        <translation>α z，°</translation>
+    </message>
+    <message>
+        <source>Turn z, °</source>
+        <translation>绕 z 转动，°</translation>
+    </message>
+    <message>
+        <source>Way, mm</source>
+        <translation>位移，mm</translation>
+    </message>
+    <message>
+        <source>Tactile servoing: force and features over time</source>
+        <translation>触觉伺服：力与特征随时间的变化</translation>
+    </message>
+    <message>
+        <source>desired</source>
+        <translation>期望</translation>
+    </message>
+    <message>
+        <source>true</source>
+        <translation>真实</translation>
+    </message>
+    <message>
+        <source>in contact</source>
+        <translation>接触中</translation>
+    </message>
+    <message>
+        <source>weight is moved; its moment is gone</source>
+        <translation>砝码移动；其力矩消失</translation>
+    </message>
+    <message>
+        <source>Tactile servoing, simulated</source>
+        <translation>触觉伺服，模拟</translation>
+    </message>
+    <message>
+        <source>Tactile servoing</source>
+        <translation>触觉伺服</translation>
+    </message>
+    <message>
+        <source>a limit acts (%1)</source>
+        <translation>限制起作用（%1）</translation>
+    </message>
+    <message>
+        <source>time, s</source>
+        <translation>时间，s</translation>
+    </message>
+    <message>
+        <source>Subject response, %</source>
+        <translation>被试的回答，%</translation>
+    </message>
+    <message>
+        <source>Subject response, trials</source>
+        <translation>被试的回答，试次数</translation>
+    </message>
+    <message>
+        <source>Subject response, % and trials</source>
+        <translation>被试的回答，% 与试次数</translation>
     </message>
 </context>
 <context>
@@ -1848,6 +1849,54 @@ Examples:
     <message>
         <source>one of %1</source>
         <translation>%1 之一</translation>
+    </message>
+    <message>
+        <source>these values contradict each other</source>
+        <translation>这些值相互矛盾</translation>
+    </message>
+    <message>
+        <source>0 &lt; start_drive &lt; full_drive, a curve that rises from the start or before it to the drive 1</source>
+        <translation>0 &lt; start_drive &lt; full_drive，曲线从启动点或其之前上升到驱动量 1</translation>
+    </message>
+    <message>
+        <source>the file is of a newer version</source>
+        <translation>文件版本较新</translation>
+    </message>
+    <message>
+        <source>there are %1 motors</source>
+        <translation>有 %1 个电机</translation>
+    </message>
+    <message>
+        <source>the profile is of the bracelet &quot;%1&quot;</source>
+        <translation>该配置属于手环“%1”</translation>
+    </message>
+    <message>
+        <source>there is no such file or built-in pattern</source>
+        <translation>没有这样的文件或内置图案</translation>
+    </message>
+    <message>
+        <source>a pattern file, or an id of teleta pattern list</source>
+        <translation>图案文件，或 teleta pattern list 中的 ID</translation>
+    </message>
+    <message>
+        <source>the file is too large</source>
+        <translation>文件过大</translation>
+    </message>
+    <message>
+        <source>at most %1 MiB</source>
+        <translation>至多 %1 MiB</translation>
+    </message>
+    <message>
+        <source>this format holds one tactor, the pattern uses more</source>
+        <translation>此格式只容纳一个振子，而图案使用了更多</translation>
+    </message>
+    <message>
+        <source>a name that ends with %1</source>
+        <translation>以 %1 结尾的文件名</translation>
+    </message>
+    <message>
+        <source>patterns are written in this format, but not read</source>
+        <translation>此格式的图案只能写出，不能读取</translation>
     </message>
 </context>
 <context>
@@ -2487,24 +2536,12 @@ Examples:
 <context>
     <name>MotorFile</name>
     <message>
-        <source>these values contradict each other</source>
-        <translation>这些值相互矛盾</translation>
-    </message>
-    <message>
-        <source>0 &lt; start_drive &lt; full_drive, a curve that rises from the start or before it to the drive 1</source>
-        <translation>0 &lt; start_drive &lt; full_drive，曲线从启动点或其之前上升到驱动量 1</translation>
-    </message>
-    <message>
         <source>the file is of a newer version</source>
         <translation>文件版本较新</translation>
     </message>
     <message>
         <source>there are %1 motors</source>
         <translation>有 %1 个电机</translation>
-    </message>
-    <message>
-        <source>the profile is of the bracelet &quot;%1&quot;</source>
-        <translation>该配置属于手环“%1”</translation>
     </message>
     <message>
         <source>the limits are of the bracelet &quot;%1&quot;</source>
@@ -2636,18 +2673,6 @@ Examples:
 </context>
 <context>
     <name>MotorRecording</name>
-    <message>
-        <source>The bracelet does not measure its motors.</source>
-        <translation>该手环不能测量自身的电机。</translation>
-    </message>
-    <message>
-        <source>a recording with a sensor of your own, or answers of a person</source>
-        <translation>用自备传感器所做的记录，或人的回答</translation>
-    </message>
-    <message>
-        <source>The measurement was ended.</source>
-        <translation>测量已终止。</translation>
-    </message>
     <message>
         <source>the time does not rise</source>
         <translation>时间没有递增</translation>
@@ -2903,6 +2928,18 @@ x %4，y %5
         <source>a positive radius, width and height of 1 to %1 pixels</source>
         <translation>为正的半径，以及 1 至 %1 像素的宽度和高度</translation>
     </message>
+    <message>
+        <source>interrupted</source>
+        <translation>已中断</translation>
+    </message>
+    <message>
+        <source>the file has too many pairs</source>
+        <translation>文件中的点对过多</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>至多 %1</translation>
+    </message>
 </context>
 <context>
     <name>PatternCommand</name>
@@ -3130,34 +3167,6 @@ x %4，y %5
         <translation>文件版本较新</translation>
     </message>
     <message>
-        <source>there is no such file or built-in pattern</source>
-        <translation>没有这样的文件或内置图案</translation>
-    </message>
-    <message>
-        <source>a pattern file, or an id of teleta pattern list</source>
-        <translation>图案文件，或 teleta pattern list 中的 ID</translation>
-    </message>
-    <message>
-        <source>the file is too large</source>
-        <translation>文件过大</translation>
-    </message>
-    <message>
-        <source>at most %1 MiB</source>
-        <translation>至多 %1 MiB</translation>
-    </message>
-    <message>
-        <source>this format holds one tactor, the pattern uses more</source>
-        <translation>此格式只容纳一个振子，而图案使用了更多</translation>
-    </message>
-    <message>
-        <source>a name that ends with %1</source>
-        <translation>以 %1 结尾的文件名</translation>
-    </message>
-    <message>
-        <source>patterns are written in this format, but not read</source>
-        <translation>此格式的图案只能写出，不能读取</translation>
-    </message>
-    <message>
         <source>this name is not known</source>
         <translation>此名称未知</translation>
     </message>
@@ -3176,18 +3185,6 @@ x %4，y %5
     <message>
         <source>this effect is for other devices</source>
         <translation>此效果用于其他设备</translation>
-    </message>
-    <message>
-        <source>the zip archive has too many files</source>
-        <translation>zip 压缩包中的文件过多</translation>
-    </message>
-    <message>
-        <source>at most %1</source>
-        <translation>至多 %1</translation>
-    </message>
-    <message>
-        <source>the unpacked zip archive is too large</source>
-        <translation>解压后的 zip 内容过大</translation>
     </message>
     <message>
         <source>the folder cannot be made</source>
@@ -3573,9 +3570,6 @@ x %4，y %5
         <source>the stream &quot;%1&quot; is not described: %2</source>
         <translation>数据流“%1”没有描述：%2</translation>
     </message>
-</context>
-<context>
-    <name>RecordedStreams</name>
     <message>
         <source>it is no array</source>
         <translation>它不是阵列</translation>
@@ -3584,6 +3578,9 @@ x %4，y %5
         <source>it is no arm</source>
         <translation>它不是机械臂</translation>
     </message>
+</context>
+<context>
+    <name>RecordedStreams</name>
     <message>
         <source>the recording has no frames of an array or a camera</source>
         <translation>记录中没有阵列或相机的帧</translation>
@@ -3900,6 +3897,259 @@ x %4，y %5
     <message>
         <source>analysis.R beside this page computes its numbers again from confusion_long.csv, but the response times, which that file does not have, and the bootstrap intervals: Rscript analysis.R. In the folder of the study it computes the response times too, from the exported trials.</source>
         <translation>本页旁的 analysis.R 可由 confusion_long.csv 重新计算本页的数值（该文件中没有的反应时间以及自助法区间除外）：Rscript analysis.R。放在研究的文件夹中时，还会根据导出的试次计算反应时间。</translation>
+    </message>
+    <message>
+        <source>There are no test trials.</source>
+        <translation>没有测试试次。</translation>
+    </message>
+    <message>
+        <source>Correct answers of the group; the interval is that of Student&apos;s t over participants (95 %)</source>
+        <translation>全组的正确回答；区间为被试间的学生 t 区间 (95 %)</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>条件</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>被试</translation>
+    </message>
+    <message>
+        <source>Mean, %</source>
+        <translation>平均值，%</translation>
+    </message>
+    <message>
+        <source>SD, %</source>
+        <translation>SD，%</translation>
+    </message>
+    <message>
+        <source>Interval, %</source>
+        <translation>区间，%</translation>
+    </message>
+    <message>
+        <source>Correct answers</source>
+        <translation>正确回答</translation>
+    </message>
+    <message>
+        <source>Dots: participants. Marks: mean with the t interval over participants.</source>
+        <translation>圆点：被试。标记：平均值及被试间的 t 区间。</translation>
+    </message>
+    <message>
+        <source>Rows: presented; columns: answered. Percent of the row, all participants.</source>
+        <translation>行：呈现；列：回答。占行的百分比，全部被试。</translation>
+    </message>
+    <message>
+        <source>Presented</source>
+        <translation>呈现</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>试次</translation>
+    </message>
+    <message>
+        <source>%1: trials and share of the row in percent</source>
+        <translation>%1：试次数及占行的百分比</translation>
+    </message>
+    <message>
+        <source>Confusion matrices</source>
+        <translation>混淆矩阵</translation>
+    </message>
+    <message>
+        <source>Pattern</source>
+        <translation>图案</translation>
+    </message>
+    <message>
+        <source>%1, %</source>
+        <translation>%1，%</translation>
+    </message>
+    <message>
+        <source>df</source>
+        <translation>df</translation>
+    </message>
+    <message>
+        <source>Mean of the participants&apos; correct answers for each pattern; two conditions are compared within participants</source>
+        <translation>各图案下被试正确回答的平均值；两个条件按被试内比较</translation>
+    </message>
+    <message>
+        <source>Patterns and conditions</source>
+        <translation>图案与条件</translation>
+    </message>
+    <message>
+        <source>Mean of the participants with the t interval (95 %).</source>
+        <translation>被试平均值及 t 区间 (95 %)。</translation>
+    </message>
+    <message>
+        <source>Participants&apos; median response times of correct, answered test trials, from the onset of the stimulus</source>
+        <translation>被试在已正确回答的测试试次中的反应时间中位数，自刺激起始计</translation>
+    </message>
+    <message>
+        <source>Median of the medians, s</source>
+        <translation>中位数的中位数，s</translation>
+    </message>
+    <message>
+        <source>Shortest, s</source>
+        <translation>最短，s</translation>
+    </message>
+    <message>
+        <source>Longest, s</source>
+        <translation>最长，s</translation>
+    </message>
+    <message>
+        <source>Response times</source>
+        <translation>反应时间</translation>
+    </message>
+    <message>
+        <source>Dots: medians of participants. Marks: the median of these.</source>
+        <translation>圆点：各被试的中位数。标记：这些中位数的中位数。</translation>
+    </message>
+    <message>
+        <source>Information transfer of the pooled answers in bit, its bias, and the bootstrap interval over participants (95 %, of the measured value)</source>
+        <translation>合并回答的信息传输量（bit）、其偏差以及被试间的自助法区间（95 %，针对实测值）</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>实测</translation>
+    </message>
+    <message>
+        <source>Bias</source>
+        <translation>偏差</translation>
+    </message>
+    <message>
+        <source>Corrected</source>
+        <translation>校正后</translation>
+    </message>
+    <message>
+        <source>Interval</source>
+        <translation>区间</translation>
+    </message>
+    <message>
+        <source>A guesser would show</source>
+        <translation>纯猜测的结果</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>few trials: fewer than 5 k²</source>
+        <translation>试次较少：少于 5 k²</translation>
+    </message>
+    <message>
+        <source>Information transfer</source>
+        <translation>信息传输量</translation>
+    </message>
+    <message>
+        <source>Filled: measured, with the bootstrap interval. Hollow: less the bias.</source>
+        <translation>实心：实测值，含自助法区间。空心：减去偏差。</translation>
+    </message>
+    <message>
+        <source>The measured value is too high with few trials: even a participant who only guesses shows more than 0 bit. Compare it with the column of the guesser, and use the corrected value with care.</source>
+        <translation>试次较少时实测值偏高：即使只靠猜测的被试也会显示大于 0 bit。请与“纯猜测”一列比较，并谨慎使用校正值。</translation>
+    </message>
+    <message>
+        <source>Each participant, test trials; intervals of 95 %, p of so many correct answers by chance</source>
+        <translation>各被试，测试试次；95 % 区间，随机得到这么多正确回答的 p 值</translation>
+    </message>
+    <message>
+        <source>Participant</source>
+        <translation>被试</translation>
+    </message>
+    <message>
+        <source>Correct</source>
+        <translation>正确</translation>
+    </message>
+    <message>
+        <source>No answer</source>
+        <translation>未回答</translation>
+    </message>
+    <message>
+        <source>Accuracy, %</source>
+        <translation>正确率，%</translation>
+    </message>
+    <message>
+        <source>Wilson, %</source>
+        <translation>Wilson，%</translation>
+    </message>
+    <message>
+        <source>Clopper-Pearson, %</source>
+        <translation>Clopper-Pearson，%</translation>
+    </message>
+    <message>
+        <source>p of chance</source>
+        <translation>随机 p 值</translation>
+    </message>
+    <message>
+        <source>Transfer, bit</source>
+        <translation>传输量，bit</translation>
+    </message>
+    <message>
+        <source>Guesser, bit</source>
+        <translation>纯猜测，bit</translation>
+    </message>
+    <message>
+        <source>Corrected, bit</source>
+        <translation>校正后，bit</translation>
+    </message>
+    <message>
+        <source>Median time, s</source>
+        <translation>中位时间，s</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>时间数</translation>
+    </message>
+    <message>
+        <source>Analysis of variance within participants of the shares of correct answers; p with the corrections of Greenhouse and Geisser and of Huynh and Feldt</source>
+        <translation>对正确回答比例的被试内方差分析；p 值含 Greenhouse-Geisser 校正和 Huynh-Feldt 校正</translation>
+    </message>
+    <message>
+        <source>Effect</source>
+        <translation>效应</translation>
+    </message>
+    <message>
+        <source>partial η²</source>
+        <translation>偏 η²</translation>
+    </message>
+    <message>
+        <source>generalised η²</source>
+        <translation>广义 η²</translation>
+    </message>
+    <message>
+        <source>%1 is left out: a cell is missing</source>
+        <translation>%1 被排除：缺少一个单元格</translation>
+    </message>
+    <message>
+        <source>Analysis of variance</source>
+        <translation>方差分析</translation>
+    </message>
+    <message numerus="yes">
+        <source>Stimuli: %n trial(s) were played on a bracelet; the longest write of a frame took %1 ms.</source>
+        <translation>
+            <numerusform>刺激：有 %n 个试次在手环上播放；写入一帧最长用时 %1 ms。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Stimuli: the frames of %n trial(s) were counted.</source>
+        <translation>
+            <numerusform>刺激：已统计 %n 个试次的帧。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 Frames were missed in %2 of them, %3 in all.</source>
+        <comment>the sentence before, numbers</comment>
+        <translation>%1其中 %2 个试次有丢帧，共 %3 帧。</translation>
+    </message>
+    <message>
+        <source>PILOT: these data were taken to try the study out.</source>
+        <translation>预试：这些数据用于试行研究。</translation>
+    </message>
+    <message>
+        <source>SIMULATED: these answers were made by a program, not by people.</source>
+        <translation>模拟：这些回答由程序生成，并非来自真人。</translation>
+    </message>
+    <message>
+        <source>cannot make the folder</source>
+        <translation>无法创建文件夹</translation>
     </message>
 </context>
 <context>
@@ -4279,6 +4529,18 @@ x %4，y %5
         <source>let it cool down and measure again</source>
         <translation>让它冷却后重新测量</translation>
     </message>
+    <message>
+        <source>The bracelet does not measure its motors.</source>
+        <translation>该手环不能测量自身的电机。</translation>
+    </message>
+    <message>
+        <source>a recording with a sensor of your own, or answers of a person</source>
+        <translation>用自备传感器所做的记录，或人的回答</translation>
+    </message>
+    <message>
+        <source>The measurement was ended.</source>
+        <translation>测量已终止。</translation>
+    </message>
 </context>
 <context>
     <name>Scene</name>
@@ -4541,73 +4803,6 @@ x %4，y %5
     <message>
         <source>names such as force+tool_speed, or nothing</source>
         <translation>诸如 force+tool_speed 的名称，或为空</translation>
-    </message>
-</context>
-<context>
-    <name>ServoFigure</name>
-    <message>
-        <source>Force, N</source>
-        <translation>力，N</translation>
-    </message>
-    <message>
-        <source>CoP y, mm</source>
-        <translation>CoP y，mm</translation>
-    </message>
-    <message>
-        <source>CoC x, mm</source>
-        <translation>CoC x，mm</translation>
-    </message>
-    <message>
-        <source>DZMP y, mm</source>
-        <translation>DZMP y，mm</translation>
-    </message>
-    <message>
-        <source>α z, °</source>
-        <translation>α z，°</translation>
-    </message>
-    <message>
-        <source>Way, mm</source>
-        <translation>位移，mm</translation>
-    </message>
-    <message>
-        <source>Tactile servoing: force and features over time</source>
-        <translation>触觉伺服：力与特征随时间的变化</translation>
-    </message>
-    <message>
-        <source>desired</source>
-        <translation>期望</translation>
-    </message>
-    <message>
-        <source>true</source>
-        <translation>真实</translation>
-    </message>
-    <message>
-        <source>Tactile servoing, simulated</source>
-        <translation>触觉伺服，模拟</translation>
-    </message>
-    <message>
-        <source>Tactile servoing</source>
-        <translation>触觉伺服</translation>
-    </message>
-    <message>
-        <source>time, s</source>
-        <translation>时间，s</translation>
-    </message>
-    <message>
-        <source>in contact</source>
-        <translation>接触中</translation>
-    </message>
-    <message>
-        <source>a limit acts (%1)</source>
-        <translation>限制起作用（%1）</translation>
-    </message>
-    <message>
-        <source>weight is moved; its moment is gone</source>
-        <translation>砝码移动；其力矩消失</translation>
-    </message>
-    <message>
-        <source>Turn z, °</source>
-        <translation>绕 z 转动，°</translation>
     </message>
 </context>
 <context>
@@ -4940,6 +5135,54 @@ x %4，y %5
         <source>each participant in one study, under a name of their own</source>
         <translation>每名被试只在一个研究中，并使用自己的名称</translation>
     </message>
+    <message>
+        <source>run, pilot or simulated</source>
+        <translation>run、pilot 或 simulated</translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation>一个值</translation>
+    </message>
+    <message>
+        <source>practice or test</source>
+        <translation>practice 或 test</translation>
+    </message>
+    <message>
+        <source>correct, incorrect, timeout, aborted or device_error</source>
+        <translation>correct、incorrect、timeout、aborted 或 device_error</translation>
+    </message>
+    <message>
+        <source>what stimulus and response say</source>
+        <translation>与 stimulus 和 response 一致的内容</translation>
+    </message>
+    <message>
+        <source>a number of seconds or NA</source>
+        <translation>秒数或 NA</translation>
+    </message>
+    <message>
+        <source>a whole number from 1 on</source>
+        <translation>从 1 开始的整数</translation>
+    </message>
+    <message>
+        <source>%1 at most</source>
+        <translation>至多 %1</translation>
+    </message>
+    <message>
+        <source>trial %1 of session %2 of %3 was counted before</source>
+        <translation>%3 的场次 %2 的试次 %1 之前已计入</translation>
+    </message>
+    <message>
+        <source>each trial once</source>
+        <translation>每个试次一次</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>已中断</translation>
+    </message>
+    <message>
+        <source>there are too many different patterns</source>
+        <translation>不同的图案过多</translation>
+    </message>
 </context>
 <context>
     <name>StiffnessCommand</name>
@@ -5158,12 +5401,126 @@ x %4，y %5
         <source>the bracelet is too hot</source>
         <translation>手环过热</translation>
     </message>
+    <message>
+        <source>%1, ready</source>
+        <comment>bracelet</comment>
+        <translation>%1，就绪</translation>
+    </message>
+    <message>
+        <source>%1, ready; last stimulus: %2 frames, longest write %3 ms, %4 late, %5 lost</source>
+        <comment>bracelet</comment>
+        <translation>%1，就绪；上一个刺激：%2 帧，最长写入 %3 ms，%4 帧延迟，%5 帧丢失</translation>
+    </message>
+    <message>
+        <source>the bracelet did not begin</source>
+        <translation>手环没有开始</translation>
+    </message>
+    <message>
+        <source>the bracelet does not answer</source>
+        <translation>手环没有响应</translation>
+    </message>
+    <message>
+        <source>the bracelet refused the stimulus: it did not understand it</source>
+        <translation>手环拒绝了刺激：无法识别</translation>
+    </message>
+    <message>
+        <source>the bracelet did not confirm that it got the stimulus</source>
+        <translation>手环没有确认收到刺激</translation>
+    </message>
+    <message>
+        <source>something else used the bracelet</source>
+        <translation>手环被其他任务占用</translation>
+    </message>
+    <message>
+        <source>No bracelet: this rehearsal runs too fast to be played</source>
+        <translation>没有手环：此次预演速度过快，无法播放</translation>
+    </message>
+    <message>
+        <source>nobody can tell in which folder this pattern is</source>
+        <translation>无法得知该图案在哪个文件夹中</translation>
+    </message>
+    <message>
+        <source>the whole path of the file</source>
+        <translation>文件的完整路径</translation>
+    </message>
 </context>
 <context>
     <name>StoreText</name>
     <message>
         <source>%1, process %2</source>
         <translation>%1，进程 %2</translation>
+    </message>
+    <message>
+        <source>cannot make the folder of the study</source>
+        <translation>无法创建研究的文件夹</translation>
+    </message>
+    <message>
+        <source>there is a study of this name already</source>
+        <translation>已存在同名的研究</translation>
+    </message>
+    <message>
+        <source>a new name, or to go on with the study</source>
+        <translation>新名称，或继续该研究</translation>
+    </message>
+    <message>
+        <source>there is a study in this folder already</source>
+        <translation>此文件夹中已有研究</translation>
+    </message>
+    <message>
+        <source>a new folder, or to go on with the study</source>
+        <translation>新的文件夹，或继续该研究</translation>
+    </message>
+    <message>
+        <source>the study was never completely made</source>
+        <translation>该研究从未完整创建</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot name a participant</source>
+        <translation>“%1”不能作为被试的名称</translation>
+    </message>
+    <message>
+        <source>another name: files have %1 for no value or for all participants</source>
+        <translation>另一个名称：文件中以 %1 表示无值或全部被试</translation>
+    </message>
+    <message>
+        <source>a text of 1 to %1 characters</source>
+        <translation>1 至 %1 个字符的文本</translation>
+    </message>
+    <message>
+        <source>the participant &quot;%1&quot; is enrolled already</source>
+        <translation>被试“%1”已登记</translation>
+    </message>
+    <message>
+        <source>another name</source>
+        <translation>另一个名称</translation>
+    </message>
+    <message>
+        <source>other stations enrol participants all the time</source>
+        <translation>其他工作站一直在登记被试</translation>
+    </message>
+    <message>
+        <source>to try again</source>
+        <translation>重试</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is in a session already, at %2</source>
+        <translation>“%1”已在 %2 进行一个场次</translation>
+    </message>
+    <message>
+        <source>one session of a participant at a time</source>
+        <translation>一名被试同一时间只进行一个场次</translation>
+    </message>
+    <message>
+        <source>another station</source>
+        <translation>另一个工作站</translation>
+    </message>
+    <message>
+        <source>the patterns are not those with which this study was begun</source>
+        <translation>图案不是本研究开始时所用的图案</translation>
+    </message>
+    <message>
+        <source>version %1 of the program, or a new study</source>
+        <translation>%1 版程序，或新的研究</translation>
     </message>
 </context>
 <context>
@@ -5639,22 +5996,6 @@ x %4，y %5
 <context>
     <name>StudyFigure</name>
     <message>
-        <source>cannot make the folder</source>
-        <translation>无法创建文件夹</translation>
-    </message>
-    <message>
-        <source>Subject response, %</source>
-        <translation>被试的回答，%</translation>
-    </message>
-    <message>
-        <source>Subject response, trials</source>
-        <translation>被试的回答，试次数</translation>
-    </message>
-    <message>
-        <source>Subject response, % and trials</source>
-        <translation>被试的回答，% 与试次数</translation>
-    </message>
-    <message>
         <source>PILOT</source>
         <translation>预试</translation>
     </message>
@@ -5839,262 +6180,6 @@ x %4，y %5
     <message>
         <source>a study that was begun as a rehearsal</source>
         <translation>以预演方式开始的研究</translation>
-    </message>
-</context>
-<context>
-    <name>StudyReport</name>
-    <message>
-        <source>There are no test trials.</source>
-        <translation>没有测试试次。</translation>
-    </message>
-    <message>
-        <source>Correct answers of the group; the interval is that of Student&apos;s t over participants (95 %)</source>
-        <translation>全组的正确回答；区间为被试间的学生 t 区间 (95 %)</translation>
-    </message>
-    <message>
-        <source>Condition</source>
-        <translation>条件</translation>
-    </message>
-    <message>
-        <source>Participants</source>
-        <translation>被试</translation>
-    </message>
-    <message>
-        <source>Mean, %</source>
-        <translation>平均值，%</translation>
-    </message>
-    <message>
-        <source>SD, %</source>
-        <translation>SD，%</translation>
-    </message>
-    <message>
-        <source>Interval, %</source>
-        <translation>区间，%</translation>
-    </message>
-    <message>
-        <source>Correct answers</source>
-        <translation>正确回答</translation>
-    </message>
-    <message>
-        <source>Dots: participants. Marks: mean with the t interval over participants.</source>
-        <translation>圆点：被试。标记：平均值及被试间的 t 区间。</translation>
-    </message>
-    <message>
-        <source>Rows: presented; columns: answered. Percent of the row, all participants.</source>
-        <translation>行：呈现；列：回答。占行的百分比，全部被试。</translation>
-    </message>
-    <message>
-        <source>Presented</source>
-        <translation>呈现</translation>
-    </message>
-    <message>
-        <source>Trials</source>
-        <translation>试次</translation>
-    </message>
-    <message>
-        <source>%1: trials and share of the row in percent</source>
-        <translation>%1：试次数及占行的百分比</translation>
-    </message>
-    <message>
-        <source>Confusion matrices</source>
-        <translation>混淆矩阵</translation>
-    </message>
-    <message>
-        <source>Pattern</source>
-        <translation>图案</translation>
-    </message>
-    <message>
-        <source>%1, %</source>
-        <translation>%1，%</translation>
-    </message>
-    <message>
-        <source>df</source>
-        <translation>df</translation>
-    </message>
-    <message>
-        <source>Mean of the participants&apos; correct answers for each pattern; two conditions are compared within participants</source>
-        <translation>各图案下被试正确回答的平均值；两个条件按被试内比较</translation>
-    </message>
-    <message>
-        <source>Patterns and conditions</source>
-        <translation>图案与条件</translation>
-    </message>
-    <message>
-        <source>Mean of the participants with the t interval (95 %).</source>
-        <translation>被试平均值及 t 区间 (95 %)。</translation>
-    </message>
-    <message>
-        <source>Participants&apos; median response times of correct, answered test trials, from the onset of the stimulus</source>
-        <translation>被试在已正确回答的测试试次中的反应时间中位数，自刺激起始计</translation>
-    </message>
-    <message>
-        <source>Median of the medians, s</source>
-        <translation>中位数的中位数，s</translation>
-    </message>
-    <message>
-        <source>Shortest, s</source>
-        <translation>最短，s</translation>
-    </message>
-    <message>
-        <source>Longest, s</source>
-        <translation>最长，s</translation>
-    </message>
-    <message>
-        <source>Response times</source>
-        <translation>反应时间</translation>
-    </message>
-    <message>
-        <source>Dots: medians of participants. Marks: the median of these.</source>
-        <translation>圆点：各被试的中位数。标记：这些中位数的中位数。</translation>
-    </message>
-    <message>
-        <source>Information transfer of the pooled answers in bit, its bias, and the bootstrap interval over participants (95 %, of the measured value)</source>
-        <translation>合并回答的信息传输量（bit）、其偏差以及被试间的自助法区间（95 %，针对实测值）</translation>
-    </message>
-    <message>
-        <source>Measured</source>
-        <translation>实测</translation>
-    </message>
-    <message>
-        <source>Bias</source>
-        <translation>偏差</translation>
-    </message>
-    <message>
-        <source>Corrected</source>
-        <translation>校正后</translation>
-    </message>
-    <message>
-        <source>Interval</source>
-        <translation>区间</translation>
-    </message>
-    <message>
-        <source>A guesser would show</source>
-        <translation>纯猜测的结果</translation>
-    </message>
-    <message>
-        <source>Remark</source>
-        <translation>备注</translation>
-    </message>
-    <message>
-        <source>few trials: fewer than 5 k²</source>
-        <translation>试次较少：少于 5 k²</translation>
-    </message>
-    <message>
-        <source>Information transfer</source>
-        <translation>信息传输量</translation>
-    </message>
-    <message>
-        <source>Filled: measured, with the bootstrap interval. Hollow: less the bias.</source>
-        <translation>实心：实测值，含自助法区间。空心：减去偏差。</translation>
-    </message>
-    <message>
-        <source>The measured value is too high with few trials: even a participant who only guesses shows more than 0 bit. Compare it with the column of the guesser, and use the corrected value with care.</source>
-        <translation>试次较少时实测值偏高：即使只靠猜测的被试也会显示大于 0 bit。请与“纯猜测”一列比较，并谨慎使用校正值。</translation>
-    </message>
-    <message>
-        <source>Each participant, test trials; intervals of 95 %, p of so many correct answers by chance</source>
-        <translation>各被试，测试试次；95 % 区间，随机得到这么多正确回答的 p 值</translation>
-    </message>
-    <message>
-        <source>Participant</source>
-        <translation>被试</translation>
-    </message>
-    <message>
-        <source>Correct</source>
-        <translation>正确</translation>
-    </message>
-    <message>
-        <source>No answer</source>
-        <translation>未回答</translation>
-    </message>
-    <message>
-        <source>Accuracy, %</source>
-        <translation>正确率，%</translation>
-    </message>
-    <message>
-        <source>Wilson, %</source>
-        <translation>Wilson，%</translation>
-    </message>
-    <message>
-        <source>Clopper-Pearson, %</source>
-        <translation>Clopper-Pearson，%</translation>
-    </message>
-    <message>
-        <source>p of chance</source>
-        <translation>随机 p 值</translation>
-    </message>
-    <message>
-        <source>Transfer, bit</source>
-        <translation>传输量，bit</translation>
-    </message>
-    <message>
-        <source>Guesser, bit</source>
-        <translation>纯猜测，bit</translation>
-    </message>
-    <message>
-        <source>Corrected, bit</source>
-        <translation>校正后，bit</translation>
-    </message>
-    <message>
-        <source>Median time, s</source>
-        <translation>中位时间，s</translation>
-    </message>
-    <message>
-        <source>Times</source>
-        <translation>时间数</translation>
-    </message>
-    <message>
-        <source>Analysis of variance within participants of the shares of correct answers; p with the corrections of Greenhouse and Geisser and of Huynh and Feldt</source>
-        <translation>对正确回答比例的被试内方差分析；p 值含 Greenhouse-Geisser 校正和 Huynh-Feldt 校正</translation>
-    </message>
-    <message>
-        <source>Effect</source>
-        <translation>效应</translation>
-    </message>
-    <message>
-        <source>partial η²</source>
-        <translation>偏 η²</translation>
-    </message>
-    <message>
-        <source>generalised η²</source>
-        <translation>广义 η²</translation>
-    </message>
-    <message>
-        <source>%1 is left out: a cell is missing</source>
-        <translation>%1 被排除：缺少一个单元格</translation>
-    </message>
-    <message>
-        <source>Analysis of variance</source>
-        <translation>方差分析</translation>
-    </message>
-    <message>
-        <source>PILOT: these data were taken to try the study out.</source>
-        <translation>预试：这些数据用于试行研究。</translation>
-    </message>
-    <message>
-        <source>SIMULATED: these answers were made by a program, not by people.</source>
-        <translation>模拟：这些回答由程序生成，并非来自真人。</translation>
-    </message>
-    <message>
-        <source>cannot make the folder</source>
-        <translation>无法创建文件夹</translation>
-    </message>
-    <message numerus="yes">
-        <source>Stimuli: %n trial(s) were played on a bracelet; the longest write of a frame took %1 ms.</source>
-        <translation>
-            <numerusform>刺激：有 %n 个试次在手环上播放；写入一帧最长用时 %1 ms。</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Stimuli: the frames of %n trial(s) were counted.</source>
-        <translation>
-            <numerusform>刺激：已统计 %n 个试次的帧。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 Frames were missed in %2 of them, %3 in all.</source>
-        <comment>the sentence before, numbers</comment>
-        <translation>%1其中 %2 个试次有丢帧，共 %3 帧。</translation>
     </message>
 </context>
 <context>
@@ -6445,17 +6530,6 @@ x %4，y %5
     </message>
 </context>
 <context>
-    <name>StudyStimuli</name>
-    <message>
-        <source>nobody can tell in which folder this pattern is</source>
-        <translation>无法得知该图案在哪个文件夹中</translation>
-    </message>
-    <message>
-        <source>the whole path of the file</source>
-        <translation>文件的完整路径</translation>
-    </message>
-</context>
-<context>
     <name>StudyStore</name>
     <message>
         <source>cannot open the study: %1</source>
@@ -6470,40 +6544,12 @@ x %4，y %5
         <translation>无法创建研究的文件夹</translation>
     </message>
     <message>
-        <source>there is a study in this folder already</source>
-        <translation>此文件夹中已有研究</translation>
-    </message>
-    <message>
-        <source>a new folder, or to go on with the study</source>
-        <translation>新的文件夹，或继续该研究</translation>
-    </message>
-    <message>
         <source>there is no study here</source>
         <translation>此处没有研究</translation>
     </message>
     <message>
         <source>a folder with study.sqlite</source>
         <translation>含 study.sqlite 的文件夹</translation>
-    </message>
-    <message>
-        <source>the study was never completely made</source>
-        <translation>该研究从未完整创建</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; cannot name a participant</source>
-        <translation>“%1”不能作为被试的名称</translation>
-    </message>
-    <message>
-        <source>a text of 1 to %1 characters</source>
-        <translation>1 至 %1 个字符的文本</translation>
-    </message>
-    <message>
-        <source>the participant &quot;%1&quot; is enrolled already</source>
-        <translation>被试“%1”已登记</translation>
-    </message>
-    <message>
-        <source>another name</source>
-        <translation>另一个名称</translation>
     </message>
     <message>
         <source>this trial is kept already</source>
@@ -6602,30 +6648,6 @@ x %4，y %5
         <translation>研究已损坏：某个场次或试次的编号在其方案中不存在</translation>
     </message>
     <message>
-        <source>there is a study of this name already</source>
-        <translation>已存在同名的研究</translation>
-    </message>
-    <message>
-        <source>a new name, or to go on with the study</source>
-        <translation>新名称，或继续该研究</translation>
-    </message>
-    <message>
-        <source>another name: files have %1 for no value or for all participants</source>
-        <translation>另一个名称：文件中以 %1 表示无值或全部被试</translation>
-    </message>
-    <message>
-        <source>other stations enrol participants all the time</source>
-        <translation>其他工作站一直在登记被试</translation>
-    </message>
-    <message>
-        <source>to try again</source>
-        <translation>重试</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is in a session already, at %2</source>
-        <translation>“%1”已在 %2 进行一个场次</translation>
-    </message>
-    <message>
         <source>these trials belong to another study</source>
         <translation>这些试次属于另一个研究</translation>
     </message>
@@ -6682,71 +6704,12 @@ x %4，y %5
         <translation>此处不能写入，只能查看</translation>
     </message>
     <message>
-        <source>the patterns are not those with which this study was begun</source>
-        <translation>图案不是本研究开始时所用的图案</translation>
-    </message>
-    <message>
-        <source>version %1 of the program, or a new study</source>
-        <translation>%1 版程序，或新的研究</translation>
-    </message>
-    <message>
         <source>the server still has the connection that broke, and with it this participant</source>
         <translation>服务器仍保留着已中断的连接及此被试</translation>
     </message>
     <message>
         <source>another try in a moment</source>
         <translation>稍后重试</translation>
-    </message>
-</context>
-<context>
-    <name>StudyTrialSource</name>
-    <message>
-        <source>run, pilot or simulated</source>
-        <translation>run、pilot 或 simulated</translation>
-    </message>
-    <message>
-        <source>a value</source>
-        <translation>一个值</translation>
-    </message>
-    <message>
-        <source>practice or test</source>
-        <translation>practice 或 test</translation>
-    </message>
-    <message>
-        <source>correct, incorrect, timeout, aborted or device_error</source>
-        <translation>correct、incorrect、timeout、aborted 或 device_error</translation>
-    </message>
-    <message>
-        <source>what stimulus and response say</source>
-        <translation>与 stimulus 和 response 一致的内容</translation>
-    </message>
-    <message>
-        <source>a number of seconds or NA</source>
-        <translation>秒数或 NA</translation>
-    </message>
-    <message>
-        <source>there are too many different patterns</source>
-        <translation>不同的图案过多</translation>
-    </message>
-    <message>
-        <source>%1 at most</source>
-        <translation>至多 %1</translation>
-    </message>
-    <message>
-        <source>interrupted</source>
-        <translation>已中断</translation>
-    </message>
-    <message>
-        <source>a whole number from 1 on</source>
-        <translation>从 1 开始的整数</translation>
-    </message>
-    <message>
-        <source>trial %1 of session %2 of %3 was counted before</source>
-        <translation>%3 的场次 %2 的试次 %1 之前已计入</translation>
-    </message>
-    <message>
-        <source>each trial once</source>
-        <translation>每个试次一次</translation>
     </message>
 </context>
 <context>
@@ -7519,7 +7482,75 @@ x %4，y %5
     </message>
 </context>
 <context>
-    <name>WtsDevice</name>
+    <name>WtsText</name>
+    <message>
+        <source>&quot;%1&quot; is not the address of a tactile array</source>
+        <translation>“%1”不是触觉阵列的地址</translation>
+    </message>
+    <message>
+        <source>the path of a serial port, or tcp://HOST:PORT</source>
+        <translation>串口路径，或 tcp://HOST:PORT</translation>
+    </message>
+    <message>
+        <source>success</source>
+        <translation>成功</translation>
+    </message>
+    <message>
+        <source>not available</source>
+        <translation>不可用</translation>
+    </message>
+    <message>
+        <source>no sensor connected</source>
+        <translation>未连接传感器</translation>
+    </message>
+    <message>
+        <source>not initialised</source>
+        <translation>未初始化</translation>
+    </message>
+    <message>
+        <source>already running</source>
+        <translation>已在运行</translation>
+    </message>
+    <message>
+        <source>not supported</source>
+        <translation>不支持</translation>
+    </message>
+    <message>
+        <source>inconsistent data</source>
+        <translation>数据不一致</translation>
+    </message>
+    <message>
+        <source>time-out in the sensor</source>
+        <translation>传感器超时</translation>
+    </message>
+    <message>
+        <source>read error in the sensor</source>
+        <translation>传感器读取错误</translation>
+    </message>
+    <message>
+        <source>write error in the sensor</source>
+        <translation>传感器写入错误</translation>
+    </message>
+    <message>
+        <source>wrong checksum</source>
+        <translation>校验和错误</translation>
+    </message>
+    <message>
+        <source>unknown command</source>
+        <translation>未知命令</translation>
+    </message>
+    <message>
+        <source>wrong format</source>
+        <translation>格式错误</translation>
+    </message>
+    <message>
+        <source>access denied</source>
+        <translation>拒绝访问</translation>
+    </message>
+    <message>
+        <source>status %1</source>
+        <translation>状态 %1</translation>
+    </message>
     <message>
         <source>a serial port cannot run at %1 baud</source>
         <translation>串口不支持 %1 波特</translation>
@@ -7606,77 +7637,6 @@ x %4，y %5
     </message>
 </context>
 <context>
-    <name>WtsText</name>
-    <message>
-        <source>&quot;%1&quot; is not the address of a tactile array</source>
-        <translation>“%1”不是触觉阵列的地址</translation>
-    </message>
-    <message>
-        <source>the path of a serial port, or tcp://HOST:PORT</source>
-        <translation>串口路径，或 tcp://HOST:PORT</translation>
-    </message>
-    <message>
-        <source>success</source>
-        <translation>成功</translation>
-    </message>
-    <message>
-        <source>not available</source>
-        <translation>不可用</translation>
-    </message>
-    <message>
-        <source>no sensor connected</source>
-        <translation>未连接传感器</translation>
-    </message>
-    <message>
-        <source>not initialised</source>
-        <translation>未初始化</translation>
-    </message>
-    <message>
-        <source>already running</source>
-        <translation>已在运行</translation>
-    </message>
-    <message>
-        <source>not supported</source>
-        <translation>不支持</translation>
-    </message>
-    <message>
-        <source>inconsistent data</source>
-        <translation>数据不一致</translation>
-    </message>
-    <message>
-        <source>time-out in the sensor</source>
-        <translation>传感器超时</translation>
-    </message>
-    <message>
-        <source>read error in the sensor</source>
-        <translation>传感器读取错误</translation>
-    </message>
-    <message>
-        <source>write error in the sensor</source>
-        <translation>传感器写入错误</translation>
-    </message>
-    <message>
-        <source>wrong checksum</source>
-        <translation>校验和错误</translation>
-    </message>
-    <message>
-        <source>unknown command</source>
-        <translation>未知命令</translation>
-    </message>
-    <message>
-        <source>wrong format</source>
-        <translation>格式错误</translation>
-    </message>
-    <message>
-        <source>access denied</source>
-        <translation>拒绝访问</translation>
-    </message>
-    <message>
-        <source>status %1</source>
-        <translation>状态 %1</translation>
-    </message>
-</context>
-<context>
     <name>ZipText</name>
     <message>
         <source>the zip archive is damaged</source>
@@ -7689,6 +7649,22 @@ x %4，y %5
     <message>
         <source>the zip archive could not be made</source>
         <translation>无法创建 zip 压缩包</translation>
+    </message>
+    <message>
+        <source>the zip archive has too many files</source>
+        <translation>zip 压缩包中的文件过多</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>至多 %1</translation>
+    </message>
+    <message>
+        <source>the unpacked zip archive is too large</source>
+        <translation>解压后的 zip 内容过大</translation>
+    </message>
+    <message>
+        <source>at most %1 MiB</source>
+        <translation>至多 %1 MiB</translation>
     </message>
 </context>
 <context>

@@ -22,7 +22,7 @@ using figure::SvgCanvas;
 using figure::svgNumber;
 
 struct CostFigureText {
-    Q_DECLARE_TR_FUNCTIONS(CostFigure)
+    Q_DECLARE_TR_FUNCTIONS(CostFigureText)
 };
 
 constexpr double kFigureWidth = 760.0;

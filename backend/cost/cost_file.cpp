@@ -16,7 +16,7 @@ namespace teleta::cost {
 namespace {
 
 struct CostFileText {
-    Q_DECLARE_TR_FUNCTIONS(CostFile)
+    Q_DECLARE_TR_FUNCTIONS(CostFileText)
 };
 
 core::Error badField(const core::CsvReader& reader, std::size_t column, std::string_view text,

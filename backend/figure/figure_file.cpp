@@ -15,7 +15,7 @@ namespace teleta::figure {
 namespace {
 
 struct FigureText {
-    Q_DECLARE_TR_FUNCTIONS(FigureFile)
+    Q_DECLARE_TR_FUNCTIONS(FigureText)
 };
 
 constexpr double kPointsPerPx = 72.0 / 96.0;

@@ -13,7 +13,7 @@ namespace teleta::motors {
 namespace {
 
 struct RunText {
-    Q_DECLARE_TR_FUNCTIONS(MotorRecording)
+    Q_DECLARE_TR_FUNCTIONS(RunText)
 };
 
 constexpr std::int64_t kPeriod_ns = 1'000'000;

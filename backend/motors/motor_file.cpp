@@ -25,7 +25,7 @@ using scene::TomlTable;
 using Origin = CalibratedMotor::Origin;
 
 struct FileText {
-    Q_DECLARE_TR_FUNCTIONS(MotorFile)
+    Q_DECLARE_TR_FUNCTIONS(FileText)
 };
 
 constexpr const char* kFormat = "teleta-motors";

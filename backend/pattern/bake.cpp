@@ -16,7 +16,7 @@ namespace teleta::pattern {
 namespace {
 
 struct BakeText {
-    Q_DECLARE_TR_FUNCTIONS(PatternFile)
+    Q_DECLARE_TR_FUNCTIONS(BakeText)
 };
 
 constexpr double kShortestLine_s = 2e-4;

@@ -25,7 +25,7 @@ namespace teleta::pattern {
 namespace {
 
 struct FileText {
-    Q_DECLARE_TR_FUNCTIONS(PatternFile)
+    Q_DECLARE_TR_FUNCTIONS(FileText)
 };
 
 core::Error failure(core::ErrorKind kind, const std::string& path, const QString& message,

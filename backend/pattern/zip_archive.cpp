@@ -12,7 +12,7 @@ namespace teleta::pattern {
 namespace {
 
 struct ZipText {
-    Q_DECLARE_TR_FUNCTIONS(PatternFile)
+    Q_DECLARE_TR_FUNCTIONS(ZipText)
 };
 
 struct DiscardArchive {

@@ -18,7 +18,7 @@ namespace teleta::pipeline {
 namespace {
 
 struct RecordedCameraText {
-    Q_DECLARE_TR_FUNCTIONS(RecordedStreams)
+    Q_DECLARE_TR_FUNCTIONS(RecordedCameraText)
 };
 
 constexpr double kLargest = 1e12;

@@ -23,7 +23,7 @@ namespace {
 using nlohmann::ordered_json;
 
 struct RecordedStreamText {
-    Q_DECLARE_TR_FUNCTIONS(RecordedStreams)
+    Q_DECLARE_TR_FUNCTIONS(RecordedStreamText)
 };
 
 constexpr char kSettingsEvent[] = "settings";

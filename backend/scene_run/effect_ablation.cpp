@@ -23,7 +23,7 @@ using nlohmann::ordered_json;
 constexpr double kRounding = 1e-12;
 
 struct AblationText {
-    Q_DECLARE_TR_FUNCTIONS(EffectAblation)
+    Q_DECLARE_TR_FUNCTIONS(AblationText)
 };
 
 /// Measures by name; what could not be determined is not there.

@@ -40,7 +40,7 @@ double lengthOf(const QString& text) {
 }
 
 struct FigureText {
-    Q_DECLARE_TR_FUNCTIONS(ServoFigure)
+    Q_DECLARE_TR_FUNCTIONS(FigureText)
 };
 
 using Values = std::vector<double> ServoCurves::*;

@@ -14,7 +14,7 @@ namespace teleta::study {
 namespace {
 
 struct FigureText {
-    Q_DECLARE_TR_FUNCTIONS(StudyFigure)
+    Q_DECLARE_TR_FUNCTIONS(FigureText)
 };
 
 constexpr double kCell = 56.0;

@@ -11,7 +11,7 @@ namespace teleta::study {
 namespace {
 
 struct IdentifierText {
-    Q_DECLARE_TR_FUNCTIONS(StudyProtocol)
+    Q_DECLARE_TR_FUNCTIONS(IdentifierText)
 };
 
 bool isIdentifier(const std::string& text) {

@@ -18,7 +18,7 @@ namespace teleta::study {
 namespace {
 
 struct StimulusText {
-    Q_DECLARE_TR_FUNCTIONS(StudyStimuli)
+    Q_DECLARE_TR_FUNCTIONS(StimulusText)
 };
 
 /// Calls use(id, file) for all stimuli in their order; file: empty where the protocol names none.

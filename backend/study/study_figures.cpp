@@ -19,7 +19,7 @@ namespace teleta::study {
 namespace {
 
 struct ChartText {
-    Q_DECLARE_TR_FUNCTIONS(StudyFigure)
+    Q_DECLARE_TR_FUNCTIONS(ChartText)
 };
 
 constexpr double kPlotLeft = 76.0;

@@ -17,7 +17,7 @@ namespace teleta::study {
 namespace {
 
 struct ReportText {
-    Q_DECLARE_TR_FUNCTIONS(StudyReport)
+    Q_DECLARE_TR_FUNCTIONS(ReportText)
 };
 
 QString escaped(const std::string& text) {

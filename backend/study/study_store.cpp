@@ -18,7 +18,7 @@ namespace teleta::study {
 namespace {
 
 struct StoreText {
-    Q_DECLARE_TR_FUNCTIONS(StudyStore)
+    Q_DECLARE_TR_FUNCTIONS(StoreText)
 };
 
 constexpr int kLongestId = 64;

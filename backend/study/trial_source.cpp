@@ -18,7 +18,7 @@ namespace teleta::study {
 namespace {
 
 struct SourceText {
-    Q_DECLARE_TR_FUNCTIONS(StudyTrialSource)
+    Q_DECLARE_TR_FUNCTIONS(SourceText)
 };
 
 constexpr std::array<std::string_view, 6> kNeeded{"participant_id", "task",     "condition",

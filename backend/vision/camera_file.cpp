@@ -21,7 +21,7 @@ using core::JsonReader;
 using nlohmann::ordered_json;
 
 struct CameraText {
-    Q_DECLARE_TR_FUNCTIONS(CameraFile)
+    Q_DECLARE_TR_FUNCTIONS(CameraText)
 };
 
 constexpr const char* kFormat = "teleta-camera";

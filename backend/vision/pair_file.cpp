@@ -13,7 +13,7 @@ namespace teleta::vision {
 namespace {
 
 struct PairText {
-    Q_DECLARE_TR_FUNCTIONS(CameraCalibration)
+    Q_DECLARE_TR_FUNCTIONS(PairText)
 };
 
 constexpr std::array<std::string_view, 5> kPairColumns{"u_px", "v_px", "x_m", "y_m", "z_m"};

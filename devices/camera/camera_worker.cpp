@@ -12,7 +12,7 @@ namespace teleta::camera {
 namespace {
 
 struct CameraText {
-    Q_DECLARE_TR_FUNCTIONS(Camera)
+    Q_DECLARE_TR_FUNCTIONS(CameraText)
 };
 
 using core::DeviceState;

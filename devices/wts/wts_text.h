@@ -7,7 +7,7 @@ namespace teleta::wts {
 
 /// What the device says to people, in one context of the translations.
 struct WtsText {
-    Q_DECLARE_TR_FUNCTIONS(WtsDevice)
+    Q_DECLARE_TR_FUNCTIONS(WtsText)
 };
 
 } // namespace teleta::wts

@@ -14,7 +14,7 @@ namespace teleta::console {
 namespace {
 
 struct StimulusText {
-    Q_DECLARE_TR_FUNCTIONS(BraceletStimulus)
+    Q_DECLARE_TR_FUNCTIONS(StimulusText)
 };
 
 /// A player that does not even begin in this time hangs.

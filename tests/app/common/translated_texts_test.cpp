@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The translations hold every text that the sources have today, and none besides.
 #include <QDir>
+#include <QDirIterator>
 #include <QFile>
 #include <QProcess>
 #include <QRegularExpression>
@@ -121,6 +122,34 @@ TEST(TranslatedTexts, holdWhatTheSourcesHoldToday) {
         for (const QString& key : kept)
             ADD_FAILURE() << file.toStdString() << " has a text that is gone: " << key.toStdString();
     }
+}
+
+// lupdate takes the name of a class for the context where it does not see Q_DECLARE_TR_FUNCTIONS: such a text
+// is never found.
+TEST(TranslatedTexts, areInTheContextsThatTheProgramAsksFor) {
+    QSet<QString> contexts;
+    for (const Message& message : messagesOf(kSource + QStringLiteral("/translations/") + kFiles.front()))
+        contexts.insert(message.context);
+    static const QRegularExpression declared(QStringLiteral(
+        "(?:struct|class)\\s+(\\w+)[^{;]*\\{\\s*(?:public:)?\\s*Q_DECLARE_TR_FUNCTIONS\\((\\w+)\\)"));
+    int seen = 0;
+    for (const char* folder : {"app", "backend", "devices", "widgets"}) {
+        QDirIterator files(kSource + QLatin1Char('/') + QLatin1String(folder),
+                           {QStringLiteral("*.cpp"), QStringLiteral("*.h")}, QDir::Files,
+                           QDirIterator::Subdirectories);
+        while (files.hasNext()) {
+            QFile file(files.next());
+            ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+            const QString text = QString::fromUtf8(file.readAll());
+            for (auto found = declared.globalMatch(text); found.hasNext();) {
+                const QRegularExpressionMatch match = found.next();
+                ++seen;
+                EXPECT_TRUE(match.captured(1) == match.captured(2) || !contexts.contains(match.captured(1)))
+                    << file.fileName().toStdString() << ": " << match.captured(1).toStdString();
+            }
+        }
+    }
+    EXPECT_GT(seen, 100);
 }
 
 TEST(TranslatedTexts, keepPlacesTagsLinesAndMnemonics) {
