@@ -96,6 +96,16 @@ private:
         return static_cast<std::size_t>(std::ranges::count(m_states, TaxelState::good));
     }
 
+    /// What the good taxels read in a frame above a value, in m_x.
+    void collectFrame(std::size_t frame, double above) {
+        m_x.clear();
+        for (std::size_t taxel = 0; taxel < m_taxels; ++taxel) {
+            const double y = reading(frame, taxel);
+            if (isGood(taxel) && std::isfinite(y) && y > above)
+                m_x.push_back(y);
+        }
+    }
+
     void leaveOutDead() {
         for (std::size_t taxel = 0; taxel < m_taxels; ++taxel) {
             std::size_t finite = 0;
@@ -121,11 +131,7 @@ private:
     [[nodiscard]] core::Expected<void> findLoadedFrames() {
         std::vector<double> levels(m_frames, -std::numeric_limits<double>::infinity());
         for (std::size_t frame = 0; frame < m_frames; ++frame) {
-            m_x.clear();
-            for (std::size_t taxel = 0; taxel < m_taxels; ++taxel) {
-                if (isGood(taxel) && std::isfinite(reading(frame, taxel)))
-                    m_x.push_back(reading(frame, taxel));
-            }
+            collectFrame(frame, -std::numeric_limits<double>::infinity());
             if (2 * m_x.size() > good())
                 levels[frame] = medianOf(m_x);
         }
@@ -225,12 +231,7 @@ private:
         std::vector<double> levels;
         levels.reserve(m_loaded.size());
         for (std::size_t i = 0; i < m_loaded.size(); ++i) {
-            m_x.clear();
-            for (std::size_t taxel = 0; taxel < m_taxels; ++taxel) {
-                const double y = reading(m_loaded[i], taxel);
-                if (isGood(taxel) && std::isfinite(y) && y > m_level[i] / kExtreme)
-                    m_x.push_back(y);
-            }
+            collectFrame(m_loaded[i], m_level[i] / kExtreme);
             std::ranges::sort(m_x);
             levels.push_back(m_x.empty() ? m_level[i] : core::quantileOf(m_x, kWeaker));
         }
