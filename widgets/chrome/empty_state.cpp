@@ -55,6 +55,13 @@ QPushButton* EmptyState::addAction(const QString& text, const QString& toolTip) 
     return button;
 }
 
+void EmptyState::setAction(const char* name, const QString& text, const QString& toolTip) {
+    auto* button = findChild<QPushButton*>(QLatin1String(name));
+    Q_ASSERT(button != nullptr);
+    button->setText(text);
+    button->setToolTip(toolTip);
+}
+
 void EmptyState::setMore(QWidget* more) {
     m_layout->insertSpacing(m_layout->count() - 1, base::grid(this, 3));
     // No stretch: of what is stretched Qt looks at the least size only, and this is to have the one it wants.

@@ -24,6 +24,8 @@ public:
     void setTexts(const QString& headline, const QString& sentence);
     /// The first action is the default one.
     QPushButton* addAction(const QString& text, const QString& toolTip);
+    /// Names the action whose button has that object name.
+    void setAction(const char* name, const QString& text, const QString& toolTip);
     /// More to choose from, below the actions: as large as it wants to be where there is room.
     void setMore(QWidget* more);
 

@@ -483,16 +483,12 @@ void OperatePage::retranslate() {
     m_docks->retranslate();
     m_empty->setTexts(tr("No source"),
                       tr("Open a demo scene to look around, a recording, or a list of sources."));
-    const auto set = [this](const char* name, const QString& text, const QString& toolTip) {
-        auto* button = m_empty->findChild<QPushButton*>(QLatin1String(name));
-        button->setText(text);
-        button->setToolTip(toolTip);
-    };
-    set("firstSteps", tr("First &steps"), tr("The page of the handbook to begin with (F1)"));
-    set("openDemo", tr("Open &demo scene"), tr("A simulated arm that touches five materials"));
-    set("openRecording", tr("Open &recording\u2026"),
-        tr("A recording of this program, or recorded frames as CSV: time_s,t0,t1,\u2026"));
-    set("openList", tr("Open source &list\u2026"), tr("A TOML file that lists scenes and recordings"));
+    m_empty->setAction("firstSteps", tr("First &steps"), tr("The page of the handbook to begin with (F1)"));
+    m_empty->setAction("openDemo", tr("Open &demo scene"), tr("A simulated arm that touches five materials"));
+    m_empty->setAction("openRecording", tr("Open &recording\u2026"),
+                       tr("A recording of this program, or recorded frames as CSV: time_s,t0,t1,\u2026"));
+    m_empty->setAction("openList", tr("Open source &list\u2026"),
+                       tr("A TOML file that lists scenes and recordings"));
 }
 
 } // namespace teleta::console

@@ -543,15 +543,13 @@ void StudyPage::retranslate() {
     m_empty->setTexts(tr("No study"),
                       tr("Run the user study of the paper, or one of your own: from the first practice "
                          "trial to confusion matrices and ANOVA."));
-    const auto set = [this](const char* name, const QString& text, const QString& toolTip) {
-        auto* button = m_empty->findChild<QPushButton*>(QLatin1String(name));
-        button->setText(text);
-        button->setToolTip(toolTip);
-    };
-    set("watchRehearsal", tr("Watch a rehearsal"), tr("Simulated participants go through the whole study"));
-    set("newStudyButton", tr("New study\u2026"), tr("Of the paper's protocol, or of one of your own"));
-    set("openStudyButton", tr("Open a study\u2026"), tr("The folder of a study"));
-    set("serverStudyButton", tr("Study on a server\u2026"), tr("A study that several stations share"));
+    m_empty->setAction("watchRehearsal", tr("Watch a rehearsal"),
+                       tr("Simulated participants go through the whole study"));
+    m_empty->setAction("newStudyButton", tr("New study\u2026"),
+                       tr("Of the paper's protocol, or of one of your own"));
+    m_empty->setAction("openStudyButton", tr("Open a study\u2026"), tr("The folder of a study"));
+    m_empty->setAction("serverStudyButton", tr("Study on a server\u2026"),
+                       tr("A study that several stations share"));
     m_tabs->setTabText(0, tr("Session"));
     m_tabs->setTabText(1, tr("Results"));
     m_counts->setItemText(0, tr("Counts"));
