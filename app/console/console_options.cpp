@@ -191,7 +191,7 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
     const QStringList replays = m_parser.values(replay);
     for (qsizetype index = 0; index < replays.size(); ++index) {
         const auto nth = static_cast<std::size_t>(index);
-        ConsoleOptions::Recording recording;
+        RecordingArguments recording;
         recording.path = replays[index];
         recording.rows = valueFor(allRows, nth);
         recording.columns = valueFor(allColumns, nth);
@@ -270,25 +270,6 @@ QStringList pageNames() {
 
 ParsedOptions parseOptions(const QStringList& arguments) {
     return OptionReader().read(arguments);
-}
-
-core::Expected<RecordingRequest> completeRecording(const ConsoleOptions::Recording& recording) {
-    auto guessed = guessRecording(recording.path.toStdString());
-    if (!guessed)
-        return guessed;
-    RecordingRequest& request = *guessed;
-    request.layout.rows = recording.rows.value_or(request.layout.rows);
-    request.layout.columns = recording.columns.value_or(request.layout.columns);
-    request.layout.pitch_m = recording.pitch_m.value_or(request.layout.pitch_m);
-    if (recording.tarePath)
-        request.tarePath = recording.tarePath->toStdString();
-    if (recording.unit)
-        request.loadUnit = recording.unit->toStdString();
-    request.gain = recording.gain.value_or(request.gain);
-    request.threshold_N = recording.threshold_N.value_or(request.threshold_N);
-    request.rate_Hz = recording.rate_Hz.value_or(request.rate_Hz);
-    request.inverted = recording.inverted;
-    return guessed;
 }
 
 } // namespace teleta::console

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/console/operate/source_request.h"
+#include "app/console/operate/recording_arguments.h"
 
 #include <QSize>
 #include <QString>
@@ -14,22 +14,9 @@ namespace teleta::console {
 
 /// What the command line of teleta-console asks for.
 struct ConsoleOptions {
-    struct Recording {
-        QString path;
-        std::optional<int> rows;
-        std::optional<int> columns;
-        std::optional<double> pitch_m;
-        std::optional<QString> tarePath;
-        std::optional<double> gain;
-        std::optional<double> threshold_N;
-        std::optional<double> rate_Hz;
-        std::optional<QString> unit;
-        bool inverted = false;
-    };
-
     QStringList files; ///< recordings, scenes and source lists
     QStringList scenes;
-    std::vector<Recording> recordings;
+    std::vector<RecordingArguments> recordings;
     QString sourceList;
     QString record; ///< file to record into once all that is asked for is open
     std::uint64_t seed = 1;
@@ -64,9 +51,5 @@ struct ParsedOptions {
 [[nodiscard]] QStringList pageNames();
 
 [[nodiscard]] ParsedOptions parseOptions(const QStringList& arguments);
-
-/// Completes what the command line says of a recording with what its file tells. Reads the header of the
-/// file.
-[[nodiscard]] core::Expected<RecordingRequest> completeRecording(const ConsoleOptions::Recording& recording);
 
 } // namespace teleta::console

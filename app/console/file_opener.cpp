@@ -75,7 +75,7 @@ void FileOpener::openRecording(const QString& path) {
     m_recordings.open(path);
 }
 
-void FileOpener::openAs(const ConsoleOptions::Recording& recording) {
+void FileOpener::openAs(const RecordingArguments& recording) {
     m_awaited.append(recording.path);
     m_recordings.openAs(recording);
 }

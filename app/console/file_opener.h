@@ -30,7 +30,7 @@ public:
     void openFile(const QString& path);
     void openRecording(const QString& path);
     /// Asks nothing: what the command line does not say is guessed.
-    void openAs(const ConsoleOptions::Recording& recording);
+    void openAs(const RecordingArguments& recording);
     void openList(const QString& path);
     void openScene(const QString& path);
     /// A scene of a study goes to its page, in a folder of its own or the one that is named, and is a

@@ -260,7 +260,7 @@ void MainWindow::openRequested(const ConsoleOptions& options) {
         m_opener->openScenes(options.scenes, options.study, options.rehearse);
     for (const QString& path : options.files)
         m_opener->openFile(path);
-    for (const ConsoleOptions::Recording& recording : options.recordings)
+    for (const RecordingArguments& recording : options.recordings)
         m_opener->openAs(recording);
     if (options.camera)
         m_sources.open(*options.camera);

@@ -8,7 +8,7 @@
 #include "backend/scene/scene.h"
 #include "backend/scene_run/frame_log.h"
 #include "backend/scene_run/scene_recording.h"
-#include "backend/scene_run/scene_run.h"
+#include "backend/scene_run/run_options.h"
 
 #include <cstdint>
 #include <optional>

@@ -3,7 +3,7 @@
 
 #include "backend/core/error.h"
 #include "backend/scene/scene.h"
-#include "backend/scene_run/scene_run.h"
+#include "backend/scene_run/run_options.h"
 #include "backend/scene_run/scene_summary.h"
 
 namespace teleta::scene_run {

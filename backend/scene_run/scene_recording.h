@@ -9,7 +9,7 @@
 #include "backend/pipeline/touch_record.h"
 #include "backend/recording/recorder.h"
 #include "backend/scene/scene.h"
-#include "backend/scene_run/scene_run.h"
+#include "backend/scene_run/run_options.h"
 #include "backend/vision/contacts/camera_tracker.h"
 #include "backend/vision/cylinder_projection.h"
 

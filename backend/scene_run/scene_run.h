@@ -3,24 +3,10 @@
 
 #include "backend/core/error.h"
 #include "backend/scene/scene.h"
+#include "backend/scene_run/run_options.h"
 #include "backend/scene_run/scene_summary.h"
 
-#include <cstdint>
-#include <functional>
-#include <optional>
-#include <string>
-
 namespace teleta::scene_run {
-
-struct RunOptions {
-    std::string name; ///< of the scene in the summary: its file without folder and extension
-    std::uint64_t seed = 1;
-    std::optional<double> duration_s; ///< > 0; empty: the scene's own
-    std::string outFolder;            ///< made when it is missing; empty: no files
-    std::string sceneText;            ///< the scene file, kept in the recording
-    /// Called now and then with the simulated time; false ends the run early and completes its files.
-    std::function<bool(double simulated_s, double duration_s)> goOn;
-};
 
 /// Runs a scene as fast as the machine allows, through the same processing as a device's data, and compares
 /// what was estimated with what the simulated world knows. Files in outFolder:

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/scene_run/scene_run.h"
+#include "backend/scene_run/run_options.h"
+#include "backend/scene_run/scene_summary.h"
 #include "backend/study/study_scene.h"
 
 namespace teleta::scene_run {

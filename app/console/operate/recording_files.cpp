@@ -47,7 +47,7 @@ QString RecordingFiles::folder(const QString& otherwise) const {
     return folder;
 }
 
-void RecordingFiles::openAs(const ConsoleOptions::Recording& recording) {
+void RecordingFiles::openAs(const RecordingArguments& recording) {
     if (isRecordingName(recording.path)) {
         play(recording.path);
         return;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/console/console_options.h"
 #include "app/console/console_settings.h"
+#include "app/console/operate/recording_arguments.h"
 #include "app/console/operate/source_manager.h"
 
 #include <QObject>
@@ -22,7 +22,7 @@ public:
 
     void open(const QString& path);
     /// Asks nothing: what the command line does not say is guessed.
-    void openAs(const ConsoleOptions::Recording& recording);
+    void openAs(const RecordingArguments& recording);
     /// Where the newest recording is that was opened, or else that folder; of one that is not there, where it
     /// would be.
     [[nodiscard]] QString folder(const QString& otherwise) const;

@@ -78,7 +78,7 @@ class MainWindowTest : public QObject {
 
     static ConsoleOptions replay(const QString& path) {
         ConsoleOptions options;
-        ConsoleOptions::Recording recording;
+        RecordingArguments recording;
         recording.path = path;
         recording.rows = 2;
         recording.columns = 3;

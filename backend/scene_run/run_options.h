@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace teleta::scene_run {
+
+/// How a scene is run.
+struct RunOptions {
+    std::string name; ///< of the scene in the summary: its file without folder and extension
+    std::uint64_t seed = 1;
+    std::optional<double> duration_s; ///< > 0; empty: the scene's own
+    std::string outFolder;            ///< made when it is missing; empty: no files
+    std::string sceneText;            ///< the scene file, kept in the recording
+    /// Called now and then with the simulated time; false ends the run early and completes its files.
+    std::function<bool(double simulated_s, double duration_s)> goOn;
+};
+
+} // namespace teleta::scene_run
