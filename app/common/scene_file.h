@@ -3,7 +3,7 @@
 
 #include "backend/core/error.h"
 #include "backend/scene/scene.h"
-#include "backend/study/study_scene.h"
+#include "backend/study/session/study_scene.h"
 
 #include <string>
 #include <variant>

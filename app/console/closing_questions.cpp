@@ -3,7 +3,7 @@
 
 #include "app/console/calibrate/calibrate_page.h"
 #include "app/console/patterns/patterns_page.h"
-#include "app/console/study/protocol_dialog.h"
+#include "app/console/study/forms/protocol_dialog.h"
 #include "app/console/study/study_page.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/console/operate/recording_arguments.h"
+#include "app/console/sources/recording_arguments.h"
 
 #include <QSize>
 #include <QString>

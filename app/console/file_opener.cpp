@@ -2,10 +2,10 @@
 #include "app/console/file_opener.h"
 
 #include "app/common/scene_file.h"
-#include "app/console/background.h"
-#include "app/console/operate/recording_files.h"
-#include "app/console/operate/source_list.h"
-#include "app/console/operate/source_manager.h"
+#include "app/console/base/background.h"
+#include "app/console/operate/recording/recording_files.h"
+#include "app/console/sources/source_list.h"
+#include "app/console/sources/source_manager.h"
 #include "app/console/study/study_page.h"
 
 #include <QFileInfo>

@@ -2,7 +2,7 @@
 #include "app/console/language_menu.h"
 
 #include "app/common/translation.h"
-#include "app/console/console_settings.h"
+#include "app/console/base/console_settings.h"
 
 #include <QActionGroup>
 #include <QApplication>

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/common/translation.h"
+#include "app/console/base/console_settings.h"
 #include "app/console/console_options.h"
-#include "app/console/console_settings.h"
 #include "app/console/help/about.h"
 #include "app/console/help/log_window.h"
 #include "app/console/language_menu.h"
 #include "app/console/main_window.h"
 #include "app/console/unattended.h"
-#include "backend/core/stop_switch.h"
+#include "backend/core/threads/stop_switch.h"
 #include "widgets/base/theme.h"
-#include "widgets/view3d/gl_setup.h"
+#include "widgets/view3d/vtk/gl_setup.h"
 
 #include <QApplication>
 #include <QLocale>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/console/base/console_settings.h"
+#include "app/console/base/gui_clock.h"
 #include "app/console/closing_questions.h"
 #include "app/console/console_options.h"
-#include "app/console/console_settings.h"
-#include "app/console/gui_clock.h"
-#include "app/console/operate/source_manager.h"
-#include "backend/core/stop_switch.h"
+#include "app/console/sources/source_manager.h"
+#include "backend/core/threads/stop_switch.h"
 
 #include <QElapsedTimer>
 #include <QMainWindow>

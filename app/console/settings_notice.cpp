@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/settings_notice.h"
 
-#include "app/console/console_settings.h"
+#include "app/console/base/console_settings.h"
 
 #include <QCoreApplication>
 #include <QDir>

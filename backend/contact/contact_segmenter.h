@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/array_layout.h"
+#include "backend/core/data/array_layout.h"
 
 #include <cstdint>
 #include <span>

@@ -4,6 +4,7 @@
 #include <tl/expected.hpp>
 
 #include <string>
+#include <utility>
 
 namespace teleta::core {
 
@@ -43,3 +44,25 @@ using Expected = tl::expected<T, Error>;
 using Unexpected = tl::unexpected<Error>;
 
 } // namespace teleta::core
+
+#define TELETA_JOIN_NAMES(a, b) a##b
+#define TELETA_UNIQUE_NAME(name, line) TELETA_JOIN_NAMES(name, line)
+
+/// Evaluates the expression, an Expected. Returns its error from the enclosing function if it has one, and
+/// otherwise declares a variable with its value:
+///   TELETA_TRY(const Pattern pattern, loadPattern(path));
+/// At most one a line. The enclosing function returns an Expected of any type.
+#define TELETA_TRY(declaration, ...)                                                                         \
+    auto TELETA_UNIQUE_NAME(tried_, __LINE__) = (__VA_ARGS__);                                               \
+    if (!TELETA_UNIQUE_NAME(tried_, __LINE__))                                                               \
+        return ::teleta::core::Unexpected(std::move(TELETA_UNIQUE_NAME(tried_, __LINE__)).error());          \
+    declaration = *std::move(TELETA_UNIQUE_NAME(tried_, __LINE__))
+
+/// Evaluates the expression, an Expected, and returns its error from the enclosing function if it has one:
+///   TELETA_CHECK(savePattern(pattern, path));
+#define TELETA_CHECK(...)                                                                                    \
+    do {                                                                                                     \
+        auto&& checked_ = (__VA_ARGS__);                                                                     \
+        if (!checked_)                                                                                       \
+            return ::teleta::core::Unexpected(checked_.error());                                             \
+    } while (false)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/cost/cost_file.h"
 
-#include "backend/core/csv_number.h"
-#include "backend/core/csv_reader.h"
+#include "backend/core/data/csv_number.h"
+#include "backend/core/data/csv_reader.h"
 
 #include <QCoreApplication>
 

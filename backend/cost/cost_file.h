@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/csv_writer.h"
+#include "backend/core/data/csv_writer.h"
 #include "backend/core/error.h"
 #include "backend/cost/cost_result.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/equilibration/taxel_gain_file.h"
 
-#include "backend/core/csv_number.h"
-#include "backend/core/csv_reader.h"
-#include "backend/core/csv_writer.h"
+#include "backend/core/data/csv_number.h"
+#include "backend/core/data/csv_reader.h"
+#include "backend/core/data/csv_writer.h"
 
 #include <QCoreApplication>
 #include <QDir>

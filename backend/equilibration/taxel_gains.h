@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/contact/frame_conditioner.h"
-#include "backend/core/array_layout.h"
+#include "backend/core/data/array_layout.h"
 #include "backend/core/error.h"
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/motors/excitation.h"
 
-#include "backend/core/csv_writer.h"
+#include "backend/core/data/csv_writer.h"
 
 #include <algorithm>
 #include <array>

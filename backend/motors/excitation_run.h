@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/bracelet_device.h"
+#include "backend/core/bracelet/bracelet_device.h"
 #include "backend/core/error.h"
 #include "backend/motors/excitation.h"
 #include "backend/motors/motor_recording.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/motors/motor_file.h"
 
+#include "backend/core/data/output_file.h"
+#include "backend/core/data/toml_table.h"
 #include "backend/core/number_text.h"
-#include "backend/core/output_file.h"
 #include "backend/motors/toml_string.h"
-#include "backend/scene/toml_table.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -19,9 +19,9 @@ namespace teleta::motors {
 
 namespace {
 
-using scene::NumberRange;
-using scene::TomlDocument;
-using scene::TomlTable;
+using core::NumberRange;
+using core::TomlDocument;
+using core::TomlTable;
 using Origin = CalibratedMotor::Origin;
 
 struct FileText {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/core/error.h"
-#include "backend/pattern/motor_model.h"
+#include "backend/pattern/motors/motor_model.h"
 
 #include <array>
 #include <optional>

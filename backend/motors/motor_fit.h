@@ -4,7 +4,7 @@
 #include "backend/core/error.h"
 #include "backend/motors/lag_fit.h"
 #include "backend/motors/motor_recording.h"
-#include "backend/pattern/motor_model.h"
+#include "backend/pattern/motors/motor_model.h"
 
 #include <vector>
 

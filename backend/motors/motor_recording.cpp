@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/motors/motor_recording.h"
 
-#include "backend/core/csv_reader.h"
-#include "backend/core/csv_writer.h"
+#include "backend/core/data/csv_reader.h"
+#include "backend/core/data/csv_writer.h"
 #include "backend/motors/speed_from_signal.h"
 
 #include <QCoreApplication>

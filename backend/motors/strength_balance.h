@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/pattern/motor_model.h"
+#include "backend/pattern/motors/motor_model.h"
 
 #include <cstddef>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/bracelet/tactors.h"
 #include "backend/core/error.h"
-#include "backend/core/tactors.h"
 
 #include <string>
 #include <string_view>

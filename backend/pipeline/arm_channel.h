@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/arm_device.h"
-#include "backend/core/bounded_queue.h"
-#include "backend/core/latest_copy.h"
-#include "backend/core/latest_exchange.h"
-#include "backend/core/mailbox.h"
-#include "backend/pipeline/arm_snapshot.h"
+#include "backend/core/device/arm_device.h"
+#include "backend/core/threads/bounded_queue.h"
+#include "backend/core/threads/latest_copy.h"
+#include "backend/core/threads/latest_exchange.h"
+#include "backend/core/threads/mailbox.h"
 #include "backend/pipeline/channel_taps.h"
-#include "backend/pipeline/found_objects.h"
-#include "backend/pipeline/tactile_feedback.h"
+#include "backend/pipeline/touch/arm_snapshot.h"
+#include "backend/pipeline/touch/found_objects.h"
+#include "backend/pipeline/touch/tactile_feedback.h"
+#include "backend/pipeline/touch/touch_estimator.h"
 #include "backend/pipeline/touch_channel.h"
-#include "backend/pipeline/touch_estimator.h"
 
 #include <atomic>
 #include <cstdint>

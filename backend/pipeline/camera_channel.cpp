@@ -3,8 +3,8 @@
 
 #include "backend/core/elapsed.h"
 #include "backend/core/steady_time.h"
-#include "backend/pipeline/recorded_camera.h"
-#include "backend/vision/contacts/picture_view.h"
+#include "backend/pipeline/recorded/recorded_camera.h"
+#include "backend/vision/finders/picture_view.h"
 
 #include <opencv2/imgproc.hpp>
 

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/bounded_queue.h"
-#include "backend/core/camera_source.h"
-#include "backend/core/latest_copy.h"
-#include "backend/core/latest_exchange.h"
-#include "backend/core/mailbox.h"
-#include "backend/core/rate_meter.h"
-#include "backend/core/stop_switch.h"
-#include "backend/core/wakeup.h"
+#include "backend/core/device/camera_source.h"
+#include "backend/core/device/rate_meter.h"
+#include "backend/core/threads/bounded_queue.h"
+#include "backend/core/threads/latest_copy.h"
+#include "backend/core/threads/latest_exchange.h"
+#include "backend/core/threads/mailbox.h"
+#include "backend/core/threads/stop_switch.h"
+#include "backend/core/threads/wakeup.h"
 #include "backend/pipeline/camera_snapshot.h"
 #include "backend/pipeline/channel_taps.h"
-#include "backend/vision/contacts/contact_ladder.h"
+#include "backend/vision/finders/contact_ladder.h"
 
 #include <atomic>
 #include <cstdint>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/camera_source.h"
+#include "backend/core/device/camera_source.h"
+#include "backend/vision/camera/cylinder_projection.h"
 #include "backend/vision/contacts/camera_tracker.h"
-#include "backend/vision/cylinder_projection.h"
 
 #include <Eigen/Geometry>
 

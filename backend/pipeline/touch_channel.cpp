@@ -3,7 +3,7 @@
 
 #include "backend/core/elapsed.h"
 #include "backend/core/steady_time.h"
-#include "backend/pipeline/recorded_streams.h"
+#include "backend/pipeline/recorded/recorded_streams.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,14 +2,14 @@
 #pragma once
 
 #include "backend/contact/contact_tracker.h"
-#include "backend/core/bounded_queue.h"
-#include "backend/core/device.h"
-#include "backend/core/latest_copy.h"
-#include "backend/core/latest_exchange.h"
-#include "backend/core/mailbox.h"
+#include "backend/core/device/device.h"
+#include "backend/core/threads/bounded_queue.h"
+#include "backend/core/threads/latest_copy.h"
+#include "backend/core/threads/latest_exchange.h"
+#include "backend/core/threads/mailbox.h"
 #include "backend/pipeline/channel_taps.h"
-#include "backend/pipeline/touch_record.h"
-#include "backend/pipeline/touch_snapshot.h"
+#include "backend/pipeline/touch/touch_record.h"
+#include "backend/pipeline/touch/touch_snapshot.h"
 
 #include <atomic>
 #include <cstdint>

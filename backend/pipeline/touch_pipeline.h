@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/device/scene_control.h"
 #include "backend/core/error.h"
-#include "backend/core/scene_control.h"
-#include "backend/core/wakeup.h"
+#include "backend/core/threads/wakeup.h"
 #include "backend/pipeline/arm_channel.h"
 #include "backend/pipeline/touch_channel.h"
 #include "backend/servo/servo_link.h"

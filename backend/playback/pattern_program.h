@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/pattern/motor_model.h"
-#include "backend/pattern/pattern.h"
+#include "backend/pattern/model/pattern.h"
+#include "backend/pattern/motors/motor_model.h"
 #include "backend/playback/player_types.h"
 
 namespace teleta::playback {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/latest_copy.h"
-#include "backend/core/mailbox.h"
-#include "backend/core/rate_meter.h"
-#include "backend/core/stop_switch.h"
+#include "backend/core/device/rate_meter.h"
+#include "backend/core/threads/latest_copy.h"
+#include "backend/core/threads/mailbox.h"
+#include "backend/core/threads/stop_switch.h"
 #include "backend/playback/player_types.h"
 #include "backend/playback/safety_limiter.h"
 

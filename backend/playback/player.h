@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/stop_switch.h"
-#include "backend/core/urgent_thread.h"
+#include "backend/core/threads/stop_switch.h"
+#include "backend/core/threads/urgent_thread.h"
 #include "backend/playback/playback_cycle.h"
 #include "backend/playback/player_types.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/bracelet_device.h"
-#include "backend/core/pacing_clock.h"
-#include "backend/core/tactors.h"
+#include "backend/core/bracelet/bracelet_device.h"
+#include "backend/core/bracelet/tactors.h"
+#include "backend/core/threads/pacing_clock.h"
 #include "backend/playback/heat_memory.h"
 #include "backend/playback/safety_limiter.h"
 #include "backend/playback/time_histogram.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/stream_tap.h"
+#include "backend/core/device/stream_tap.h"
 
 #include <algorithm>
 #include <cmath>

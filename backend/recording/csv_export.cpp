@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/recording/csv_export.h"
 
-#include "backend/core/csv_writer.h"
+#include "backend/core/data/csv_writer.h"
 #include "backend/core/number_text.h"
 #include "backend/recording/stream_columns.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/device/stream_tap.h"
 #include "backend/core/error.h"
-#include "backend/core/latest_copy.h"
-#include "backend/core/stream_tap.h"
+#include "backend/core/threads/latest_copy.h"
 #include "backend/recording/recording_types.h"
 
 #include <condition_variable>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/device/stream_tap.h"
 #include "backend/core/error.h"
-#include "backend/core/stream_tap.h"
 #include "backend/recording/recording_types.h"
 
 #include <QtGlobal>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/arm_device.h"
+#include "backend/core/device/arm_device.h"
 #include "backend/recording/recording_types.h"
 
 #include <array>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/data/toml_table.h"
 #include "backend/scene/scene.h"
-#include "backend/scene/toml_table.h"
 
 #include <cstddef>
 #include <optional>
@@ -14,18 +14,18 @@ namespace teleta::scene {
 /// The tables of a scene file that describe a camera's world, which must be asked for before the root is
 /// finished.
 struct CameraTables {
-    explicit CameraTables(TomlTable& root);
+    explicit CameraTables(core::TomlTable& root);
 
-    TomlTable camera;
-    TomlTable skin;
-    std::vector<TomlTable> fingers;
-    std::optional<TomlTable> probing, reaction, limits;
+    core::TomlTable camera;
+    core::TomlTable skin;
+    std::vector<core::TomlTable> fingers;
+    std::optional<core::TomlTable> probing, reaction, limits;
 };
 
 /// Errors are kept by the document.
 [[nodiscard]] CameraWorld readCameraWorld(CameraTables& tables);
 
 /// An effect of a camera; listed: kinds that were read before.
-[[nodiscard]] Effect readCameraEffect(TomlTable& table, std::set<std::size_t>& listed);
+[[nodiscard]] Effect readCameraEffect(core::TomlTable& table, std::set<std::size_t>& listed);
 
 } // namespace teleta::scene

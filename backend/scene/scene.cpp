@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/scene/scene.h"
 
+#include "backend/core/data/range_check.h"
 #include "backend/scene/arm_world_check.h"
 #include "backend/scene/camera_world_check.h"
-#include "backend/scene/range_check.h"
 #include "backend/scene/servo_world_reader.h"
 
 #include <QCoreApplication>
@@ -22,17 +22,17 @@ struct SceneCheck {
 
 bool isValid(const core::ArrayLayout& layout) {
     const auto side = [](int taxels) { return taxels >= 1 && taxels <= core::ArrayLayout::kMaximumSide; };
-    return side(layout.rows) && side(layout.columns) && isPositive(layout.pitch_m);
+    return side(layout.rows) && side(layout.columns) && core::isPositive(layout.pitch_m);
 }
 
 struct ShapeIsValid {
-    bool operator()(const Sphere& shape) const { return isPositive(shape.radius_m); }
+    bool operator()(const Sphere& shape) const { return core::isPositive(shape.radius_m); }
     bool operator()(const Cylinder& shape) const {
-        return isPositive(shape.radius_m) && isPositive(shape.length_m);
+        return core::isPositive(shape.radius_m) && core::isPositive(shape.length_m);
     }
-    bool operator()(const BoxEdge& shape) const { return isPositive(shape.length_m); }
+    bool operator()(const BoxEdge& shape) const { return core::isPositive(shape.length_m); }
     bool operator()(const FlatPunch& shape) const {
-        return isPositive(shape.length_m) && isPositive(shape.width_m);
+        return core::isPositive(shape.length_m) && core::isPositive(shape.width_m);
     }
 };
 
@@ -49,8 +49,8 @@ bool isValid(const std::vector<Keyframe>& keyframes) {
 struct EffectIsValid {
     core::ArrayLayout layout;
 
-    bool operator()(const NoiseSpec& spec) const { return isNotNegative(spec.sd_N); }
-    bool operator()(const QuantizationSpec& spec) const { return isPositive(spec.step_N); }
+    bool operator()(const NoiseSpec& spec) const { return core::isNotNegative(spec.sd_N); }
+    bool operator()(const QuantizationSpec& spec) const { return core::isPositive(spec.step_N); }
     bool operator()(const SaturationSpec&) const { return true; }
     bool operator()(const DeadTaxelsSpec& spec) const {
         return spec.count <= layout.taxels() &&
@@ -60,35 +60,35 @@ struct EffectIsValid {
                });
     }
     bool operator()(const CrosstalkSpec& spec) const {
-        return isNotNegative(spec.share) && spec.share <= 1.0;
+        return core::isNotNegative(spec.share) && spec.share <= 1.0;
     }
-    bool operator()(const HysteresisSpec& spec) const { return isNotNegative(spec.share); }
+    bool operator()(const HysteresisSpec& spec) const { return core::isNotNegative(spec.share); }
     bool operator()(const DriftSpec& spec) const {
-        return isNotNegative(spec.sd_N) && isPositive(spec.timeConstant_s);
+        return core::isNotNegative(spec.sd_N) && core::isPositive(spec.timeConstant_s);
     }
     bool operator()(const LatencySpec& spec) const {
-        return isNotNegative(spec.delay_s) && spec.delay_s <= 1.0;
+        return core::isNotNegative(spec.delay_s) && spec.delay_s <= 1.0;
     }
     bool operator()(const NonlinearResponseSpec& spec) const { return std::abs(spec.bow) <= 0.25; }
-    bool operator()(const GainSpreadSpec& spec) const { return isNotNegative(spec.sd) && spec.sd <= 1.0; }
-    bool operator()(const TorqueNoiseSpec& spec) const { return isNotNegative(spec.sd_Nm); }
-    bool operator()(const EncoderQuantizationSpec& spec) const { return isPositive(spec.step_rad); }
+    bool operator()(const GainSpreadSpec& spec) const { return core::isNotNegative(spec.sd) && spec.sd <= 1.0; }
+    bool operator()(const TorqueNoiseSpec& spec) const { return core::isNotNegative(spec.sd_Nm); }
+    bool operator()(const EncoderQuantizationSpec& spec) const { return core::isPositive(spec.step_rad); }
     bool operator()(const GravityErrorSpec& spec) const { return std::isfinite(spec.share); }
     bool operator()(const GearRippleSpec& spec) const {
-        return isNotNegative(spec.amplitude_Nm) && isPositive(spec.wavesPerTurn);
+        return core::isNotNegative(spec.amplitude_Nm) && core::isPositive(spec.wavesPerTurn);
     }
-    bool operator()(const NonlinearObjectSpec& spec) const { return isPositive(spec.doublingDepth_m); }
+    bool operator()(const NonlinearObjectSpec& spec) const { return core::isPositive(spec.doublingDepth_m); }
     bool operator()(const LinkDelaySpec& spec) const {
-        return isNotNegative(spec.delay_s) && isNotNegative(spec.jitter_s) && isNotNegative(spec.lossShare) &&
-               spec.lossShare <= 1.0 && isNotNegative(spec.outageAt_s) && isNotNegative(spec.outage_s);
+        return core::isNotNegative(spec.delay_s) && core::isNotNegative(spec.jitter_s) && core::isNotNegative(spec.lossShare) &&
+               spec.lossShare <= 1.0 && core::isNotNegative(spec.outageAt_s) && core::isNotNegative(spec.outage_s);
     }
-    bool operator()(const BorderStiffeningSpec& spec) const { return isNotNegative(spec.share); }
+    bool operator()(const BorderStiffeningSpec& spec) const { return core::isNotNegative(spec.share); }
     bool operator()(const HousingRimSpec& spec) const {
-        return isPositive(spec.stiffness_NPerM) && isNotNegative(spec.recess_m) &&
-               isPositive(spec.length_m) && isPositive(spec.width_m);
+        return core::isPositive(spec.stiffness_NPerM) && core::isNotNegative(spec.recess_m) &&
+               core::isPositive(spec.length_m) && core::isPositive(spec.width_m);
     }
-    bool operator()(const ContactDampingSpec& spec) const { return isNotNegative(spec.time_s); }
-    bool operator()(const FrictionSpec& spec) const { return isNotNegative(spec.coefficient); }
+    bool operator()(const ContactDampingSpec& spec) const { return core::isNotNegative(spec.time_s); }
+    bool operator()(const FrictionSpec& spec) const { return core::isNotNegative(spec.coefficient); }
     bool operator()(const LensDistortionSpec& spec) const { return isCameraEffect(spec); }
     bool operator()(const UnevenLightSpec& spec) const { return isCameraEffect(spec); }
     bool operator()(const SensorNoiseSpec& spec) const { return isCameraEffect(spec); }
@@ -134,8 +134,8 @@ core::Expected<void> checkWorld(const ArrayWorld& world) {
     const ArraySensor& sensor = world.sensor;
     if (!isValid(sensor.layout))
         return refused(SceneCheck::tr("the size of the tactile array is out of range"));
-    if (!isPositive(sensor.stiffness_NPerM) || !isPositive(sensor.fullScale_N) ||
-        !isNotNegative(sensor.firingThreshold_N))
+    if (!core::isPositive(sensor.stiffness_NPerM) || !core::isPositive(sensor.fullScale_N) ||
+        !core::isNotNegative(sensor.firingThreshold_N))
         return refused(SceneCheck::tr("a property of the tactile array is out of range"));
     for (const Indenter& indenter : world.indenters) {
         const QString name = QString::fromStdString(indenter.name);
@@ -202,7 +202,7 @@ std::string_view nameOf(const Effect& effect) {
 }
 
 core::Expected<void> checkScene(const Scene& scene) {
-    if (!isPositive(scene.rate_Hz))
+    if (!core::isPositive(scene.rate_Hz))
         return refused(SceneCheck::tr("the frame rate of the scene is not a positive number"));
     const core::Expected<void> world =
         std::visit([](const auto& known) { return checkWorld(known); }, scene.world);

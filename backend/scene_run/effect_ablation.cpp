@@ -2,7 +2,7 @@
 #include "backend/scene_run/effect_ablation.h"
 
 #include "backend/scene_run/scene_run.h"
-#include "backend/scene_run/study_run.h"
+#include "backend/scene_run/study/study_run.h"
 
 #include <QCoreApplication>
 

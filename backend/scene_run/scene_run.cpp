@@ -2,11 +2,11 @@
 #include "backend/scene_run/scene_run.h"
 
 #include "backend/core/steady_time.h"
-#include "backend/scene_run/arm_run.h"
-#include "backend/scene_run/array_run.h"
-#include "backend/scene_run/camera_run.h"
-#include "backend/scene_run/servo_run.h"
-#include "backend/scene_run/teleoperation_run.h"
+#include "backend/scene_run/arm/arm_run.h"
+#include "backend/scene_run/arm/teleoperation_run.h"
+#include "backend/scene_run/array/array_run.h"
+#include "backend/scene_run/camera/camera_run.h"
+#include "backend/scene_run/servo/servo_run.h"
 
 #include <QCoreApplication>
 #include <QDir>

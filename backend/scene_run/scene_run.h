@@ -3,8 +3,8 @@
 
 #include "backend/core/error.h"
 #include "backend/scene/scene.h"
-#include "backend/scene_run/run_options.h"
-#include "backend/scene_run/scene_summary.h"
+#include "backend/scene_run/base/run_options.h"
+#include "backend/scene_run/base/scene_summary.h"
 
 namespace teleta::scene_run {
 

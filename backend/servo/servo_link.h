@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/bounded_queue.h"
-#include "backend/core/latest_exchange.h"
-#include "backend/core/mailbox.h"
+#include "backend/core/threads/bounded_queue.h"
+#include "backend/core/threads/latest_exchange.h"
+#include "backend/core/threads/mailbox.h"
 #include "backend/servo/cycle_times.h"
 #include "backend/servo/lwr_kinematics.h"
 #include "backend/servo/servo_controller.h"

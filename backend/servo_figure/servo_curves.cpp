@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/servo_figure/servo_curves.h"
 
-#include "backend/core/csv_number.h"
-#include "backend/core/csv_reader.h"
+#include "backend/core/data/csv_number.h"
+#include "backend/core/data/csv_reader.h"
 #include "backend/servo/rigid_motion.h"
 
 #include <QCoreApplication>

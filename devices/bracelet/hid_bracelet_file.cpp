@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/bracelet/hid_bracelet_file.h"
 
-#include "backend/scene/toml_table.h"
+#include "backend/core/data/toml_table.h"
 
 namespace teleta::bracelet {
 
 namespace {
 
-core::Expected<HidBraceletFile> readDocument(const scene::TomlDocument& document) {
+core::Expected<HidBraceletFile> readDocument(const core::TomlDocument& document) {
     constexpr long long kLargestId = 0xFFFF;
-    scene::TomlTable root = document.root();
+    core::TomlTable root = document.root();
     (void)root.choice("kind", {"hid_bracelet"});
     HidBraceletFile file;
     file.name = root.text("name");
@@ -26,11 +26,11 @@ core::Expected<HidBraceletFile> readDocument(const scene::TomlDocument& document
 } // namespace
 
 core::Expected<HidBraceletFile> readHidBracelet(const std::string& path) {
-    return scene::TomlDocument::open(path).and_then(readDocument);
+    return core::TomlDocument::open(path).and_then(readDocument);
 }
 
 core::Expected<HidBraceletFile> parseHidBracelet(std::string_view text, const std::string& file) {
-    return scene::TomlDocument::parse(text, file).and_then(readDocument);
+    return core::TomlDocument::parse(text, file).and_then(readDocument);
 }
 
 } // namespace teleta::bracelet

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/bracelet_port.h"
+#include "backend/core/bracelet/bracelet_port.h"
 #include "backend/core/error.h"
 #include "devices/bracelet/hid_transport.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/bracelet/hid_transport.h"
 
-#include "backend/core/hidapi_mutex.h"
-#include "backend/core/node_claim.h"
+#include "backend/core/device/hidapi_mutex.h"
+#include "backend/core/device/node_claim.h"
 
 #include <QCoreApplication>
 #include <QString>

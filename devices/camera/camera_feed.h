@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/camera_source.h"
+#include "backend/core/device/camera_source.h"
 #include "devices/camera/camera_device.h"
 
 #include <memory>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/camera_frame_queue.h"
-#include "backend/core/device.h"
-#include "backend/core/latest_copy.h"
-#include "backend/core/rate_meter.h"
-#include "backend/core/wakeup.h"
+#include "backend/core/device/camera_frame_queue.h"
+#include "backend/core/device/device.h"
+#include "backend/core/device/rate_meter.h"
+#include "backend/core/threads/latest_copy.h"
+#include "backend/core/threads/wakeup.h"
 #include "devices/camera/camera_config.h"
 #include "devices/camera/video_stream.h"
 

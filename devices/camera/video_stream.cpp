@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/camera/video_stream.h"
 
+#include "backend/core/device/node_claim.h"
 #include "backend/core/elapsed.h"
-#include "backend/core/node_claim.h"
 #include "backend/core/steady_time.h"
 
 #include <QCoreApplication>

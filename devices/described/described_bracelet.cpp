@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/described/described_bracelet.h"
 
-#include "backend/scene/toml_table.h"
+#include "backend/core/data/toml_table.h"
 #include "devices/bracelet/hid_bracelet.h"
 #include "devices/bracelet/hid_bracelet_file.h"
 #include "devices/modbus/modbus_bracelet.h"
@@ -10,10 +10,10 @@ namespace teleta::described {
 
 core::Expected<std::unique_ptr<core::BraceletLink>> openBracelet(const std::string& path,
                                                                  const core::StopSwitch& stop) {
-    const auto document = scene::TomlDocument::open(path);
+    const auto document = core::TomlDocument::open(path);
     if (!document)
         return core::Unexpected(document.error());
-    scene::TomlTable root = document->root();
+    core::TomlTable root = document->root();
     const bool named = root.has("kind");
     const std::size_t kind = named ? root.choice("kind", {"modbus", "hid_bracelet"}) : 0;
     if (document->firstError())

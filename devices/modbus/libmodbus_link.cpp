@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/modbus/libmodbus_link.h"
 
-#include "backend/core/node_claim.h"
+#include "backend/core/device/node_claim.h"
 
 #include <QCoreApplication>
 #include <QString>

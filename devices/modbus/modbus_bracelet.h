@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/bracelet_link.h"
+#include "backend/core/bracelet/bracelet_link.h"
 #include "backend/core/error.h"
-#include "backend/core/stop_switch.h"
+#include "backend/core/threads/stop_switch.h"
 #include "devices/modbus/register_link.h"
 
 #include <memory>

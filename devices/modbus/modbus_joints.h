@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/arm_device.h"
-#include "backend/core/device_thread.h"
+#include "backend/core/device/arm_device.h"
+#include "backend/core/threads/device_thread.h"
 #include "devices/modbus/modbus_joints_worker.h"
 
 namespace teleta::modbus {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/modbus/modbus_joints_worker.h"
 
-#include "backend/core/device_state.h"
+#include "backend/core/device/device_state.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/arm_device.h"
-#include "backend/core/latest_copy.h"
-#include "backend/core/rate_meter.h"
+#include "backend/core/device/arm_device.h"
+#include "backend/core/device/rate_meter.h"
+#include "backend/core/threads/latest_copy.h"
 #include "devices/modbus/input_reader.h"
 #include "devices/modbus/modbus_joints_config.h"
 

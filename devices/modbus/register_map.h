@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/arm_device.h"
+#include "backend/core/bracelet/tactors.h"
+#include "backend/core/device/arm_device.h"
 #include "backend/core/error.h"
-#include "backend/core/tactors.h"
 #include "devices/modbus/register_value.h"
 
 #include <array>

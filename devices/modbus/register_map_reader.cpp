@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/scene/toml_table.h"
+#include "backend/core/data/toml_table.h"
 #include "devices/modbus/register_map.h"
 
 #include <QCoreApplication>
@@ -14,9 +14,9 @@ namespace teleta::modbus {
 
 namespace {
 
-using scene::NumberRange;
-using scene::TomlDocument;
-using scene::TomlTable;
+using core::NumberRange;
+using core::TomlDocument;
+using core::TomlTable;
 
 struct RegisterMapReader {
     Q_DECLARE_TR_FUNCTIONS(RegisterMapReader)

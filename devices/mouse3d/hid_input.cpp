@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/mouse3d/hid_input.h"
 
-#include "backend/core/hidapi_mutex.h"
+#include "backend/core/device/hidapi_mutex.h"
 
 #include <QCoreApplication>
 #include <QString>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/device_thread.h"
+#include "backend/core/threads/device_thread.h"
 #include "devices/mouse3d/mouse3d_worker.h"
 
 #include <string>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/device.h"
-#include "backend/core/latest_copy.h"
-#include "backend/core/rate_meter.h"
-#include "backend/core/wakeup.h"
+#include "backend/core/device/device.h"
+#include "backend/core/device/rate_meter.h"
+#include "backend/core/threads/latest_copy.h"
+#include "backend/core/threads/wakeup.h"
 #include "devices/mouse3d/hid_input.h"
 #include "devices/mouse3d/mouse3d_config.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/arm_device.h"
-#include "backend/core/camera_source.h"
-#include "backend/core/device.h"
-#include "backend/core/pacing_clock.h"
+#include "backend/core/device/arm_device.h"
+#include "backend/core/device/camera_source.h"
+#include "backend/core/device/device.h"
+#include "backend/core/threads/pacing_clock.h"
 
 #include <cstddef>
 #include <cstdint>

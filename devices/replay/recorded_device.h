@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/arm_device.h"
-#include "backend/core/camera_source.h"
-#include "backend/core/device.h"
-#include "backend/core/device_thread.h"
+#include "backend/core/device/arm_device.h"
+#include "backend/core/device/camera_source.h"
+#include "backend/core/device/device.h"
 #include "backend/core/error.h"
+#include "backend/core/threads/device_thread.h"
 #include "devices/replay/recorded_config.h"
 #include "devices/replay/recorded_worker.h"
 

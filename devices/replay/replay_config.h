@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/array_layout.h"
-#include "backend/core/pacing_clock.h"
+#include "backend/core/data/array_layout.h"
+#include "backend/core/threads/pacing_clock.h"
 
 #include <cstddef>
 #include <memory>

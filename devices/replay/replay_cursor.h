@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/frame_file.h"
+#include "backend/core/data/frame_file.h"
 #include "devices/replay/frame_index.h"
 
 #include <cstdint>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/device.h"
-#include "backend/core/device_thread.h"
+#include "backend/core/device/device.h"
 #include "backend/core/error.h"
+#include "backend/core/threads/device_thread.h"
 #include "devices/replay/replay_config.h"
 #include "devices/replay/replay_worker.h"
 

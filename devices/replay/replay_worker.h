@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/device.h"
+#include "backend/core/device/device.h"
+#include "backend/core/device/source_outlet.h"
 #include "backend/core/error.h"
-#include "backend/core/latest_copy.h"
-#include "backend/core/source_outlet.h"
+#include "backend/core/threads/latest_copy.h"
 #include "devices/replay/frame_index.h"
 #include "devices/replay/playback_desk.h"
 #include "devices/replay/replay_config.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/arm_device.h"
-#include "backend/core/mailbox.h"
+#include "backend/core/device/arm_device.h"
+#include "backend/core/threads/mailbox.h"
 
 #include <atomic>
 #include <cstdint>

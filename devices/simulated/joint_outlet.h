@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/arm_device.h"
-#include "backend/core/bounded_queue.h"
-#include "backend/core/device.h"
-#include "backend/core/latest_copy.h"
-#include "backend/core/rate_meter.h"
-#include "backend/core/wakeup.h"
+#include "backend/core/device/arm_device.h"
+#include "backend/core/device/device.h"
+#include "backend/core/device/rate_meter.h"
+#include "backend/core/threads/bounded_queue.h"
+#include "backend/core/threads/latest_copy.h"
+#include "backend/core/threads/wakeup.h"
 
 #include <cstddef>
 #include <cstdint>

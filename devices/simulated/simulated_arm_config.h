@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/pacing_clock.h"
+#include "backend/core/threads/pacing_clock.h"
 #include "devices/simulated/simulated_array_config.h"
 
 #include <cstddef>

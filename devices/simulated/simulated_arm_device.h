@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/arm_device.h"
-#include "backend/core/device_thread.h"
-#include "backend/core/stop_switch.h"
+#include "backend/core/device/arm_device.h"
+#include "backend/core/threads/device_thread.h"
+#include "backend/core/threads/stop_switch.h"
 #include "devices/simulated/simulated_arm_config.h"
 #include "devices/simulated/simulated_arm_worker.h"
 

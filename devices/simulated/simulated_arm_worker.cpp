@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/simulated/simulated_arm_worker.h"
 
-#include "backend/core/device_state.h"
+#include "backend/core/device/device_state.h"
 #include "devices/simulated/simulated_times.h"
 
 #include <QCoreApplication>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/arm_device.h"
-#include "backend/core/source_outlet.h"
-#include "backend/core/stop_switch.h"
+#include "backend/core/device/arm_device.h"
+#include "backend/core/device/source_outlet.h"
+#include "backend/core/threads/stop_switch.h"
 #include "devices/simulated/arm_drive_control.h"
 #include "devices/simulated/joint_outlet.h"
 #include "devices/simulated/simulated_arm_config.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/pacing_clock.h"
-#include "backend/core/scene_control.h"
+#include "backend/core/device/scene_control.h"
+#include "backend/core/threads/pacing_clock.h"
 
 #include <cstddef>
 #include <cstdint>

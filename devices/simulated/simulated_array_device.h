@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/device.h"
-#include "backend/core/device_thread.h"
-#include "backend/core/stop_switch.h"
+#include "backend/core/device/device.h"
+#include "backend/core/threads/device_thread.h"
+#include "backend/core/threads/stop_switch.h"
 #include "devices/simulated/simulated_array_config.h"
 #include "devices/simulated/simulated_array_worker.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/bracelet_device.h"
-#include "backend/core/tactors.h"
+#include "backend/core/bracelet/bracelet_device.h"
+#include "backend/core/bracelet/tactors.h"
 #include "devices/simulated/simulated_bracelet_config.h"
 
 #include <condition_variable>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/bracelet_link.h"
-#include "backend/core/stop_switch.h"
+#include "backend/core/bracelet/bracelet_link.h"
+#include "backend/core/threads/stop_switch.h"
 #include "devices/simulated/simulated_board.h"
 #include "devices/simulated/simulated_bracelet_config.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/bracelet_worker.h"
+#include "backend/core/bracelet/bracelet_worker.h"
 
 #include <array>
 #include <cstdint>

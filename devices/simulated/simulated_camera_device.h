@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/camera_source.h"
-#include "backend/core/device_thread.h"
+#include "backend/core/device/camera_source.h"
+#include "backend/core/threads/device_thread.h"
 #include "devices/simulated/simulated_camera_worker.h"
 
 #include <memory>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/camera_frame_queue.h"
-#include "backend/core/latest_copy.h"
-#include "backend/core/rate_meter.h"
-#include "backend/core/stop_switch.h"
+#include "backend/core/device/camera_frame_queue.h"
+#include "backend/core/device/rate_meter.h"
+#include "backend/core/threads/latest_copy.h"
+#include "backend/core/threads/stop_switch.h"
 #include "devices/simulated/simulated_camera_config.h"
 #include "devices/simulated/simulated_link.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/wts/wts_link.h"
 
-#include "backend/core/node_claim.h"
+#include "backend/core/device/node_claim.h"
 #include "backend/core/steady_time.h"
 #include "devices/wts/wts_text.h"
 

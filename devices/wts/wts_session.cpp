@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/wts/wts_session.h"
 
-#include "backend/core/array_layout.h"
+#include "backend/core/data/array_layout.h"
 #include "backend/core/steady_time.h"
 #include "devices/wts/wts_text.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/wts/wts_worker.h"
 
-#include "backend/core/device_state.h"
+#include "backend/core/device/device_state.h"
 #include "backend/core/steady_time.h"
 #include "devices/wts/wts_text.h"
 

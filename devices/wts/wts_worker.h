@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/device.h"
-#include "backend/core/latest_copy.h"
-#include "backend/core/source_outlet.h"
+#include "backend/core/device/device.h"
+#include "backend/core/device/source_outlet.h"
+#include "backend/core/threads/latest_copy.h"
 #include "devices/wts/frame_clock.h"
 #include "devices/wts/wake_pipe.h"
 #include "devices/wts/wts_config.h"

@@ -6,13 +6,29 @@
 namespace teleta::architecture {
 namespace {
 
-const QtModules& qtModules() {
-    static const QtModules modules = readQtModules(TELETA_QT_INCLUDES);
-    return modules;
+constexpr char kTable[] = "packaging/cmake/module_graph.txt";
+
+ModuleGraph readGraph() {
+    ModuleGraph graph;
+    const std::vector<SourceFile> tables = readFiles(TELETA_SOURCE_DIR, {"packaging"}, {"module_graph.txt"});
+    if (tables.size() != 1)
+        ADD_FAILURE() << kTable << " is missing";
+    else
+        EXPECT_EQ(describe(readModuleGraph(tables.front(), graph)), "");
+    return graph;
+}
+
+const IncludeRules& rules() {
+    static const IncludeRules rules(readGraph(), readQtModules(TELETA_QT_INCLUDES));
+    return rules;
+}
+
+std::vector<SourceFile> sources() {
+    return readFiles(TELETA_SOURCE_DIR, {"app", "widgets", "backend", "devices"}, {".cpp", ".h"});
 }
 
 std::vector<Violation> check(const std::string& path, const std::string& text) {
-    return forbiddenIncludes({path, splitLines(text)}, qtModules());
+    return rules().forbiddenIncludes({path, splitLines(text)});
 }
 
 std::string reasonFor(const std::string& path, const std::string& line) {
@@ -20,16 +36,66 @@ std::string reasonFor(const std::string& path, const std::string& line) {
     return violations.empty() ? std::string() : violations.front().reason;
 }
 
+std::string complaintsAbout(const std::string& table) {
+    ModuleGraph graph;
+    std::vector<Violation> violations = readModuleGraph({"table", splitLines(table)}, graph);
+    const std::vector<Violation> layers = againstTheLayers(graph);
+    violations.insert(violations.end(), layers.begin(), layers.end());
+    return describe(violations);
+}
+
 TEST(IncludesTest, keepsTheModuleGraphInEveryFile) {
-    const std::vector<SourceFile> files =
-        readFiles(TELETA_SOURCE_DIR, {"app", "widgets", "backend", "devices"}, {".cpp", ".h"});
+    const std::vector<SourceFile> files = sources();
     ASSERT_GT(files.size(), 20U);
     std::vector<Violation> violations;
     for (const SourceFile& file : files) {
-        const std::vector<Violation> found = forbiddenIncludes(file, qtModules());
+        const std::vector<Violation> found = rules().forbiddenIncludes(file);
         violations.insert(violations.end(), found.begin(), found.end());
     }
-    EXPECT_TRUE(violations.empty()) << describe(violations);
+    EXPECT_TRUE(violations.empty()) << describe(violations) << "the table is " << kTable;
+}
+
+TEST(IncludesTest, usesEveryEdgeOfTheModuleGraph) {
+    EXPECT_EQ(describe(rules().unusedEdges(sources())), "") << "the table is " << kTable;
+}
+
+TEST(ModuleGraphTest, keepsTheLayers) {
+    EXPECT_EQ(describe(againstTheLayers(readGraph())), "");
+}
+
+TEST(ModuleGraphTest, forbidsEdgesAgainstTheLayers) {
+    const std::string folders = "folder backend/a\nfolder devices/b\nfolder widgets/base\nfolder widgets/c\n"
+                                "folder app/common\nfolder app/cli\n";
+    EXPECT_EQ(complaintsAbout(folders), "");
+    EXPECT_EQ(complaintsAbout(folders + "folder backend/d\n    uses devices/b\n"),
+              "backend/d:0: must not use devices/b\n");
+    EXPECT_EQ(complaintsAbout(folders + "folder widgets/d\n    uses widgets/base widgets/c\n"),
+              "widgets/d:0: must not use widgets/c\n");
+    EXPECT_EQ(complaintsAbout(folders + "folder widgets/c/part\n    uses widgets/c\n"), "");
+    EXPECT_EQ(complaintsAbout(folders + "folder widgets/d\n    uses devices/b\n"),
+              "widgets/d:0: must not use devices/b\n");
+    EXPECT_EQ(complaintsAbout(folders + "folder app/cli/d\n    uses app/common devices/b widgets/c\n"),
+              "app/cli/d:0: must not use widgets/c\n");
+}
+
+TEST(ModuleGraphTest, reportsTheLineThatIsNotUnderstood) {
+    EXPECT_EQ(complaintsAbout("folder backend/a\n  uses backend/b\n"), "table:2: not understood\n");
+    EXPECT_EQ(complaintsAbout("folder backend/a\n    uses backend/b\nfolder backend/b\n"),
+              "table:2: backend/b has no row above\n");
+    EXPECT_EQ(complaintsAbout("folder backend/a\n    libraries Eigen\n"),
+              "table:2: Eigen is no library of the table\n");
+}
+
+TEST(IncludesTest, findsAnEdgeThatNothingUses) {
+    ModuleGraph graph;
+    ASSERT_TRUE(
+        readModuleGraph({"table", splitLines("library Eigen\n    headers Eigen/\nfolder backend/a\n"
+                                             "folder backend/b\n    uses backend/a\n    libraries Eigen\n")},
+                        graph)
+            .empty());
+    const IncludeRules small(graph, {});
+    EXPECT_EQ(describe(small.unusedEdges({{"backend/b/b.h", {"#include <Eigen/Core>"}}})),
+              "backend/b:0: its row names backend/a, which it does not include\n");
 }
 
 TEST(IncludesTest, reportsThePlaceOfAPlantedViolation) {
@@ -94,7 +160,7 @@ TEST(IncludesTest, allowsTheEdgesThatTheGraphHas) {
     EXPECT_EQ(reasonFor("backend/pipeline/a.cpp", "#include \"backend/contact/b.h\""), "");
     EXPECT_EQ(reasonFor("widgets/view3d/a.cpp", "#include <vtkNew.h>"), "");
     EXPECT_EQ(reasonFor("widgets/charts/a.cpp", "#include \"widgets/base/b.h\""), "");
-    EXPECT_EQ(reasonFor("app/console/a.cpp", "#include \"widgets/view3d/b.h\""), "");
+    EXPECT_EQ(reasonFor("app/console/operate/a.cpp", "#include \"widgets/view3d/b.h\""), "");
     EXPECT_EQ(reasonFor("app/console/a.cpp", "#include \"a.moc\""), "");
     EXPECT_EQ(reasonFor("devices/replay/a.cpp", "#include <QtCore/QString>"), "");
 }

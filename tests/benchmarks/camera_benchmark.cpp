@@ -3,9 +3,9 @@
 // 288, dense inverse search of medium quality against the reference, maximum filter, threshold, contours), on
 // the same rendered frames of 1640 x 1232 and on one core. Counters: frames a second, mean distance from the
 // true contact in mm, contacts that were missed, time of each stage in ms.
+#include "backend/simulation/base/random_stream.h"
 #include "backend/simulation/camera/simulated_tube.h"
-#include "backend/simulation/random_stream.h"
-#include "backend/vision/contacts/contact_ladder.h"
+#include "backend/vision/finders/contact_ladder.h"
 #include "tests/backend/simulation/camera/camera_scene.h"
 
 #include <benchmark/benchmark.h>

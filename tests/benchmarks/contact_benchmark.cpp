@@ -7,7 +7,7 @@
 #include "backend/contact/frame_conditioner.h"
 #include "backend/contact/tactile_features.h"
 #include "backend/scene/scene_reader.h"
-#include "backend/simulation/simulated_array.h"
+#include "backend/simulation/array/simulated_array.h"
 
 #include <benchmark/benchmark.h>
 #include <opencv2/core.hpp>

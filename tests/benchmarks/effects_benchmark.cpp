@@ -3,7 +3,7 @@
 // and with each kind alone, against the same motion, contact, threshold and rounding written out here, where
 // no effect could be. A ratio of 1 for the scene without effects: what a scene does not list costs nothing.
 #include "backend/scene/scene_reader.h"
-#include "backend/simulation/simulated_array.h"
+#include "backend/simulation/array/simulated_array.h"
 
 #include <benchmark/benchmark.h>
 

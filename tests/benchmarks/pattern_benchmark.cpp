@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // evaluate of a pattern with 200 breakpoints, which shall take under a microsecond, as it is and compiled, in
 // comparison with a linear search through the same breakpoints.
-#include "backend/pattern/pattern.h"
+#include "backend/pattern/model/pattern.h"
 
 #include <benchmark/benchmark.h>
 

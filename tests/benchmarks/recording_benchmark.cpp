@@ -4,7 +4,7 @@
 //   tapAppend      a frame into a StreamTap, on the data thread, while a recorder writes the file
 //   csvFile        20 000 frames until the CSV file is complete on the disk
 //   recordingFile  20 000 frames until the recording is complete on the disk
-#include "backend/core/csv_writer.h"
+#include "backend/core/data/csv_writer.h"
 #include "backend/core/steady_time.h"
 #include "backend/recording/recorder.h"
 

@@ -4,7 +4,7 @@
 // bent bar without loss of contact, for each rate of the servo and each effect.
 #include "backend/contact/tactile_features.h"
 #include "backend/scene/scene_reader.h"
-#include "backend/scene_run/servo_measures.h"
+#include "backend/scene_run/servo/servo_measures.h"
 #include "backend/simulation/servo/servo_loop.h"
 
 #include <benchmark/benchmark.h>

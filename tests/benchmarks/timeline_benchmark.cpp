@@ -3,8 +3,8 @@
 // comparison with lines through every sample at the rate of the bracelet (200 Hz), painted by the same
 // painter on the same picture. And what an edit costs: the prediction of the motors anew, in comparison with
 // only where it changed.
-#include "backend/pattern/motor_prediction.h"
-#include "widgets/pattern/timeline_painter.h"
+#include "backend/pattern/motors/motor_prediction.h"
+#include "widgets/pattern/timeline/timeline_painter.h"
 
 #include <QGuiApplication>
 #include <QImage>

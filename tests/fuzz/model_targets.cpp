@@ -2,10 +2,10 @@
 #include "backend/motors/motor_file.h"
 #include "backend/motors/motor_fit.h"
 #include "backend/motors/motor_recording.h"
-#include "backend/pattern/built_in_patterns.h"
+#include "backend/pattern/model/built_in_patterns.h"
 #include "backend/scene/scene_reader.h"
-#include "backend/vision/camera_calibration.h"
-#include "backend/vision/camera_file.h"
+#include "backend/vision/calibration/camera_calibration.h"
+#include "backend/vision/calibration/camera_file.h"
 #include "tests/fuzz/memory_file.h"
 #include "tests/support/floating_point_traps.h"
 

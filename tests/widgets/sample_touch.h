@@ -3,7 +3,7 @@
 
 #include "backend/contact/contact_segmenter.h"
 #include "backend/contact/tactile_features.h"
-#include "backend/pipeline/touch_snapshot.h"
+#include "backend/pipeline/touch/touch_snapshot.h"
 
 #include <cmath>
 #include <vector>

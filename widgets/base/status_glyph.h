@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/device.h"
+#include "backend/core/device/device.h"
 
 #include <QColor>
 #include <QPalette>

@@ -2,8 +2,8 @@
 #include "widgets/bracelet/bracelet_view.h"
 
 #include "widgets/base/focus_frame.h"
-#include "widgets/base/number_format.h"
-#include "widgets/base/tabular_text.h"
+#include "widgets/base/numbers/number_format.h"
+#include "widgets/base/numbers/tabular_text.h"
 #include "widgets/base/theme.h"
 
 #include <QHelpEvent>

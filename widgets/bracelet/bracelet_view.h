@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/tactors.h"
-#include "widgets/base/badge.h"
+#include "backend/core/bracelet/tactors.h"
+#include "widgets/base/controls/badge.h"
 
 #include <QPointF>
 #include <QRectF>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/tactors.h"
+#include "backend/core/bracelet/tactors.h"
 
 #include <QWidget>
 

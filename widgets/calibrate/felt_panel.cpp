@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/calibrate/felt_panel.h"
 
-#include "widgets/base/quantity_text.h"
+#include "widgets/base/numbers/quantity_text.h"
 #include "widgets/base/theme.h"
 
 #include <QEvent>

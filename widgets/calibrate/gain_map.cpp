@@ -2,8 +2,8 @@
 #include "widgets/calibrate/gain_map.h"
 
 #include "widgets/base/colour_maps.h"
-#include "widgets/base/number_format.h"
-#include "widgets/base/quantity_text.h"
+#include "widgets/base/numbers/number_format.h"
+#include "widgets/base/numbers/quantity_text.h"
 #include "widgets/base/theme.h"
 
 #include <QContextMenuEvent>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/calibrate/gains_view.h"
 
-#include "widgets/base/elided_label.h"
-#include "widgets/base/quantity_text.h"
+#include "widgets/base/controls/elided_label.h"
+#include "widgets/base/numbers/quantity_text.h"
 #include "widgets/base/redo_keys.h"
 #include "widgets/base/theme.h"
 #include "widgets/calibrate/gain_map.h"

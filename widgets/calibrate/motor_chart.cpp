@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/calibrate/motor_chart.h"
 
-#include "widgets/base/quantity_text.h"
+#include "widgets/base/numbers/quantity_text.h"
 #include "widgets/base/theme.h"
 #include "widgets/plot/plot_style.h"
 

@@ -4,7 +4,7 @@
 #include "backend/motors/motor_file.h"
 #include "backend/motors/motor_fit.h"
 #include "backend/motors/motor_recording.h"
-#include "widgets/base/badge.h"
+#include "widgets/base/controls/badge.h"
 #include "widgets/base/figure_export.h"
 
 #include <QPalette>

@@ -2,9 +2,9 @@
 #include "widgets/calibrate/motors_view.h"
 
 #include "backend/motors/strength_balance.h"
-#include "widgets/base/elided_label.h"
-#include "widgets/base/number_format.h"
-#include "widgets/base/quantity_text.h"
+#include "widgets/base/controls/elided_label.h"
+#include "widgets/base/numbers/number_format.h"
+#include "widgets/base/numbers/quantity_text.h"
 #include "widgets/base/redo_keys.h"
 #include "widgets/base/theme.h"
 #include "widgets/calibrate/felt_panel.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/camera/camera_panel.h"
 
-#include "backend/vision/contacts/contact_ladder.h"
-#include "widgets/base/quantity_text.h"
+#include "backend/vision/finders/contact_ladder.h"
+#include "widgets/base/numbers/quantity_text.h"
 #include "widgets/base/theme.h"
 #include "widgets/camera/camera_view.h"
 #include "widgets/camera/stage_bar.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/pipeline/camera_snapshot.h"
-#include "widgets/base/badge.h"
+#include "widgets/base/controls/badge.h"
 
 #include <QWidget>
 

@@ -2,7 +2,7 @@
 #include "widgets/camera/camera_picture.h"
 
 #include "widgets/base/colour_maps.h"
-#include "widgets/base/quantity_text.h"
+#include "widgets/base/numbers/quantity_text.h"
 #include "widgets/base/theme.h"
 
 #include <QFontMetricsF>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/camera/pair_model.h"
 
-#include "widgets/base/number_format.h"
-#include "widgets/base/quantity_text.h"
+#include "widgets/base/numbers/number_format.h"
+#include "widgets/base/numbers/quantity_text.h"
 
 namespace teleta::camera {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/camera/residual_picture.h"
 
-#include "backend/vision/nominal_camera.h"
+#include "backend/vision/camera/nominal_camera.h"
 #include "widgets/base/colour_maps.h"
-#include "widgets/base/number_format.h"
+#include "widgets/base/numbers/number_format.h"
 #include "widgets/base/theme.h"
 
 #include <QPainter>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/vision/camera_calibration.h"
+#include "backend/vision/calibration/camera_calibration.h"
 
 #include <QCoreApplication>
 #include <QFont>

@@ -2,8 +2,8 @@
 #include "widgets/camera/residual_view.h"
 
 #include "widgets/base/focus_frame.h"
-#include "widgets/base/number_format.h"
-#include "widgets/base/quantity_text.h"
+#include "widgets/base/numbers/number_format.h"
+#include "widgets/base/numbers/quantity_text.h"
 #include "widgets/base/theme.h"
 
 #include <QContextMenuEvent>

@@ -2,8 +2,8 @@
 #include "widgets/camera/stage_bar.h"
 
 #include "widgets/base/colour_maps.h"
-#include "widgets/base/quantity_text.h"
-#include "widgets/base/tabular_text.h"
+#include "widgets/base/numbers/quantity_text.h"
+#include "widgets/base/numbers/tabular_text.h"
 #include "widgets/base/theme.h"
 
 #include <QHelpEvent>

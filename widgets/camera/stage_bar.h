@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/pipeline/camera_snapshot.h"
-#include "widgets/base/number_format.h"
+#include "widgets/base/numbers/number_format.h"
 
 #include <QWidget>
 

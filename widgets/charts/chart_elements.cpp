@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/charts/chart_elements.h"
 
-#include "widgets/base/badge.h"
 #include "widgets/base/calm_range.h"
-#include "widgets/base/tabular_text.h"
+#include "widgets/base/controls/badge.h"
+#include "widgets/base/numbers/tabular_text.h"
 #include "widgets/base/theme.h"
 
 #include <QFontMetricsF>

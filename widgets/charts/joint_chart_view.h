@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/arm_device.h"
-#include "backend/pipeline/touch_record.h"
+#include "backend/core/device/arm_device.h"
+#include "backend/pipeline/touch/touch_record.h"
 #include "backend/stiffness/joint_sample.h"
 #include "widgets/charts/joint_plot.h"
 #include "widgets/charts/time_chart_view.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/charts/time_chart_view.h"
 
+#include "widgets/base/controls/inline_edit.h"
 #include "widgets/base/icons.h"
-#include "widgets/base/inline_edit.h"
-#include "widgets/base/number_format.h"
+#include "widgets/base/numbers/number_format.h"
 #include "widgets/base/theme.h"
 #include "widgets/charts/time_plot.h"
 

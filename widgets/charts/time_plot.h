@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/base/badge.h"
 #include "widgets/base/calm_range.h"
-#include "widgets/base/number_format.h"
+#include "widgets/base/controls/badge.h"
+#include "widgets/base/numbers/number_format.h"
 #include "widgets/charts/chart_elements.h"
 #include "widgets/charts/display.h"
 #include "widgets/charts/polyline.h"

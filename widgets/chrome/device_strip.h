@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/device.h"
-#include "widgets/base/badge.h"
-#include "widgets/base/number_format.h"
+#include "backend/core/device/device.h"
+#include "widgets/base/controls/badge.h"
+#include "widgets/base/numbers/number_format.h"
 
 #include <QString>
 #include <QWidget>

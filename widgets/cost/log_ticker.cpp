@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/cost/log_ticker.h"
 
-#include "widgets/base/number_format.h"
+#include "widgets/base/numbers/number_format.h"
 
 #include <array>
 #include <cmath>

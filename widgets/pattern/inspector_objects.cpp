@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The rows of the inspector for parametric objects.
 #include "widgets/pattern/pattern_inspector.h"
-#include "widgets/pattern/timeline_menu.h"
+#include "widgets/pattern/timeline/timeline_menu.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/pattern/pattern_document.h"
+#include "widgets/pattern/document/pattern_document.h"
 
 #include <QTimer>
 #include <QWidget>

@@ -4,14 +4,14 @@
 #include "widgets/base/icons.h"
 #include "widgets/base/redo_keys.h"
 #include "widgets/base/theme.h"
+#include "widgets/pattern/document/pattern_names.h"
+#include "widgets/pattern/document/pattern_reference.h"
 #include "widgets/pattern/law_list.h"
 #include "widgets/pattern/pattern_inspector.h"
 #include "widgets/pattern/pattern_library.h"
-#include "widgets/pattern/pattern_names.h"
-#include "widgets/pattern/pattern_reference.h"
 #include "widgets/pattern/stroke_pad.h"
-#include "widgets/pattern/timeline_painter.h"
-#include "widgets/pattern/timeline_view.h"
+#include "widgets/pattern/timeline/timeline_painter.h"
+#include "widgets/pattern/timeline/timeline_view.h"
 
 #include <QAction>
 #include <QDoubleSpinBox>

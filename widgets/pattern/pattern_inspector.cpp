@@ -2,8 +2,8 @@
 #include "widgets/pattern/pattern_inspector.h"
 
 #include "widgets/base/theme.h"
-#include "widgets/pattern/timeline_menu.h"
-#include "widgets/pattern/timeline_painter.h"
+#include "widgets/pattern/timeline/timeline_menu.h"
+#include "widgets/pattern/timeline/timeline_painter.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/pattern/pattern_library.h"
 
-#include "backend/pattern/built_in_patterns.h"
+#include "backend/pattern/model/built_in_patterns.h"
 #include "widgets/base/icons.h"
-#include "widgets/base/number_format.h"
+#include "widgets/base/numbers/number_format.h"
 #include "widgets/base/theme.h"
-#include "widgets/pattern/pattern_names.h"
+#include "widgets/pattern/document/pattern_names.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/pattern/pattern.h"
+#include "backend/pattern/model/pattern.h"
 
 #include <QString>
 #include <QStringList>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/servo/force_strip.h"
 
-#include "widgets/base/number_format.h"
-#include "widgets/base/quantity_text.h"
-#include "widgets/base/tabular_text.h"
+#include "widgets/base/numbers/number_format.h"
+#include "widgets/base/numbers/quantity_text.h"
+#include "widgets/base/numbers/tabular_text.h"
 #include "widgets/base/theme.h"
 
 #include <QEvent>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/servo/servo_link.h"
-#include "widgets/base/badge.h"
+#include "widgets/base/controls/badge.h"
 
 #include <QWidget>
 

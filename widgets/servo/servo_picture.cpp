@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/servo/servo_picture.h"
 
-#include "widgets/base/number_format.h"
-#include "widgets/base/tabular_text.h"
+#include "widgets/base/numbers/number_format.h"
+#include "widgets/base/numbers/tabular_text.h"
 #include "widgets/base/theme.h"
 #include "widgets/servo/servo_texts.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/servo/servo_texts.h"
 
-#include "widgets/base/quantity_text.h"
+#include "widgets/base/numbers/quantity_text.h"
 
 #include <QStringList>
 

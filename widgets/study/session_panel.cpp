@@ -2,7 +2,7 @@
 #include "widgets/study/session_panel.h"
 
 #include "widgets/base/icons.h"
-#include "widgets/base/number_format.h"
+#include "widgets/base/numbers/number_format.h"
 #include "widgets/base/theme.h"
 #include "widgets/study/text_colour.h"
 #include "widgets/study/watermark.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/study/trial.h"
+#include "backend/study/protocol/trial.h"
 
 #include <QPalette>
 #include <QRectF>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/pipeline/touch_snapshot.h"
+#include "backend/pipeline/touch/touch_snapshot.h"
 
 #include <QWidget>
 

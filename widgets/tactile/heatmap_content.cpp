@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/tactile/heatmap_content.h"
 
-#include "widgets/base/number_format.h"
+#include "widgets/base/numbers/number_format.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/pipeline/touch_snapshot.h"
-#include "widgets/base/badge.h"
+#include "backend/pipeline/touch/touch_snapshot.h"
+#include "widgets/base/controls/badge.h"
 
 #include <QPointF>
 #include <QString>

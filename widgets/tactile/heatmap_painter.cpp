@@ -3,9 +3,9 @@
 
 #include "widgets/base/calm_range.h"
 #include "widgets/base/colour_maps.h"
-#include "widgets/base/number_format.h"
-#include "widgets/base/quantity_text.h"
-#include "widgets/base/tabular_text.h"
+#include "widgets/base/numbers/number_format.h"
+#include "widgets/base/numbers/quantity_text.h"
+#include "widgets/base/numbers/tabular_text.h"
 #include "widgets/base/theme.h"
 #include "widgets/tactile/contact_outline.h"
 

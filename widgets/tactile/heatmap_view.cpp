@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/tactile/heatmap_view.h"
 
+#include "widgets/base/controls/inline_edit.h"
 #include "widgets/base/focus_frame.h"
-#include "widgets/base/inline_edit.h"
 #include "widgets/base/theme.h"
 
 #include <QActionGroup>

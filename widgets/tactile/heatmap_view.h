@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/pipeline/touch_snapshot.h"
-#include "widgets/base/badge.h"
+#include "backend/pipeline/touch/touch_snapshot.h"
 #include "widgets/base/calm_range.h"
+#include "widgets/base/controls/badge.h"
 #include "widgets/base/figure_export.h"
-#include "widgets/base/number_format.h"
+#include "widgets/base/numbers/number_format.h"
 #include "widgets/tactile/heatmap_content.h"
 #include "widgets/tactile/heatmap_painter.h"
 

@@ -3,7 +3,7 @@
 
 #include "backend/core/number_text.h"
 #include "backend/figure/round_step.h"
-#include "widgets/base/number_format.h"
+#include "widgets/base/numbers/number_format.h"
 #include "widgets/base/theme.h"
 #include "widgets/touch/touch_texts.h"
 

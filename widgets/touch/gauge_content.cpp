@@ -8,17 +8,6 @@
 
 namespace teleta::touch {
 
-namespace {
-
-QString cNumber(const std::optional<double>& value) {
-    if (!value)
-        return QStringLiteral("NA");
-    const core::NumberText text(*value);
-    return QString::fromLatin1(text.view().data(), static_cast<qsizetype>(text.view().size()));
-}
-
-} // namespace
-
 QString GaugeTexts::headline(const GaugeContent& content) {
     return content.touch ? TouchTexts::estimate(content.touch->object) : tr("no stiffness");
 }
@@ -88,13 +77,13 @@ QString gaugeCsv(const GaugeContent& content) {
     const QStringList row{
         QString::fromLatin1(stiffness::toString(t.method)),
         QString::number(t.samples),
-        cNumber(t.deltaTheta_rad),
-        cNumber(t.deltaTorque_Nm),
-        cNumber(t.total.value_NPerM),
-        cNumber(t.total.se_NPerM),
-        cNumber(t.object.value_NPerM),
-        cNumber(t.object.lower95_NPerM),
-        cNumber(t.object.upper95_NPerM),
+        TouchTexts::fileNumber(t.deltaTheta_rad),
+        TouchTexts::fileNumber(t.deltaTorque_Nm),
+        TouchTexts::fileNumber(t.total.value_NPerM),
+        TouchTexts::fileNumber(t.total.se_NPerM),
+        TouchTexts::fileNumber(t.object.value_NPerM),
+        TouchTexts::fileNumber(t.object.lower95_NPerM),
+        TouchTexts::fileNumber(t.object.upper95_NPerM),
         QString::fromLatin1(stiffness::toString(t.material)),
         stiffness::isSafe(t.material) ? QStringLiteral("true") : QStringLiteral("false"),
         QString::number(stiffness::level(t.material)),

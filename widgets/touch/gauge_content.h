@@ -4,7 +4,7 @@
 #include "backend/stiffness/material.h"
 #include "backend/stiffness/refusal.h"
 #include "backend/stiffness/stiffness_estimator.h"
-#include "widgets/base/badge.h"
+#include "widgets/base/controls/badge.h"
 
 #include <QString>
 

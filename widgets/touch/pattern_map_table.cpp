@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/touch/pattern_map_table.h"
 
-#include "backend/pattern/pattern_json.h"
+#include "backend/pattern/files/pattern_json.h"
 #include "backend/stiffness/material.h"
 #include "widgets/base/icons.h"
 #include "widgets/base/redo_keys.h"

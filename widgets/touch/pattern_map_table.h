@@ -3,7 +3,7 @@
 
 #include "backend/contour/shape_recogniser.h"
 #include "backend/core/error.h"
-#include "backend/pattern/pattern_map.h"
+#include "backend/pattern/model/pattern_map.h"
 
 #include <QUndoStack>
 #include <QWidget>

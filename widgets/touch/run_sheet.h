@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/pipeline/found_objects.h"
-#include "widgets/base/badge.h"
+#include "backend/pipeline/touch/found_objects.h"
+#include "widgets/base/controls/badge.h"
 #include "widgets/base/figure_export.h"
 #include "widgets/touch/run_sheet_model.h"
 

@@ -2,7 +2,7 @@
 #include "widgets/touch/touch_model.h"
 
 #include "backend/core/number_text.h"
-#include "widgets/base/number_format.h"
+#include "widgets/base/numbers/number_format.h"
 #include "widgets/touch/safety_sign.h"
 #include "widgets/touch/touch_texts.h"
 
@@ -209,32 +209,31 @@ QIcon safetyIcon(bool safe) {
     return icon;
 }
 
-QString cNumber(const std::optional<double>& value) {
-    if (!value || std::isnan(*value))
-        return QStringLiteral("NA");
-    const core::NumberText text(*value);
-    return QString::fromLatin1(text.view().data(), static_cast<qsizetype>(text.view().size()));
-}
-
 QStringList fieldsOf(const TouchRecord& record) {
     const auto located = [&record](double value) {
-        return cNumber(record.located ? std::optional(value) : std::nullopt);
+        return TouchTexts::fileNumber(record.located ? std::optional(value) : std::nullopt);
     };
-    QStringList fields{QString::number(record.number), cNumber(record.start_s),
-                       cNumber(record.ready_s),        QString::number(record.joint + 1),
-                       cNumber(record.torque_Nm),      located(record.contactDistance_m),
+    QStringList fields{QString::number(record.number),
+                       TouchTexts::fileNumber(record.start_s),
+                       TouchTexts::fileNumber(record.ready_s),
+                       QString::number(record.joint + 1),
+                       TouchTexts::fileNumber(record.torque_Nm),
+                       located(record.contactDistance_m),
                        located(record.side_rad)};
     for (int i = 0; i < 3; ++i)
         fields << located(record.p_Base_Contact_m[i]);
     for (int i = 0; i < 3; ++i)
-        fields << cNumber(record.force && record.force->observable[static_cast<std::size_t>(i)]
-                              ? std::optional(record.force->force_N[i])
-                              : std::nullopt);
-    fields << cNumber(record.force ? std::optional(record.force->conditionNumber) : std::nullopt);
+        fields << TouchTexts::fileNumber(record.force && record.force->observable[static_cast<std::size_t>(i)]
+                                             ? std::optional(record.force->force_N[i])
+                                             : std::nullopt);
+    fields << TouchTexts::fileNumber(record.force ? std::optional(record.force->conditionNumber)
+                                                  : std::nullopt);
     if (record.stiffness) {
         const stiffness::TouchStiffness& s = *record.stiffness;
-        fields << cNumber(s.object.value_NPerM) << cNumber(s.object.lower95_NPerM)
-               << cNumber(s.object.upper95_NPerM) << QString::fromLatin1(stiffness::toString(s.material))
+        fields << TouchTexts::fileNumber(s.object.value_NPerM)
+               << TouchTexts::fileNumber(s.object.lower95_NPerM)
+               << TouchTexts::fileNumber(s.object.upper95_NPerM)
+               << QString::fromLatin1(stiffness::toString(s.material))
                << (stiffness::isSafe(s.material) ? QStringLiteral("true") : QStringLiteral("false"))
                << QString::number(stiffness::level(s.material));
     } else {

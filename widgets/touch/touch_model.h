@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/pipeline/touch_record.h"
+#include "backend/pipeline/touch/touch_record.h"
 
 #include <QAbstractTableModel>
 #include <QChar>

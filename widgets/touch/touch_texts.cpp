@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/touch/touch_texts.h"
 
-#include "widgets/base/quantity_text.h"
+#include "backend/core/number_text.h"
+#include "widgets/base/numbers/quantity_text.h"
+
+#include <cmath>
 
 namespace teleta::touch {
 
@@ -145,6 +148,13 @@ QString TouchTexts::interval(const stiffness::Stiffness& stiffness) {
         return {};
     const auto unitOf = [](const QString& text) { return text.section(kNoBreakSpace, 1); };
     return tr("%1 … %2").arg(unitOf(low) == unitOf(high) ? low.section(kNoBreakSpace, 0, 0) : low, high);
+}
+
+QString TouchTexts::fileNumber(const std::optional<double>& value) {
+    if (!value || std::isnan(*value))
+        return QStringLiteral("NA");
+    const core::NumberText text(*value);
+    return QString::fromLatin1(text.view().data(), static_cast<qsizetype>(text.view().size()));
 }
 
 } // namespace teleta::touch

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/contour/shape_recogniser.h"
-#include "backend/core/arm_device.h"
+#include "backend/core/device/arm_device.h"
 #include "backend/stiffness/material.h"
 #include "backend/stiffness/refusal.h"
 #include "backend/stiffness/stiffness_estimator.h"
@@ -11,6 +11,7 @@
 #include <QString>
 
 #include <cstddef>
+#include <optional>
 
 namespace teleta::touch {
 
@@ -38,6 +39,9 @@ public:
     /// … rigid" when rigid is not excluded; empty without one, when only a bound is known, or when its ends
     /// are the same.
     [[nodiscard]] static QString interval(const stiffness::Stiffness& stiffness);
+
+    /// A value as exported files have it: all digits, a point, "NA" for none.
+    [[nodiscard]] static QString fileNumber(const std::optional<double>& value);
 };
 
 } // namespace teleta::touch

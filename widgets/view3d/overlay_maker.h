@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/base/number_format.h"
+#include "widgets/base/numbers/number_format.h"
+#include "widgets/view3d/scene/touch_scene.h"
 #include "widgets/view3d/scene_camera.h"
 #include "widgets/view3d/scene_overlay.h"
-#include "widgets/view3d/touch_scene.h"
 
 #include <QCoreApplication>
 

@@ -3,12 +3,12 @@
 
 #include "widgets/base/figure_export.h"
 #include "widgets/base/theme.h"
-#include "widgets/view3d/geometry_export.h"
+#include "widgets/view3d/mesh/geometry_export.h"
 #include "widgets/view3d/overlay_maker.h"
+#include "widgets/view3d/scene/touch_scene.h"
 #include "widgets/view3d/scene_camera.h"
-#include "widgets/view3d/touch_scene.h"
 #include "widgets/view3d/view_icons.h"
-#include "widgets/view3d/vtk_widget.h"
+#include "widgets/view3d/vtk/vtk_widget.h"
 
 #include <QActionGroup>
 #include <QEvent>

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "backend/core/error.h"
-#include "backend/pipeline/touch_snapshot.h"
-#include "widgets/base/badge.h"
+#include "backend/pipeline/touch/touch_snapshot.h"
+#include "widgets/base/controls/badge.h"
+#include "widgets/view3d/mesh/surface_map.h"
 #include "widgets/view3d/orbit.h"
-#include "widgets/view3d/scene_types.h"
-#include "widgets/view3d/surface_map.h"
+#include "widgets/view3d/scene/scene_types.h"
 
 #include <QVariantMap>
 #include <QWidget>

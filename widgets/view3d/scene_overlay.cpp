@@ -2,8 +2,8 @@
 #include "widgets/view3d/scene_overlay.h"
 
 #include "widgets/base/colour_maps.h"
-#include "widgets/base/number_format.h"
-#include "widgets/base/tabular_text.h"
+#include "widgets/base/numbers/number_format.h"
+#include "widgets/base/numbers/tabular_text.h"
 #include "widgets/base/theme.h"
 
 #include <QFontMetricsF>

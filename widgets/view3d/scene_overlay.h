@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/base/badge.h"
+#include "widgets/base/controls/badge.h"
 
 #include <QColor>
 #include <QFont>

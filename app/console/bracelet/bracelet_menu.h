@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/console/base/console_settings.h"
 #include "app/console/bracelet/bracelet_station.h"
-#include "app/console/console_settings.h"
 
 #include <QObject>
 #include <QString>

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "app/console/bracelet/tapped_bracelet.h"
-#include "backend/core/bracelet_device.h"
+#include "backend/core/bracelet/bracelet_device.h"
 #include "backend/core/error.h"
-#include "backend/core/stop_switch.h"
-#include "backend/core/wakeup.h"
+#include "backend/core/threads/stop_switch.h"
+#include "backend/core/threads/wakeup.h"
 #include "backend/motors/motor_file.h"
 #include "backend/motors/wearer_limits.h"
 #include "backend/playback/player.h"

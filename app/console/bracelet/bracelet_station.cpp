@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/bracelet/bracelet_station.h"
 
-#include "app/console/background.h"
-#include "backend/core/device_state.h"
+#include "app/console/base/background.h"
+#include "backend/core/device/device_state.h"
 #include "backend/core/quantile.h"
 #include "backend/core/steady_time.h"
-#include "backend/pattern/built_in_patterns.h"
+#include "backend/pattern/model/built_in_patterns.h"
 #include "backend/playback/pattern_program.h"
-#include "widgets/base/quantity_text.h"
+#include "widgets/base/numbers/quantity_text.h"
 
 #include <algorithm>
 #include <chrono>

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "app/console/bracelet/bracelet_session.h"
-#include "backend/core/device_state.h"
-#include "backend/core/latest_copy.h"
-#include "backend/pattern/pattern_map.h"
-#include "backend/pipeline/tactile_feedback.h"
+#include "backend/core/device/device_state.h"
+#include "backend/core/threads/latest_copy.h"
+#include "backend/pattern/model/pattern_map.h"
+#include "backend/pipeline/touch/tactile_feedback.h"
 #include "widgets/chrome/device_strip.h"
 
 #include <QObject>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/bracelet/feedback_panel.h"
 
-#include "backend/pattern/built_in_patterns.h"
-#include "widgets/base/number_format.h"
+#include "backend/pattern/model/built_in_patterns.h"
+#include "widgets/base/numbers/number_format.h"
 #include "widgets/base/theme.h"
-#include "widgets/pattern/pattern_names.h"
+#include "widgets/pattern/document/pattern_names.h"
 #include "widgets/touch/touch_texts.h"
 
 #include <QComboBox>

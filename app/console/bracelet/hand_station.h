@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/wakeup.h"
+#include "backend/core/threads/wakeup.h"
 #include "devices/mouse3d/mouse3d.h"
 #include "widgets/chrome/device_strip.h"
-#include "widgets/touch/jog_panel.h"
+#include "widgets/touch/jog/jog_panel.h"
 
 #include <QCoreApplication>
 #include <QString>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/calibrate/calibrate_page.h"
 
-#include "app/console/page_stack.h"
+#include "app/console/base/page_stack.h"
 #include "widgets/base/theme.h"
 #include "widgets/calibrate/gains_view.h"
 #include "widgets/calibrate/motors_view.h"

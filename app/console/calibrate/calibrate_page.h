@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/console/calibrate/camera_calibrator.h"
+#include "app/console/calibrate/camera/camera_calibrator.h"
 #include "app/console/calibrate/gain_calibrator.h"
 #include "app/console/calibrate/motor_calibrator.h"
 #include "widgets/chrome/message_bar.h"

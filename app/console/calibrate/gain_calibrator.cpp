@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/calibrate/gain_calibrator.h"
 
-#include "app/console/background.h"
-#include "backend/core/frame_file.h"
+#include "app/console/base/background.h"
+#include "backend/core/data/frame_file.h"
 #include "backend/equilibration/taxel_gain_file.h"
 
 #include <QFileDialog>

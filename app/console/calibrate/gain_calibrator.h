@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/console/calibrate/press_collector.h"
-#include "app/console/operate/source_manager.h"
+#include "app/console/sources/source_manager.h"
 #include "backend/equilibration/taxel_gains.h"
 #include "widgets/calibrate/gains_view.h"
 

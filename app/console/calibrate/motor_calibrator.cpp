@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/calibrate/motor_calibrator.h"
 
-#include "app/console/background.h"
-#include "backend/core/pacing_clock.h"
+#include "app/console/base/background.h"
+#include "backend/core/threads/pacing_clock.h"
 #include "backend/motors/excitation.h"
 #include "backend/motors/excitation_run.h"
 #include "backend/motors/motor_file.h"

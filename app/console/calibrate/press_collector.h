@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/contact/frame_conditioner.h"
-#include "backend/core/stream_tap.h"
+#include "backend/core/device/stream_tap.h"
 #include "backend/pipeline/touch_channel.h"
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/cost/cost_measuring.h"
 
-#include "app/console/background.h"
+#include "app/console/base/background.h"
 #include "backend/cost/cost_file.h"
 
 #include <QDir>

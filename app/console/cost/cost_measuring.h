@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/core/error.h"
-#include "backend/core/latest_exchange.h"
+#include "backend/core/threads/latest_exchange.h"
 #include "backend/cost/ladder.h"
 #include "backend/cost/measurer.h"
 

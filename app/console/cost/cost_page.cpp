@@ -2,8 +2,8 @@
 #include "app/console/cost/cost_page.h"
 
 #include "backend/cost/frontier.h"
-#include "backend/vision/contacts/contact_ladder.h"
-#include "widgets/base/number_format.h"
+#include "backend/vision/finders/contact_ladder.h"
+#include "widgets/base/numbers/number_format.h"
 #include "widgets/base/theme.h"
 #include "widgets/camera/stage_bar.h"
 #include "widgets/chrome/empty_state.h"

@@ -3,7 +3,7 @@
 
 #include "app/console/help/library_versions.h"
 #include "widgets/charts/plot_version.h"
-#include "widgets/view3d/vtk_version.h"
+#include "widgets/view3d/vtk/vtk_version.h"
 
 #include <QCoreApplication>
 #include <QDialog>

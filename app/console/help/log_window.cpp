@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/help/log_window.h"
 
-#include "app/console/background.h"
+#include "app/console/base/background.h"
 #include "widgets/base/theme.h"
 #include "widgets/chrome/message_log.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/operate/arm_views.h"
 
-#include "backend/core/device_state.h"
+#include "backend/core/device/device_state.h"
 #include "backend/core/steady_time.h"
 #include "widgets/bracelet/bracelet_view.h"
 #include "widgets/touch/contour_view.h"
-#include "widgets/touch/jog_panel.h"
+#include "widgets/touch/jog/jog_panel.h"
 #include "widgets/touch/run_sheet.h"
 #include "widgets/touch/stiffness_gauge.h"
 #include "widgets/touch/touch_table.h"

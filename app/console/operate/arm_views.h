@@ -5,12 +5,12 @@
 #include "app/console/bracelet/feedback_panel.h"
 #include "app/console/operate/operate_docks.h"
 #include "backend/arm/arm4_kinematics.h"
-#include "backend/core/stop_switch.h"
+#include "backend/core/threads/stop_switch.h"
 #include "backend/pipeline/arm_channel.h"
-#include "widgets/base/badge.h"
+#include "widgets/base/controls/badge.h"
 #include "widgets/charts/joint_chart_view.h"
 #include "widgets/touch/run_sheet_model.h"
-#include "widgets/view3d/scene_types.h"
+#include "widgets/view3d/scene/scene_types.h"
 
 #include <QObject>
 

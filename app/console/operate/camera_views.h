@@ -3,7 +3,7 @@
 
 #include "app/console/operate/operate_docks.h"
 #include "backend/pipeline/camera_channel.h"
-#include "widgets/base/badge.h"
+#include "widgets/base/controls/badge.h"
 
 #include <QObject>
 

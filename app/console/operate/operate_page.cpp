@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/operate/operate_page.h"
 
-#include "backend/core/device_state.h"
+#include "backend/core/device/device_state.h"
 #include "backend/core/steady_time.h"
 #include "widgets/base/theme.h"
 #include "widgets/charts/strip_chart_view.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/operate/recording_controls.h"
 
-#include "app/console/operate/mark_views.h"
 #include "app/console/operate/operate_page.h"
+#include "app/console/operate/recording/mark_views.h"
 #include "backend/core/steady_time.h"
 #include "widgets/base/redo_keys.h"
 #include "widgets/chrome/recording_indicator.h"

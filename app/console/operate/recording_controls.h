@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/console/console_settings.h"
-#include "app/console/operate/recording_export.h"
-#include "app/console/operate/recording_station.h"
+#include "app/console/base/console_settings.h"
+#include "app/console/operate/recording/recording_export.h"
+#include "app/console/operate/recording/recording_station.h"
 
 #include <QObject>
 #include <QString>

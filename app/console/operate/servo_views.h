@@ -3,8 +3,8 @@
 
 #include "app/console/operate/operate_docks.h"
 #include "backend/servo/servo_link.h"
-#include "widgets/base/badge.h"
-#include "widgets/view3d/scene_types.h"
+#include "widgets/base/controls/badge.h"
+#include "widgets/view3d/scene/scene_types.h"
 
 #include <QObject>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/pattern/pattern_file.h"
-#include "backend/pattern/pattern_format.h"
+#include "backend/pattern/files/pattern_file.h"
+#include "backend/pattern/files/pattern_format.h"
 
 #include <QDialog>
 #include <QString>

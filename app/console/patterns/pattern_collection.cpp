@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/patterns/pattern_collection.h"
 
-#include "app/console/background.h"
-#include "backend/pattern/built_in_patterns.h"
+#include "app/console/base/background.h"
+#include "backend/pattern/model/built_in_patterns.h"
 #include "backend/playback/pattern_program.h"
-#include "widgets/pattern/pattern_names.h"
+#include "widgets/pattern/document/pattern_names.h"
 
 #include <QDir>
 #include <QFileInfo>

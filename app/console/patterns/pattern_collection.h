@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/pattern/pattern_folder.h"
+#include "backend/pattern/files/pattern_folder.h"
 #include "backend/playback/player_types.h"
 
 #include <QFileSystemWatcher>

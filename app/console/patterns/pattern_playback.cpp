@@ -2,9 +2,9 @@
 #include "app/console/patterns/pattern_playback.h"
 
 #include "backend/core/steady_time.h"
-#include "widgets/pattern/pattern_document.h"
+#include "widgets/pattern/document/pattern_document.h"
 #include "widgets/pattern/pattern_editor.h"
-#include "widgets/pattern/timeline_view.h"
+#include "widgets/pattern/timeline/timeline_view.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/console/bracelet/bracelet_station.h"
-#include "backend/pattern/pattern.h"
+#include "backend/pattern/model/pattern.h"
 
 #include <QObject>
 #include <QString>

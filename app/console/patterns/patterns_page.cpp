@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/patterns/patterns_page.h"
 
-#include "app/console/background.h"
+#include "app/console/base/background.h"
 #include "app/console/patterns/export_dialog.h"
-#include "backend/pattern/built_in_patterns.h"
-#include "backend/pattern/pattern_file.h"
-#include "backend/pattern/pattern_format.h"
+#include "backend/pattern/files/pattern_file.h"
+#include "backend/pattern/files/pattern_format.h"
+#include "backend/pattern/model/built_in_patterns.h"
 #include "widgets/base/theme.h"
 #include "widgets/bracelet/bracelet_view.h"
 #include "widgets/bracelet/strength_panel.h"
-#include "widgets/pattern/pattern_document.h"
+#include "widgets/pattern/document/pattern_document.h"
+#include "widgets/pattern/document/pattern_names.h"
 #include "widgets/pattern/pattern_editor.h"
 #include "widgets/pattern/pattern_library.h"
-#include "widgets/pattern/pattern_names.h"
-#include "widgets/pattern/timeline_view.h"
+#include "widgets/pattern/timeline/timeline_view.h"
 
 #include <QDateTime>
 #include <QDragEnterEvent>

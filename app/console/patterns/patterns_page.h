@@ -5,7 +5,7 @@
 #include "app/console/patterns/pattern_collection.h"
 #include "app/console/patterns/pattern_playback.h"
 #include "app/console/patterns/recovery_keeper.h"
-#include "backend/pattern/sampled_output.h"
+#include "backend/pattern/motors/sampled_output.h"
 #include "widgets/chrome/message_bar.h"
 
 #include <QString>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/patterns/recovery_keeper.h"
 
-#include "app/console/background.h"
+#include "app/console/base/background.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/pattern/recovery_file.h"
-#include "backend/study/file_claim.h"
+#include "backend/pattern/files/recovery_file.h"
+#include "backend/study/store/file_claim.h"
 
 #include <QObject>
 #include <QString>

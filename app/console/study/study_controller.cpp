@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/study/study_controller.h"
 
-#include "app/console/background.h"
+#include "app/console/base/background.h"
 #include "app/console/study/study_writing.h"
-#include "backend/study/study_export.h"
+#include "backend/study/report/study_export.h"
 
 #include <QCoreApplication>
 #include <QDateTime>

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/console/study/bracelet_stimulus.h"
-#include "app/console/study/questionnaire_round.h"
-#include "app/console/study/simulated_person.h"
-#include "app/console/study/study_desk.h"
+#include "app/console/study/running/bracelet_stimulus.h"
+#include "app/console/study/running/questionnaire_round.h"
+#include "app/console/study/running/simulated_person.h"
+#include "app/console/study/running/study_desk.h"
+#include "app/console/study/running/study_runner.h"
 #include "app/console/study/study_overview.h"
-#include "app/console/study/study_runner.h"
 #include "backend/core/steady_time.h"
-#include "backend/study/run_checks.h"
-#include "backend/study/study_scene.h"
+#include "backend/study/session/run_checks.h"
+#include "backend/study/session/study_scene.h"
 
 #include <QDateTime>
 #include <QObject>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/study/due_questionnaires.h"
-#include "backend/study/study_store.h"
+#include "backend/study/session/due_questionnaires.h"
+#include "backend/study/store/study_store.h"
 
 #include <cstddef>
 #include <memory>

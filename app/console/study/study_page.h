@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/console/study/noise_player.h"
-#include "app/console/study/participant_placement.h"
+#include "app/console/study/running/noise_player.h"
+#include "app/console/study/running/participant_placement.h"
 #include "app/console/study/study_controller.h"
 #include "app/console/study/study_leaving.h"
 #include "app/console/study/study_scenes.h"

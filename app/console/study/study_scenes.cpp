@@ -2,7 +2,7 @@
 #include "app/console/study/study_scenes.h"
 
 #include "app/console/study/trial_lines.h"
-#include "backend/study/stimulus_set.h"
+#include "backend/study/protocol/stimulus_set.h"
 #include "widgets/study/study_names.h"
 
 #include <QLocale>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/console/study/study_controller.h"
-#include "widgets/study/confusion_picture.h"
-#include "widgets/study/participant_scene.h"
+#include "widgets/study/participant/participant_scene.h"
+#include "widgets/study/results/confusion_picture.h"
 #include "widgets/study/session_scene.h"
 #include "widgets/study/study_panel.h"
 

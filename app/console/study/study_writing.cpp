@@ -2,10 +2,10 @@
 #include "app/console/study/study_writing.h"
 
 #include "backend/figure/figure_file.h"
-#include "backend/study/study_export.h"
-#include "backend/study/study_figures.h"
-#include "backend/study/study_report.h"
-#include "backend/study/trial_source.h"
+#include "backend/study/analysis/trial_source.h"
+#include "backend/study/report/study_export.h"
+#include "backend/study/report/study_figures.h"
+#include "backend/study/report/study_report.h"
 
 #include <QCoreApplication>
 #include <QDir>

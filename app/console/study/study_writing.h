@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/study/study_results.h"
-#include "backend/study/study_store.h"
+#include "backend/study/analysis/study_results.h"
+#include "backend/study/store/study_store.h"
 
 #include <QString>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/study/confusion_matrix.h"
-#include "backend/study/protocol.h"
-#include "backend/study/trial.h"
+#include "backend/study/analysis/confusion_matrix.h"
+#include "backend/study/protocol/protocol.h"
+#include "backend/study/protocol/trial.h"
 #include "widgets/study/session_scene.h"
 
 #include <cstddef>

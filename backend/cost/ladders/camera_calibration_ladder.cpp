@@ -3,8 +3,8 @@
 #include "backend/cost/ladders/exact_camera.h"
 #include "backend/cost/ladders/ladder_text.h"
 #include "backend/cost/ladders/ladders.h"
-#include "backend/vision/camera_calibration.h"
-#include "backend/vision/nominal_camera.h"
+#include "backend/vision/calibration/camera_calibration.h"
+#include "backend/vision/camera/nominal_camera.h"
 
 #include <memory>
 #include <numbers>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/cost/ladders/camera_lottery.h"
 
-#include "backend/vision/nominal_camera.h"
+#include "backend/vision/camera/nominal_camera.h"
 
 #include <Eigen/Geometry>
 

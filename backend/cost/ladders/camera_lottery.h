@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/simulation/random_stream.h"
-#include "backend/vision/camera_model.h"
+#include "backend/simulation/base/random_stream.h"
+#include "backend/vision/camera/camera_model.h"
 
 namespace teleta::cost {
 

@@ -2,10 +2,10 @@
 #include "backend/cost/ladders/exact_camera.h"
 #include "backend/cost/ladders/ladder_text.h"
 #include "backend/cost/ladders/ladders.h"
+#include "backend/simulation/base/random_stream.h"
 #include "backend/simulation/camera/simulated_tube.h"
-#include "backend/simulation/random_stream.h"
-#include "backend/vision/contacts/contact_ladder.h"
-#include "backend/vision/nominal_camera.h"
+#include "backend/vision/camera/nominal_camera.h"
+#include "backend/vision/finders/contact_ladder.h"
 
 #include <memory>
 #include <numbers>

@@ -2,7 +2,7 @@
 #include "backend/contour/cubic_spline.h"
 #include "backend/cost/ladders/ladder_text.h"
 #include "backend/cost/ladders/ladders.h"
-#include "backend/simulation/random_stream.h"
+#include "backend/simulation/base/random_stream.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/vision/camera_model.h"
+#include "backend/vision/camera/camera_model.h"
 
 #include <Eigen/Core>
 

@@ -2,7 +2,7 @@
 #include "backend/cost/ladders/ladder_text.h"
 #include "backend/cost/ladders/ladders.h"
 #include "backend/scene/scene_reader.h"
-#include "backend/simulation/simulated_array.h"
+#include "backend/simulation/array/simulated_array.h"
 
 #include <QFile>
 

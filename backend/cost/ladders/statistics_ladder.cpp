@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/cost/ladders/ladder_text.h"
 #include "backend/cost/ladders/ladders.h"
-#include "backend/study/simulated_participant.h"
-#include "backend/study/transfer_interval.h"
+#include "backend/study/analysis/transfer_interval.h"
+#include "backend/study/session/simulated_participant.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/cost/ladders/ladder_text.h"
 #include "backend/cost/ladders/ladders.h"
-#include "backend/simulation/random_stream.h"
+#include "backend/simulation/base/random_stream.h"
 #include "backend/stiffness/stiffness_estimator.h"
 
 #include <array>

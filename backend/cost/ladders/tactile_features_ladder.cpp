@@ -3,8 +3,8 @@
 #include "backend/contact/tactile_features.h"
 #include "backend/cost/ladders/ladder_text.h"
 #include "backend/cost/ladders/ladders.h"
-#include "backend/simulation/foundation_contact.h"
-#include "backend/simulation/random_stream.h"
+#include "backend/simulation/array/foundation_contact.h"
+#include "backend/simulation/base/random_stream.h"
 
 #include <Eigen/Core>
 

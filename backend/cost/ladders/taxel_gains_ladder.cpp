@@ -2,7 +2,7 @@
 #include "backend/cost/ladders/ladder_text.h"
 #include "backend/cost/ladders/ladders.h"
 #include "backend/equilibration/taxel_gains.h"
-#include "backend/simulation/random_stream.h"
+#include "backend/simulation/base/random_stream.h"
 
 #include <array>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include "backend/cost/ladders/exact_camera.h"
 #include "backend/cost/ladders/ladder_text.h"
 #include "backend/cost/ladders/ladders.h"
-#include "backend/vision/undistortion.h"
+#include "backend/vision/camera/undistortion.h"
 
 #include <Eigen/Geometry>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "backend/scene/arm_world.h"
-#include "backend/simulation/arm/arm_inertia.h"
 #include "backend/simulation/arm/outline_geometry.h"
+#include "backend/simulation/base/arm_inertia.h"
 
 #include <optional>
 #include <vector>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/arm/arm4_kinematics.h"
-#include "backend/core/arm_device.h"
+#include "backend/core/device/arm_device.h"
 #include "backend/scene/arm_world.h"
 #include "backend/simulation/arm/smooth_move.h"
 

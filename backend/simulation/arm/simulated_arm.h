@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/arm_device.h"
+#include "backend/core/device/arm_device.h"
 #include "backend/core/error.h"
 #include "backend/scene/scene.h"
 #include "backend/simulation/arm/arm_program.h"
 #include "backend/simulation/arm/flexible_arm.h"
 #include "backend/simulation/arm/skin_sheet.h"
-#include "backend/simulation/effect_time.h"
+#include "backend/simulation/base/effect_time.h"
+#include "backend/simulation/base/joint_effect.h"
 #include "backend/simulation/effects/effect_chain.h"
-#include "backend/simulation/effects/joint_effect.h"
 
 #include <cstdint>
 #include <memory>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/arm_device.h"
+#include "backend/core/device/arm_device.h"
 #include "backend/core/error.h"
 #include "backend/scene/scene.h"
 #include "backend/simulation/arm/delayed_line.h"
 #include "backend/simulation/arm/scripted_operator.h"
 #include "backend/simulation/arm/simulated_arm.h"
-#include "backend/simulation/effect_time.h"
+#include "backend/simulation/base/effect_time.h"
 
 #include <cstdint>
 #include <memory>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/latest_copy.h"
-#include "backend/core/mailbox.h"
+#include "backend/core/threads/latest_copy.h"
+#include "backend/core/threads/mailbox.h"
 #include "backend/simulation/camera/carrier_arm.h"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/simulation/camera/probing_plan.h"
 
-#include "backend/simulation/random_stream.h"
+#include "backend/simulation/base/random_stream.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/scene/camera_world.h"
-#include "backend/simulation/camera/skin_deformation.h"
+#include "backend/simulation/camera/skin/skin_deformation.h"
 
 #include <Eigen/Core>
 

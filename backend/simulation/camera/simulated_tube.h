@@ -3,13 +3,13 @@
 
 #include "backend/core/error.h"
 #include "backend/scene/scene.h"
+#include "backend/simulation/array/keyframe_motion.h"
+#include "backend/simulation/base/effect_time.h"
 #include "backend/simulation/camera/carrier_arm.h"
 #include "backend/simulation/camera/effects/camera_effect.h"
 #include "backend/simulation/camera/probing_plan.h"
 #include "backend/simulation/camera/skin_renderer.h"
-#include "backend/simulation/effect_time.h"
-#include "backend/simulation/keyframe_motion.h"
-#include "backend/vision/cylinder_projection.h"
+#include "backend/vision/camera/cylinder_projection.h"
 
 #include <cstdint>
 #include <memory>

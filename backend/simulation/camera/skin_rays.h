@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/simulation/camera/skin_deformation.h"
+#include "backend/simulation/camera/skin/skin_deformation.h"
 
 #include <Eigen/Core>
 

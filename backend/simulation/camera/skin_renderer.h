@@ -2,9 +2,9 @@
 #pragma once
 
 #include "backend/scene/camera_world.h"
-#include "backend/simulation/camera/printed_dots.h"
-#include "backend/simulation/camera/skin_deformation.h"
-#include "backend/vision/cylinder_projection.h"
+#include "backend/simulation/camera/skin/printed_dots.h"
+#include "backend/simulation/camera/skin/skin_deformation.h"
+#include "backend/vision/camera/cylinder_projection.h"
 
 #include <opencv2/core.hpp>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/camera_source.h"
+#include "backend/core/device/camera_source.h"
+#include "backend/core/device/scene_control.h"
 #include "backend/core/error.h"
-#include "backend/core/scene_control.h"
 #include "backend/scene/scene.h"
 #include "backend/simulation/camera/carrier_link.h"
-#include "backend/vision/cylinder_projection.h"
+#include "backend/vision/camera/cylinder_projection.h"
 
 #include <cstdint>
 #include <memory>

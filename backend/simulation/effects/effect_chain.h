@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/simulation/effect_time.h"
-#include "backend/simulation/effects/effect.h"
+#include "backend/simulation/base/effect.h"
+#include "backend/simulation/base/effect_time.h"
 
 #include <memory>
 #include <span>

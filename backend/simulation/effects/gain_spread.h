@@ -2,8 +2,8 @@
 #pragma once
 
 #include "backend/scene/scene.h"
-#include "backend/simulation/effects/effect.h"
-#include "backend/simulation/random_stream.h"
+#include "backend/simulation/base/effect.h"
+#include "backend/simulation/base/random_stream.h"
 
 #include <cstddef>
 #include <vector>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "backend/scene/scene.h"
-#include "backend/simulation/arm/arm_inertia.h"
-#include "backend/simulation/effects/joint_effect.h"
+#include "backend/simulation/base/arm_inertia.h"
+#include "backend/simulation/base/joint_effect.h"
 
 namespace teleta::simulation {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/array_layout.h"
+#include "backend/core/data/array_layout.h"
 #include "backend/scene/scene.h"
-#include "backend/simulation/effects/effect.h"
+#include "backend/simulation/base/effect.h"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/scene/scene.h"
-#include "backend/simulation/effects/joint_effect.h"
+#include "backend/simulation/base/joint_effect.h"
 
 #include <cstdint>
 #include <memory>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/scene/scene.h"
-#include "backend/simulation/random_stream.h"
+#include "backend/simulation/base/random_stream.h"
 
 #include <optional>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/scene/scene.h"
-#include "backend/simulation/effects/effect.h"
+#include "backend/simulation/base/effect.h"
 
 namespace teleta::simulation {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/simulation/effects/effect.h"
+#include "backend/simulation/base/effect.h"
 
 namespace teleta::simulation {
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "backend/scene/scene.h"
-#include "backend/simulation/effects/joint_effect.h"
-#include "backend/simulation/random_stream.h"
+#include "backend/simulation/base/joint_effect.h"
+#include "backend/simulation/base/random_stream.h"
 
 namespace teleta::simulation {
 

@@ -3,9 +3,9 @@
 
 #include "backend/core/error.h"
 #include "backend/scene/scene.h"
-#include "backend/simulation/effect_time.h"
+#include "backend/simulation/base/effect_time.h"
+#include "backend/simulation/base/random_stream.h"
 #include "backend/simulation/effects/effect_chain.h"
-#include "backend/simulation/random_stream.h"
 #include "backend/simulation/servo/impedance_arm.h"
 
 #include <Eigen/Geometry>

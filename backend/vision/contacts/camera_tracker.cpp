@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/vision/contacts/camera_tracker.h"
 
-#include "backend/vision/contacts/vision_text.h"
+#include "backend/vision/finders/vision_text.h"
 
 #include <utility>
 

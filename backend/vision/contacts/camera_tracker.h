@@ -2,9 +2,9 @@
 #pragma once
 
 #include "backend/core/error.h"
-#include "backend/vision/contacts/contact_finder.h"
 #include "backend/vision/contacts/contact_identities.h"
 #include "backend/vision/contacts/contact_reactions.h"
+#include "backend/vision/finders/contact_finder.h"
 
 #include <cstdint>
 #include <memory>

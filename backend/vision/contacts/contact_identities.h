@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/vision/contacts/camera_contact.h"
 #include "backend/vision/contacts/depth_rate.h"
+#include "backend/vision/finders/camera_contact.h"
 
 #include <vector>
 

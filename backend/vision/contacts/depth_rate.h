@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/vision/contacts/camera_contact.h"
+#include "backend/vision/finders/camera_contact.h"
 
 #include <vector>
 

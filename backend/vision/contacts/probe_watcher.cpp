@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/vision/contacts/probe_watcher.h"
 
-#include "backend/vision/contacts/contact_ladder.h"
-#include "backend/vision/nominal_camera.h"
+#include "backend/vision/camera/nominal_camera.h"
+#include "backend/vision/finders/contact_ladder.h"
 
 #include <utility>
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "backend/core/error.h"
-#include "backend/vision/camera_calibration.h"
-#include "backend/vision/contacts/contact_finder.h"
+#include "backend/vision/calibration/camera_calibration.h"
 #include "backend/vision/contacts/pair_collector.h"
+#include "backend/vision/finders/contact_finder.h"
 
 #include <Eigen/Core>
 #include <opencv2/core.hpp>

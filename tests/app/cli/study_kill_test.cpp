@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/portable_random.h"
-#include "backend/study/rehearsal.h"
-#include "backend/study/study_store.h"
+#include "backend/study/protocol/portable_random.h"
+#include "backend/study/session/rehearsal.h"
+#include "backend/study/store/study_store.h"
 #include "tests/app/cli/program_run.h"
 
 #include <QCoreApplication>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/simulation/camera/simulated_tube.h"
-#include "backend/vision/camera_file.h"
-#include "backend/vision/contacts/contact_ladder.h"
+#include "backend/vision/calibration/camera_file.h"
+#include "backend/vision/finders/contact_ladder.h"
 #include "tests/app/cli/program_run.h"
 #include "tests/backend/simulation/camera/camera_scene.h"
 

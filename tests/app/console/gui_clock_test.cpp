@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/console/gui_clock.h"
+#include "app/console/base/gui_clock.h"
 
 #include <QElapsedTimer>
 #include <QSignalSpy>

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/calibrate/calibrate_page.h"
 #include "app/console/main_window.h"
-#include "app/console/study/protocol_dialog.h"
+#include "app/console/study/forms/protocol_dialog.h"
 #include "app/console/study/study_page.h"
-#include "backend/study/study_store.h"
+#include "backend/study/store/study_store.h"
 #include "tests/app/console/study/study_bench.h"
 #include "widgets/base/theme.h"
 #include "widgets/calibrate/gains_view.h"
 #include "widgets/calibrate/motors_view.h"
 #include "widgets/chrome/page_rail.h"
-#include "widgets/view3d/gl_setup.h"
+#include "widgets/view3d/vtk/gl_setup.h"
 
 #include <QApplication>
 #include <QFile>

@@ -3,7 +3,7 @@
 #include "app/console/study/study_page.h"
 #include "widgets/base/theme.h"
 #include "widgets/chrome/message_bar.h"
-#include "widgets/view3d/gl_setup.h"
+#include "widgets/view3d/vtk/gl_setup.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>

@@ -3,7 +3,7 @@
 #include "app/console/operate/recording_controls.h"
 #include "backend/recording/recording.h"
 #include "widgets/base/theme.h"
-#include "widgets/view3d/gl_setup.h"
+#include "widgets/view3d/vtk/gl_setup.h"
 
 #include <QApplication>
 #include <QFile>

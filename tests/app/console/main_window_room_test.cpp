@@ -5,7 +5,7 @@
 #include "widgets/chrome/demo_list.h"
 #include "widgets/chrome/page_rail.h"
 #include "widgets/chrome/stop_button.h"
-#include "widgets/view3d/gl_setup.h"
+#include "widgets/view3d/vtk/gl_setup.h"
 
 #include <QAction>
 #include <QApplication>

@@ -3,8 +3,8 @@
 #include "app/console/main_window.h"
 #include "app/console/operate/operate_page.h"
 #include "app/console/study/study_page.h"
-#include "backend/study/study_store.h"
-#include "widgets/base/quantity_text.h"
+#include "backend/study/store/study_store.h"
+#include "widgets/base/numbers/quantity_text.h"
 #include "widgets/base/theme.h"
 #include "widgets/charts/strip_chart_view.h"
 #include "widgets/chrome/device_strip.h"
@@ -14,8 +14,8 @@
 #include "widgets/servo/servo_panel.h"
 #include "widgets/servo/servo_runs_view.h"
 #include "widgets/tactile/heatmap_view.h"
-#include "widgets/touch/jog_panel.h"
-#include "widgets/view3d/gl_setup.h"
+#include "widgets/touch/jog/jog_panel.h"
+#include "widgets/view3d/vtk/gl_setup.h"
 
 #include <QApplication>
 #include <QDialog>

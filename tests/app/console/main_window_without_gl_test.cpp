@@ -2,9 +2,9 @@
 #include "app/console/main_window.h"
 #include "app/console/operate/operate_page.h"
 #include "widgets/base/theme.h"
-#include "widgets/view3d/gl_setup.h"
 #include "widgets/view3d/scene3d_view.h"
-#include "widgets/view3d/vtk_widget.h"
+#include "widgets/view3d/vtk/gl_setup.h"
+#include "widgets/view3d/vtk/vtk_widget.h"
 
 #include <QApplication>
 #include <QDockWidget>

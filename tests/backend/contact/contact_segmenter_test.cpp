@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/contact/contact_segmenter.h"
 #include "backend/scene/scene_reader.h"
-#include "backend/simulation/simulated_array.h"
+#include "backend/simulation/array/simulated_array.h"
 #include "tests/backend/contact/allocation_count.h"
 #include "tests/backend/contact/contact_frames.h"
 

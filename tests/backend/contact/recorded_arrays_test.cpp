@@ -3,7 +3,7 @@
 #include "backend/contact/contact_tracker.h"
 #include "backend/contact/frame_conditioner.h"
 #include "backend/contact/tactile_features.h"
-#include "backend/core/frame_file.h"
+#include "backend/core/data/frame_file.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/core/bounded_queue.h"
-#include "backend/core/wakeup.h"
+#include "backend/core/threads/bounded_queue.h"
+#include "backend/core/threads/wakeup.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/core/bracelet_link.h"
+#include "backend/core/bracelet/bracelet_link.h"
 #include "tests/devices/manual_clock.h"
 
 #include <gtest/gtest.h>

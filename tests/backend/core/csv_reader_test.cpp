@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/core/csv_reader.h"
+#include "backend/core/data/csv_reader.h"
 #include "tests/backend/core/temporary_folder.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/core/csv_reader.h"
-#include "backend/core/csv_writer.h"
+#include "backend/core/data/csv_reader.h"
+#include "backend/core/data/csv_writer.h"
 #include "tests/backend/core/temporary_folder.h"
 
 #include <gtest/gtest.h>

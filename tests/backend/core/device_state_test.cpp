@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/core/device_state.h"
+#include "backend/core/device/device_state.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/core/echo_ledger.h"
+#include "backend/core/bracelet/echo_ledger.h"
 
 #include <gtest/gtest.h>
 

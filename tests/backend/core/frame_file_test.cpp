@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/core/frame_file.h"
+#include "backend/core/data/frame_file.h"
 #include "tests/backend/core/temporary_folder.h"
 
 #include <gtest/gtest.h>

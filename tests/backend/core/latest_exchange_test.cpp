@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/core/latest_exchange.h"
+#include "backend/core/threads/latest_exchange.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/core/mailbox.h"
-#include "backend/core/stop_switch.h"
+#include "backend/core/threads/mailbox.h"
+#include "backend/core/threads/stop_switch.h"
 
 #include <gtest/gtest.h>
 

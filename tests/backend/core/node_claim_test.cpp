@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/core/node_claim.h"
+#include "backend/core/device/node_claim.h"
 #include "tests/backend/core/temporary_folder.h"
 
 #include <gtest/gtest.h>

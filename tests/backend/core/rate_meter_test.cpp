@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/core/rate_meter.h"
+#include "backend/core/device/rate_meter.h"
 
 #include <gtest/gtest.h>
 

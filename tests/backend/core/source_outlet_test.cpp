@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/core/source_outlet.h"
+#include "backend/core/device/source_outlet.h"
 
 #include <gtest/gtest.h>
 

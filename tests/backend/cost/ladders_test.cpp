@@ -2,7 +2,7 @@
 #include "backend/cost/ladders/exact_camera.h"
 #include "backend/cost/ladders/ladders.h"
 #include "backend/simulation/camera/simulated_tube.h"
-#include "backend/vision/nominal_camera.h"
+#include "backend/vision/camera/nominal_camera.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/figure/figure_file.h"
-#include "backend/study/confusion_figure.h"
+#include "backend/study/report/confusion_figure.h"
 #include "tests/backend/core/temporary_folder.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/pattern/built_in_patterns.h"
-#include "backend/pattern/comparison.h"
+#include "backend/pattern/edit/comparison.h"
+#include "backend/pattern/model/built_in_patterns.h"
 
 #include <gtest/gtest.h>
 

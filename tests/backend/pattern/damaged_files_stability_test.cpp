@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/pattern/pattern_file.h"
+#include "backend/pattern/files/pattern_file.h"
 #include "tests/backend/core/temporary_folder.h"
 
 #include <gtest/gtest.h>

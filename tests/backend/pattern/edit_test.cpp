@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/pattern/bake.h"
-#include "backend/pattern/built_in_patterns.h"
-#include "backend/pattern/edit.h"
-#include "backend/pattern/pattern_file.h"
+#include "backend/pattern/edit/edit.h"
+#include "backend/pattern/files/pattern_file.h"
+#include "backend/pattern/model/bake.h"
+#include "backend/pattern/model/built_in_patterns.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/pattern/motor_prediction.h"
-#include "backend/pattern/track_envelope.h"
+#include "backend/pattern/edit/track_envelope.h"
+#include "backend/pattern/motors/motor_prediction.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/pattern/pattern.h"
+#include "backend/pattern/model/pattern.h"
 #include "tests/support/floating_point_traps.h"
 
 #include <gtest/gtest.h>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/pattern/ahap.h"
-#include "backend/pattern/bake.h"
-#include "backend/pattern/built_in_patterns.h"
-#include "backend/pattern/haptic_file.h"
-#include "backend/pattern/hjif.h"
-#include "backend/pattern/pattern_file.h"
-#include "backend/pattern/tact.h"
+#include "backend/pattern/files/ahap.h"
+#include "backend/pattern/files/haptic_file.h"
+#include "backend/pattern/files/hjif.h"
+#include "backend/pattern/files/pattern_file.h"
+#include "backend/pattern/files/tact.h"
+#include "backend/pattern/model/bake.h"
+#include "backend/pattern/model/built_in_patterns.h"
 #include "tests/backend/core/temporary_folder.h"
 
 #include <gtest/gtest.h>

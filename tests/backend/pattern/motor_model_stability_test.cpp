@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/pattern/motor_model.h"
+#include "backend/pattern/motors/motor_model.h"
 #include "tests/support/floating_point_traps.h"
 
 #include <gtest/gtest.h>

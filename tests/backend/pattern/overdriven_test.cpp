@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/pattern/built_in_patterns.h"
-#include "backend/pattern/overdriven.h"
+#include "backend/pattern/model/built_in_patterns.h"
+#include "backend/pattern/motors/overdriven.h"
 
 #include <gtest/gtest.h>
 

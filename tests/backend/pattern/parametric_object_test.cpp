@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/pattern/laws.h"
-#include "backend/pattern/parametric_object.h"
+#include "backend/pattern/model/laws.h"
+#include "backend/pattern/model/parametric_object.h"
 
 #include <gtest/gtest.h>
 

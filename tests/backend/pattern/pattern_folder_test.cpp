@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/pattern/built_in_patterns.h"
-#include "backend/pattern/pattern_file.h"
-#include "backend/pattern/pattern_folder.h"
-#include "backend/pattern/recovery_file.h"
+#include "backend/pattern/files/pattern_file.h"
+#include "backend/pattern/files/pattern_folder.h"
+#include "backend/pattern/files/recovery_file.h"
+#include "backend/pattern/model/built_in_patterns.h"
 #include "tests/backend/core/temporary_folder.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/pattern/built_in_patterns.h"
-#include "backend/pattern/pattern_file.h"
-#include "backend/pattern/pattern_json.h"
+#include "backend/pattern/files/pattern_file.h"
+#include "backend/pattern/files/pattern_json.h"
+#include "backend/pattern/model/built_in_patterns.h"
 #include "tests/backend/core/temporary_folder.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files that are JSON, but not the JSON of their format: every value of a good file replaced by values of
 // every other type, and nesting without an end.
-#include "backend/pattern/law_checker.h"
-#include "backend/pattern/pattern_file.h"
+#include "backend/pattern/files/pattern_file.h"
+#include "backend/pattern/laws/law_checker.h"
 #include "tests/backend/core/temporary_folder.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/pipeline/contour_explorer.h"
+#include "backend/pipeline/touch/contour_explorer.h"
 
 #include <gtest/gtest.h>
 

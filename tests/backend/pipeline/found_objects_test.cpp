@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/pipeline/found_objects.h"
+#include "backend/pipeline/touch/found_objects.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "backend/arm/arm4_kinematics.h"
-#include "backend/core/arm_device.h"
-#include "backend/pipeline/touch_record.h"
+#include "backend/core/device/arm_device.h"
+#include "backend/pipeline/touch/touch_record.h"
 
 #include <cmath>
 #include <cstdint>

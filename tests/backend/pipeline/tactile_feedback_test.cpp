@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/pattern/built_in_patterns.h"
-#include "backend/pipeline/tactile_feedback.h"
+#include "backend/pattern/model/built_in_patterns.h"
+#include "backend/pipeline/touch/tactile_feedback.h"
 #include "backend/playback/pattern_program.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/pipeline/touch_estimator.h"
+#include "backend/pipeline/touch/touch_estimator.h"
 #include "tests/backend/pipeline/scripted_arm.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/pattern/overdriven.h"
+#include "backend/pattern/motors/overdriven.h"
 #include "backend/playback/pattern_program.h"
 #include "backend/playback/playback_cycle.h"
 #include "tests/backend/playback/scripted_bracelet.h"

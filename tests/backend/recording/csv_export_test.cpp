@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/core/csv_reader.h"
-#include "backend/core/frame_file.h"
+#include "backend/core/data/csv_reader.h"
+#include "backend/core/data/frame_file.h"
 #include "backend/recording/csv_export.h"
 #include "backend/recording/stream_columns.h"
 #include "tests/backend/recording/recorded_files.h"

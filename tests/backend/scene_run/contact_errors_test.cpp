@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/scene_run/contact_errors.h"
+#include "backend/scene_run/array/contact_errors.h"
 
 #include <gtest/gtest.h>
 

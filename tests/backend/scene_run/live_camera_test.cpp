@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/core/camera_frame_queue.h"
+#include "backend/core/device/camera_frame_queue.h"
 #include "backend/core/steady_time.h"
 #include "backend/pipeline/camera_channel.h"
-#include "backend/scene_run/scene_reaction.h"
+#include "backend/scene_run/camera/scene_reaction.h"
 #include "backend/simulation/camera/tube_camera.h"
 #include "tests/backend/simulation/camera/camera_scene.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/scene_run/scene_summary.h"
+#include "backend/scene_run/base/scene_summary.h"
 #include "tests/backend/core/temporary_folder.h"
 
 #include <gtest/gtest.h>

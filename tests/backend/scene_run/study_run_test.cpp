@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/pattern/built_in_patterns.h"
-#include "backend/scene_run/stimulus_bracelet.h"
-#include "backend/scene_run/study_run.h"
+#include "backend/pattern/model/built_in_patterns.h"
+#include "backend/scene_run/study/stimulus_bracelet.h"
+#include "backend/scene_run/study/study_run.h"
 #include "tests/backend/core/temporary_folder.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/scene/scene.h"
-#include "backend/simulation/foundation_contact.h"
+#include "backend/simulation/array/foundation_contact.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/simulation/foundation_contact.h"
+#include "backend/simulation/array/foundation_contact.h"
 #include "tests/backend/simulation/array_scene.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/simulation/keyframe_motion.h"
+#include "backend/simulation/array/keyframe_motion.h"
 
 #include <gtest/gtest.h>
 

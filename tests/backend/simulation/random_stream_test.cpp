@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/simulation/random_stream.h"
+#include "backend/simulation/base/random_stream.h"
 
 #include <gtest/gtest.h>
 

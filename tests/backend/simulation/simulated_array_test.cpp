@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/scene/scene_reader.h"
-#include "backend/simulation/simulated_array.h"
+#include "backend/simulation/array/simulated_array.h"
 #include "tests/backend/simulation/array_scene.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/confusion_figure.h"
-#include "backend/study/study_figures.h"
+#include "backend/study/report/confusion_figure.h"
+#include "backend/study/report/study_figures.h"
 #include "tests/backend/core/temporary_folder.h"
 #include "tests/backend/study/paper_tables.h"
 

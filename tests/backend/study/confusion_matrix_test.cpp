@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/confusion_matrix.h"
+#include "backend/study/analysis/confusion_matrix.h"
 #include "tests/backend/study/paper_tables.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/due_questionnaires.h"
+#include "backend/study/session/due_questionnaires.h"
 
 #include <gtest/gtest.h>
 

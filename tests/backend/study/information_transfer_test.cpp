@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/information_transfer.h"
-#include "backend/study/portable_random.h"
+#include "backend/study/analysis/information_transfer.h"
+#include "backend/study/protocol/portable_random.h"
 #include "tests/backend/study/paper_tables.h"
 
 #include <gtest/gtest.h>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/pattern/built_in_patterns.h"
-#include "backend/pattern/pattern_file.h"
-#include "backend/pattern/pattern_json.h"
-#include "backend/study/protocol_text.h"
-#include "backend/study/rehearsal.h"
-#include "backend/study/study_export.h"
-#include "backend/study/study_store.h"
+#include "backend/pattern/files/pattern_file.h"
+#include "backend/pattern/files/pattern_json.h"
+#include "backend/pattern/model/built_in_patterns.h"
+#include "backend/study/protocol/protocol_text.h"
+#include "backend/study/report/study_export.h"
+#include "backend/study/session/rehearsal.h"
+#include "backend/study/store/study_store.h"
 #include "tests/backend/core/temporary_folder.h"
 
 #include <QSqlDatabase>

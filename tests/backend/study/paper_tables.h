@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/study/confusion_matrix.h"
+#include "backend/study/analysis/confusion_matrix.h"
 
 #include <string>
 #include <vector>

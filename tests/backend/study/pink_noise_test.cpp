@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/pink_noise.h"
+#include "backend/study/session/pink_noise.h"
 #include "tests/backend/core/temporary_folder.h"
 
 #include <gtest/gtest.h>

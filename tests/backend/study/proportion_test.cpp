@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/proportion.h"
+#include "backend/study/analysis/proportion.h"
 
 #include <gtest/gtest.h>
 

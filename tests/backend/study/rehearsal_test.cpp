@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/protocol_text.h"
-#include "backend/study/rehearsal.h"
-#include "backend/study/simulated_participant.h"
+#include "backend/study/protocol/protocol_text.h"
+#include "backend/study/session/rehearsal.h"
+#include "backend/study/session/simulated_participant.h"
 #include "tests/backend/core/temporary_folder.h"
 #include "tests/backend/study/paper_tables.h"
 #include "tests/backend/study/small_protocol.h"

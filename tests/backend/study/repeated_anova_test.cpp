@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/repeated_anova.h"
+#include "backend/study/analysis/repeated_anova.h"
 
 #include <gtest/gtest.h>
 

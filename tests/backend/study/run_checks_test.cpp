@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/run_checks.h"
-#include "backend/study/stimulus_set.h"
+#include "backend/study/protocol/stimulus_set.h"
+#include "backend/study/session/run_checks.h"
 #include "tests/backend/core/temporary_folder.h"
 #include "tests/backend/study/small_protocol.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/study/protocol.h"
+#include "backend/study/protocol/protocol.h"
 
 #include <string>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/information_transfer.h"
-#include "backend/study/portable_random.h"
-#include "backend/study/proportion.h"
-#include "backend/study/repeated_anova.h"
-#include "backend/study/transfer_interval.h"
+#include "backend/study/analysis/information_transfer.h"
+#include "backend/study/analysis/proportion.h"
+#include "backend/study/analysis/repeated_anova.h"
+#include "backend/study/analysis/transfer_interval.h"
+#include "backend/study/protocol/portable_random.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/rehearsal.h"
-#include "backend/study/stimulus_set.h"
-#include "backend/study/study_export.h"
-#include "backend/study/trial_source.h"
-#include "backend/study/trial_table.h"
+#include "backend/study/analysis/trial_source.h"
+#include "backend/study/protocol/stimulus_set.h"
+#include "backend/study/report/study_export.h"
+#include "backend/study/session/rehearsal.h"
+#include "backend/study/store/trial_table.h"
 #include "tests/backend/core/temporary_folder.h"
 #include "tests/backend/study/small_protocol.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/study_report.h"
+#include "backend/study/report/study_report.h"
 #include "tests/backend/core/temporary_folder.h"
 
 #include <QXmlStreamReader>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/simulated_participant.h"
-#include "backend/study/study_results.h"
+#include "backend/study/analysis/study_results.h"
+#include "backend/study/session/simulated_participant.h"
 #include "tests/backend/core/temporary_folder.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/study_scene.h"
+#include "backend/study/session/study_scene.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/rehearsal.h"
-#include "backend/study/study_store.h"
-#include "backend/study/trial_journal.h"
+#include "backend/study/session/rehearsal.h"
+#include "backend/study/store/study_store.h"
+#include "backend/study/store/trial_journal.h"
 #include "tests/backend/core/temporary_folder.h"
 #include "tests/backend/study/small_protocol.h"
 #include "tests/support/breakable_line.h"

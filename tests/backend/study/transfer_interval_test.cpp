@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/transfer_interval.h"
+#include "backend/study/analysis/transfer_interval.h"
 
 #include <gtest/gtest.h>
 

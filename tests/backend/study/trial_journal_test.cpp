@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/trial_journal.h"
+#include "backend/study/store/trial_journal.h"
 #include "tests/backend/core/temporary_folder.h"
 
 #include <gtest/gtest.h>

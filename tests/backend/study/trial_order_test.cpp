@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/portable_random.h"
-#include "backend/study/trial_order.h"
+#include "backend/study/protocol/portable_random.h"
+#include "backend/study/protocol/trial_order.h"
 
 #include <gtest/gtest.h>
 

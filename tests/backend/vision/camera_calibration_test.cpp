@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/vision/camera_start.h"
+#include "backend/vision/calibration/camera_start.h"
 #include "tests/backend/vision/simulated_pairs.h"
 
 #include <gtest/gtest.h>

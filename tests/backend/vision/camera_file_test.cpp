@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/vision/camera_file.h"
+#include "backend/vision/calibration/camera_file.h"
 #include "tests/backend/core/temporary_folder.h"
 #include "tests/backend/vision/test_cameras.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/vision/hole_grid.h"
+#include "backend/vision/camera/hole_grid.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/vision/cylinder_projection.h"
+#include "backend/vision/camera/cylinder_projection.h"
 
 #include <Eigen/Geometry>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/vision/undistortion.h"
+#include "backend/vision/camera/undistortion.h"
 #include "tests/backend/vision/test_cameras.h"
 #include "tests/support/floating_point_traps.h"
 

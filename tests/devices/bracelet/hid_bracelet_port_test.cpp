@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/core/node_claim.h"
+#include "backend/core/device/node_claim.h"
 #include "devices/bracelet/bracelet_reports.h"
 #include "devices/bracelet/hid_bracelet.h"
 #include "devices/bracelet/hid_bracelet_port.h"

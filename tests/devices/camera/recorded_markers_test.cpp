@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A recorded soft sensor whose maker's program has tracked its markers: what our tracking makes of the same
 // video.
-#include "backend/vision/contacts/dot_detection.h"
-#include "backend/vision/contacts/dot_tracker.h"
+#include "backend/vision/finders/dot_detection.h"
+#include "backend/vision/finders/dot_tracker.h"
 #include "devices/camera/video_stream.h"
 
 #include <gtest/gtest.h>

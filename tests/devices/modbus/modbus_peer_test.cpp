@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The devices against a server that somebody else wrote: pymodbus on loopback TCP, and on a serial line that
 // socat makes of two pseudo terminals.
-#include "backend/core/wakeup.h"
+#include "backend/core/threads/wakeup.h"
 #include "devices/modbus/input_reader.h"
 #include "devices/modbus/libmodbus_link.h"
 #include "devices/modbus/modbus_bracelet.h"

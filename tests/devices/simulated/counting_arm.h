@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/arm_device.h"
-#include "backend/core/stop_switch.h"
+#include "backend/core/device/arm_device.h"
+#include "backend/core/threads/stop_switch.h"
 #include "devices/simulated/simulated_arm_device.h"
 #include "tests/devices/manual_clock.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A camera of the kernel's driver vivid as the console opens it: by a request, into a channel that tracks.
-#include "app/console/operate/source_manager.h"
+#include "app/console/sources/source_manager.h"
 #include "backend/pipeline/camera_channel.h"
-#include "backend/vision/camera_file.h"
-#include "backend/vision/nominal_camera.h"
+#include "backend/vision/calibration/camera_file.h"
+#include "backend/vision/camera/nominal_camera.h"
 #include "tests/peer/vivid_driver.h"
 
 #include <QObject>

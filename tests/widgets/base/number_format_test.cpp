@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/test_registry.h"
-#include "widgets/base/number_format.h"
-#include "widgets/base/tabular_text.h"
+#include "widgets/base/numbers/number_format.h"
+#include "widgets/base/numbers/tabular_text.h"
 
 #include <QApplication>
 #include <QImage>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/test_registry.h"
-#include "widgets/base/quantity_text.h"
+#include "widgets/base/numbers/quantity_text.h"
 
 #include <QLocale>
 #include <QTest>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/pattern/built_in_patterns.h"
+#include "backend/pattern/model/built_in_patterns.h"
 #include "tests/backend/motors/measured_motor.h"
 #include "tests/widgets/sample_touch.h"
 #include "tests/widgets/touch/sample_arm.h"
@@ -11,9 +11,9 @@
 #include "widgets/charts/strip_chart_view.h"
 #include "widgets/pattern/law_list.h"
 #include "widgets/pattern/pattern_editor.h"
-#include "widgets/pattern/timeline_view.h"
+#include "widgets/pattern/timeline/timeline_view.h"
 #include "widgets/tactile/heatmap_view.h"
-#include "widgets/touch/jog_panel.h"
+#include "widgets/touch/jog/jog_panel.h"
 #include "widgets/touch/pattern_map_table.h"
 #include "widgets/touch/stiffness_gauge.h"
 #include "widgets/touch/touch_table.h"

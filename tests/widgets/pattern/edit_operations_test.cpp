@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/test_registry.h"
-#include "widgets/pattern/edit_operations.h"
+#include "widgets/pattern/document/edit_operations.h"
 
 #include <QTest>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/pattern/built_in_patterns.h"
+#include "backend/pattern/model/built_in_patterns.h"
 #include "tests/widgets/test_registry.h"
-#include "widgets/pattern/pattern_document.h"
+#include "widgets/pattern/document/pattern_document.h"
 
 #include <QSignalSpy>
 #include <QTest>

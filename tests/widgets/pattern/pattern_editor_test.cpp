@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/pattern/built_in_patterns.h"
+#include "backend/pattern/model/built_in_patterns.h"
 #include "tests/widgets/test_registry.h"
 #include "widgets/pattern/law_list.h"
 #include "widgets/pattern/pattern_editor.h"
 #include "widgets/pattern/pattern_inspector.h"
 #include "widgets/pattern/pattern_library.h"
 #include "widgets/pattern/stroke_pad.h"
-#include "widgets/pattern/timeline_view.h"
+#include "widgets/pattern/timeline/timeline_view.h"
 
 #include <QApplication>
 #include <QCheckBox>

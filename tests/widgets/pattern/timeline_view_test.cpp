@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/input_events.h"
 #include "tests/widgets/test_registry.h"
-#include "widgets/base/inline_edit.h"
+#include "widgets/base/controls/inline_edit.h"
 #include "widgets/base/theme.h"
-#include "widgets/pattern/timeline_curves.h"
-#include "widgets/pattern/timeline_view.h"
+#include "widgets/pattern/timeline/timeline_curves.h"
+#include "widgets/pattern/timeline/timeline_view.h"
 
 #include <QImage>
 #include <QMouseEvent>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/test_registry.h"
-#include "widgets/study/confusion_view.h"
+#include "widgets/study/results/confusion_view.h"
 
 #include <QFile>
 #include <QImage>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/test_registry.h"
-#include "widgets/study/event_clock.h"
+#include "widgets/study/participant/event_clock.h"
 
 #include <QTest>
 

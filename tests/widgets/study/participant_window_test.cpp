@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/pattern/built_in_patterns.h"
+#include "backend/pattern/model/built_in_patterns.h"
 #include "tests/widgets/test_registry.h"
 #include "widgets/base/theme.h"
-#include "widgets/study/answer_button.h"
-#include "widgets/study/answer_keys.h"
-#include "widgets/study/participant_window.h"
+#include "widgets/study/participant/answer_button.h"
+#include "widgets/study/participant/answer_keys.h"
+#include "widgets/study/participant/participant_window.h"
 
 #include <QSignalSpy>
 #include <QTest>

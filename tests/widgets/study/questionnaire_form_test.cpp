@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/test_registry.h"
-#include "widgets/study/answer_button.h"
-#include "widgets/study/participant_window.h"
-#include "widgets/study/questionnaire_form.h"
-#include "widgets/study/questionnaire_item_view.h"
+#include "widgets/study/participant/answer_button.h"
+#include "widgets/study/participant/participant_window.h"
+#include "widgets/study/participant/questionnaire_form.h"
+#include "widgets/study/participant/questionnaire_item_view.h"
 
 #include <QAbstractButton>
 #include <QApplication>

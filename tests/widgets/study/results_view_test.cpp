@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/test_registry.h"
-#include "widgets/study/confusion_view.h"
-#include "widgets/study/interval_chart.h"
-#include "widgets/study/participant_picker.h"
-#include "widgets/study/result_table.h"
-#include "widgets/study/results_content.h"
-#include "widgets/study/results_view.h"
+#include "widgets/study/results/confusion_view.h"
+#include "widgets/study/results/interval_chart.h"
+#include "widgets/study/results/participant_picker.h"
+#include "widgets/study/results/result_table.h"
+#include "widgets/study/results/results_content.h"
+#include "widgets/study/results/results_view.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/test_registry.h"
 #include "tests/widgets/touch/sample_arm.h"
-#include "widgets/touch/drive_sign.h"
-#include "widgets/touch/hold_button.h"
-#include "widgets/touch/jog_panel.h"
-#include "widgets/touch/joint_range.h"
+#include "widgets/touch/jog/drive_sign.h"
+#include "widgets/touch/jog/hold_button.h"
+#include "widgets/touch/jog/jog_panel.h"
+#include "widgets/touch/jog/joint_range.h"
 
 #include <QAbstractButton>
 #include <QApplication>

@@ -2,7 +2,7 @@
 #include "backend/arm/arm4_kinematics.h"
 #include "tests/widgets/test_registry.h"
 #include "tests/widgets/touch/sample_arm.h"
-#include "widgets/touch/jog_rates.h"
+#include "widgets/touch/jog/jog_rates.h"
 
 #include <QTest>
 

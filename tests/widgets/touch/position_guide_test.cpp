@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/test_registry.h"
 #include "tests/widgets/touch/sample_arm.h"
-#include "widgets/touch/hold_button.h"
-#include "widgets/touch/jog_panel.h"
-#include "widgets/touch/jog_rates.h"
-#include "widgets/touch/position_guide.h"
+#include "widgets/touch/jog/hold_button.h"
+#include "widgets/touch/jog/jog_panel.h"
+#include "widgets/touch/jog/jog_rates.h"
+#include "widgets/touch/jog/position_guide.h"
 
 #include <QCoreApplication>
 #include <QKeyEvent>

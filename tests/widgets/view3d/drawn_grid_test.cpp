@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/view3d/drawn_grid.h"
+#include "widgets/view3d/mesh/drawn_grid.h"
 
 #include <gtest/gtest.h>
 

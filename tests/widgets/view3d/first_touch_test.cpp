@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/view3d/first_touch.h"
+#include "widgets/view3d/scene/first_touch.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/view3d/touch_examples.h"
 #include "widgets/view3d/scene3d_view.h"
-#include "widgets/view3d/vtk_widget.h"
+#include "widgets/view3d/vtk/vtk_widget.h"
 
 #include <QApplication>
 #include <QDockWidget>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/view3d/render_turns.h"
+#include "widgets/view3d/vtk/render_turns.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "tests/widgets/view3d/touch_examples.h"
 #include "widgets/base/theme.h"
 #include "widgets/view3d/scene3d_view.h"
-#include "widgets/view3d/vtk_widget.h"
+#include "widgets/view3d/vtk/vtk_widget.h"
 
 #include <QApplication>
 #include <QDir>

@@ -3,7 +3,7 @@
 #include "widgets/base/colour_maps.h"
 #include "widgets/base/theme.h"
 #include "widgets/view3d/scene3d_view.h"
-#include "widgets/view3d/vtk_widget.h"
+#include "widgets/view3d/vtk/vtk_widget.h"
 
 #include <QAction>
 #include <QApplication>

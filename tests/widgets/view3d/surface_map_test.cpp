@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/view3d/surface_map.h"
+#include "widgets/view3d/mesh/surface_map.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 // anew.
 #include "tests/widgets/view3d/touch_examples.h"
 #include "widgets/base/theme.h"
-#include "widgets/view3d/touch_scene.h"
+#include "widgets/view3d/scene/touch_scene.h"
 
 #include <benchmark/benchmark.h>
 

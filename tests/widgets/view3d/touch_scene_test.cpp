@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/view3d/touch_examples.h"
 #include "widgets/base/theme.h"
-#include "widgets/view3d/geometry_export.h"
-#include "widgets/view3d/touch_scene.h"
+#include "widgets/view3d/mesh/geometry_export.h"
+#include "widgets/view3d/scene/touch_scene.h"
 
 #include <QDir>
 #include <QFile>

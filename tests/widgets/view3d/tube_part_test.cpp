@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/camera/sample_camera.h"
 #include "widgets/base/theme.h"
-#include "widgets/view3d/touch_scene.h"
+#include "widgets/view3d/scene/touch_scene.h"
 
 #include <gtest/gtest.h>
 #include <vtkPolyData.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/view3d/vtk_widget.h"
+#include "widgets/view3d/vtk/vtk_widget.h"
 
 #include <QApplication>
 #include <QDockWidget>

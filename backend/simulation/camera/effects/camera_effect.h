@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/simulation/camera/printed_dots.h"
-#include "backend/vision/camera_model.h"
+#include "backend/simulation/camera/skin/printed_dots.h"
+#include "backend/vision/camera/camera_model.h"
 
 #include <opencv2/core.hpp>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "backend/scene/camera_world.h"
+#include "backend/simulation/base/random_stream.h"
 #include "backend/simulation/camera/effects/camera_effect.h"
-#include "backend/simulation/random_stream.h"
 
 #include <utility>
 

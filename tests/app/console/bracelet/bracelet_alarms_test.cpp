@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/bracelet/tapped_bracelet.h"
-#include "app/console/study/bracelet_stimulus.h"
+#include "app/console/study/running/bracelet_stimulus.h"
 #include "backend/core/steady_time.h"
-#include "backend/pattern/built_in_patterns.h"
+#include "backend/pattern/model/built_in_patterns.h"
 #include "backend/playback/pattern_program.h"
 #include "devices/simulated/simulated_bracelet.h"
 #include "tests/app/console/bracelet/patient_station.h"

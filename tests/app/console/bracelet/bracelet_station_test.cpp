@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A Modbus bracelet in the console, against a server that somebody else wrote (python3-pymodbus).
+#include "app/console/base/console_settings.h"
 #include "app/console/bracelet/bracelet_menu.h"
-#include "app/console/console_settings.h"
-#include "backend/core/stop_switch.h"
-#include "backend/pattern/built_in_patterns.h"
+#include "backend/core/threads/stop_switch.h"
+#include "backend/pattern/model/built_in_patterns.h"
 #include "backend/playback/pattern_program.h"
 #include "tests/app/console/bracelet/patient_station.h"
 #include "tests/support/peer_process.h"

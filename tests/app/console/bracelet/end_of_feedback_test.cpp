@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/core/device/stream_tap.h"
 #include "backend/core/steady_time.h"
-#include "backend/core/stream_tap.h"
-#include "backend/pipeline/touch_record.h"
+#include "backend/pipeline/touch/touch_record.h"
 #include "tests/app/console/bracelet/patient_station.h"
 
 #include <QTemporaryDir>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/patterns/patterns_page.h"
-#include "app/console/study/bracelet_stimulus.h"
+#include "app/console/study/running/bracelet_stimulus.h"
 #include "backend/core/steady_time.h"
-#include "backend/pattern/built_in_patterns.h"
-#include "backend/pipeline/touch_record.h"
+#include "backend/pattern/model/built_in_patterns.h"
+#include "backend/pipeline/touch/touch_record.h"
 #include "backend/playback/pattern_program.h"
 #include "tests/app/console/bracelet/patient_station.h"
 #include "widgets/bracelet/strength_panel.h"

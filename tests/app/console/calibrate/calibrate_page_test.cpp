@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/calibrate/calibrate_page.h"
-#include "backend/core/stop_switch.h"
+#include "backend/core/threads/stop_switch.h"
 #include "backend/motors/motor_file.h"
 #include "tests/app/console/bracelet/patient_station.h"
 #include "tests/backend/motors/measured_motor.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/console/calibrate/camera_calibrator.h"
-#include "app/console/calibrate/pair_entry.h"
-#include "app/console/calibrate/probing_strip.h"
-#include "app/console/calibrate/tube_fields.h"
-#include "backend/vision/camera_file.h"
+#include "app/console/calibrate/camera/camera_calibrator.h"
+#include "app/console/calibrate/camera/pair_entry.h"
+#include "app/console/calibrate/camera/probing_strip.h"
+#include "app/console/calibrate/camera/tube_fields.h"
+#include "backend/vision/calibration/camera_file.h"
 #include "tests/backend/vision/simulated_pairs.h"
 #include "widgets/base/background.h"
-#include "widgets/base/number_format.h"
+#include "widgets/base/numbers/number_format.h"
 
 #include <QAction>
 #include <QCoreApplication>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/calibrate/gain_calibrator.h"
-#include "app/console/operate/source_manager.h"
+#include "app/console/sources/source_manager.h"
 #include "backend/equilibration/taxel_gain_file.h"
 #include "widgets/base/theme.h"
 #include "widgets/calibrate/gains_view.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/common/scene_file.h"
-#include "app/console/calibrate/camera_calibrator.h"
-#include "app/console/calibrate/live_probing_dialog.h"
-#include "app/console/calibrate/live_probing_panel.h"
-#include "app/console/calibrate/tube_fields.h"
+#include "app/console/calibrate/camera/camera_calibrator.h"
+#include "app/console/calibrate/camera/live_probing_dialog.h"
+#include "app/console/calibrate/camera/live_probing_panel.h"
+#include "app/console/calibrate/camera/tube_fields.h"
 #include "backend/core/steady_time.h"
 #include "backend/simulation/camera/simulated_tube.h"
 #include "devices/camera/camera_feed.h"

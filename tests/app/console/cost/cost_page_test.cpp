@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/cost/cost_page.h"
-#include "app/console/operate/source_manager.h"
+#include "app/console/sources/source_manager.h"
 #include "backend/cost/cost_file.h"
 #include "widgets/base/background.h"
 #include "widgets/base/theme.h"

@@ -6,7 +6,7 @@
 #include "app/console/operate/operate_page.h"
 #include "app/console/patterns/patterns_page.h"
 #include "backend/core/steady_time.h"
-#include "backend/pattern/built_in_patterns.h"
+#include "backend/pattern/model/built_in_patterns.h"
 #include "backend/playback/pattern_program.h"
 #include "tests/backend/pipeline/scripted_arm_source.h"
 #include "tests/backend/pipeline/scripted_source.h"
@@ -14,16 +14,16 @@
 #include "widgets/bracelet/bracelet_view.h"
 #include "widgets/charts/joint_chart_view.h"
 #include "widgets/chrome/page_rail.h"
-#include "widgets/pattern/pattern_document.h"
+#include "widgets/pattern/document/pattern_document.h"
 #include "widgets/pattern/pattern_editor.h"
 #include "widgets/touch/contour_view.h"
-#include "widgets/touch/jog_panel.h"
+#include "widgets/touch/jog/jog_panel.h"
 #include "widgets/touch/pattern_map_table.h"
 #include "widgets/touch/run_sheet.h"
 #include "widgets/touch/stiffness_gauge.h"
 #include "widgets/touch/touch_table.h"
-#include "widgets/view3d/gl_setup.h"
 #include "widgets/view3d/scene3d_view.h"
+#include "widgets/view3d/vtk/gl_setup.h"
 
 #include <QAction>
 #include <QApplication>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/common/scene_file.h"
-#include "app/console/operate/source_manager.h"
+#include "app/console/sources/source_manager.h"
 #include "backend/pipeline/camera_channel.h"
 #include "backend/simulation/camera/simulated_tube.h"
-#include "backend/vision/camera_file.h"
+#include "backend/vision/calibration/camera_file.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/console/operate/camera_dialog.h"
 #include "app/console/operate/camera_views.h"
 #include "app/console/operate/operate_page.h"
+#include "app/console/sources/camera_dialog.h"
 #include "devices/simulated/simulated_camera_device.h"
 #include "tests/support/form_labels.h"
 #include "widgets/camera/camera_panel.h"

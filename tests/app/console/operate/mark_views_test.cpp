@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/console/operate/mark_views.h"
+#include "app/console/operate/recording/mark_views.h"
 #include "widgets/charts/strip_chart_view.h"
 
 #include <QLineEdit>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/console/operate/recording_dialog.h"
+#include "app/console/sources/recording_dialog.h"
 #include "tests/support/form_labels.h"
 
 #include <QCheckBox>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/console/operate/recording_export.h"
+#include "app/console/operate/recording/recording_export.h"
 #include "backend/recording/recorder.h"
 
 #include <QDir>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/console/operate/source_list.h"
+#include "app/console/sources/source_list.h"
 
 #include <QDir>
 #include <QFile>

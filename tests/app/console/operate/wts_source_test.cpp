@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/console/operate/source_request.h"
+#include "app/console/base/source_request.h"
 #include "tests/devices/manual_clock.h"
 #include "tests/devices/wts/emulated_wts.h"
 

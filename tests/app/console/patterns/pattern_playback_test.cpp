@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/patterns/patterns_page.h"
-#include "backend/pattern/built_in_patterns.h"
+#include "backend/pattern/model/built_in_patterns.h"
 #include "tests/app/console/bracelet/patient_station.h"
 #include "widgets/bracelet/bracelet_view.h"
 #include "widgets/pattern/pattern_editor.h"
-#include "widgets/pattern/timeline_view.h"
+#include "widgets/pattern/timeline/timeline_view.h"
 
 #include <QAction>
 #include <QTemporaryDir>

@@ -2,17 +2,17 @@
 #include "app/common/translation.h"
 #include "app/console/patterns/export_dialog.h"
 #include "app/console/patterns/patterns_page.h"
-#include "backend/pattern/built_in_patterns.h"
-#include "backend/pattern/pattern_file.h"
-#include "backend/pattern/pattern_json.h"
+#include "backend/pattern/files/pattern_file.h"
+#include "backend/pattern/files/pattern_json.h"
+#include "backend/pattern/model/built_in_patterns.h"
 #include "tests/app/console/bracelet/patient_station.h"
 #include "widgets/base/background.h"
+#include "widgets/pattern/document/pattern_names.h"
 #include "widgets/pattern/law_list.h"
 #include "widgets/pattern/pattern_editor.h"
 #include "widgets/pattern/pattern_library.h"
-#include "widgets/pattern/pattern_names.h"
 #include "widgets/pattern/stroke_pad.h"
-#include "widgets/pattern/timeline_view.h"
+#include "widgets/pattern/timeline/timeline_view.h"
 
 #include <QApplication>
 #include <QComboBox>

@@ -7,7 +7,7 @@
 #include "backend/core/quantile.h"
 #include "backend/pipeline/arm_channel.h"
 #include "widgets/base/theme.h"
-#include "widgets/view3d/gl_setup.h"
+#include "widgets/view3d/vtk/gl_setup.h"
 
 #include <QApplication>
 #include <QElapsedTimer>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/console/study/new_study_dialog.h"
+#include "app/console/study/forms/new_study_dialog.h"
 #include "tests/app/console/study/study_bench.h"
 
 #include <QComboBox>

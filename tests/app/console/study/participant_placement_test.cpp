@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/console/study/participant_placement.h"
+#include "app/console/study/running/participant_placement.h"
 
 #include <QApplication>
 #include <QFile>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/console/study/new_study_dialog.h"
-#include "app/console/study/protocol_dialog.h"
-#include "app/console/study/questionnaire_editor.h"
+#include "app/console/study/forms/new_study_dialog.h"
+#include "app/console/study/forms/protocol_dialog.h"
+#include "app/console/study/forms/questionnaire_editor.h"
 #include "tests/support/form_labels.h"
 
 #include <QApplication>

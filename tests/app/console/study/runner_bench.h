@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/console/study/study_runner.h"
-#include "backend/study/protocol.h"
+#include "app/console/study/running/study_runner.h"
+#include "backend/study/protocol/protocol.h"
 #include "tests/app/console/study/running_session.h"
-#include "widgets/study/answer_button.h"
-#include "widgets/study/participant_window.h"
+#include "widgets/study/participant/answer_button.h"
+#include "widgets/study/participant/participant_window.h"
 
 #include <QDateTime>
 #include <QTest>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/console/study/study_runner.h"
+#include "app/console/study/running/study_runner.h"
 
 namespace teleta::test {
 

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "app/console/study/study_page.h"
-#include "backend/study/protocol_text.h"
-#include "backend/study/study_store.h"
+#include "backend/study/protocol/protocol_text.h"
+#include "backend/study/store/study_store.h"
 #include "devices/simulated/simulated_bracelet.h"
 #include "tests/app/console/bracelet/patient_station.h"
 #include "tests/app/console/study/running_session.h"
-#include "widgets/study/participant_window.h"
+#include "widgets/study/participant/participant_window.h"
 #include "widgets/study/session_panel.h"
 
 #include <QCheckBox>

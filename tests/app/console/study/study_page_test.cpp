@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/study/study_scenes.h"
-#include "backend/pattern/built_in_patterns.h"
-#include "backend/pattern/pattern_file.h"
+#include "backend/pattern/files/pattern_file.h"
+#include "backend/pattern/model/built_in_patterns.h"
 #include "tests/app/console/study/study_bench.h"
-#include "widgets/study/confusion_view.h"
-#include "widgets/study/result_table.h"
-#include "widgets/study/results_view.h"
+#include "widgets/study/results/confusion_view.h"
+#include "widgets/study/results/result_table.h"
+#include "widgets/study/results/results_view.h"
 
 #include <QApplication>
 #include <QAudioDevice>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/due_questionnaires.h"
+#include "backend/study/session/due_questionnaires.h"
 #include "tests/app/console/study/study_bench.h"
-#include "widgets/study/questionnaire_form.h"
+#include "widgets/study/participant/questionnaire_form.h"
 
 #include <QAbstractButton>
 #include <QFile>

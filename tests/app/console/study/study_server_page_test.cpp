@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/console/study/new_study_dialog.h"
-#include "app/console/study/server_fields.h"
-#include "app/console/study/server_study_dialog.h"
+#include "app/console/study/forms/new_study_dialog.h"
+#include "app/console/study/forms/server_fields.h"
+#include "app/console/study/forms/server_study_dialog.h"
 #include "app/console/study/study_leaving.h"
 #include "tests/app/console/study/study_bench.h"
 #include "tests/support/postgres_server.h"
-#include "widgets/study/result_table.h"
-#include "widgets/study/results_view.h"
+#include "widgets/study/results/result_table.h"
+#include "widgets/study/results/results_view.h"
 #include "widgets/study/study_panel.h"
 
 #include <QComboBox>

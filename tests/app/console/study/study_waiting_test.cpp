@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/console/study/study_bench.h"
-#include "widgets/study/answer_button.h"
+#include "widgets/study/participant/answer_button.h"
 
 #include <QFile>
 #include <QLabel>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/simulation/arm/arm_inertia.h"
 #include "backend/simulation/arm/hanging_posture.h"
 #include "backend/simulation/arm/outline_geometry.h"
 #include "backend/simulation/arm/skin_sheet.h"
 #include "backend/simulation/arm/smooth_move.h"
+#include "backend/simulation/base/arm_inertia.h"
 
 #include <Eigen/Cholesky>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/arm/joint_admittance.h"
 #include "backend/simulation/arm/flexible_arm.h"
-#include "backend/simulation/random_stream.h"
+#include "backend/simulation/base/random_stream.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/simulation/camera/sphere_imprint.h"
+#include "backend/simulation/camera/skin/sphere_imprint.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/vision/contacts/dot_detection.h"
-#include "backend/vision/contacts/dot_tracker.h"
+#include "backend/vision/finders/dot_detection.h"
+#include "backend/vision/finders/dot_tracker.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/simulation/camera/sphere_imprint.h"
-#include "backend/vision/contacts/skin_patches.h"
+#include "backend/simulation/camera/skin/sphere_imprint.h"
+#include "backend/vision/finders/skin_patches.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cli/base/command_io.h"
+#include "backend/contact/contact_segmenter.h"
+#include "backend/contact/frame_conditioner.h"
+#include "backend/contact/tactile_features.h"
+#include "backend/core/data/array_layout.h"
+#include "backend/core/error.h"
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace teleta::cli {
+
+/// Options that say what the array of some frames is, the same for all commands that read frames.
+struct ArrayOptions {
+    int rows = core::ArrayLayout{}.rows;
+    int columns = core::ArrayLayout{}.columns;
+    double pitch_mm = 3.4;
+    std::string tarePath;
+    bool inverted = false;
+    std::vector<int> dead; ///< numbers of taxels that are not used
+
+    void declare(CLI::App& app);
+
+    [[nodiscard]] core::ArrayLayout layout() const { return {rows, columns, pitch_mm * 1e-3}; }
+    /// Tare, direction and dead taxels. Reads the tare's file. Throws CLI::ValidationError when a dead taxel
+    /// is none of the array.
+    [[nodiscard]] core::Expected<contact::ConditioningSettings> conditioning() const;
+};
+
+/// Throws CLI::ValidationError that names the option when the output would replace one of the inputs.
+void refuseToReplace(const std::string& output, std::span<const std::string> inputs,
+                     const char* option = "--out");
+
+/// Arguments and options of the commands that compute something of each tactile frame.
+struct FrameOptions {
+    std::string path;
+    ArrayOptions array;
+    double threshold_N = 0.2;
+    double gain = 1.0;
+    std::string gainsPath; ///< of the taxels
+    bool weighted = false;
+    bool automaticThreshold = false;
+    bool activeOnly = false;
+    double noiseHeight = contact::SegmentationSettings{}.noiseHeight;
+    int minimumTaxels = contact::SegmentationSettings{}.minimumTaxels;
+    RowOptions output;
+
+    void declare(CLI::App& app);
+
+    [[nodiscard]] core::ArrayLayout layout() const { return array.layout(); }
+    [[nodiscard]] contact::FeatureSettings featureSettings() const;
+    [[nodiscard]] contact::SegmentationSettings segmentationSettings() const;
+};
+
+/// One frame after tare and gain.
+struct ConditionedFrame {
+    double time_s = 0.0;
+    std::span<const float> load_N;
+    std::span<const std::uint8_t> dead; ///< 1: the taxel is left out
+};
+
+/// Reads the recording frame by frame, conditions each frame and hands it to write(), which adds rows of the
+/// given columns; memory stays constant. Ends at the end of the file, at the first error, with an
+/// interruption (the output is completed, the error is ErrorKind::cancelled), or when the output fails.
+/// Throws CLI::ValidationError when the options do not fit each other.
+[[nodiscard]] core::Expected<void>
+processFrames(const FrameOptions& options, std::span<const std::string_view> columns,
+              const std::function<void(const ConditionedFrame&, RowOutput&)>& write);
+
+} // namespace teleta::cli

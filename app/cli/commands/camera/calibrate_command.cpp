@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commands/camera/calibrate_command.h"
+
+#include "app/cli/base/command_io.h"
+#include "app/cli/base/frame_options.h"
+#include "app/cli/base/interruption.h"
+#include "app/cli/base/validators.h"
+#include "backend/vision/calibration/camera_file.h"
+
+#include <QCoreApplication>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace teleta::cli {
+
+namespace {
+
+using vision::Calibration;
+using vision::CameraFile;
+
+struct CalibrateText {
+    Q_DECLARE_TR_FUNCTIONS(CalibrateCommand)
+};
+
+nlohmann::ordered_json toJson(const Calibration& calibration, const CameraFile& file) {
+    return {{"method", vision::toString(calibration.method)},
+            {"pairs", calibration.residuals.size()},
+            {"kept", calibration.kept},
+            {"rms_px", calibration.rms_px},
+            {"mean_px", calibration.mean_px},
+            {"mean_mm", 1e3 * calibration.mean_error_m},
+            {"valid_radius_px", calibration.camera.camera().validRadius_px()},
+            {"uncertainty_mm", 1e3 * calibration.uncertainty_m},
+            {"structured", calibration.isStructured()},
+            {"camera", vision::cameraJson(file)}};
+}
+
+core::Expected<void> printTable(const Calibration& calibration) {
+    const vision::CameraModel& camera = calibration.camera.camera();
+    const vision::CameraParameters& parameters = camera.parameters();
+    const Eigen::Vector3d& centre_m = camera.centre_m();
+    return printFields(std::vector<std::pair<QString, QString>>{
+        {CalibrateText::tr("Pairs"), QString::number(calibration.residuals.size())},
+        {CalibrateText::tr("Kept"), QString::number(calibration.kept)},
+        {CalibrateText::tr("3D to 2D"),
+         CalibrateText::tr("%1 px on average, %2 px rms")
+             .arg(forPeople(calibration.mean_px), forPeople(calibration.rms_px))},
+        {CalibrateText::tr("2D to 3D"),
+         CalibrateText::tr("%1 mm on average").arg(forPeople(1e3 * calibration.mean_error_m))},
+        {CalibrateText::tr("Uncertainty"),
+         CalibrateText::tr("%1 mm of a point on the surface, by the camera alone")
+             .arg(forPeople(1e3 * calibration.uncertainty_m, 3))},
+        {CalibrateText::tr("Valid radius"),
+         CalibrateText::tr("%1 px").arg(forPeople(camera.validRadius_px()))},
+        {CalibrateText::tr("Focal lengths"),
+         CalibrateText::tr("%1, %2 px").arg(forPeople(parameters.fx_px), forPeople(parameters.fy_px))},
+        {CalibrateText::tr("Principal point"),
+         CalibrateText::tr("%1, %2 px").arg(forPeople(parameters.cx_px), forPeople(parameters.cy_px))},
+        {CalibrateText::tr("Camera centre"),
+         CalibrateText::tr("%1, %2, %3 m")
+             .arg(forPeople(centre_m.x()), forPeople(centre_m.y()), forPeople(centre_m.z()))},
+        {CalibrateText::tr("Mirrored"),
+         parameters.mirrored ? CalibrateText::tr("yes") : CalibrateText::tr("no")},
+        {CalibrateText::tr("Residuals"),
+         calibration.isStructured()
+             ? CalibrateText::tr("neighbours are alike: the pairs hold something that this camera does not")
+             : CalibrateText::tr("without a pattern")}});
+}
+
+} // namespace
+
+QString CalibrateCommand::summary() const {
+    return CalibrateText::tr("Camera and lens of a tactile cylinder from pairs of pixels and points");
+}
+
+const char* CalibrateCommand::example() const {
+    return "teleta simulate vtacarm-calibration --duration 60 --out run\n"
+           "  teleta calibrate run/pairs.csv --out camera.json --residuals residuals.csv";
+}
+
+void CalibrateCommand::declare(CLI::App& app) {
+    const auto help = [](const char* text) { return CalibrateText::tr(text).toStdString(); };
+    app.add_option("pairs", m_pairsPath,
+                   help(QT_TRANSLATE_NOOP("CalibrateCommand",
+                                          "CSV with the columns u_px,v_px,x_m,y_m,z_m, at least 6 rows")))
+        ->type_name("PAIRS.csv")
+        ->required();
+    app.add_option("--width", m_settings.width_px,
+                   help(QT_TRANSLATE_NOOP("CalibrateCommand", "Width of the image, px")))
+        ->capture_default_str()
+        ->check(between(1, vision::kLargestSide_px));
+    app.add_option("--height", m_settings.height_px,
+                   help(QT_TRANSLATE_NOOP("CalibrateCommand", "Height of the image, px")))
+        ->capture_default_str()
+        ->check(between(1, vision::kLargestSide_px));
+    app.add_option("--radius-mm", m_radius_mm,
+                   help(QT_TRANSLATE_NOOP("CalibrateCommand", "Radius of the elastomer, mm")))
+        ->capture_default_str()
+        ->check(positive());
+    app.add_option("--length-mm", m_length_mm,
+                   help(QT_TRANSLATE_NOOP("CalibrateCommand",
+                                          "Length of the elastomer, from z = 0 of the sensor frame, mm")))
+        ->capture_default_str()
+        ->check(positive());
+    app.add_option("--hole-factor", m_holeFactor,
+                   help(QT_TRANSLATE_NOOP("CalibrateCommand",
+                                          "The points are holes of a shell: their x and y times this factor "
+                                          "are on the elastomer (the paper's shell: 0.97)")))
+        ->capture_default_str()
+        ->check(positive());
+    app.add_option("--method", m_method,
+                   help(QT_TRANSLATE_NOOP("CalibrateCommand",
+                                          "robust: camera and lens, wrong pairs are left out; paper: linear, "
+                                          "without a lens, drops pairs that are off by more than 2 mm")))
+        ->type_name("robust|paper")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"robust", "paper"}).description(""));
+    app.add_option("--out", m_outPath,
+                   help(QT_TRANSLATE_NOOP("CalibrateCommand", "Write the camera to this file")))
+        ->type_name("CAMERA.json");
+    app.add_option("--residuals", m_residualsPath,
+                   help(QT_TRANSLATE_NOOP("CalibrateCommand",
+                                          "Write each pair with what the camera makes of it as CSV")))
+        ->type_name("OUT.csv");
+    declareJson(app, m_json);
+}
+
+core::Expected<void> CalibrateCommand::run() {
+    refuseToReplace(m_outPath, std::array{m_pairsPath});
+    refuseToReplace(m_residualsPath, std::array{m_pairsPath}, "--residuals");
+    if (!m_outPath.empty() && m_outPath == m_residualsPath)
+        throw CLI::ValidationError("--residuals",
+                                   CalibrateText::tr("the camera is written to this file").toStdString());
+    core::Expected<std::vector<vision::CalibrationPair>> pairs = vision::readPairs(m_pairsPath, interrupted);
+    if (!pairs)
+        return core::Unexpected(pairs.error());
+    for (vision::CalibrationPair& pair : *pairs)
+        pair.p_Sensor_m.head<2>() *= m_holeFactor;
+    m_settings.surface.radius_m = 1e-3 * m_radius_mm;
+    m_settings.surface.highest_z_m = 1e-3 * m_length_mm;
+    const auto calibration = vision::calibrate(*pairs, m_settings, *vision::calibrationMethod(m_method));
+    if (!calibration) {
+        core::Error error = vision::describe(calibration.error(), pairs->size());
+        error.where.file = m_pairsPath;
+        return core::Unexpected(error);
+    }
+    if (interrupted())
+        return core::Unexpected(interruption());
+    const CameraFile file{calibration->camera, vision::summaryOf(*calibration)};
+    if (!m_residualsPath.empty()) {
+        if (const core::Expected<void> written =
+                vision::writeResiduals(*pairs, *calibration, m_residualsPath);
+            !written)
+            return written;
+    }
+    if (!m_outPath.empty()) {
+        if (const core::Expected<void> written = vision::writeCamera(file, m_outPath); !written)
+            return written;
+        if (calibration->method == vision::CalibrationMethod::paper) {
+            warn(CalibrateText::tr("The camera that was written has no lens: it is off by %1 mm on average "
+                                   "over the pairs that it kept (%2 of %3).")
+                     .arg(forPeople(1e3 * calibration->mean_error_m))
+                     .arg(calibration->kept)
+                     .arg(pairs->size()));
+        }
+    }
+    return m_json ? printDocument(toJson(*calibration, file)) : printTable(*calibration);
+}
+
+} // namespace teleta::cli

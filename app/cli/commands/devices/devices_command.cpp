@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commands/devices/devices_command.h"
+
+#include "app/cli/base/command_io.h"
+#include "backend/core/data/output_file.h"
+#include "backend/core/data/toml_table.h"
+#include "backend/core/threads/stop_switch.h"
+#include "backend/vision/camera/camera_model.h"
+#include "devices/bracelet/hid_bracelet.h"
+#include "devices/bracelet/hid_bracelet_file.h"
+#include "devices/camera/camera_list.h"
+#include "devices/modbus/libmodbus_link.h"
+#include "devices/modbus/modbus_probe.h"
+#include "devices/mouse3d/hid_input.h"
+#include "devices/wts/wts_device.h"
+
+#include <QCoreApplication>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <utility>
+
+namespace teleta::cli {
+
+namespace {
+
+struct DevicesText {
+    Q_DECLARE_TR_FUNCTIONS(DevicesCommand)
+};
+
+template <typename T>
+std::optional<core::Error> errorOf(const core::Expected<T>& result) {
+    return result ? std::nullopt : std::optional(result.error());
+}
+
+void open(FoundDevice& found, const bracelet::HidBraceletConfig& config) {
+    const core::StopSwitch stopSwitch;
+    const auto opened = bracelet::openHidBracelet(config, stopSwitch);
+    found.error = errorOf(opened);
+    if (opened) {
+        found.name = (*opened)->description().name;
+        found.frameRate_Hz = (*opened)->description().maximumRate_Hz;
+    }
+}
+
+FoundDevice describeBracelet(const bracelet::HidDeviceInfo& info) {
+    FoundDevice found{.kind = "hid_bracelet", .name = info.product, .where = info.path};
+    bracelet::HidBraceletConfig config;
+    config.serial = info.serial;
+    open(found, config);
+    return found;
+}
+
+std::vector<FoundDevice> listDevices() {
+    std::vector<FoundDevice> devices;
+    for (const bracelet::HidDeviceInfo& info : bracelet::listHidBracelets())
+        devices.push_back(describeBracelet(info));
+    for (const mouse3d::Mouse3dInfo& info : mouse3d::listMice())
+        devices.push_back({.kind = "mouse3d",
+                           .name = info.product,
+                           .where = info.path,
+                           .error = errorOf(mouse3d::openMouse(info))});
+    for (const camera::CameraInfo& info : camera::listCameras())
+        devices.push_back({.kind = "camera",
+                           .name = info.name,
+                           .where = "/dev/video" + std::to_string(info.number),
+                           .error = info.error});
+    return devices;
+}
+
+core::Expected<FoundDevice> probeRegisters(const std::string& path) {
+    const auto map = modbus::readRegisterMap(path);
+    if (!map)
+        return core::Unexpected(map.error());
+    FoundDevice found{.kind = "modbus", .name = map->name, .where = modbus::linkName(*map)};
+    const auto probe =
+        modbus::probeModbus(*map, modbus::libmodbusOpener(*map), std::make_shared<const core::PacingClock>());
+    found.error = errorOf(probe);
+    if (probe) {
+        found.frameRate_Hz = probe->frameRate_Hz;
+        found.inputRate_Hz = probe->inputRate_Hz;
+        for (std::size_t i = 0; i < probe->values.size(); ++i)
+            found.values.push_back({map->inputs[i].name, probe->values[i], map->inputs[i].unit});
+    }
+    return found;
+}
+
+core::Expected<FoundDevice> probeBracelet(const std::string& path) {
+    const auto file = bracelet::readHidBracelet(path);
+    if (!file)
+        return core::Unexpected(file.error());
+    FoundDevice found{.kind = "hid_bracelet", .name = file->name, .where = "USB"};
+    for (const bracelet::HidDeviceInfo& info : bracelet::listHidBracelets(file->config)) {
+        if (file->config.serial.empty() || info.serial == file->config.serial) {
+            found.where = info.path;
+            break;
+        }
+    }
+    open(found, file->config);
+    return found;
+}
+
+core::Expected<FoundDevice> probeArray(const core::TomlDocument& document, core::TomlTable& root) {
+    const std::string name = root.text("name");
+    const std::string text = root.text("address");
+    const auto baud = static_cast<int>(root.integer("baud", 9600, 4'000'000, 115200));
+    root.finish();
+    const auto address = wts::parseWtsAddress(text, baud);
+    if (!address)
+        root.fail("address", address.error().message, address.error().expected);
+    if (document.firstError())
+        return core::Unexpected(*document.firstError());
+    FoundDevice found{.kind = "wts", .name = name, .where = text};
+    wts::WtsConfig config;
+    config.address = *address;
+    const auto opened = wts::WtsDevice::open(std::move(config));
+    found.error = errorOf(opened);
+    if (opened) {
+        const core::SourceDescription& array = (*opened)->description();
+        found.frameRate_Hz = array.nominalRate_Hz;
+        found.values = {{"rows", static_cast<double>(array.layout.rows), "1"},
+                        {"columns", static_cast<double>(array.layout.columns), "1"},
+                        {"pitch", array.layout.pitch_m, "m"}};
+    }
+    return found;
+}
+
+core::Expected<FoundDevice> probeCamera(const core::TomlDocument& document, core::TomlTable& root) {
+    FoundDevice found{.kind = "camera", .name = root.text("name"), .where = root.text("source")};
+    const auto width_px = static_cast<int>(root.integer("width_px", 0, vision::kLargestSide_px, 0));
+    const auto height_px = static_cast<int>(root.integer("height_px", 0, vision::kLargestSide_px, 0));
+    const double rate_Hz = root.number("rate_Hz", {.low = 0.0, .high = 10'000.0}, 0.0);
+    root.finish();
+    if (document.firstError())
+        return core::Unexpected(*document.firstError());
+    const auto probe = camera::probeCamera(found.where, width_px, height_px, rate_Hz);
+    found.error = errorOf(probe);
+    if (probe) {
+        if (probe->measuredRate_Hz)
+            found.frameRate_Hz = probe->measuredRate_Hz;
+        else if (probe->nominalRate_Hz > 0.0)
+            found.frameRate_Hz = probe->nominalRate_Hz;
+        found.values = {{"width", static_cast<double>(probe->width_px), "px"},
+                        {"height", static_cast<double>(probe->height_px), "px"}};
+    }
+    return found;
+}
+
+core::Expected<FoundDevice> probeFile(const std::string& path) {
+    const auto document = core::TomlDocument::open(path);
+    if (!document)
+        return core::Unexpected(document.error());
+    core::TomlTable root = document->root();
+    const std::size_t kind = root.choice("kind", {"modbus", "wts", "camera", "hid_bracelet"});
+    if (document->firstError())
+        return core::Unexpected(*document->firstError());
+    // Without a kind the other keys say nothing either.
+    if (!root.has("kind")) {
+        root.finish();
+        return core::Unexpected(core::Error{
+            core::ErrorKind::badInput,
+            DevicesText::tr("\"kind\" is missing").toStdString(),
+            DevicesText::tr("kind = \"modbus\", \"wts\", \"camera\" or \"hid_bracelet\"").toStdString(),
+            {path, 1, 1}});
+    }
+    if (kind == 0)
+        return probeRegisters(path);
+    if (kind == 3)
+        return probeBracelet(path);
+    return kind == 1 ? probeArray(*document, root) : probeCamera(*document, root);
+}
+
+nlohmann::ordered_json toJson(const FoundDevice& device) {
+    const auto orNull = [](const std::optional<double>& value) {
+        return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+    };
+    nlohmann::ordered_json values = nlohmann::ordered_json::array();
+    for (const DeviceValue& value : device.values)
+        values.push_back({{"name", value.name}, {"value", value.value}, {"unit", value.unit}});
+    return {{"kind", device.kind},
+            {"name", device.name},
+            {"where", device.where},
+            {"connected", !device.error},
+            {"reason", device.error ? nlohmann::ordered_json(core::describe(*device.error))
+                                    : nlohmann::ordered_json(nullptr)},
+            {"frame_rate_hz", orNull(device.frameRate_Hz)},
+            {"input_rate_hz", orNull(device.inputRate_Hz)},
+            {"values", std::move(values)}};
+}
+
+QString kindName(const std::string& kind) {
+    if (kind == "hid_bracelet")
+        return DevicesText::tr("Bracelet");
+    if (kind == "mouse3d")
+        return DevicesText::tr("3D mouse");
+    if (kind == "wts")
+        return DevicesText::tr("Tactile array");
+    if (kind == "camera")
+        return DevicesText::tr("Camera");
+    return DevicesText::tr("Modbus device");
+}
+
+QString withUnit(const DeviceValue& value) {
+    const QString number = forPeople(value.value);
+    return value.unit == "1" ? number : number + QLatin1Char(' ') + QString::fromStdString(value.unit);
+}
+
+core::Expected<void> printTable(const std::vector<FoundDevice>& devices) {
+    std::vector<std::pair<QString, QString>> fields;
+    for (const FoundDevice& device : devices) {
+        if (!fields.empty())
+            fields.emplace_back();
+        fields.emplace_back(kindName(device.kind), DevicesText::tr("%1 at %2")
+                                                       .arg(QString::fromStdString(device.name),
+                                                            QString::fromStdString(device.where)));
+        fields.emplace_back(DevicesText::tr("State"),
+                            device.error ? DevicesText::tr("not connected: %1")
+                                               .arg(QString::fromStdString(core::describe(*device.error)))
+                                         : DevicesText::tr("connected"));
+        if (device.frameRate_Hz)
+            fields.emplace_back(DevicesText::tr("Frames"),
+                                DevicesText::tr("up to %1 Hz").arg(forPeople(*device.frameRate_Hz)));
+        if (device.inputRate_Hz)
+            fields.emplace_back(DevicesText::tr("Inputs"),
+                                DevicesText::tr("up to %1 Hz").arg(forPeople(*device.inputRate_Hz)));
+        for (const DeviceValue& value : device.values)
+            fields.emplace_back(QString::fromStdString(value.name), withUnit(value));
+    }
+    if (fields.empty())
+        fields.emplace_back(DevicesText::tr("No device is connected."), QString());
+    return printFields(fields);
+}
+
+} // namespace
+
+QString DevicesCommand::summary() const {
+    return DevicesText::tr("What is connected, why not, and how fast it is");
+}
+
+const char* DevicesCommand::example() const {
+    return "teleta devices --json";
+}
+
+void DevicesCommand::declare(CLI::App& app) {
+    app.add_option("--probe", m_probePath,
+                   DevicesText::tr(
+                       "Connect to the device of this description and read it; its motors are set to zero")
+                       .toStdString())
+        ->type_name("DEVICE.toml");
+    declareJson(app, m_json);
+}
+
+core::Expected<void> DevicesCommand::run() {
+    std::vector<FoundDevice> devices;
+    if (m_probePath.empty()) {
+        devices = listDevices();
+    } else {
+        auto found = probeFile(m_probePath);
+        if (!found)
+            return core::Unexpected(found.error());
+        devices.push_back(std::move(*found));
+    }
+    if (m_json) {
+        nlohmann::ordered_json list = nlohmann::ordered_json::array();
+        for (const FoundDevice& device : devices)
+            list.push_back(toJson(device));
+        if (const auto printed = printDocument({{"devices", std::move(list)}}); !printed)
+            return printed;
+    } else if (const auto printed = printTable(devices); !printed) {
+        return printed;
+    }
+    // A list tells what is there; a device that was asked for and is not there is a failure.
+    if (m_probePath.empty() || !devices.front().error)
+        return {};
+    core::Error error = *devices.front().error;
+    // The description was right: it is not the input's fault that a path or a host does not exist.
+    error.kind = core::ErrorKind::unavailable;
+    return core::Unexpected(std::move(error));
+}
+
+} // namespace teleta::cli

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commands/tactile/contour_command.h"
+
+#include "app/cli/base/command_io.h"
+#include "app/cli/base/interruption.h"
+#include "app/cli/base/progress_bar.h"
+#include "app/cli/base/validators.h"
+#include "backend/core/data/csv_reader.h"
+#include "backend/core/data/csv_writer.h"
+
+#include <QCoreApplication>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <unistd.h>
+#include <utility>
+
+namespace teleta::cli {
+
+namespace {
+
+using contour::CubicSpline;
+using contour::Point;
+using contour::Recognition;
+using contour::Shape;
+using contour::SplineKind;
+
+struct ContourText {
+    Q_DECLARE_TR_FUNCTIONS(ContourCommand)
+};
+
+/// Parameter of sample i of n, from one end of the curve to the other.
+double parameter(const CubicSpline& spline, int sample, int samples) {
+    return static_cast<double>(spline.segments()) * sample / (samples - 1);
+}
+
+double largestCurvature_perM(const CubicSpline& spline, int samples) {
+    double largest_perM = 0.0;
+    for (int i = 0; i < samples; ++i)
+        largest_perM = std::max(largest_perM, std::abs(spline.curvature_perM(parameter(spline, i, samples))));
+    return largest_perM;
+}
+
+QString shapeName(Shape shape) {
+    switch (shape) {
+    case Shape::circle:
+        return ContourText::tr("circle");
+    case Shape::rectangle:
+        return ContourText::tr("rectangle");
+    case Shape::triangle:
+        return ContourText::tr("triangle");
+    case Shape::arc:
+        return ContourText::tr("arc");
+    case Shape::line:
+        return ContourText::tr("line");
+    case Shape::point:
+        return ContourText::tr("point");
+    case Shape::unknown:
+        return ContourText::tr("unknown");
+    }
+    return {};
+}
+
+nlohmann::ordered_json toJson(std::size_t points, const Recognition& seen, double length_m,
+                              double curvature_perM) {
+    nlohmann::ordered_json vertices = nlohmann::ordered_json::array();
+    for (const Point& p : seen.vertices_m)
+        vertices.push_back(nlohmann::ordered_json::array({p.x(), p.y()}));
+    nlohmann::ordered_json circle = nullptr;
+    if (seen.circle)
+        circle = {{"x", seen.circle->centre_m.x()},
+                  {"y", seen.circle->centre_m.y()},
+                  {"radius", seen.circle->radius_m},
+                  {"rms", seen.circle->rms_m}};
+    return {{"points", points},
+            {"shape", contour::toString(seen.shape)},
+            {"confidence", seen.confidence},
+            {"closed", seen.closed},
+            {"length_m", length_m},
+            {"vertices", std::move(vertices)},
+            {"circle", std::move(circle)},
+            {"max_curvature_per_m", curvature_perM}};
+}
+
+core::Expected<void> printTable(std::size_t points, const Recognition& seen, double length_m,
+                                double curvature_perM) {
+    std::vector<std::pair<QString, QString>> fields{
+        {ContourText::tr("Points"), QString::number(points)},
+        {ContourText::tr("Shape"),
+         ContourText::tr("%1 (confidence %2)").arg(shapeName(seen.shape), forPeople(seen.confidence, 3))},
+        {ContourText::tr("Closed"), seen.closed ? ContourText::tr("yes") : ContourText::tr("no")},
+        {ContourText::tr("Length"), ContourText::tr("%1 m").arg(forPeople(length_m))},
+        {ContourText::tr("Largest curvature"), ContourText::tr("%1 1/m").arg(forPeople(curvature_perM))}};
+    if (seen.circle) {
+        fields.emplace_back(ContourText::tr("Centre"), ContourText::tr("%1, %2 m")
+                                                           .arg(forPeople(seen.circle->centre_m.x()),
+                                                                forPeople(seen.circle->centre_m.y())));
+        fields.emplace_back(ContourText::tr("Radius"),
+                            ContourText::tr("%1 m (points off by %2 m)")
+                                .arg(forPeople(seen.circle->radius_m), forPeople(seen.circle->rms_m)));
+    }
+    for (std::size_t i = 0; i < seen.vertices_m.size(); ++i)
+        fields.emplace_back(ContourText::tr("Vertex %1").arg(i + 1),
+                            ContourText::tr("%1, %2 m")
+                                .arg(forPeople(seen.vertices_m[i].x()), forPeople(seen.vertices_m[i].y())));
+    return printFields(fields);
+}
+
+} // namespace
+
+QString ContourCommand::summary() const {
+    return ContourText::tr("Shape, vertices and spline of a series of contact points");
+}
+
+const char* ContourCommand::example() const {
+    return "teleta simulate teleta-contour-circle --out run\n"
+           "  teleta contour run/contour.csv --closed --curve curve.csv";
+}
+
+void ContourCommand::declare(CLI::App& app) {
+    const auto help = [](const char* text) { return ContourText::tr(text).toStdString(); };
+    app.add_option("points", m_pointsPath,
+                   help(QT_TRANSLATE_NOOP("ContourCommand", "CSV with the columns x_m,y_m, in the order of "
+                                                            "touch")))
+        ->type_name("POINTS.csv")
+        ->required();
+    app.add_option("--spline", m_spline,
+                   help(QT_TRANSLATE_NOOP("ContourCommand",
+                                          "approximating: the points are the control points; interpolating: "
+                                          "the curve passes through them")))
+        ->type_name("approximating|interpolating")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"approximating", "interpolating"}).description(""));
+    app.add_flag("--closed", m_closed,
+                 help(QT_TRANSLATE_NOOP("ContourCommand",
+                                        "The contour comes back to its start; otherwise this is found out")));
+    app.add_option("--samples", m_samples,
+                   help(QT_TRANSLATE_NOOP("ContourCommand",
+                                          "Points of the curve, for the CSV and the largest curvature")))
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(between(2, 1e7));
+    app.add_option("--resolution-m", m_resolution_m,
+                   help(QT_TRANSLATE_NOOP("ContourCommand", "An extent under this is a point, m")))
+        ->type_name("M")
+        ->capture_default_str()
+        ->check(positive());
+    app.add_option("--curve", m_curvePath,
+                   help(QT_TRANSLATE_NOOP("ContourCommand",
+                                          "Write the curve as CSV t,x_m,y_m,curvature_per_m, t from 0 to 1")))
+        ->type_name("OUT.csv");
+    declareJson(app, m_json);
+}
+
+core::Expected<void> ContourCommand::run() {
+    const core::Expected<std::vector<Point>> points = readPoints();
+    if (!points)
+        return core::Unexpected(points.error());
+
+    contour::RecognitionSettings settings;
+    settings.resolution_m = m_resolution_m;
+    if (m_closed)
+        settings.closed = true;
+    const std::optional<Recognition> seen = contour::recogniseShape(*points, settings);
+    std::optional<CubicSpline> spline;
+    if (seen)
+        spline = CubicSpline::fit(
+            *points, m_spline == "interpolating" ? SplineKind::interpolating : SplineKind::approximating,
+            seen->closed);
+    if (!spline) {
+        core::Error error;
+        error.where.file = m_pointsPath;
+        error.message = points->empty()
+                            ? ContourText::tr("the file has no points").toStdString()
+                            : ContourText::tr("a coordinate is too large to compute with").toStdString();
+        error.expected = ContourText::tr("a row for each contact point, in metres").toStdString();
+        return core::Unexpected(error);
+    }
+    if (!m_curvePath.empty()) {
+        const core::Expected<void> written = writeCurve(*spline);
+        if (!written)
+            return written;
+    }
+    const double length_m = spline->length_m();
+    const double curvature_perM = largestCurvature_perM(*spline, m_samples);
+    return m_json ? printDocument(toJson(points->size(), *seen, length_m, curvature_perM))
+                  : printTable(points->size(), *seen, length_m, curvature_perM);
+}
+
+core::Expected<std::vector<Point>> ContourCommand::readPoints() const {
+    core::Expected<core::CsvReader> reader = core::CsvReader::open(m_pointsPath);
+    if (!reader)
+        return core::Unexpected(reader.error());
+    constexpr std::array<std::string_view, 2> kNames{"x_m", "y_m"};
+    const core::Expected<std::vector<std::size_t>> columns = reader->columns(kNames);
+    if (!columns)
+        return core::Unexpected(columns.error());
+
+    std::vector<Point> points;
+    std::vector<double> row;
+    const auto total = static_cast<double>(reader->bytesTotal());
+    ProgressBar progress(ProgressBar::Unit::bytes, isatty(STDOUT_FILENO) != 0);
+    for (;;) {
+        const core::Expected<bool> more = reader->next(row);
+        if (!more)
+            return core::Unexpected(more.error());
+        if (!*more)
+            return points;
+        if (interrupted())
+            return core::Unexpected(interruption());
+        points.emplace_back(row[(*columns)[0]], row[(*columns)[1]]);
+        progress.update(static_cast<double>(reader->bytesRead()), total);
+    }
+}
+
+core::Expected<void> ContourCommand::writeCurve(const CubicSpline& spline) const {
+    constexpr std::array<std::string_view, 4> kColumns{"t", "x_m", "y_m", "curvature_per_m"};
+    core::Expected<core::CsvWriter> csv = core::CsvWriter::create(m_curvePath, kColumns);
+    if (!csv)
+        return core::Unexpected(csv.error());
+    for (int i = 0; i < m_samples && !csv->failed(); ++i) {
+        const double t = parameter(spline, i, m_samples);
+        const Point p = spline.position_m(t);
+        csv->number(static_cast<double>(i) / (m_samples - 1));
+        csv->number(p.x());
+        csv->number(p.y());
+        csv->number(spline.curvature_perM(t));
+        csv->endRow();
+    }
+    return csv->finish();
+}
+
+} // namespace teleta::cli

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commands/tactile/gains_command.h"
+
+#include "app/cli/base/command_io.h"
+#include "app/cli/base/interruption.h"
+#include "backend/core/data/frame_file.h"
+#include "backend/equilibration/taxel_gain_file.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <utility>
+
+namespace teleta::cli {
+
+namespace {
+
+using equilibration::TaxelGain;
+using equilibration::TaxelGains;
+
+struct GainsText {
+    Q_DECLARE_TR_FUNCTIONS(GainsCommand)
+};
+
+nlohmann::ordered_json toJson(const TaxelGains& gains) {
+    const equilibration::GainRange range = gains.range().value_or(equilibration::GainRange());
+    nlohmann::ordered_json taxels = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; i < gains.taxels.size(); ++i) {
+        const auto columns = static_cast<std::size_t>(gains.layout.columns);
+        const TaxelGain& taxel = gains.taxels[i];
+        taxels.push_back({{"taxel", i},
+                          {"row", i / columns},
+                          {"column", i % columns},
+                          {"gain", taxel.gain},
+                          {"gain_se", taxel.error},
+                          {"state", equilibration::toString(taxel.state)}});
+    }
+    return {{"presses", gains.presses},
+            {"frames", gains.frames},
+            {"good", gains.good()},
+            {"least_gain", range.least},
+            {"greatest_gain", range.greatest},
+            {"level", gains.level},
+            {"scatter", gains.scatter},
+            {"repeatability", gains.repeatability},
+            {"tilt_x", gains.tilt_x},
+            {"tilt_y", gains.tilt_y},
+            {"tilted", gains.isTilted},
+            {"taxels", std::move(taxels)}};
+}
+
+core::Expected<void> printTable(const TaxelGains& gains) {
+    const equilibration::GainRange range = gains.range().value_or(equilibration::GainRange());
+    const auto percent = [](double share) { return forPeople(100.0 * share, 3); };
+    std::vector<std::pair<QString, QString>> fields{
+        {GainsText::tr("Frames under load"), QString::number(gains.frames)},
+        {GainsText::tr("Taxels used"), GainsText::tr("%1 of %2").arg(gains.good()).arg(gains.taxels.size())},
+        {GainsText::tr("Gains"),
+         GainsText::tr("%1 to %2").arg(forPeople(range.least), forPeople(range.greatest))},
+        {GainsText::tr("Largest standard error"), GainsText::tr("%1 %").arg(percent(range.largestError))},
+        {GainsText::tr("Not explained"), GainsText::tr("%1 % of the level").arg(percent(gains.scatter))},
+        {GainsText::tr("Tilt"),
+         GainsText::tr("%1 % along x, %2 % along y").arg(percent(gains.tilt_x), percent(gains.tilt_y))}};
+    if (gains.presses > 1)
+        fields.emplace_back(GainsText::tr("From press to press"),
+                            GainsText::tr("%1 %").arg(percent(gains.repeatability)));
+    return printFields(fields);
+}
+
+core::Expected<void> printRows(const TaxelGains& gains) {
+    core::Expected<RowOutput> rows = RowOutput::open(equilibration::kTaxelGainColumns, {});
+    if (!rows)
+        return core::Unexpected(rows.error());
+    equilibration::writeTaxelGainRows(gains, *rows);
+    return rows->finish();
+}
+
+/// What somebody should know before he uses the gains.
+void warnOf(const TaxelGains& gains) {
+    QStringList unused;
+    for (std::size_t i = 0; i < gains.taxels.size(); ++i) {
+        if (!gains.taxels[i].isGood())
+            unused << QStringLiteral("%1 (%2)").arg(i).arg(
+                QString::fromUtf8(equilibration::toString(gains.taxels[i].state).data()));
+    }
+    if (!unused.isEmpty())
+        warn(GainsText::tr("These taxels are not used: %1.").arg(unused.join(QStringLiteral(", "))));
+    if (gains.isTilted)
+        warn(GainsText::tr("The response changes by %1 % along x and %2 % along y: the load may have been "
+                           "uneven. Turn what presses round by half, press again and give both files.")
+                 .arg(forPeople(100.0 * gains.tilt_x, 3), forPeople(100.0 * gains.tilt_y, 3)));
+}
+
+} // namespace
+
+QString GainsCommand::summary() const {
+    return GainsText::tr("Gain of each taxel from frames under an even load");
+}
+
+const char* GainsCommand::example() const {
+    return "teleta simulate tactile-even-load --out run\n"
+           "  teleta gains run/frames.csv --out gains.csv";
+}
+
+void GainsCommand::declare(CLI::App& app) {
+    app.add_option("FRAMES.csv", m_paths,
+                   GainsText::tr("Recorded frames in which an even load presses on the whole array, a file a "
+                                 "press: time_s,t0,t1,...")
+                       .toStdString())
+        ->type_name("")
+        ->required();
+    m_array.declare(app);
+    declareJson(app, m_output.json);
+    declareOut(app, m_output.outPath);
+}
+
+core::Expected<void> GainsCommand::run() {
+    std::vector<std::string> inputs = m_paths;
+    inputs.push_back(m_array.tarePath);
+    refuseToReplace(m_output.outPath, inputs);
+    const core::Expected<contact::ConditioningSettings> settings = m_array.conditioning();
+    if (!settings)
+        return core::Unexpected(settings.error());
+    std::vector<std::vector<float>> presses;
+    for (const std::string& path : m_paths) {
+        core::Expected<std::vector<float>> press =
+            core::readFrames(path, m_array.layout(), [] { return !interrupted(); });
+        if (!press)
+            return core::Unexpected(interrupted() ? interruption() : press.error());
+        presses.push_back(std::move(*press));
+    }
+    std::vector<equilibration::GainPress> read;
+    for (const std::vector<float>& press : presses)
+        read.push_back({press, *settings});
+    const core::Expected<TaxelGains> gains = equilibration::findTaxelGains(m_array.layout(), read);
+    if (!gains)
+        return core::Unexpected(gains.error());
+    if (interrupted())
+        return core::Unexpected(interruption());
+    warnOf(*gains);
+    if (!m_output.outPath.empty()) {
+        if (const core::Expected<void> written = equilibration::writeTaxelGains(*gains, m_output.outPath);
+            !written)
+            return written;
+    }
+    if (m_output.json)
+        return printDocument(toJson(*gains));
+    return m_output.outPath.empty() ? printRows(*gains) : printTable(*gains);
+}
+
+} // namespace teleta::cli

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commands/tactile/locate_command.h"
+
+#include "app/cli/base/interruption.h"
+#include "app/cli/base/progress_bar.h"
+#include "backend/core/data/csv_reader.h"
+#include "backend/vision/calibration/camera_file.h"
+
+#include <QCoreApplication>
+
+#include <CLI/CLI.hpp>
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace teleta::cli {
+
+namespace {
+
+struct LocateText {
+    Q_DECLARE_TR_FUNCTIONS(LocateCommand)
+};
+
+void writePoint(const vision::CylinderCamera& camera, const Eigen::Vector2d& pixel, RowOutput& rows) {
+    const auto point_m = camera.locate_m(pixel);
+    for (Eigen::Index i = 0; i < 3; ++i)
+        rows.number(point_m ? std::optional<double>((*point_m)[i]) : std::nullopt);
+    std::optional<double> deviation_m;
+    if (point_m) {
+        if (const auto known_m = camera.standardDeviation_m(*point_m))
+            deviation_m = *known_m;
+    }
+    rows.number(deviation_m);
+    rows.endRow();
+}
+
+} // namespace
+
+QString LocateCommand::summary() const {
+    return LocateText::tr("Points on the tactile cylinder that pixels of its camera show");
+}
+
+const char* LocateCommand::example() const {
+    return "teleta simulate vtacarm-calibration --duration 60 --out run\n"
+           "  teleta locate run/camera.json run/pairs.csv --out points.csv";
+}
+
+void LocateCommand::declare(CLI::App& app) {
+    const auto help = [](const char* text) { return LocateText::tr(text).toStdString(); };
+    app.add_option("camera", m_cameraPath,
+                   help(QT_TRANSLATE_NOOP("LocateCommand", "Camera file that teleta calibrate has written")))
+        ->type_name("CAMERA.json")
+        ->required();
+    app.add_option("pixels", m_pixelsPath,
+                   help(QT_TRANSLATE_NOOP("LocateCommand", "CSV with the columns u_px,v_px")))
+        ->type_name("PIXELS.csv")
+        ->required();
+    declareOut(app, m_output.outPath);
+    declareJson(app, m_output.json);
+}
+
+core::Expected<void> LocateCommand::run() {
+    const core::Expected<vision::CameraFile> file = vision::readCamera(m_cameraPath);
+    if (!file)
+        return core::Unexpected(file.error());
+    core::Expected<core::CsvReader> reader = core::CsvReader::open(m_pixelsPath);
+    if (!reader)
+        return core::Unexpected(reader.error());
+    constexpr std::array<std::string_view, 2> kNames{"u_px", "v_px"};
+    const core::Expected<std::vector<std::size_t>> columns = reader->columns(kNames);
+    if (!columns)
+        return core::Unexpected(columns.error());
+    constexpr std::array<std::string_view, 4> kColumns{"x_m", "y_m", "z_m", "sd_m"};
+    core::Expected<RowOutput> rows = RowOutput::open(kColumns, m_output);
+    if (!rows)
+        return core::Unexpected(rows.error());
+
+    const auto total = static_cast<double>(reader->bytesTotal());
+    ProgressBar progress(ProgressBar::Unit::bytes, rows->onTerminal());
+    std::vector<double> row;
+    core::Expected<void> stopped;
+    while (!rows->failed()) {
+        if (interrupted()) {
+            stopped = core::Unexpected(interruption());
+            break;
+        }
+        const core::Expected<bool> more = reader->next(row);
+        if (!more) {
+            stopped = core::Unexpected(more.error());
+            break;
+        }
+        if (!*more)
+            break;
+        writePoint(file->camera, {row[(*columns)[0]], row[(*columns)[1]]}, *rows);
+        rows->flushIfDue();
+        progress.update(static_cast<double>(reader->bytesRead()), total);
+    }
+    progress.erase();
+    // What was located before the end of the work is kept.
+    const core::Expected<void> finished = rows->finish();
+    return stopped ? finished : stopped;
+}
+
+} // namespace teleta::cli

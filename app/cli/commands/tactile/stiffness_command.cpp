@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commands/tactile/stiffness_command.h"
+
+#include "app/cli/base/command_io.h"
+#include "app/cli/base/interruption.h"
+#include "app/cli/base/progress_bar.h"
+#include "app/cli/base/validators.h"
+#include "backend/core/data/csv_reader.h"
+
+#include <QCoreApplication>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <unistd.h>
+#include <utility>
+
+namespace teleta::cli {
+
+namespace {
+
+using stiffness::JointSample;
+using stiffness::Material;
+using stiffness::Method;
+using stiffness::Refusal;
+using stiffness::Stiffness;
+using stiffness::TouchStiffness;
+
+struct StiffnessText {
+    Q_DECLARE_TR_FUNCTIONS(StiffnessCommand)
+};
+
+nlohmann::ordered_json orNull(const std::optional<double>& value) {
+    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+}
+
+nlohmann::ordered_json toJson(const TouchStiffness& touch) {
+    return {{"method", stiffness::toString(touch.method)},
+            {"samples", touch.samples},
+            {"delta_theta_rad", touch.deltaTheta_rad},
+            {"delta_torque_nm", touch.deltaTorque_Nm},
+            {"total_stiffness_n_per_m", orNull(touch.total.value_NPerM)},
+            {"total_stiffness_se", orNull(touch.total.se_NPerM)},
+            {"object_stiffness_n_per_m", orNull(touch.object.value_NPerM)},
+            {"object_stiffness_lower_95", orNull(touch.object.lower95_NPerM)},
+            {"object_stiffness_upper_95", orNull(touch.object.upper95_NPerM)},
+            {"material", stiffness::toString(touch.material)},
+            {"safe", stiffness::isSafe(touch.material)},
+            {"level", stiffness::level(touch.material)}};
+}
+
+QString materialName(Material material) {
+    switch (material) {
+    case Material::sponge:
+        return StiffnessText::tr("sponge");
+    case Material::rubberSponge:
+        return StiffnessText::tr("rubber sponge");
+    case Material::rubber:
+        return StiffnessText::tr("rubber");
+    case Material::wood:
+        return StiffnessText::tr("wood");
+    case Material::metal:
+        return StiffnessText::tr("metal");
+    }
+    return {};
+}
+
+/// Four significant digits, without an exponent where people say thousands.
+QString perMetre(double stiffness_NPerM) {
+    if (stiffness_NPerM < 1e4 || stiffness_NPerM >= 1e9)
+        return forPeople(stiffness_NPerM);
+    const double digit_NPerM = std::pow(10.0, std::floor(std::log10(stiffness_NPerM)) - 3.0);
+    return QString::number(std::round(stiffness_NPerM / digit_NPerM) * digit_NPerM, 'f', 0);
+}
+
+QString inWords(const Stiffness& stiffness) {
+    if (!stiffness.value_NPerM)
+        return StiffnessText::tr("at least %1 N/m (95 %)").arg(perMetre(*stiffness.lower95_NPerM));
+    if (!stiffness.lower95_NPerM)
+        return StiffnessText::tr("%1 N/m (uncertainty not available)").arg(perMetre(*stiffness.value_NPerM));
+    return StiffnessText::tr("%1 N/m (95 %: %2 to %3)")
+        .arg(perMetre(*stiffness.value_NPerM), perMetre(*stiffness.lower95_NPerM),
+             perMetre(*stiffness.upper95_NPerM));
+}
+
+core::Expected<void> printTable(const TouchStiffness& touch) {
+    const QString method =
+        touch.method == Method::twoPoint ? StiffnessText::tr("two-point") : StiffnessText::tr("regression");
+    const auto samples = static_cast<int>(touch.samples);
+    const std::array<std::pair<QString, QString>, 7> fields{{
+        {StiffnessText::tr("Method"), method},
+        {StiffnessText::tr("Samples"), QString::number(samples)},
+        {StiffnessText::tr("Rotation"), StiffnessText::tr("%1 rad").arg(forPeople(touch.deltaTheta_rad))},
+        {StiffnessText::tr("Torque rise"), StiffnessText::tr("%1 Nm").arg(forPeople(touch.deltaTorque_Nm))},
+        {StiffnessText::tr("Total stiffness"), inWords(touch.total)},
+        {StiffnessText::tr("Object stiffness"), inWords(touch.object)},
+        {StiffnessText::tr("Material"),
+         (stiffness::isSafe(touch.material) ? StiffnessText::tr("%1, safe to touch, level %2 of 5")
+                                            : StiffnessText::tr("%1, danger, level %2 of 5"))
+             .arg(materialName(touch.material), QString::number(stiffness::level(touch.material)))},
+    }};
+    return printFields(fields);
+}
+
+} // namespace
+
+QString StiffnessCommand::summary() const {
+    return StiffnessText::tr(
+        "Stiffness and material of an object from joint angle and torque during a touch");
+}
+
+const char* StiffnessCommand::example() const {
+    return "teleta simulate teleta-touch --duration 8 --out run\n"
+           "  cut -d, -f1,5,9 run/joints.csv | sed '1s/.*/time_s,joint_angle_rad,joint_torque_nm/' "
+           ">touch.csv\n"
+           "  teleta stiffness touch.csv --contact-distance 0.1695";
+}
+
+void StiffnessCommand::declare(CLI::App& app) {
+    const auto help = [](const char* text) { return StiffnessText::tr(text).toStdString(); };
+    app.add_option("log", m_logPath,
+                   help(QT_TRANSLATE_NOOP("StiffnessCommand",
+                                          "CSV with the columns time_s,joint_angle_rad,joint_torque_nm")))
+        ->type_name("LOG.csv")
+        ->required();
+    app.add_option("--contact-distance", m_settings.contactDistance_m,
+                   help(QT_TRANSLATE_NOOP("StiffnessCommand",
+                                          "Distance of the contact from the joint's axis along the link, m")))
+        ->type_name("M")
+        ->required()
+        ->check(positive());
+    app.add_option(
+           "--link-half-thickness", m_linkHalfThickness_m,
+           help(QT_TRANSLATE_NOOP("StiffnessCommand",
+                                  "Half the thickness of the link, m; it cancels out of the stiffness")))
+        ->type_name("M")
+        ->check(finite());
+    app.add_option("--link-stiffness", m_settings.linkStiffness_NPerM,
+                   help(QT_TRANSLATE_NOOP("StiffnessCommand", "The link's own stiffness, N/m")))
+        ->type_name("N_PER_M")
+        ->capture_default_str()
+        ->check(positive());
+    app.add_option("--method", m_method,
+                   help(QT_TRANSLATE_NOOP("StiffnessCommand",
+                                          "two-point: the samples nearest to both borders of the window; "
+                                          "regression: all samples in it")))
+        ->type_name("two-point|regression")
+        ->capture_default_str()
+        ->check(
+            CLI::IsMember({stiffness::toString(Method::twoPoint), stiffness::toString(Method::regression)})
+                .description(""));
+    app.add_option(
+           "--window", m_window_Nm,
+           help(QT_TRANSLATE_NOOP("StiffnessCommand", "Torques between which the touch is evaluated, Nm")))
+        ->type_name("LO,HI")
+        ->delimiter(',')
+        ->expected(2)
+        ->default_str("0.02,0.05")
+        ->check(finite());
+    declareJson(app, m_json);
+}
+
+core::Expected<void> StiffnessCommand::run() {
+    if (m_linkHalfThickness_m < 0.0)
+        throw CLI::ValidationError("--link-half-thickness",
+                                   StiffnessText::tr("0 or more is expected").toStdString());
+    if (m_window_Nm.size() == 2) {
+        m_settings.window = {m_window_Nm[0], m_window_Nm[1]};
+        if (m_window_Nm[0] < 0.0 || m_window_Nm[1] <= m_window_Nm[0])
+            throw CLI::ValidationError(
+                "--window",
+                StiffnessText::tr("a lower border of 0 or more and a higher upper one are expected")
+                    .toStdString());
+    }
+    m_settings.method = *stiffness::methodFromString(m_method);
+
+    const core::Expected<std::vector<JointSample>> log = readLog();
+    if (!log)
+        return core::Unexpected(log.error());
+    const tl::expected<TouchStiffness, Refusal> touch = stiffness::estimateStiffness(*log, m_settings);
+    if (!touch)
+        return core::Unexpected(explain(touch.error(), *log));
+    if (touch->stifferThanLink)
+        warn(StiffnessText::tr(
+            "the touch is stiffer than the link allows: check contact distance and link stiffness"));
+    return m_json ? printDocument(toJson(*touch)) : printTable(*touch);
+}
+
+core::Expected<std::vector<JointSample>> StiffnessCommand::readLog() const {
+    core::Expected<core::CsvReader> reader = core::CsvReader::open(m_logPath);
+    if (!reader)
+        return core::Unexpected(reader.error());
+    constexpr std::array<std::string_view, 3> kNames{"time_s", "joint_angle_rad", "joint_torque_nm"};
+    const core::Expected<std::vector<std::size_t>> columns = reader->columns(kNames);
+    if (!columns)
+        return core::Unexpected(columns.error());
+
+    std::vector<JointSample> log;
+    std::vector<double> row;
+    const auto total = static_cast<double>(reader->bytesTotal());
+    ProgressBar progress(ProgressBar::Unit::bytes, isatty(STDOUT_FILENO) != 0);
+    for (;;) {
+        const core::Expected<bool> more = reader->next(row);
+        if (!more)
+            return core::Unexpected(more.error());
+        if (!*more)
+            return log;
+        if (interrupted())
+            return core::Unexpected(interruption());
+        log.push_back({row[(*columns)[0]], row[(*columns)[1]], row[(*columns)[2]]});
+        progress.update(static_cast<double>(reader->bytesRead()), total);
+    }
+}
+
+core::Error StiffnessCommand::explain(Refusal refusal, const std::vector<JointSample>& log) const {
+    core::Error error;
+    error.kind = core::ErrorKind::refused;
+    error.where.file = m_logPath;
+    double largest_Nm = 0.0;
+    for (const JointSample& sample : log)
+        largest_Nm = std::max(largest_Nm, std::abs(sample.torque_Nm));
+    const QString low = forPeople(m_settings.window.low_Nm);
+    const QString high = forPeople(m_settings.window.high_Nm);
+    const auto say = [&error](const QString& message, const QString& expected = {}) {
+        error.message = message.toStdString();
+        error.expected = expected.toStdString();
+    };
+    switch (refusal) {
+    case Refusal::noSamples:
+        error.kind = core::ErrorKind::badInput;
+        say(StiffnessText::tr("the log has no samples"),
+            StiffnessText::tr("a row for each sample of the touch"));
+        break;
+    case Refusal::windowNotReached:
+        if (m_settings.method == Method::twoPoint && largest_Nm >= m_settings.window.low_Nm)
+            say(StiffnessText::tr("one half of the torque window has no sample; the largest torque is %1 Nm")
+                    .arg(forPeople(largest_Nm)),
+                StiffnessText::tr("samples near %1 Nm and near %2 Nm").arg(low, high));
+        else
+            say(StiffnessText::tr("no sample reaches the torque window; the largest torque is %1 Nm")
+                    .arg(forPeople(largest_Nm)),
+                StiffnessText::tr("torques from %1 to %2 Nm").arg(low, high));
+        break;
+    case Refusal::tooFewSamples:
+        say(StiffnessText::tr("only one sample lies in the torque window"),
+            StiffnessText::tr("two or more samples from %1 to %2 Nm").arg(low, high));
+        break;
+    case Refusal::torqueUnchanged:
+        say(StiffnessText::tr("the torque does not change within the window"),
+            StiffnessText::tr("torque that rises from %1 to %2 Nm").arg(low, high));
+        break;
+    case Refusal::angleOpposesTorque:
+        say(StiffnessText::tr("the joint turns against the rising torque"),
+            StiffnessText::tr("angle and torque that rise together; the sign of one column may be turned"));
+        break;
+    case Refusal::tooQuick:
+        say(StiffnessText::tr("the torque rises so quickly that the arm's inertia is part of it"),
+            StiffnessText::tr("a slower touch"));
+        break;
+    case Refusal::notFinite:
+    case Refusal::notPositive:
+    case Refusal::negativeUncertainty:
+    case Refusal::outOfRange:
+    case Refusal::badWindow:
+        say(StiffnessText::tr("the numbers are too large or too small to compute with"),
+            StiffnessText::tr("SI units"));
+        break;
+    }
+    return error;
+}
+
+} // namespace teleta::cli

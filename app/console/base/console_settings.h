@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/base/source_request.h"
+
+#include <QByteArray>
+#include <QSettings>
+#include <QString>
+#include <QStringList>
+
+#include <memory>
+#include <optional>
+
+namespace teleta::console {
+
+/// What the console remembers from one start to the next, in an INI file under the user's configuration
+/// folder. Versioned: those of older versions are taken over, a newer file is left alone and the defaults
+/// used. Of a damaged file a copy stays beside it (console.ini.damaged), and what can be read is used; the
+/// user is told of both, and when the file cannot be written. Of several consoles that run each writes what
+/// it changed; where that is the same, the last one counts. Thread: GUI; QSettings writes the file by itself,
+/// atomically.
+class ConsoleSettings {
+public:
+    static constexpr int kVersion = 1;
+    static constexpr int kRecentFiles = 8;
+
+    /// fresh: remember nothing and start with the defaults.
+    explicit ConsoleSettings(bool fresh);
+
+    /// How the file was found.
+    enum class Found {
+        usable,
+        damaged,
+        newer,
+        unwritable, ///< what is remembered is forgotten at the end
+    };
+    [[nodiscard]] Found found() const { return m_found; }
+    /// Of a damaged file its copy, empty when none could be made; else the file. Empty when fresh.
+    [[nodiscard]] QString keptFile() const { return m_keptFile; }
+
+    [[nodiscard]] QString theme() const { return text("theme", QStringLiteral("system")); }
+    void setTheme(const QString& theme) { set("theme", theme); }
+    [[nodiscard]] QString language() const { return text("language", {}); }
+    void setLanguage(const QString& language) { set("language", language); }
+    [[nodiscard]] QString page() const { return text("page", {}); }
+    void setPage(const QString& page) { set("page", page); }
+
+    [[nodiscard]] QByteArray geometry() const { return bytes("window/geometry"); }
+    void setGeometry(const QByteArray& geometry) { set("window/geometry", geometry); }
+    /// Dock layout of a page.
+    [[nodiscard]] QByteArray layout(const QString& page) const { return bytes("layout/" + page); }
+    void setLayout(const QString& page, const QByteArray& layout) { set("layout/" + page, layout); }
+
+    /// "simulated", "hid", "none", "file:FILE"; of the first versions "modbus:FILE".
+    [[nodiscard]] QString bracelet() const { return text("bracelet", QStringLiteral("simulated")); }
+    void setBracelet(const QString& bracelet) { set("bracelet", bracelet); }
+    /// Motor drivers that were opened, the newest first.
+    [[nodiscard]] QStringList deviceFiles() const;
+    void addDeviceFile(const QString& path);
+    /// Which pattern tells what was recognised, as JSON; empty: the default.
+    [[nodiscard]] QString patternMap() const { return text("feedback/map", {}); }
+    void setPatternMap(const QString& json) { set("feedback/map", json); }
+    /// "both", "stiffness", "shape", "off".
+    [[nodiscard]] QString feedbackMode() const { return text("feedback/mode", QStringLiteral("both")); }
+    void setFeedbackMode(const QString& mode) { set("feedback/mode", mode); }
+
+    [[nodiscard]] QStringList recentFiles() const;
+    void addRecentFile(const QString& path);
+
+    /// Where recordings are kept; empty: nobody chose a folder.
+    [[nodiscard]] QString recordingFolder() const { return text("recording/folder", {}); }
+    void setRecordingFolder(const QString& folder) { set("recording/folder", folder); }
+
+    /// Pattern files, the newest first.
+    [[nodiscard]] QStringList recentPatterns() const;
+    void addRecentPattern(const QString& path);
+
+    /// How a recording was opened the last time.
+    [[nodiscard]] std::optional<RecordingRequest> recording(const QString& path) const;
+    void setRecording(const RecordingRequest& request);
+
+    /// The camera that was opened the last time.
+    [[nodiscard]] CameraRequest camera() const {
+        return {text("camera/source", {}).toStdString(), text("camera/model", {}).toStdString(), true};
+    }
+    void setCamera(const CameraRequest& request) {
+        set("camera/source", QString::fromStdString(request.source));
+        set("camera/model", QString::fromStdString(request.modelPath));
+    }
+
+private:
+    [[nodiscard]] QString text(const QString& key, const QString& fallback) const;
+    [[nodiscard]] QByteArray bytes(const QString& key) const;
+    void set(const QString& key, const QVariant& value);
+    [[nodiscard]] QStringList list(const QString& key) const;
+    void addToList(const QString& key, const QString& path);
+
+    std::unique_ptr<QSettings> m_settings; ///< null when fresh, or the file is a newer version's
+    Found m_found = Found::usable;
+    QString m_keptFile;
+};
+
+} // namespace teleta::console

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/error.h"
+#include "backend/core/threads/stop_switch.h"
+#include "backend/pipeline/touch_pipeline.h"
+
+#include <QString>
+
+#include <string>
+#include <vector>
+
+namespace teleta::console {
+
+/// One source of a recording of this program (.teleta): an array, an arm with its skin, or a camera.
+struct PlaybackRequest {
+    std::string path;
+    std::string stream; ///< name of the array's or the camera's stream
+    std::string source; ///< the device, as people know it
+    bool loop = false;
+    bool settingsChanged = false; ///< of the array, while it was recorded: the first ones are used
+};
+
+/// Whether a file is to be opened as a recording of this program, by its name.
+[[nodiscard]] bool isRecordingName(const QString& path);
+
+/// All sources of a recording. Reads the file: not on the GUI's thread. Error: as Recording::open and
+/// pipeline::recordedSources.
+[[nodiscard]] core::Expected<std::vector<PlaybackRequest>> playbacksOf(const std::string& path);
+
+/// Opens a source of a recording, which waits at its begin; all of them are played from the first frame of
+/// any to the last one. Not on the GUI's thread. Error: as playbacksOf.
+[[nodiscard]] core::Expected<pipeline::OpenedSource> openPlayback(const PlaybackRequest& request,
+                                                                  const core::StopSwitch& stop);
+
+} // namespace teleta::console

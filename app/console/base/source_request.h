@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/base/playback_request.h"
+#include "backend/core/data/array_layout.h"
+#include "backend/core/error.h"
+#include "backend/core/threads/stop_switch.h"
+#include "backend/pipeline/touch_pipeline.h"
+#include "devices/wts/wts_config.h"
+
+#include <QString>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace teleta::console {
+
+/// A recorded run of tactile frames (CSV) to be played back.
+struct RecordingRequest {
+    std::string path;
+    core::ArrayLayout layout;
+    std::string tarePath;  ///< recording of the unloaded array; empty: none
+    std::string gainsPath; ///< gains of its taxels; empty: none
+    bool inverted = false;
+    double gain = 1.0;
+    double threshold_N = 0.2;
+    double rate_Hz = 0.0; ///< play one frame per 1/rate_Hz; 0: at the recorded times
+    double speed = 1.0;
+    bool loop = true;
+    std::string loadUnit = "N"; ///< shown with every load
+};
+
+/// A simulated scene (TOML).
+struct SceneRequest {
+    std::string path; ///< a file, or ":/scenes/NAME.toml" for one that comes with the program
+    std::uint64_t seed = 1;
+};
+
+/// A Weiss WTS array that is connected.
+struct WtsRequest {
+    wts::WtsConfig config;
+    double gain = 1.0;                              ///< load units per count
+    std::optional<double> threshold = std::nullopt; ///< in load units; empty: 1 % of the sensor's full scale
+    std::string loadUnit = "counts";                ///< shown with every load
+    std::string gainsPath = {};                     ///< gains of its taxels; empty: none
+};
+
+/// A camera in a soft tube that is connected, or a video of one.
+struct CameraRequest {
+    std::string source;    ///< a file, a pattern of numbered images or the number of a camera
+    std::string modelPath; ///< camera file (JSON) of its calibration
+    bool loop = true;      ///< of a file
+};
+
+using SourceRequest =
+    std::variant<RecordingRequest, SceneRequest, WtsRequest, CameraRequest, PlaybackRequest>;
+
+/// Name under which people know the source: the file name without its folder, or the name of the link.
+[[nodiscard]] QString displayName(const SourceRequest& request);
+
+/// The same, a file with its extension, for messages.
+[[nodiscard]] QString fileName(const SourceRequest& request);
+
+/// What opens the source on the pipeline's control thread. stop outlives the source.
+[[nodiscard]] pipeline::SourceFactory makeSourceFactory(SourceRequest request, const core::StopSwitch& stop);
+
+/// Fills in what a recording's own file tells: the layout by the number of its taxel columns (known arrays
+/// first, else the most square factorisation), and as tare the file beside it whose name differs by "empty".
+/// Reads the header line only. Thread: any but the GUI's.
+[[nodiscard]] core::Expected<RecordingRequest> guessRecording(const std::string& path);
+
+} // namespace teleta::console

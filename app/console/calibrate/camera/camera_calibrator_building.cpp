@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// CameraCalibrator: what it is made of.
+#include "app/console/calibrate/camera/camera_calibrator.h"
+#include "app/console/calibrate/camera/live_probing_panel.h"
+#include "app/console/calibrate/camera/pair_entry.h"
+#include "app/console/calibrate/camera/probing_strip.h"
+#include "app/console/calibrate/camera/tube_fields.h"
+#include "widgets/base/redo_keys.h"
+#include "widgets/base/theme.h"
+#include "widgets/camera/pair_model.h"
+#include "widgets/camera/residual_view.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QSortFilterProxyModel>
+#include <QSplitter>
+#include <QTableView>
+#include <QTableWidget>
+#include <QToolBar>
+#include <QUndoStack>
+#include <QVBoxLayout>
+
+namespace teleta::console {
+
+void CameraCalibrator::buildTools() {
+    m_tools = new QToolBar;
+    m_tools->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    m_load = m_tools->addAction(QString(), this, [this] { askForFile(File::pairs, false); });
+    m_load->setShortcut(QKeySequence::Open);
+    m_savePairs = m_tools->addAction(QString(), this, [this] { askForFile(File::pairs, true); });
+    m_save = m_tools->addAction(QString(), this, [this] { askForFile(File::camera, true); });
+    m_save->setShortcut(QKeySequence::Save);
+    m_probe = m_tools->addAction(QString(), this, [this] { probe(); });
+    m_probeWith = m_tools->addAction(QString(), this, &CameraCalibrator::askForCamera);
+    m_tools->addSeparator();
+    m_methodLabel = new QLabel;
+    m_methods = new QComboBox;
+    for (std::size_t i = 0; i < vision::kCalibrationMethods.size(); ++i)
+        m_methods->addItem(QString());
+    m_methodLabel->setBuddy(m_methods);
+    m_tools->addWidget(m_methodLabel);
+    m_tools->addWidget(m_methods);
+    connect(m_methods, &QComboBox::activated, this,
+            [this](int row) { chooseMethod(vision::kCalibrationMethods[static_cast<std::size_t>(row)]); });
+    m_tools->addSeparator();
+    m_exclude = m_tools->addAction(QString(), this, &CameraCalibrator::excludeOutliers);
+    // Not those of the stack: they keep the language in which they were made.
+    m_undoAction = new QAction(this);
+    m_redoAction = new QAction(this);
+    for (QAction* action : {m_undoAction, m_redoAction})
+        action->setEnabled(false);
+    connect(m_undoAction, &QAction::triggered, m_undo, &QUndoStack::undo);
+    connect(m_redoAction, &QAction::triggered, m_undo, &QUndoStack::redo);
+    connect(m_undo, &QUndoStack::canUndoChanged, m_undoAction, &QAction::setEnabled);
+    connect(m_undo, &QUndoStack::canRedoChanged, m_redoAction, &QAction::setEnabled);
+    connect(m_undo, &QUndoStack::undoTextChanged, m_undoAction, &QAction::setToolTip);
+    connect(m_undo, &QUndoStack::redoTextChanged, m_redoAction, &QAction::setToolTip);
+    m_undoAction->setShortcut(QKeySequence::Undo);
+    m_redoAction->setShortcuts(base::redoKeys());
+    m_tools->addAction(m_undoAction);
+    m_tools->addAction(m_redoAction);
+    for (QAction* action : {m_load, m_save, m_undoAction, m_redoAction})
+        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    addActions({m_load, m_save, m_undoAction, m_redoAction});
+    m_tube = new TubeFields;
+    connect(m_tube, &TubeFields::changed, this, &CameraCalibrator::setSettings);
+    connect(m_tube, &TubeFields::holeFactorChanged, this, &CameraCalibrator::setHoleFactor);
+}
+
+QWidget* CameraCalibrator::buildTables() {
+    m_comparison = new QTableWidget(static_cast<int>(vision::kCalibrationMethods.size()), 6);
+    m_comparison->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_comparison->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_comparison->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_comparison->verticalHeader()->hide();
+    m_comparison->horizontalHeader()->setStretchLastSection(true);
+    connect(m_comparison, &QTableWidget::cellClicked, this, [this](int row, int) {
+        chooseMethod(vision::kCalibrationMethods[static_cast<std::size_t>(row)]);
+    });
+
+    m_model = new camera::PairModel(this);
+    connect(m_model, &camera::PairModel::useRequested, this,
+            [this](std::size_t pair, bool use) { setUsed({pair}, use); });
+    auto* sorted = new QSortFilterProxyModel(this);
+    sorted->setSourceModel(m_model);
+    sorted->setSortRole(camera::PairModel::kSortRole);
+    m_table = new QTableView;
+    m_table->setObjectName(QStringLiteral("pairs"));
+    m_table->setModel(sorted);
+    m_table->setSortingEnabled(true);
+    m_table->sortByColumn(camera::PairModel::number, Qt::AscendingOrder);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->verticalHeader()->hide();
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->setWordWrap(false);
+    m_toggle = new QAction(m_table);
+    connect(m_toggle, &QAction::triggered, this, [this] {
+        const std::vector<std::size_t> pairs = selectedPairs();
+        if (!pairs.empty())
+            setUsed(pairs, !m_work.used[pairs.front()]);
+    });
+    m_remove = new QAction(m_table);
+    m_remove->setShortcut(QKeySequence::Delete);
+    m_remove->setShortcutContext(Qt::WidgetShortcut);
+    connect(m_remove, &QAction::triggered, this, [this] { removePairs(selectedPairs()); });
+    m_table->addActions({m_toggle, m_remove});
+    m_table->setContextMenuPolicy(Qt::ActionsContextMenu);
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            [this, sorted](const QModelIndex& current) {
+                if (current.isValid())
+                    selectPair(static_cast<std::size_t>(sorted->mapToSource(current).row()));
+            });
+
+    m_entry = new PairEntry;
+    connect(m_entry, &PairEntry::entered, this, &CameraCalibrator::addPair);
+    auto* tables = new QSplitter(Qt::Vertical);
+    tables->addWidget(m_comparison);
+    tables->addWidget(m_table);
+    tables->setStretchFactor(0, 1);
+    tables->setStretchFactor(1, 3);
+    auto* all = new QWidget;
+    auto* layout = new QVBoxLayout(all);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(tables, 1);
+    layout->addWidget(m_entry);
+    return all;
+}
+
+void CameraCalibrator::build() {
+    setAcceptDrops(true);
+    buildTools();
+    buildProbing();
+    buildLive();
+    m_origin = new QLabel;
+    m_verdict = new QLabel;
+    m_verdict->setWordWrap(true);
+    m_verdict->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    m_image = new camera::ResidualView(camera::ResidualPicture::Surface::image);
+    m_cylinder = new camera::ResidualView(camera::ResidualPicture::Surface::cylinder);
+    for (camera::ResidualView* view : {m_image, m_cylinder}) {
+        connect(view, &camera::ResidualView::selected, this, &CameraCalibrator::selectPair);
+        connect(view, &camera::ResidualView::toggleRequested, this, &CameraCalibrator::toggle);
+        connect(view, &camera::ResidualView::exported, this,
+                [this](const QString& path) { emit message(tr("Saved %1").arg(path), false); });
+        connect(view, &camera::ResidualView::exportFailed, this,
+                [this](const QString& text) { emit message(text, true); });
+    }
+    auto* pictures = new QSplitter(Qt::Vertical);
+    pictures->addWidget(m_image);
+    pictures->addWidget(m_cylinder);
+    auto* halves = new QSplitter;
+    halves->addWidget(pictures);
+    halves->addWidget(buildTables());
+    halves->setStretchFactor(0, 3);
+    halves->setStretchFactor(1, 2);
+    auto* layout = new QVBoxLayout(this);
+    // The fields have a row of their own: in French they leave the verdict no room.
+    auto* tube = new QHBoxLayout;
+    auto* head = new QHBoxLayout;
+    for (QHBoxLayout* row : {tube, head})
+        row->setContentsMargins(base::grid(this), 0, base::grid(this), 0);
+    tube->addWidget(m_tube);
+    tube->addStretch(1);
+    head->addWidget(m_origin);
+    head->addWidget(m_verdict, 1);
+    layout->addWidget(m_tools);
+    layout->addLayout(tube);
+    layout->addLayout(head);
+    layout->addWidget(m_strip);
+    layout->addWidget(m_live);
+    layout->addWidget(halves, 1);
+}
+
+} // namespace teleta::console

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/operate/recording/mark_list.h"
+#include "app/console/operate/recording/recording_station.h"
+#include "backend/core/device/device.h"
+#include "backend/pipeline/touch/touch_snapshot.h"
+
+#include <QObject>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace teleta::charts {
+class StripChartView;
+}
+
+namespace teleta::console {
+
+/// The marks of the recording that runs, or of the one that is played, in the strip charts and in a list.
+/// Thread: GUI.
+class MarkViews : public QObject {
+    Q_OBJECT
+
+public:
+    MarkViews(charts::StripChartView& charts, QWidget* parent);
+
+    [[nodiscard]] MarkList& list() { return *m_list; }
+
+    /// Another source is shown, whose charts begin anew. playback: null when it is none.
+    void setSource(const core::PlaybackControl* playback);
+    /// The marks of the recording that runs, or of the last one. live: it runs.
+    void setRecorded(std::vector<RecordingMark> marks, bool live);
+    /// A sample that the charts got.
+    void take(const pipeline::FeatureSample& sample);
+    void tick();
+
+    /// Of the playback that is shown.
+    [[nodiscard]] const std::vector<core::PlaybackMark>& played() const { return m_played; }
+
+signals:
+    /// The user wants a mark at a moment that the charts show.
+    void markRequested(std::int64_t time_ns);
+    void seekRequested(double time_s);
+
+private:
+    void showList();
+    void showInCharts();
+
+    charts::StripChartView& m_charts;
+    MarkList* m_list;
+    std::vector<core::PlaybackMark> m_played;
+    std::vector<bool> m_passed; ///< of these, those that the charts have come to
+    std::vector<RecordingMark> m_recorded;
+    bool m_live = false;
+    bool m_stale = false; ///< the charts show other marks
+    struct Moment {
+        std::int64_t time_ns = 0;
+        double sourceTime_s = 0.0;
+    };
+    std::optional<Moment> m_newest; ///< of the charts
+};
+
+} // namespace teleta::console

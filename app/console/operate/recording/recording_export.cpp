@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/operate/recording/recording_export.h"
+
+#include "backend/recording/recording.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QProgressDialog>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace teleta::console {
+
+namespace {
+
+constexpr int kLook_ms = 50;
+constexpr int kPermille = 1000;
+
+} // namespace
+
+RecordingExport::RecordingExport(QWidget* window)
+    : m_window(window) {
+    m_timer.setInterval(kLook_ms);
+    connect(&m_timer, &QTimer::timeout, this, &RecordingExport::look);
+}
+
+RecordingExport::~RecordingExport() {
+    if (m_progress)
+        m_progress->cancelled = true;
+    if (m_result.valid())
+        m_result.wait();
+}
+
+void RecordingExport::ask(const QString& suggested) {
+    auto* dialog = new QFileDialog(m_window, tr("Export recording as CSV"), QFileInfo(suggested).path(),
+                                   tr("Recordings (*.teleta)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    dialog->selectFile(suggested);
+    connect(dialog, &QFileDialog::fileSelected, this, &RecordingExport::askForFolder);
+    dialog->open();
+}
+
+void RecordingExport::askForFolder(const QString& path) {
+    auto* dialog = new QFileDialog(m_window, tr("Folder for the CSV files"), QFileInfo(path).absolutePath());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::Directory);
+    connect(dialog, &QFileDialog::fileSelected, this, [this, path](const QString& chosen) {
+        // A folder of its own: several recordings have streams of the same names.
+        start(path, chosen + QLatin1Char('/') + QFileInfo(path).completeBaseName());
+    });
+    dialog->open();
+}
+
+void RecordingExport::start(const QString& path, const QString& folder) {
+    if (isBusy()) {
+        emit failed(QFileInfo(path).fileName(), core::Error{core::ErrorKind::refused,
+                                                            tr("another export is running").toStdString(),
+                                                            {},
+                                                            {path.toStdString()}});
+        return;
+    }
+    m_path = path;
+    m_folder = folder;
+    m_progress = std::make_shared<Progress>();
+    m_result = std::async(std::launch::async,
+                          [progress = m_progress, path = path.toStdString(), folder = folder.toStdString()] {
+                              return write(path, folder, *progress);
+                          });
+    m_dialog = new QProgressDialog(tr("Exporting %1\u2026", "a file").arg(QFileInfo(path).fileName()),
+                                   tr("Cancel"), 0, kPermille, m_window);
+    m_dialog->setWindowModality(Qt::NonModal);
+    m_dialog->setAutoClose(false);
+    m_dialog->setAutoReset(false);
+    connect(m_dialog, &QProgressDialog::canceled, this,
+            [progress = m_progress] { progress->cancelled = true; });
+    m_dialog->setValue(0);
+    m_timer.start();
+    emit busyChanged(true);
+}
+
+RecordingExport::Result RecordingExport::write(const std::string& path, const std::string& folder,
+                                               Progress& progress) {
+    const auto recording = recording::Recording::open(path);
+    if (!recording)
+        return core::Unexpected(recording.error());
+    progress.isComplete = recording->isComplete();
+    progress.isNewFolder = !QFileInfo::exists(QString::fromStdString(folder));
+    Result files = recording::exportCsv(*recording, folder, {.goOn = [&](double frames, double all) {
+        progress.share = all > 0.0 ? frames / all : 0.0;
+        return !progress.cancelled;
+    }});
+    // What was cancelled in time has left nothing.
+    const bool isStopped = !files && files.error().kind == core::ErrorKind::cancelled;
+    return isStopped ? Result() : files;
+}
+
+void RecordingExport::discard(const std::vector<recording::ExportedFile>& files, const std::string& folder,
+                              bool isNewFolder) {
+    for (const recording::ExportedFile& file : files)
+        QFile::remove(QString::fromStdString(file.path));
+    if (isNewFolder)
+        QDir().rmdir(QString::fromStdString(folder));
+}
+
+void RecordingExport::look() {
+    if (m_result.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+        if (!m_progress->cancelled)
+            m_dialog->setValue(std::clamp(static_cast<int>(m_progress->share * kPermille), 0, kPermille - 1));
+        return;
+    }
+    const Result result = m_result.get();
+    if (m_progress->cancelled && result && !result->empty()) {
+        // It was whole before that was seen.
+        m_result = std::async(std::launch::async, [files = *result, folder = m_folder.toStdString(),
+                                                   isNewFolder = m_progress->isNewFolder] {
+            discard(files, folder, isNewFolder);
+            return Result();
+        });
+        return;
+    }
+    m_timer.stop();
+    std::exchange(m_dialog, nullptr)->deleteLater();
+    emit busyChanged(false);
+    if (!result) {
+        emit failed(QFileInfo(m_path).fileName(), result.error());
+        return;
+    }
+    if (result->empty())
+        return;
+    std::uint64_t damaged = 0;
+    for (const recording::ExportedFile& file : *result)
+        damaged += file.damagedBlocks;
+    emit finished(m_folder, static_cast<int>(result->size()), static_cast<int>(damaged),
+                  m_progress->isComplete);
+}
+
+} // namespace teleta::console

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/sources/camera_dialog.h"
+
+#include "devices/camera/camera_feed.h"
+#include "widgets/base/controls/form_row.h"
+#include "widgets/base/theme.h"
+
+#include <QCheckBox>
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace teleta::console {
+
+CameraDialog::CameraDialog(const CameraRequest& last, QWidget* parent,
+                           const CameraSourceField::Lister& cameras)
+    : QDialog(parent)
+    , m_source(new CameraSourceField(QString::fromStdString(last.source), cameras))
+    , m_model(new QLineEdit(QString::fromStdString(last.modelPath)))
+    , m_loop(new QCheckBox(tr("Start &again at the end"))) {
+    setWindowTitle(tr("Open camera"));
+    m_model->setObjectName(QStringLiteral("cameraModel"));
+    m_model->setToolTip(tr("The camera file that the page Calibrate or teleta calibrate has written"));
+    m_loop->setChecked(last.loop);
+    m_model->setMinimumWidth(base::em(this, 24));
+
+    auto* choose = new QToolButton;
+    choose->setText(tr("\u2026"));
+    choose->setToolTip(tr("Choose a camera file"));
+    choose->setAccessibleName(choose->toolTip());
+    connect(choose, &QToolButton::clicked, this, &CameraDialog::chooseModel);
+    auto* model = new QHBoxLayout;
+    model->addWidget(m_model, 1);
+    model->addWidget(choose);
+    auto* form = new QFormLayout;
+    form->addRow(tr("&Camera or video:"), m_source);
+    base::addFormRow(*form, tr("Ca&libration:"), model, m_model);
+    form->addRow(QString(), m_loop);
+
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel);
+    m_accept = buttons->button(QDialogButtonBox::Open);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* layout = new QVBoxLayout(this);
+    layout->addLayout(form);
+    layout->addStretch(1);
+    layout->addWidget(buttons);
+    connect(m_source, &CameraSourceField::changed, this, &CameraDialog::check);
+    connect(m_model, &QLineEdit::textChanged, this, &CameraDialog::check);
+    check();
+}
+
+CameraRequest CameraDialog::request() const {
+    return {.source = m_source->source().toStdString(),
+            .modelPath = m_model->text().trimmed().toStdString(),
+            .loop = m_loop->isChecked()};
+}
+
+void CameraDialog::check() {
+    const CameraRequest asked = request();
+    m_accept->setEnabled(!asked.source.empty() && !asked.modelPath.empty());
+    m_loop->setEnabled(!camera::isCameraNumber(asked.source));
+}
+
+void CameraDialog::chooseModel() {
+    auto* dialog = new QFileDialog(this, tr("Camera file"), QFileInfo(m_model->text()).path(),
+                                   tr("Camera files (*.json)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, m_model, &QLineEdit::setText);
+    dialog->open();
+}
+
+} // namespace teleta::console

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/base/source_request.h"
+#include "backend/core/threads/stop_switch.h"
+#include "backend/pipeline/touch_pipeline.h"
+
+#include <QObject>
+#include <QString>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace teleta::console {
+
+/// The open sources of the console: asks the pipeline to open and close them, and says what became of it.
+/// Which source the views show is decided here. Thread: GUI; no call waits.
+class SourceManager : public QObject {
+    Q_OBJECT
+
+public:
+    struct Item {
+        pipeline::ChannelKey key = 0;
+        SourceRequest request;
+        QString name;
+        std::shared_ptr<pipeline::TouchChannel> channel; ///< null while it is being opened, and of a camera
+        std::shared_ptr<pipeline::ArmChannel> arm;       ///< null unless the channel is an arm's skin
+        std::shared_ptr<servo::ServoLink> servo;         ///< null unless a servo moves the array
+        std::uint64_t displayed = 0;                     ///< snapshots that were painted
+        std::shared_ptr<pipeline::CameraChannel> camera = nullptr; ///< null unless the source is a camera
+        std::shared_ptr<core::SceneControl> scene = nullptr; ///< null unless it is a scene that can be held
+
+        bool waits = false; ///< a playback that begins with the others of its recording
+
+        [[nodiscard]] bool isOpen() const { return channel != nullptr || camera != nullptr; }
+        /// Null when it is no playback, or is being opened.
+        [[nodiscard]] core::PlaybackControl* playback() const;
+    };
+
+    explicit SourceManager(core::StopSwitch& stop, QObject* parent = nullptr);
+
+    /// Opens a source beside those that are open and shows it once it is there.
+    pipeline::ChannelKey open(const SourceRequest& request);
+    /// Opens a source in place of all others.
+    pipeline::ChannelKey openOnly(const SourceRequest& request);
+    void close(pipeline::ChannelKey key);
+    void closeAll();
+    void activate(pipeline::ChannelKey key);
+
+    [[nodiscard]] std::vector<Item>& items() { return m_items; }
+    [[nodiscard]] Item* active();
+    [[nodiscard]] Item* find(pipeline::ChannelKey key);
+
+    /// Takes the pipeline's news; called by the GUI's timer.
+    void poll();
+
+signals:
+    void opened(pipeline::ChannelKey key);
+    void failed(const QString& name, const core::Error& error);
+    void closed(pipeline::ChannelKey key);
+    void activeChanged(pipeline::ChannelKey key);
+    void itemsChanged();
+
+private:
+    /// Begins the playbacks of each recording whose sources are all open.
+    void beginPlaybacks();
+    void remove(pipeline::ChannelKey key);
+
+    core::StopSwitch& m_stop;
+    pipeline::TouchPipeline m_pipeline;
+    std::vector<Item> m_items;
+    pipeline::ChannelKey m_active = 0;
+};
+
+} // namespace teleta::console

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/study/forms/new_study_dialog.h"
+
+#include "app/console/base/background.h"
+#include "app/console/study/forms/server_fields.h"
+#include "backend/study/protocol/stimulus_set.h"
+#include "widgets/base/controls/form_row.h"
+#include "widgets/base/theme.h"
+
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include <utility>
+
+namespace teleta::console {
+
+namespace {
+
+constexpr std::size_t kPaperParticipants = 6;
+constexpr int kMostParticipants = 1000;
+
+/// A protocol of which a study can be made now.
+core::Expected<study::Protocol> usableProtocol(const std::string& path) {
+    core::Expected<study::Protocol> protocol = study::readProtocol(path);
+    if (protocol) {
+        if (const auto own = study::readOwnStimuli(*protocol); !own)
+            return core::Unexpected(own.error());
+    }
+    return protocol;
+}
+
+} // namespace
+
+NewStudyDialog::NewStudyDialog(study::Protocol protocol, const QString& folder, QWidget* parent,
+                               const QString& from)
+    : QDialog(parent)
+    , m_protocol(new QComboBox(this))
+    , m_trials(new QLabel(this))
+    , m_folder(new QLineEdit(folder, this))
+    , m_store(new QComboBox(this))
+    , m_server(new ServerFields(this))
+    , m_mode(new QComboBox(this))
+    , m_seed(new QLineEdit(QStringLiteral("1"), this))
+    , m_participants(new QSpinBox(this))
+    , m_participantsLabel(new QLabel(tr("&Participants"), this))
+    , m_problem(new QLabel(this)) {
+    setWindowTitle(tr("New study"));
+    setObjectName(QStringLiteral("newStudy"));
+    m_protocol->setObjectName(QStringLiteral("protocol"));
+    m_protocol->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    m_trials->setObjectName(QStringLiteral("trials"));
+    m_folder->setObjectName(QStringLiteral("folder"));
+    m_store->setObjectName(QStringLiteral("store"));
+    m_store->addItem(tr("In a file of this folder: one station"));
+    m_store->addItem(tr("On a PostgreSQL server: stations share it"));
+    m_mode->setObjectName(QStringLiteral("mode"));
+    m_seed->setObjectName(QStringLiteral("seed"));
+    m_mode->addItem(tr("Run: real participants, counts as data"), static_cast<int>(study::Mode::run));
+    m_mode->addItem(tr("Pilot: people try it, marked PILOT everywhere"),
+                    static_cast<int>(study::Mode::pilot));
+    m_mode->addItem(tr("Simulated: no people, marked SIMULATED everywhere"),
+                    static_cast<int>(study::Mode::simulated));
+    m_participants->setRange(1, kMostParticipants);
+    m_participants->setValue(static_cast<int>(kPaperParticipants));
+    m_participantsLabel->setBuddy(m_participants);
+    m_seed->setToolTip(tr("The orders of all trials follow from it: the same seed gives the same study"));
+    m_problem->setObjectName(QStringLiteral("problem"));
+    m_problem->setTextFormat(Qt::PlainText);
+    m_problem->setWordWrap(true);
+    m_problem->setMinimumWidth(base::em(this, 32));
+
+    auto* fromFile = new QPushButton(tr("F&rom a file\u2026"), this);
+    fromFile->setObjectName(QStringLiteral("fromFile"));
+    fromFile->setToolTip(tr("A protocol of your own (TOML)"));
+    auto* choice = new QHBoxLayout;
+    choice->addWidget(m_protocol, 1);
+    choice->addWidget(fromFile);
+    auto* browse = new QPushButton(tr("&Choose\u2026"), this);
+    auto* place = new QHBoxLayout;
+    place->addWidget(m_folder, 1);
+    place->addWidget(browse);
+    auto* form = new QFormLayout;
+    base::addFormRow(*form, tr("Pr&otocol"), choice, m_protocol);
+    form->addRow(QString(), m_trials);
+    base::addFormRow(*form, tr("&Folder, which is made"), place, m_folder);
+    form->addRow(tr("&Kept"), m_store);
+    form->addRow(QString(), m_server);
+    form->addRow(tr("&Mode"), m_mode);
+    form->addRow(tr("&Seed"), m_seed);
+    form->addRow(m_participantsLabel, m_participants);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+    m_make = buttons->addButton(tr("Make the study"), QDialogButtonBox::AcceptRole);
+    m_make->setObjectName(QStringLiteral("makeStudy"));
+    m_make->setDefault(true);
+    auto* layout = new QVBoxLayout(this);
+    layout->addLayout(form);
+    layout->addWidget(m_problem);
+    layout->addWidget(buttons);
+
+    connect(fromFile, &QPushButton::clicked, this, &NewStudyDialog::askForProtocol);
+    connect(m_protocol, &QComboBox::activated, this, [this] {
+        m_refused.clear();
+        check();
+    });
+    connect(browse, &QPushButton::clicked, this, &NewStudyDialog::chooseFolder);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(m_folder, &QLineEdit::textChanged, this, &NewStudyDialog::check);
+    connect(m_seed, &QLineEdit::textChanged, this, &NewStudyDialog::check);
+    connect(m_mode, &QComboBox::currentIndexChanged, this, &NewStudyDialog::check);
+    connect(m_store, &QComboBox::currentIndexChanged, this, &NewStudyDialog::check);
+    connect(m_server, &ServerFields::changed, this, &NewStudyDialog::check);
+    offer(std::move(protocol), from);
+}
+
+void NewStudyDialog::offer(study::Protocol protocol, const QString& from) {
+    const QString name = QString::fromStdString(protocol.name);
+    m_protocols.push_back(std::move(protocol));
+    m_protocol->addItem(from.isEmpty() ? name
+                                       : tr("%1 (%2)", "a protocol; where it is from").arg(name, from));
+    check();
+}
+
+void NewStudyDialog::read(const QString& path) {
+    runInBackground(
+        this, [path] { return usableProtocol(path.toStdString()); },
+        [this, path](const core::Expected<study::Protocol>& protocol) {
+            m_refused = protocol ? QString() : QString::fromStdString(core::describe(protocol.error()));
+            if (protocol) {
+                // One that was changed and is read once more takes the place of what it was.
+                if (const int old = m_protocol->findData(path); old >= 0) {
+                    m_protocols.erase(m_protocols.begin() + old);
+                    m_protocol->removeItem(old);
+                }
+                offer(*protocol, QFileInfo(path).fileName());
+                const int newest = m_protocol->count() - 1;
+                m_protocol->setItemData(newest, path);
+                m_protocol->setCurrentIndex(newest);
+            }
+            check();
+        });
+}
+
+const study::Protocol& NewStudyDialog::protocol() const {
+    return m_protocols[static_cast<std::size_t>(m_protocol->currentIndex())];
+}
+
+void NewStudyDialog::setMode(study::Mode mode) {
+    m_mode->setCurrentIndex(m_mode->findData(static_cast<int>(mode)));
+}
+
+QString NewStudyDialog::folder() const {
+    return QDir::cleanPath(m_folder->text().trimmed());
+}
+
+study::StoreLocation NewStudyDialog::location() const {
+    return {folder().toStdString(), m_store->currentIndex() == 1 ? m_server->url() : std::string()};
+}
+
+study::StudyHead NewStudyDialog::head() const {
+    study::StudyHead head;
+    head.protocol = protocol();
+    head.seed = m_seed->text().trimmed().toULongLong();
+    head.mode = static_cast<study::Mode>(m_mode->currentData().toInt());
+    if (head.mode == study::Mode::simulated)
+        head.plannedParticipants = static_cast<std::size_t>(m_participants->value());
+    head.created = QDateTime::currentDateTimeUtc();
+    head.appVersion = QCoreApplication::applicationVersion().toStdString();
+    return head;
+}
+
+void NewStudyDialog::askForProtocol() {
+    auto* dialog = new QFileDialog(this, tr("Open a protocol"), QString(), tr("Protocols (*.toml)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, &NewStudyDialog::read);
+    dialog->open();
+}
+
+void NewStudyDialog::chooseFolder() {
+    auto* dialog = new QFileDialog(this, tr("Folder of the study"), m_folder->text());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::Directory);
+    dialog->setOption(QFileDialog::ShowDirsOnly);
+    connect(dialog, &QFileDialog::fileSelected, m_folder, &QLineEdit::setText);
+    dialog->open();
+}
+
+void NewStudyDialog::check() {
+    bool isNumber = false;
+    (void)m_seed->text().trimmed().toULongLong(&isNumber);
+    const std::vector<std::string> missing = study::missingStimuli(protocol());
+    m_trials->setText(
+        tr("%n test trial(s) a participant", nullptr, static_cast<int>(protocol().testTrials())));
+    QString problem;
+    if (!missing.empty())
+        problem = tr("This protocol has no pattern %1 to be felt: name a file for it in the protocol.")
+                      .arg(QString::fromStdString(missing.front()));
+    else if (m_folder->text().trimmed().isEmpty() || !QDir::isAbsolutePath(folder()))
+        problem = tr("Choose a folder, with its whole path.");
+    else if (!isNumber)
+        problem = tr("The seed is a whole number from 0 to 18446744073709551615.");
+    else if (m_store->currentIndex() == 1)
+        problem = m_server->problem();
+    m_server->setVisible(m_store->currentIndex() == 1);
+    QStringList said{problem};
+    if (!m_refused.isEmpty())
+        said.prepend(
+            tr("The file is no protocol that can be used; the one above stays chosen. %1").arg(m_refused));
+    said.removeAll(QString());
+    m_problem->setText(said.join(QLatin1Char('\n')));
+    m_make->setEnabled(problem.isEmpty());
+    const bool simulated = m_mode->currentData().toInt() == static_cast<int>(study::Mode::simulated);
+    m_participants->setVisible(simulated);
+    m_participantsLabel->setVisible(simulated);
+}
+
+} // namespace teleta::console

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/study/protocol/questionnaire.h"
+
+#include <QGroupBox>
+
+#include <vector>
+
+class QCheckBox;
+class QComboBox;
+class QLineEdit;
+class QPlainTextEdit;
+class QSpinBox;
+class QVBoxLayout;
+
+namespace teleta::console {
+
+/// One questionnaire of a protocol as a form: when it is filled in, and its questions. It checks nothing: the
+/// reader of protocol files does. Thread: GUI.
+class QuestionnaireEditor : public QGroupBox {
+    Q_OBJECT
+
+public:
+    explicit QuestionnaireEditor(const study::Questionnaire& questionnaire, QWidget* parent = nullptr);
+
+    [[nodiscard]] study::Questionnaire questionnaire() const;
+
+signals:
+    void changed();
+    void removeRequested();
+
+private:
+    /// A question. What does not belong to its kind is hidden and kept until the form is closed.
+    struct ItemRow {
+        QWidget* box;
+        QLineEdit* id;
+        QComboBox* kind;
+        QCheckBox* required;
+        QLineEdit* question;
+        QWidget* scale;
+        QSpinBox* points;
+        QLineEdit* low;
+        QLineEdit* high;
+        QPlainTextEdit* choices; ///< one a line: "yes I felt it"
+    };
+
+    void addItem(const study::QuestionnaireItem& item);
+    void removeItem(const QWidget* box);
+
+    QLineEdit* m_id;
+    QLineEdit* m_title;
+    QComboBox* m_when;
+    QVBoxLayout* m_rows;
+    std::vector<ItemRow> m_items;
+};
+
+} // namespace teleta::console

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/bracelet/bracelet_station.h"
+#include "app/console/study/running/stimulus_output.h"
+
+namespace teleta::console {
+
+/// Stimuli on the bracelet of the console, with its limits, watchdogs and STOP. Thread: GUI.
+class BraceletStimulus : public StimulusOutput {
+public:
+    /// Both must outlive it.
+    BraceletStimulus(BraceletStation& station, const core::StopSwitch& stop)
+        : m_station(station)
+        , m_stop(stop) {}
+
+    [[nodiscard]] QString obstacle() const override;
+    [[nodiscard]] QString description() const override;
+    [[nodiscard]] bool isSimulated() const override { return m_station.isSimulated(); }
+    void begin(const pattern::Pattern& pattern, double atMost_s, std::int64_t now_ns) override;
+    void stop() override;
+    [[nodiscard]] StimulusState state(std::int64_t now_ns) const override;
+
+private:
+    /// That on which the last stimulus was begun, while the station has it; null otherwise.
+    [[nodiscard]] BraceletSession* session() const;
+    /// It ends with the station's use of it: the board would stay open for nobody.
+    std::weak_ptr<BraceletSession> m_session;
+    BraceletStation& m_station;
+    const core::StopSwitch& m_stop;
+    std::int64_t m_request_ns = 0;
+};
+
+/// Nothing is played: a stimulus only takes its time. For rehearsals that run faster than a bracelet could.
+/// Thread: GUI.
+class UnplayedStimulus : public StimulusOutput {
+public:
+    [[nodiscard]] QString obstacle() const override { return {}; }
+    [[nodiscard]] QString description() const override;
+    [[nodiscard]] bool isSimulated() const override { return true; }
+    void begin(const pattern::Pattern& pattern, double atMost_s, std::int64_t now_ns) override;
+    void stop() override { m_end_ns = 0; }
+    [[nodiscard]] StimulusState state(std::int64_t now_ns) const override;
+
+private:
+    std::int64_t m_onset_ns = 0;
+    std::int64_t m_end_ns = 0;
+};
+
+} // namespace teleta::console

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/study/running/questionnaire_round.h"
+
+#include <QDateTime>
+
+#include <cmath>
+#include <utility>
+
+namespace teleta::console {
+
+namespace {
+
+constexpr double kSimulatedTakes_ms = 2000.0;
+
+} // namespace
+
+QuestionnaireRound::QuestionnaireRound(StudyDesk& desk, QObject* parent)
+    : QObject(parent)
+    , m_desk(desk) {
+    m_timer.setSingleShot(true);
+    connect(&m_timer, &QTimer::timeout, this, [this] { submit(m_filledIn); });
+}
+
+void QuestionnaireRound::begin(Subject subject, std::vector<study::DueQuestionnaire> due,
+                               std::function<void()> done) {
+    leave();
+    m_subject = std::move(subject);
+    m_due = std::move(due);
+    m_done = std::move(done);
+    showNext();
+}
+
+void QuestionnaireRound::leave() {
+    ++m_run;
+    m_timer.stop();
+    m_due.clear();
+    m_done = {};
+    m_filledIn.clear();
+    m_given.clear();
+    m_keeping = m_skipping = false;
+    m_problem.clear();
+}
+
+bool QuestionnaireRound::isSimulated() const {
+    return m_subject.head.mode == study::Mode::simulated;
+}
+
+const study::Questionnaire* QuestionnaireRound::current() const {
+    return m_due.empty() ? nullptr : &m_subject.head.protocol.questionnaires.at(m_due.front().index);
+}
+
+void QuestionnaireRound::showNext() {
+    if (m_due.empty()) {
+        if (const std::function<void()> done = std::exchange(m_done, {}))
+            done();
+        emit changed();
+        return;
+    }
+    ++m_shown;
+    if (isSimulated()) {
+        m_filledIn = study::simulatedAnswers(m_subject.head, m_subject.participant, m_subject.plan,
+                                             m_due.front().index);
+        m_timer.start(static_cast<int>(std::lround(kSimulatedTakes_ms / m_speed)));
+    }
+    emit changed();
+}
+
+void QuestionnaireRound::submit(std::vector<study::ItemAnswer> answers) {
+    if (current() == nullptr || m_keeping)
+        return;
+    m_given = std::move(answers);
+    m_skipping = false;
+    keep();
+}
+
+void QuestionnaireRound::skip(std::size_t shown) {
+    if (current() == nullptr || m_keeping || shown != m_shown)
+        return;
+    m_timer.stop();
+    m_skipping = true;
+    keep();
+}
+
+void QuestionnaireRound::retry() {
+    if (current() != nullptr && !m_keeping && !m_problem.isEmpty())
+        keep();
+}
+
+void QuestionnaireRound::keep() {
+    const QDateTime now = QDateTime::currentDateTimeUtc();
+    if (m_skipping) {
+        // The words of a file: they do not depend on the language of the program.
+        askToKeep([session = m_subject.session, text = "questionnaire skipped: " + current()->id,
+                   now](StudyDesk::Store& store) { return store->keepNote(session, text, now); });
+        return;
+    }
+    askToKeep([participant = m_subject.participant, session = m_due.front().session,
+               questionnaire = *current(), answers = m_given, now](StudyDesk::Store& store) {
+        return store->keepAnswers(participant, session, questionnaire, answers, now);
+    });
+}
+
+template <typename Work>
+void QuestionnaireRound::askToKeep(Work work) {
+    m_keeping = true;
+    m_problem.clear();
+    m_desk.ask(std::move(work), [this, run = m_run](const core::Expected<void>& kept) {
+        if (run != m_run)
+            return;
+        m_keeping = false;
+        if (kept) {
+            next();
+            return;
+        }
+        m_problem = QString::fromStdString(core::describe(kept.error()));
+        emit changed();
+    });
+    emit changed();
+}
+
+void QuestionnaireRound::next() {
+    ++m_run;
+    m_skipping = false;
+    m_problem.clear();
+    m_filledIn.clear();
+    m_given.clear();
+    m_due.erase(m_due.begin());
+    showNext();
+}
+
+} // namespace teleta::console

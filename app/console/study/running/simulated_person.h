@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/study/running/study_runner.h"
+#include "backend/study/session/simulated_participant.h"
+
+#include <QObject>
+#include <QTimer>
+
+#include <cstdint>
+
+namespace teleta::console {
+
+/// Sits in front of a session in place of a participant: asks for trials, waits, answers, by the same calls
+/// as a person's keys. Its answers depend on the seed of the session and the trial alone. Thread: GUI.
+class SimulatedPerson : public QObject {
+    Q_OBJECT
+
+public:
+    /// speed: how much faster the clock runs than the steady clock, > 0.
+    SimulatedPerson(StudyRunner& runner, StudyRunner::Clock clock, double speed, QObject* parent = nullptr);
+
+    /// For the session that the runner has.
+    void begin(const study::SimulatedParticipant& mind, std::uint64_t sessionSeed);
+    void setSpeed(double speed) { m_speed = speed; }
+    void leave();
+
+private:
+    void look();
+    void act();
+
+    StudyRunner& m_runner;
+    StudyRunner::Clock m_clock;
+    double m_speed;
+    QTimer m_timer;
+    study::SimulatedParticipant m_mind;
+    std::uint64_t m_seed = 0;
+    bool m_present = false;
+    std::optional<study::SimulatedParticipant::Answer> m_answer; ///< to the trial that runs
+};
+
+} // namespace teleta::console

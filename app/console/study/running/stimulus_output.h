@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/pattern/model/pattern.h"
+
+#include <QString>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+namespace teleta::console {
+
+/// How far a stimulus is. Times are on the steady clock.
+struct StimulusState {
+    /// First frame other than zero; 0: not yet, or the device has not confirmed any frame yet.
+    std::int64_t onset_ns = 0;
+    std::int64_t due_ns = 0;                      ///< when it ends by itself; 0: unknown
+    std::int64_t end_ns = 0;                      ///< it came to its end; 0: not yet
+    std::optional<double> frameWrite_ms = {};     ///< longest write of a frame; empty: nothing was written
+    std::optional<std::size_t> framesMissed = {}; ///< deadlines without a frame, and frames that were lost
+    QString failure = {}; ///< why it was not shown as it should; empty: nothing is wrong
+};
+
+/// Shows one stimulus at a time to a participant. Thread: GUI; no call waits for a device.
+class StimulusOutput {
+public:
+    StimulusOutput() = default;
+    virtual ~StimulusOutput() = default;
+    StimulusOutput(const StimulusOutput&) = delete;
+    StimulusOutput& operator=(const StimulusOutput&) = delete;
+
+    /// Why no stimulus could be shown now; empty when one could.
+    [[nodiscard]] virtual QString obstacle() const = 0;
+    /// One line on the device: its name and state.
+    [[nodiscard]] virtual QString description() const = 0;
+    [[nodiscard]] virtual bool isSimulated() const = 0;
+
+    /// now_ns: of the request. The pattern is cut off at atMost_s.
+    virtual void begin(const pattern::Pattern& pattern, double atMost_s, std::int64_t now_ns) = 0;
+    virtual void stop() = 0;
+    /// Of the stimulus begun last.
+    [[nodiscard]] virtual StimulusState state(std::int64_t now_ns) const = 0;
+};
+
+} // namespace teleta::console

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/study/running/study_desk.h"
+
+namespace teleta::console {
+
+StudyDesk::StudyDesk(QObject* parent)
+    : QObject(parent)
+    , m_worker(new QObject)
+    , m_store(std::make_shared<Store>())
+    , m_context(new QObject, [](QObject* object) { object->deleteLater(); }) {
+    m_worker->moveToThread(&m_thread);
+    connect(&m_thread, &QThread::finished, m_worker, &QObject::deleteLater);
+    m_thread.setObjectName(QStringLiteral("study"));
+    m_thread.start();
+}
+
+StudyDesk::~StudyDesk() {
+    // The connection belongs to its thread, and what was asked before comes before it.
+    QMetaObject::invokeMethod(
+        m_worker, [store = m_store] { store->reset(); }, Qt::BlockingQueuedConnection);
+    m_thread.quit();
+    m_thread.wait();
+}
+
+} // namespace teleta::console

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/study/store/study_store.h"
+
+#include <QObject>
+#include <QPointer>
+#include <QThread>
+
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace teleta::console {
+
+/// A thread of its own for the store of the open study, so that nobody waits for a disk. What is asked is
+/// done in the order in which it was asked. Thread: GUI; only the destructor waits, until all that was asked
+/// is done.
+class StudyDesk : public QObject {
+    Q_OBJECT
+
+public:
+    using Store = std::optional<study::StudyStore>;
+
+    explicit StudyDesk(QObject* parent = nullptr);
+    ~StudyDesk() override;
+
+    /// work(Store&) runs on the store's thread; done(result) follows on the GUI's, unless the desk is gone.
+    template <typename Work, typename Done>
+    void ask(Work work, Done done) {
+        QMetaObject::invokeMethod(
+            m_worker,
+            [store = m_store, guard = QPointer<StudyDesk>(this), context = m_context, work = std::move(work),
+             done = std::move(done)]() mutable {
+                auto result = std::make_shared<decltype(work(*store))>(work(*store));
+                QMetaObject::invokeMethod(
+                    context.get(),
+                    [guard, result, done = std::move(done)]() mutable {
+                        if (guard)
+                            done(std::move(*result));
+                    },
+                    Qt::QueuedConnection);
+            },
+            Qt::QueuedConnection);
+    }
+
+private:
+    QThread m_thread;
+    QObject* m_worker;                  ///< lives on m_thread
+    std::shared_ptr<Store> m_store;     ///< used on m_thread only
+    std::shared_ptr<QObject> m_context; ///< on the GUI's thread; outlives what is still on its way
+};
+
+} // namespace teleta::console

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/bracelet/bracelet_device.h"
+#include "backend/core/bracelet/bracelet_port.h"
+#include "backend/core/bracelet/echo_ledger.h"
+#include "backend/core/device/rate_meter.h"
+#include "backend/core/threads/latest_copy.h"
+#include "backend/core/threads/pacing_clock.h"
+#include "backend/core/threads/stop_switch.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <stop_token>
+#include <string>
+
+namespace teleta::core {
+
+struct BraceletLinkConfig {
+    std::int64_t poll_ns = 10'000'000;        ///< between two looks at STOP and at reports
+    std::int64_t idleWrite_ns = 100'000'000;  ///< without a frame for so long the device writes a zero one
+    std::int64_t firstRetry_ns = 100'000'000; ///< before the first attempt to connect again, doubled for each
+    std::int64_t longestRetry_ns = 2'000'000'000; ///< but no longer than this
+    std::shared_ptr<PacingClock> clock = std::make_shared<PacingClock>();
+};
+
+/// Keeps the connection of a BraceletLink and what that interface promises of its frames.
+/// Thread: run() is the worker's; open() before it; write() from one; the rest by any.
+class BraceletWorker {
+public:
+    BraceletWorker(OpenedBracelet opened, BraceletOpener opener, const StopSwitch& stopSwitch,
+                   BraceletLinkConfig config);
+
+    void open(Wakeup& consumer);
+    void run(const std::stop_token& stop);
+    /// Ends a wait of run(), so that it looks at its stop token.
+    void wake();
+
+    WriteResult write(const BraceletFrame& frame);
+
+    [[nodiscard]] const BraceletDescription& description() const { return m_description; }
+    [[nodiscard]] DeviceStatus status() const { return m_status.get(); }
+    [[nodiscard]] BraceletTelemetry telemetry() const { return m_telemetry.get(); }
+    [[nodiscard]] std::uint64_t connection() const {
+        return m_publishedConnection.load(std::memory_order_acquire);
+    }
+
+private:
+    using Lock = std::unique_lock<std::mutex>;
+
+    [[nodiscard]] bool reconnect(Lock& lock, const std::stop_token& stop);
+    void adopt(std::unique_ptr<BraceletPort> port);
+    void lose();
+    [[nodiscard]] bool send(const Drive& drive, std::uint16_t timeout_ms);
+    void writeZeroIfDue();
+    void readReports();
+    void checkAge();
+    void setState(DeviceState state, std::string message = {});
+    void publish();
+    [[nodiscard]] std::int64_t now_ns() const { return m_config.clock->now_ns(); }
+
+    BraceletDescription m_description;
+    BraceletOpener m_opener;
+    const StopSwitch& m_stopSwitch;
+    BraceletLinkConfig m_config;
+    std::int64_t m_staleAfter_ns;
+    Wakeup* m_consumer = nullptr;
+
+    std::mutex m_mutex; ///< of what follows
+    std::condition_variable m_condition;
+    std::unique_ptr<BraceletPort> m_port;
+    bool m_connected = false;
+    std::uint64_t m_connections = 0;
+    std::int64_t m_lastWrite_ns = 0;
+    EchoLedger m_ledger;
+    RateMeter m_rate;
+    DeviceStatus m_statusNow;
+    BraceletTelemetry m_telemetryNow;
+
+    LatestCopy<DeviceStatus> m_status;
+    LatestCopy<BraceletTelemetry> m_telemetry;
+    std::atomic<std::uint64_t> m_publishedConnection{0};
+};
+
+} // namespace teleta::core

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/bracelet/tactors.h"
+
+#include <cstddef>
+#include <numbers>
+
+namespace teleta::core {
+
+/// Angle between neighbouring tactors around the arm.
+inline constexpr double kTactorAngle_rad = 2.0 * std::numbers::pi / static_cast<double>(kTactors);
+
+/// Place of a tactor in the ring, counted on in either direction: -1 is the last one, kTactors the first.
+[[nodiscard]] constexpr std::size_t wrappedTactor(long tactor) {
+    constexpr long ring = static_cast<long>(kTactors);
+    return static_cast<std::size_t>((tactor % ring + ring) % ring);
+}
+
+} // namespace teleta::core

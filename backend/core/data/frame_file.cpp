@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/core/data/frame_file.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace teleta::core {
+
+namespace {
+
+struct FrameFileText {
+    Q_DECLARE_TR_FUNCTIONS(FrameFileText)
+};
+
+Unexpected badInput(const QString& message, const QString& expected, SourcePlace where) {
+    return Unexpected(
+        Error{ErrorKind::badInput, message.toStdString(), expected.toStdString(), std::move(where)});
+}
+
+/// True when the name is that of the taxel column of this index: "t0", "t1", ...
+bool isTaxelName(const std::string& name, std::size_t index) {
+    return name == 't' + std::to_string(index);
+}
+
+/// Number of taxel columns when the header is time_s,t0,t1,...
+Expected<std::size_t> checkHeader(const CsvReader& csv) {
+    const std::vector<std::string>& header = csv.header();
+    if (const Expected<std::size_t> time = csv.column("time_s"); !time)
+        return Unexpected(time.error());
+    for (std::size_t i = 0; i < header.size(); ++i) {
+        if (i == 0 ? header[i] == "time_s" : isTaxelName(header[i], i - 1))
+            continue;
+        return badInput(FrameFileText::tr("column %1 is \"%2\"")
+                            .arg(i + 1)
+                            .arg(QString::fromStdString(header[i]).left(40)),
+                        i == 0 ? QStringLiteral("time_s") : QStringLiteral("t%1").arg(i - 1), csv.place(i));
+    }
+    if (header.size() == 1)
+        return badInput(FrameFileText::tr("there are no taxel columns"),
+                        FrameFileText::tr("the columns time_s, t0, t1, ..."), csv.place(1));
+    return header.size() - 1;
+}
+
+QString shortest(double value) {
+    char text[32];
+    const auto [end, code] = std::to_chars(text, text + sizeof text, value);
+    return QString::fromLatin1(text, end - text);
+}
+
+} // namespace
+
+FrameFile::FrameFile(CsvReader csv, const ArrayLayout& layout)
+    : m_csv(std::move(csv))
+    , m_layout(layout) {
+}
+
+Expected<FrameFile> FrameFile::open(const std::string& path, const ArrayLayout& layout) {
+    Expected<CsvReader> csv = CsvReader::open(path);
+    if (!csv)
+        return Unexpected(csv.error());
+    const Expected<std::size_t> taxels = checkHeader(*csv);
+    if (!taxels)
+        return Unexpected(taxels.error());
+    if (*taxels != layout.taxels())
+        return badInput(FrameFileText::tr("the file has %1 taxel columns").arg(*taxels),
+                        FrameFileText::tr("%1 = %2 rows x %3 columns")
+                            .arg(layout.taxels())
+                            .arg(layout.rows)
+                            .arg(layout.columns),
+                        csv->place(std::min(*taxels, layout.taxels()) + 1));
+    return FrameFile(std::move(*csv), layout);
+}
+
+Expected<std::size_t> FrameFile::countTaxels(const std::string& path) {
+    const Expected<CsvReader> csv = CsvReader::open(path);
+    if (!csv)
+        return Unexpected(csv.error());
+    return checkHeader(*csv);
+}
+
+Expected<bool> FrameFile::next(double& time_s, std::span<float> values) {
+    const Expected<bool> any = m_csv.next(m_row, true);
+    if (!any)
+        return any;
+    if (!*any) {
+        if (!m_anyFrame)
+            return badInput(FrameFileText::tr("the recording has no frames"),
+                            FrameFileText::tr("at least one row behind the header"),
+                            {m_csv.path(), m_csv.nextLine(), 1});
+        return false;
+    }
+    const double time = m_row.front();
+    if (!std::isfinite(time))
+        return badInput(FrameFileText::tr("the time is %1").arg(shortest(time)),
+                        FrameFileText::tr("a finite time in s"), m_csv.place(0));
+    if (m_lastTime_s && time < *m_lastTime_s)
+        return badInput(FrameFileText::tr("the time goes back from %1 to %2")
+                            .arg(shortest(*m_lastTime_s), shortest(time)),
+                        FrameFileText::tr("times that do not decrease"), m_csv.place(0));
+    m_anyFrame = true;
+    m_lastTime_s = time;
+    time_s = time;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = static_cast<float>(m_row[i + 1]);
+    return true;
+}
+
+Expected<void> FrameFile::seek(std::uint64_t offset, long long line) {
+    const Expected<void> done = m_csv.seek(offset, line);
+    if (done) {
+        m_lastTime_s.reset();
+        m_anyFrame = true;
+    }
+    return done;
+}
+
+Expected<std::vector<float>> readFrames(const std::string& path, const ArrayLayout& layout,
+                                        const std::function<bool()>& goOn) {
+    Expected<FrameFile> file = FrameFile::open(path, layout);
+    if (!file)
+        return Unexpected(file.error());
+    std::vector<float> frame(layout.taxels());
+    std::vector<float> frames;
+    double time_s = 0.0;
+    for (;;) {
+        const Expected<bool> any = file->next(time_s, frame);
+        if (!any)
+            return Unexpected(any.error());
+        if (!*any)
+            return frames;
+        if (goOn && !goOn())
+            return Unexpected(Error{ErrorKind::cancelled, {}, {}, {}});
+        frames.insert(frames.end(), frame.begin(), frame.end());
+    }
+}
+
+Expected<std::vector<float>> readTare(const std::string& path, const ArrayLayout& layout) {
+    Expected<FrameFile> file = FrameFile::open(path, layout);
+    if (!file)
+        return Unexpected(file.error());
+    const std::size_t taxels = layout.taxels();
+    std::vector<float> values(taxels);
+    std::vector<double> sum(taxels, 0.0);
+    std::vector<std::size_t> count(taxels, 0);
+    double time_s = 0.0;
+    for (;;) {
+        const Expected<bool> any = file->next(time_s, values);
+        if (!any)
+            return Unexpected(any.error());
+        if (!*any)
+            break;
+        for (std::size_t i = 0; i < taxels; ++i) {
+            if (std::isfinite(values[i])) {
+                sum[i] += static_cast<double>(values[i]);
+                ++count[i];
+            }
+        }
+    }
+    for (std::size_t i = 0; i < taxels; ++i)
+        values[i] = count[i] > 0 ? static_cast<float>(sum[i] / static_cast<double>(count[i]))
+                                 : std::numeric_limits<float>::quiet_NaN();
+    return values;
+}
+
+} // namespace teleta::core

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/core/data/output_file.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QSaveFile>
+
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <utility>
+
+namespace teleta::core {
+
+namespace {
+
+struct OutputFileText {
+    Q_DECLARE_TR_FUNCTIONS(OutputFileText)
+};
+
+Error writeError(const QFileDevice& device, const std::string& name) {
+    const bool readerIsGone = device.errorString() == qt_error_string(EPIPE);
+    return {readerIsGone ? ErrorKind::cancelled : ErrorKind::ioFailed,
+            OutputFileText::tr("cannot write: %1").arg(device.errorString()).toStdString(),
+            {},
+            {name}};
+}
+
+} // namespace
+
+OutputFile::OutputFile(std::unique_ptr<QFileDevice> device, std::string name)
+    : m_device(std::move(device))
+    , m_name(std::move(name)) {
+}
+
+OutputFile::~OutputFile() = default;
+OutputFile::OutputFile(OutputFile&&) noexcept = default;
+OutputFile& OutputFile::operator=(OutputFile&&) noexcept = default;
+
+Expected<OutputFile> OutputFile::create(const std::string& path) {
+    std::error_code ignored;
+    const std::filesystem::file_status status = std::filesystem::status(path, ignored);
+    const QString name = QString::fromStdString(path);
+    std::unique_ptr<QFileDevice> device;
+    // Renaming a file over a device or a pipe would replace it.
+    if (std::filesystem::is_other(status))
+        device = std::make_unique<QFile>(name);
+    else
+        device = std::make_unique<QSaveFile>(name);
+    if (!device->open(QIODevice::WriteOnly | QIODevice::Unbuffered))
+        return Unexpected(writeError(*device, path));
+    return OutputFile(std::move(device), path);
+}
+
+OutputFile OutputFile::standardOutput() {
+    auto device = std::make_unique<QFile>();
+    const bool opened = device->open(STDOUT_FILENO, QIODevice::WriteOnly | QIODevice::Unbuffered);
+    OutputFile output(std::move(device), OutputFileText::tr("standard output").toStdString());
+    if (!opened)
+        output.keepError();
+    return output;
+}
+
+void OutputFile::keepError() {
+    m_state = Unexpected(writeError(*m_device, m_name));
+    if (auto* file = qobject_cast<QSaveFile*>(m_device.get()))
+        file->cancelWriting();
+}
+
+void OutputFile::flush() {
+    // A device that takes a part tells why only when the rest is written.
+    const char* rest = m_buffer.data();
+    auto left = static_cast<qint64>(m_buffer.size());
+    while (m_state && left > 0) {
+        const qint64 taken = m_device->write(rest, left);
+        if (taken > 0) {
+            rest += taken;
+            left -= taken;
+        } else {
+            keepError();
+        }
+    }
+    m_buffer.clear();
+}
+
+Expected<void> OutputFile::finish() {
+    flush();
+    if (m_state) {
+        auto* file = qobject_cast<QSaveFile*>(m_device.get());
+        if (file != nullptr && !file->commit())
+            keepError();
+    }
+    return m_state;
+}
+
+} // namespace teleta::core

@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/core/data/toml_table.h"
+
+#include "backend/core/data/key_names.h"
+
+#include <QCoreApplication>
+#include <QString>
+#include <QStringList>
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+namespace teleta::core {
+
+namespace {
+
+struct TomlReader {
+    Q_DECLARE_TR_FUNCTIONS(TomlReader)
+};
+
+QString asQString(std::string_view text) {
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+template <typename Names>
+QString oneOf(const Names& names) {
+    QStringList list;
+    for (const auto& name : names)
+        list << asQString(name);
+    return TomlReader::tr("one of: %1").arg(list.join(QStringLiteral(", ")));
+}
+
+QString describe(const NumberRange& range) {
+    const bool low = std::isfinite(range.low);
+    const bool high = std::isfinite(range.high);
+    const QString lowText = QString::number(range.low, 'g', 12);
+    const QString highText = QString::number(range.high, 'g', 12);
+    if (low && high)
+        return (range.lowOpen ? TomlReader::tr("a number above %1, at most %2")
+                              : TomlReader::tr("a number from %1 to %2"))
+            .arg(lowText, highText);
+    if (low)
+        return (range.lowOpen ? TomlReader::tr("a number above %1")
+                              : TomlReader::tr("a number of at least %1"))
+            .arg(lowText);
+    if (high)
+        return TomlReader::tr("a number of at most %1").arg(highText);
+    return range.allowNonFinite ? TomlReader::tr("a number or nan") : TomlReader::tr("a finite number");
+}
+
+bool accepts(const NumberRange& range, double value) {
+    if (!std::isfinite(value))
+        return range.allowNonFinite;
+    return value <= range.high && (range.lowOpen ? value > range.low : value >= range.low);
+}
+
+} // namespace
+
+struct TomlDocument::Data {
+    std::string file;
+    toml::table root;
+    std::optional<Error> error;
+
+    SourcePlace placeOf(const toml::source_region& region) const {
+        return {file, static_cast<long long>(region.begin.line), static_cast<long long>(region.begin.column)};
+    }
+
+    void report(SourcePlace where, const QString& message, const QString& expected) {
+        if (!error)
+            error = Error{ErrorKind::badInput, message.toStdString(), expected.toStdString(),
+                                std::move(where)};
+    }
+};
+
+struct TomlTable::Data {
+    std::shared_ptr<TomlDocument::Data> document;
+    const toml::table* table = nullptr; ///< null: missing, already reported
+    SourcePlace place;
+    std::vector<std::string> asked;
+    std::vector<std::string> missing;
+
+    void ask(std::string_view key) {
+        if (std::ranges::find(asked, key) == asked.end())
+            asked.emplace_back(key);
+    }
+
+    /// The node under a key that must be there, or null.
+    const toml::node* required(std::string_view key) {
+        const toml::node* node = optional(key);
+        if (node == nullptr && table != nullptr)
+            missing.emplace_back(key);
+        return node;
+    }
+
+    const toml::node* optional(std::string_view key) {
+        ask(key);
+        return table != nullptr ? table->get(key) : nullptr;
+    }
+
+    void wrongType(std::string_view key, const toml::node& node, const QString& expected) {
+        document->report(document->placeOf(node.source()),
+                         TomlReader::tr("wrong type for \"%1\"").arg(asQString(key)), expected);
+    }
+
+    void outOfRange(std::string_view key, const toml::node& node, const QString& value,
+                    const QString& expected) {
+        document->report(document->placeOf(node.source()),
+                         TomlReader::tr("\"%1\" is out of range: %2").arg(asQString(key), value), expected);
+    }
+
+    std::string text(std::string_view key, const toml::node& node) {
+        const auto value = node.value_exact<std::string>();
+        if (!value)
+            wrongType(key, node, TomlReader::tr("a text in quotes"));
+        else if (value->empty())
+            document->report(document->placeOf(node.source()),
+                             TomlReader::tr("\"%1\" is empty").arg(asQString(key)),
+                             TomlReader::tr("a text in quotes"));
+        return value.value_or(std::string());
+    }
+
+    double number(std::string_view key, const toml::node& node, const NumberRange& range) {
+        if (!node.is_number()) {
+            wrongType(key, node, describe(range));
+            return 0.0;
+        }
+        const double value = node.value<double>().value_or(0.0);
+        if (!accepts(range, value))
+            outOfRange(key, node, QString::number(value, 'g', 12), describe(range));
+        return value;
+    }
+
+    long long integer(std::string_view key, const toml::node& node, long long low, long long high) {
+        const QString expected = TomlReader::tr("a whole number from %1 to %2").arg(low).arg(high);
+        const auto value = node.value_exact<std::int64_t>();
+        if (!value) {
+            wrongType(key, node, expected);
+            return low;
+        }
+        if (*value < low || *value > high) {
+            outOfRange(key, node, QString::number(*value), expected);
+            return low;
+        }
+        return *value;
+    }
+
+    void reportUnknown(std::string_view key, const SourcePlace& where) {
+        const KeyMatch match = matchKey(key, asked);
+        const QString meant = asQString(match.name);
+        switch (match.kind) {
+        case KeyMatch::Kind::unitMissing:
+            document->report(where, TomlReader::tr("\"%1\" has no unit in its name").arg(asQString(key)), meant);
+            return;
+        case KeyMatch::Kind::otherUnit:
+            document->report(where, TomlReader::tr("\"%1\" has another unit in its name").arg(asQString(key)),
+                             meant);
+            return;
+        case KeyMatch::Kind::similar:
+            document->report(
+                where, TomlReader::tr("unknown key \"%1\"; perhaps \"%2\" is meant").arg(asQString(key), meant),
+                oneOf(asked));
+            return;
+        case KeyMatch::Kind::none:
+            document->report(where, TomlReader::tr("unknown key \"%1\"").arg(asQString(key)), oneOf(asked));
+            return;
+        }
+    }
+};
+
+Expected<TomlDocument> TomlDocument::open(const std::string& path) {
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream)
+        return Unexpected(Error{ErrorKind::notFound,
+                                            TomlReader::tr("the file cannot be opened").toStdString(),
+                                            TomlReader::tr("a TOML file that can be read").toStdString(),
+                                            {path}});
+    std::ostringstream text;
+    // An empty file sets failbit on the output, which is no read error.
+    if (stream.peek() != std::ifstream::traits_type::eof())
+        text << stream.rdbuf();
+    if (stream.bad() || text.bad() || text.fail())
+        return Unexpected(Error{
+            ErrorKind::ioFailed, TomlReader::tr("the file cannot be read").toStdString(), {}, {path}});
+    return parse(text.str(), path);
+}
+
+Expected<TomlDocument> TomlDocument::parse(std::string_view text, const std::string& file) {
+    auto data = std::make_shared<Data>();
+    data->file = file;
+    try {
+        data->root = toml::parse(text);
+    } catch (const toml::parse_error& error) {
+        return Unexpected(
+            Error{ErrorKind::badInput,
+                        TomlReader::tr("not valid TOML: %1").arg(asQString(error.description())).toStdString(),
+                        {},
+                        data->placeOf(error.source())});
+    }
+    return TomlDocument(std::move(data));
+}
+
+TomlTable TomlDocument::root() const {
+    auto data = std::make_shared<TomlTable::Data>();
+    data->document = m_data;
+    data->table = &m_data->root;
+    data->place = {m_data->file};
+    return TomlTable(std::move(data));
+}
+
+const std::optional<Error>& TomlDocument::firstError() const {
+    return m_data->error;
+}
+
+bool TomlTable::has(std::string_view key) {
+    return m_data->optional(key) != nullptr;
+}
+
+std::string TomlTable::text(std::string_view key) {
+    const toml::node* node = m_data->required(key);
+    return node != nullptr ? m_data->text(key, *node) : std::string();
+}
+
+std::string TomlTable::text(std::string_view key, const std::string& fallback) {
+    const toml::node* node = m_data->optional(key);
+    return node != nullptr ? m_data->text(key, *node) : fallback;
+}
+
+double TomlTable::number(std::string_view key, const NumberRange& range) {
+    const toml::node* node = m_data->required(key);
+    return node != nullptr ? m_data->number(key, *node, range) : 0.0;
+}
+
+double TomlTable::number(std::string_view key, const NumberRange& range, double fallback) {
+    const toml::node* node = m_data->optional(key);
+    return node != nullptr ? m_data->number(key, *node, range) : fallback;
+}
+
+long long TomlTable::integer(std::string_view key, long long low, long long high) {
+    const toml::node* node = m_data->required(key);
+    return node != nullptr ? m_data->integer(key, *node, low, high) : low;
+}
+
+long long TomlTable::integer(std::string_view key, long long low, long long high, long long fallback) {
+    const toml::node* node = m_data->optional(key);
+    return node != nullptr ? m_data->integer(key, *node, low, high) : fallback;
+}
+
+bool TomlTable::boolean(std::string_view key, bool fallback) {
+    const toml::node* node = m_data->optional(key);
+    if (node == nullptr)
+        return fallback;
+    const auto value = node->value_exact<bool>();
+    if (!value)
+        m_data->wrongType(key, *node, TomlReader::tr("true or false"));
+    return value.value_or(fallback);
+}
+
+std::size_t TomlTable::choice(std::string_view key, const std::vector<std::string_view>& names) {
+    const toml::node* node = m_data->required(key);
+    if (node == nullptr)
+        return 0;
+    const auto value = node->value_exact<std::string>();
+    if (!value) {
+        m_data->wrongType(key, *node, oneOf(names));
+        return 0;
+    }
+    const auto found = std::ranges::find(names, *value);
+    if (found != names.end())
+        return static_cast<std::size_t>(found - names.begin());
+    const std::string_view similar = nearestName(*value, names);
+    m_data->document->report(
+        m_data->document->placeOf(node->source()),
+        similar.empty() ? TomlReader::tr("unknown value \"%1\" of \"%2\"").arg(asQString(*value), asQString(key))
+                        : TomlReader::tr("unknown value \"%1\" of \"%2\"; perhaps \"%3\" is meant")
+                              .arg(asQString(*value), asQString(key), asQString(similar)),
+        oneOf(names));
+    return 0;
+}
+
+TomlTable TomlTable::table(std::string_view key) {
+    auto data = std::make_shared<Data>();
+    data->document = m_data->document;
+    if (const toml::node* node = m_data->required(key)) {
+        data->place = m_data->document->placeOf(node->source());
+        data->table = node->as_table();
+        if (data->table == nullptr)
+            m_data->wrongType(key, *node, TomlReader::tr("a table: [%1]").arg(asQString(key)));
+    }
+    return TomlTable(std::move(data));
+}
+
+std::vector<TomlTable> TomlTable::tables(std::string_view key, std::size_t minimum) {
+    const toml::node* node = minimum > 0 ? m_data->required(key) : m_data->optional(key);
+    if (node == nullptr)
+        return {};
+    const toml::array* array = node->as_array();
+    const bool wellTyped = array != nullptr && std::ranges::all_of(*array, [](const toml::node& entry) {
+                               return entry.is_table();
+                           });
+    if (!wellTyped) {
+        m_data->wrongType(key, *node, TomlReader::tr("tables: [[%1]] or %1 = [{...}]").arg(asQString(key)));
+        return {};
+    }
+    if (array->size() < minimum) {
+        m_data->document->report(m_data->document->placeOf(node->source()),
+                                 TomlReader::tr("\"%1\" has too few entries").arg(asQString(key)),
+                                 TomlReader::tr("at least %1").arg(minimum));
+        return {};
+    }
+    std::vector<TomlTable> result;
+    for (const toml::node& entry : *array) {
+        auto data = std::make_shared<Data>();
+        data->document = m_data->document;
+        data->place = m_data->document->placeOf(entry.source());
+        data->table = entry.as_table();
+        result.push_back(TomlTable(std::move(data)));
+    }
+    return result;
+}
+
+SourcePlace TomlTable::place() const {
+    return m_data->place;
+}
+
+SourcePlace TomlTable::place(std::string_view key) const {
+    const toml::node* node = m_data->table != nullptr ? m_data->table->get(key) : nullptr;
+    return node != nullptr ? m_data->document->placeOf(node->source()) : m_data->place;
+}
+
+void TomlTable::fail(std::string_view key, std::string message, std::string expected) {
+    if (!m_data->document->error)
+        m_data->document->error =
+            Error{ErrorKind::badInput, std::move(message), std::move(expected), place(key)};
+}
+
+void TomlTable::finish() {
+    if (m_data->table == nullptr)
+        return;
+    const toml::key* unknown = nullptr;
+    for (auto&& [key, node] : *m_data->table) {
+        const bool known = std::ranges::find(m_data->asked, key.str()) != m_data->asked.end();
+        if (!known && (unknown == nullptr || key.source().begin < unknown->source().begin))
+            unknown = &key;
+    }
+    // A misspelt key leaves the right one missing: the misspelling is what helps.
+    if (unknown != nullptr)
+        m_data->reportUnknown(unknown->str(), m_data->document->placeOf(unknown->source()));
+    else if (!m_data->missing.empty())
+        m_data->document->report(
+            m_data->place, TomlReader::tr("\"%1\" is missing").arg(asQString(m_data->missing.front())), {});
+}
+
+} // namespace teleta::core

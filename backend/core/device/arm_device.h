@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/device/device.h"
+#include "backend/core/threads/bounded_queue.h"
+#include "backend/core/threads/wakeup.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace teleta::core {
+
+inline constexpr std::size_t kArmJoints = 4;
+
+/// One number a joint: shoulder roll, shoulder pitch, shoulder yaw, elbow pitch.
+using JointArray = std::array<double, kArmJoints>;
+
+/// One reading of all joints.
+struct JointSample {
+    std::int64_t time_ns = 0;   ///< steady clock at the read
+    double sourceTime_s = 0.0;  ///< the arm's own time (recording or simulated time)
+    JointArray angle_rad{};     ///< at the motor's side of the joint
+    JointArray torque_Nm{};     ///< of the joint torque sensors, weight of the links taken off
+    JointArray reference_rad{}; ///< where the controller was told to go
+    bool discontinuity = false; ///< the stream jumped before this sample
+};
+
+/// How the sheet of the tactile skin lies around the forearm, a cylinder about its x axis. A taxel at (x, y)
+/// of the sheet's frame {s}, z out of the skin, is at
+///   distance from the elbow  centreDistance_m + x,   side  centreSide_rad - y / radius_m
+/// with the side as in arm::Arm4Kinematics::p_Link_Skin. The minus keeps {s} right-handed.
+struct SkinPlacement {
+    double centreDistance_m = 0.0;
+    double centreSide_rad = 0.0;
+    double radius_m = 0.0; ///< > 0
+
+    [[nodiscard]] double distance_m(double x_m) const { return centreDistance_m + x_m; }
+    [[nodiscard]] double side_rad(double y_m) const { return centreSide_rad - y_m / radius_m; }
+    [[nodiscard]] double x_m(double distance) const { return distance - centreDistance_m; }
+    /// side: within pi of centreSide_rad.
+    [[nodiscard]] double y_m(double side) const { return (centreSide_rad - side) * radius_m; }
+};
+
+/// What a remote arm is; constant while it is open.
+struct ArmDescription {
+    std::string name;
+    double nominalRate_Hz = 1000.0; ///< of the joint samples
+    bool simulated = false;
+    bool recorded = false;
+    double upperArmLength_m = 0.0;
+    double forearmLength_m = 0.0;
+    double halfThickness_m = 0.0;
+    double elbowStiffness_NmPerRad = 0.0; ///< of joint and link: k_ri P_C^2 at any distance P_C
+    /// Of the three shoulder joints; 0: taken as rigid.
+    std::array<double, kArmJoints - 1> shoulderStiffness_NmPerRad{};
+    SkinPlacement skin;
+    JointArray lowest_rad{}; ///< range of the joints
+    JointArray highest_rad{};
+    JointArray fastest_radPerS{}; ///< limit of each joint's speed
+    bool hasProgram = false;      ///< the arm can move by a program of its own (a simulated scene)
+};
+
+/// What moves the arm.
+enum class ArmDrive {
+    stopped, ///< STOP is engaged
+    held,    ///< stands still under control
+    program, ///< its own program
+    jog,     ///< the operator
+};
+
+/// A wish of the operator: rates of the joints. It counts for kJogLifetime_ns only, so that the arm stands
+/// still when the hand lets go of the dead-man switch, the program hangs or the link breaks.
+struct ArmCommand {
+    static constexpr std::int64_t kJogLifetime_ns = 100'000'000;
+
+    JointArray rate_radPerS{};
+    std::int64_t time_ns = 0; ///< steady time at which it was given
+};
+
+/// A remote arm with joint torque sensors and a tactile skin: facade over a worker thread.
+/// Thread: start and stop from one controlling thread; joints() is drained by one consumer; post(),
+/// setProgramRunning() and restartProgram() from one commanding thread (the GUI's), they return at once;
+/// the rest by any.
+class ArmSource {
+public:
+    virtual ~ArmSource() = default;
+    ArmSource() = default;
+    ArmSource(const ArmSource&) = delete;
+    ArmSource& operator=(const ArmSource&) = delete;
+
+    [[nodiscard]] virtual const ArmDescription& description() const = 0;
+    /// Starts the worker, which notifies the consumer after each batch of samples. The skin starts with it.
+    virtual void start(Wakeup& consumer) = 0;
+    /// Ends the worker and waits for it. Idempotent.
+    virtual void stop() = 0;
+    [[nodiscard]] virtual BoundedQueue<JointSample>& joints() = 0;
+    /// rate_Hz, framesRead and framesLost count joint samples.
+    [[nodiscard]] virtual DeviceStatus status() const = 0;
+    [[nodiscard]] virtual ArmDrive drive() const = 0;
+
+    /// The latest command wins. NaN counts as zero, speeds are limited to the description's, a joint at the
+    /// end of its range moves back only. A rate other than zero takes the arm from its program.
+    virtual void post(const ArmCommand& command) = 0;
+    /// Lets the program go on, or holds it. Ignored without a program.
+    virtual void setProgramRunning(bool running) = 0;
+    /// Begins the program, and the world of a simulation, anew.
+    virtual void restartProgram() = 0;
+};
+
+/// What a simulated arm is told for one step.
+struct ArmDemand {
+    ArmDrive drive = ArmDrive::held;
+    JointArray rate_radPerS{}; ///< with jog
+};
+
+/// What a simulated arm at another place has told, and has come over the link between the two.
+struct ArmArrival {
+    JointSample sample;
+    bool hasFrame = false;
+    std::vector<float> frame; ///< of the skin, read with the sample
+};
+
+/// How messages fared on that link since the start.
+struct ArmLinkCounters {
+    std::uint64_t commandsLost = 0;
+    std::uint64_t samplesLost = 0;
+    std::uint64_t framesLost = 0; ///< of the skin
+};
+
+/// Makes the joint samples and skin frames of a simulated arm, one call a joint period. The device paces the
+/// calls, stamps the samples and keeps the limits; the generator knows only simulated time. Deterministic:
+/// same seed, same demands, same samples. Thread: one.
+class ArmGenerator {
+public:
+    virtual ~ArmGenerator() = default;
+    [[nodiscard]] virtual ArmDescription description() const = 0;
+    [[nodiscard]] virtual SourceDescription skinDescription() const = 0;
+    /// Advances by 1/nominalRate_Hz and writes angle, torque, reference and sourceTime_s.
+    virtual void next(const ArmDemand& demand, JointSample& sample) = 0;
+    /// The skin's frame if one was read in the last step: skinDescription().layout.taxels() values. False:
+    /// none was due, values are untouched.
+    virtual bool skinFrame(std::span<float> values) = 0;
+    [[nodiscard]] virtual double time_s() const = 0;
+    /// The program has come to its end; a further program step holds the arm.
+    [[nodiscard]] virtual bool programDone() const = 0;
+    virtual void restart() = 0;
+
+    /// The arm is at another place: what reaches the operator is handed out by takeArrival(), what next() and
+    /// skinFrame() say does not count.
+    [[nodiscard]] virtual bool isRemote() const { return false; }
+    /// Takes the next that has arrived by now: older by time_s() - sample.sourceTime_s. False: nothing.
+    virtual bool takeArrival(ArmArrival&) { return false; }
+    [[nodiscard]] virtual ArmLinkCounters linkCounters() const { return {}; }
+};
+
+} // namespace teleta::core

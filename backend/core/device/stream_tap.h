@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/device/camera_source.h"
+#include "backend/core/threads/bounded_queue.h"
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace teleta::core {
+
+/// Some consecutive frames of one stream, as a data thread left them in a StreamTap.
+///   values: frames() x channels numbers of the stream's type, row-major, in the machine's byte order.
+/// time_ns: steady clock at the read, never decreasing. sourceTime_s: the stream's own time.
+struct TappedFrames {
+    std::vector<std::int64_t> time_ns;
+    std::vector<double> sourceTime_s;
+    std::vector<std::byte> values;
+    GreyImage image;            ///< instead of values, of one frame
+    bool discontinuity = false; ///< the stream jumped before these frames
+
+    [[nodiscard]] std::size_t frames() const { return time_ns.size(); }
+};
+
+/// Where a data thread leaves copies of what passes for somebody who keeps them, and never waits: when the
+/// keeper is late, frames are dropped and counted.
+/// Thread: append() from one data thread, pop() from the keeper's, close() and the counters from any.
+class StreamTap {
+public:
+    explicit StreamTap(std::size_t capacity)
+        : m_queue(capacity) {}
+
+    /// Copies frames. time_ns and sourceTime_s: as many entries each; at least one.
+    template <typename Number>
+    void append(std::span<const std::int64_t> time_ns, std::span<const double> sourceTime_s,
+                std::span<const Number> values, bool discontinuity = false) {
+        if (isClosed())
+            return;
+        m_queue.push(copyOf(time_ns, sourceTime_s, values, discontinuity), time_ns.size());
+    }
+
+    /// One frame.
+    template <typename Number>
+    void append(std::int64_t time_ns, double sourceTime_s, std::span<const Number> values,
+                bool discontinuity = false) {
+        append(std::span(&time_ns, 1), std::span(&sourceTime_s, 1), values, discontinuity);
+    }
+
+    /// One picture, whose pixels are shared.
+    void append(const CameraFrame& frame) {
+        if (isClosed() || frame.image.isEmpty())
+            return;
+        m_queue.push({.time_ns = {frame.time_ns},
+                      .sourceTime_s = {frame.capture_s},
+                      .values = {},
+                      .image = frame.image,
+                      .discontinuity = frame.discontinuity});
+    }
+
+    /// One picture, for a thread that can wait; as below.
+    [[nodiscard]] bool tryAppend(const CameraFrame& frame) {
+        if (isClosed() || frame.image.isEmpty())
+            return true;
+        TappedFrames frames{.time_ns = {frame.time_ns},
+                            .sourceTime_s = {frame.capture_s},
+                            .values = {},
+                            .image = frame.image,
+                            .discontinuity = frame.discontinuity};
+        return m_queue.tryPush(frames);
+    }
+
+    /// For a thread that can wait: false when there is no room, and then nothing happened.
+    template <typename Number>
+    [[nodiscard]] bool tryAppend(std::span<const std::int64_t> time_ns, std::span<const double> sourceTime_s,
+                                 std::span<const Number> values) {
+        if (isClosed())
+            return true;
+        TappedFrames frames = copyOf(time_ns, sourceTime_s, values, /*discontinuity=*/false);
+        return m_queue.tryPush(frames);
+    }
+
+    bool pop(TappedFrames& frames) { return m_queue.pop(frames); }
+    /// Items that fit.
+    [[nodiscard]] std::size_t capacity() const { return m_queue.capacity(); }
+    [[nodiscard]] std::uint64_t dropped() const { return m_queue.overflow(); }
+
+    /// Nobody keeps anything any more: what is appended from now on is neither kept nor counted.
+    void close() { m_closed.store(true, std::memory_order_relaxed); }
+    [[nodiscard]] bool isClosed() const { return m_closed.load(std::memory_order_relaxed); }
+
+private:
+    template <typename Number>
+    static TappedFrames copyOf(std::span<const std::int64_t> time_ns, std::span<const double> sourceTime_s,
+                               std::span<const Number> values, bool discontinuity) {
+        const std::span<const std::byte> bytes = std::as_bytes(values);
+        return {.time_ns = {time_ns.begin(), time_ns.end()},
+                .sourceTime_s = {sourceTime_s.begin(), sourceTime_s.end()},
+                .values = {bytes.begin(), bytes.end()},
+                .image = {},
+                .discontinuity = discontinuity};
+    }
+
+    BoundedQueue<TappedFrames> m_queue;
+    std::atomic<bool> m_closed{false};
+};
+
+} // namespace teleta::core

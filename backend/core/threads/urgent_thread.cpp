@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/core/threads/urgent_thread.h"
+
+#include <pthread.h>
+#include <sched.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace teleta::core {
+
+namespace {
+
+/// Above other real-time work that asks for nothing special, below what keeps the system alive.
+constexpr int kPriority = 10;
+constexpr int kNice = -10;
+constexpr unsigned long kSlack_ns = 1;
+
+} // namespace
+
+ThreadUrgency makeThreadUrgent() {
+    (void)prctl(PR_SET_TIMERSLACK, kSlack_ns, 0, 0, 0);
+    sched_param parameters{};
+    parameters.sched_priority = kPriority;
+    if (pthread_setschedparam(pthread_self(), SCHED_RR | SCHED_RESET_ON_FORK, &parameters) == 0)
+        return ThreadUrgency::realTime;
+    // On Linux a nice value is a thread's own.
+    if (setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNice) == 0)
+        return ThreadUrgency::raised;
+    return ThreadUrgency::ordinary;
+}
+
+} // namespace teleta::core

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/error.h"
+#include "backend/pattern/files/zip_archive.h"
+#include "backend/pattern/model/pattern.h"
+
+#include <string>
+#include <vector>
+
+namespace teleta::pattern {
+
+inline constexpr std::size_t kMostCurvePoints = 16;
+inline constexpr double kLongestEvent_s = 30.0;
+
+/// AHAP of one tactor: continuous events of at most kLongestEvent_s where it is on, and curves of the
+/// intensity, which is the square root of the amplitude, of at most kMostCurvePoints; their times count from
+/// the start of the curve. Error: refused when objects have too many corners. Thread: any (pure).
+[[nodiscard]] core::Expected<std::string> tactorToAhap(const Pattern& pattern, std::size_t tactor);
+
+/// "tactor1.ahap" ... "tactor6.ahap".
+[[nodiscard]] core::Expected<std::vector<ZipEntry>> patternToAhaps(const Pattern& pattern);
+
+} // namespace teleta::pattern

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/pattern/files/pattern_file.h"
+
+#include "backend/core/data/json_document.h"
+#include "backend/core/data/output_file.h"
+#include "backend/pattern/files/ahap.h"
+#include "backend/pattern/files/haptic_file.h"
+#include "backend/pattern/files/hjif.h"
+#include "backend/pattern/files/pattern_format.h"
+#include "backend/pattern/files/pattern_json.h"
+#include "backend/pattern/files/tact.h"
+#include "backend/pattern/files/zip_archive.h"
+#include "backend/pattern/model/bake.h"
+#include "backend/pattern/model/built_in_patterns.h"
+
+#include <QCoreApplication>
+#include <QDate>
+#include <QFile>
+
+#include <utility>
+#include <vector>
+
+namespace teleta::pattern {
+
+namespace {
+
+struct FileText {
+    Q_DECLARE_TR_FUNCTIONS(FileText)
+};
+
+core::Error failure(core::ErrorKind kind, const std::string& path, const QString& message,
+                    const QString& expected) {
+    return {kind, message.toStdString(), expected.toStdString(), {path, 0, 0}};
+}
+
+core::Expected<std::string> readBytes(const std::string& path) {
+    QFile file(QString::fromStdString(path));
+    if (!file.exists())
+        return core::Unexpected(failure(core::ErrorKind::notFound, path,
+                                        FileText::tr("there is no such file or built-in pattern"),
+                                        FileText::tr("a pattern file, or an id of teleta pattern list")));
+    if (!file.open(QIODevice::ReadOnly))
+        return core::Unexpected(failure(core::ErrorKind::ioFailed, path, file.errorString(), {}));
+    // One byte more shows that the limit is passed, also with a pipe, whose size is not known.
+    const QByteArray bytes = file.read(static_cast<qint64>(core::JsonDocument::kMostBytes) + 1);
+    if (file.error() != QFileDevice::NoError)
+        return core::Unexpected(failure(core::ErrorKind::ioFailed, path, file.errorString(), {}));
+    if (static_cast<std::size_t>(bytes.size()) > core::JsonDocument::kMostBytes)
+        return core::Unexpected(
+            failure(core::ErrorKind::badInput, path, FileText::tr("the file is too large"),
+                    FileText::tr("at most %1 MiB").arg(core::JsonDocument::kMostBytes >> 20U)));
+    return bytes.toStdString();
+}
+
+core::Expected<void> writeBytes(const std::string& path, const std::string& bytes) {
+    core::Expected<core::OutputFile> file = core::OutputFile::create(path);
+    if (!file)
+        return core::Unexpected(file.error());
+    file->write(bytes);
+    return file->finish();
+}
+
+core::Error unknownEnding(const std::string& path) {
+    return failure(core::ErrorKind::badInput, path, FileText::tr("the ending of the name tells no format"),
+                   FileText::tr("one of %1").arg(QString::fromStdString(allEndings())));
+}
+
+core::Expected<void> orWithPath(core::Expected<void> done, const std::string& path) {
+    if (!done && done.error().where.file.empty())
+        done.error().where.file = path;
+    return done;
+}
+
+/// The file of the only tactor that does anything, for formats with one tactor a file.
+core::Expected<std::string>
+onlyTactor(const Pattern& pattern, const std::string& path, const std::string& zipEnding,
+           core::Expected<std::string> (*text)(const Pattern& pattern, std::size_t tactor)) {
+    const core::Expected<Tracks> tracks = linearised(pattern);
+    if (!tracks)
+        return core::Unexpected(tracks.error());
+    std::size_t only = 0;
+    int active = 0;
+    for (std::size_t i = 0; i < core::kTactors; ++i) {
+        if ((*tracks)[i].empty())
+            continue;
+        only = i;
+        ++active;
+    }
+    if (active > 1)
+        return core::Unexpected(
+            failure(core::ErrorKind::refused, path,
+                    FileText::tr("this format holds one tactor, the pattern uses more"),
+                    FileText::tr("a name that ends with %1").arg(QString::fromStdString(zipEnding))));
+    return text(pattern, only);
+}
+
+core::Expected<std::string> zipped(const core::Expected<std::vector<ZipEntry>>& entries) {
+    if (!entries)
+        return core::Unexpected(entries.error());
+    return writeZip(*entries);
+}
+
+core::Expected<void> write(const Pattern& pattern, PatternFormat format, const std::string& path,
+                           const SampleOptions& samples) {
+    const auto writeText = [&](const core::Expected<std::string>& text) {
+        return text ? writeBytes(path, *text) : core::Expected<void>(core::Unexpected(text.error()));
+    };
+    switch (format) {
+    case PatternFormat::own:
+        return writeText(patternToJson(pattern));
+    case PatternFormat::hjif:
+        return writeText(patternToHjif(pattern, QDate::currentDate().toString(Qt::ISODate).toStdString()));
+    case PatternFormat::hapticZip:
+        return writeText(zipped(patternToHaptics(pattern)));
+    case PatternFormat::haptic:
+        return writeText(onlyTactor(pattern, path, ".haptic.zip", tactorToHaptic));
+    case PatternFormat::ahapZip:
+        return writeText(zipped(patternToAhaps(pattern)));
+    case PatternFormat::ahap:
+        return writeText(onlyTactor(pattern, path, ".ahap.zip", tactorToAhap));
+    case PatternFormat::tact:
+        return writeText(patternToTact(pattern));
+    case PatternFormat::csv:
+        return writeCsv(pattern, path, samples);
+    case PatternFormat::wav:
+        return writeWav(pattern, path, samples);
+    }
+    return {};
+}
+
+core::Expected<Pattern> readHapticZip(const std::string& bytes, const std::string& path) {
+    core::Expected<std::vector<ZipEntry>> entries = readZip(bytes, path);
+    if (!entries)
+        return core::Unexpected(entries.error());
+    return patternFromHaptics(std::move(*entries), path);
+}
+
+core::Expected<Pattern> read(std::string bytes, PatternFormat format, const std::string& path) {
+    switch (format) {
+    case PatternFormat::own:
+        return patternFromJson(std::move(bytes), path);
+    case PatternFormat::hjif:
+        return patternFromHjif(std::move(bytes), path);
+    case PatternFormat::hapticZip:
+        return readHapticZip(bytes, path);
+    case PatternFormat::haptic:
+        return patternFromHaptic(std::move(bytes), path);
+    case PatternFormat::tact:
+        return patternFromTact(std::move(bytes), path);
+    case PatternFormat::ahapZip:
+    case PatternFormat::ahap:
+    case PatternFormat::csv:
+    case PatternFormat::wav:
+        break;
+    }
+    return core::Unexpected(failure(core::ErrorKind::badInput, path,
+                                    FileText::tr("patterns are written in this format, but not read"),
+                                    ".json, .hjif, .haptic.zip, .haptic, .tact"));
+}
+
+} // namespace
+
+core::Expected<Pattern> loadPattern(const std::string& path) {
+    core::Expected<std::string> bytes = readBytes(path);
+    if (!bytes)
+        return core::Unexpected(bytes.error());
+    const std::optional<PatternFormat> format = formatOf(path);
+    if (!format)
+        return core::Unexpected(unknownEnding(path));
+    core::Expected<Pattern> pattern = read(std::move(*bytes), *format, path);
+    if (pattern && pattern->id.empty())
+        pattern->id = baseName(path);
+    return pattern;
+}
+
+core::Expected<Pattern> findPattern(const std::string& idOrPath) {
+    if (const Pattern* builtIn = findBuiltIn(idOrPath))
+        return *builtIn;
+    return loadPattern(idOrPath);
+}
+
+core::Expected<void> savePattern(const Pattern& pattern, const std::string& path,
+                                 const SampleOptions& samples) {
+    const std::optional<PatternFormat> format = formatOf(path);
+    if (!format)
+        return core::Unexpected(unknownEnding(path));
+    return orWithPath(write(pattern, *format, path, samples), path);
+}
+
+} // namespace teleta::pattern

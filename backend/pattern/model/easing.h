@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/pattern/model/parametric_object.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace teleta::pattern {
+
+/// Share of the way from one breakpoint to the next; u from 0 to 1. See Easing.
+[[nodiscard]] inline double eased(Easing easing, double u) {
+    switch (easing) {
+    case Easing::linear:
+        break;
+    case Easing::hold:
+        return 0.0;
+    case Easing::easeIn:
+        return 1.0 - std::cos(0.5 * std::numbers::pi * u);
+    case Easing::easeOut:
+        return std::sin(0.5 * std::numbers::pi * u);
+    case Easing::easeInOut:
+        return 0.5 * (1.0 - std::cos(std::numbers::pi * u));
+    }
+    return u;
+}
+
+} // namespace teleta::pattern

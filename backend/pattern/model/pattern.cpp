@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/pattern/model/pattern.h"
+
+#include "backend/pattern/model/easing.h"
+#include "backend/pattern/model/intensity.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace teleta::pattern {
+
+namespace {
+
+template <typename Value, std::size_t N>
+using Names = std::array<std::pair<Value, const char*>, N>;
+
+constexpr Names<Task, 3> kTasks{
+    {{Task::shape, "shape"}, {Task::stiffness, "stiffness"}, {Task::other, "other"}}};
+constexpr Names<Condition, 3> kConditions{
+    {{Condition::none, ""}, {Condition::constant, "static"}, {Condition::dynamic, "dynamic"}}};
+constexpr Names<Arm, 2> kArms{{{Arm::right, "right"}, {Arm::left, "left"}}};
+constexpr Names<Easing, 5> kEasings{{{Easing::linear, "linear"},
+                                     {Easing::hold, "hold"},
+                                     {Easing::easeIn, "ease-in"},
+                                     {Easing::easeOut, "ease-out"},
+                                     {Easing::easeInOut, "ease-in-out"}}};
+
+template <typename Value, std::size_t N>
+const char* nameOf(const Names<Value, N>& names, Value value) {
+    for (const auto& [candidate, name] : names) {
+        if (candidate == value)
+            return name;
+    }
+    return "";
+}
+
+template <typename Value, std::size_t N>
+std::optional<Value> valueOf(const Names<Value, N>& names, std::string_view text) {
+    for (const auto& [value, name] : names) {
+        if (name == text)
+            return value;
+    }
+    return std::nullopt;
+}
+
+/// a.time_s <= t_s < b.time_s.
+double between(const Breakpoint& a, const Breakpoint& b, double t_s) {
+    const double share = eased(a.easing, (t_s - a.time_s) / (b.time_s - a.time_s));
+    return limitedIntensity(a.intensity + share * (b.intensity - a.intensity));
+}
+
+void raise(core::Intensities& intensities, const core::Intensities& other) {
+    for (std::size_t i = 0; i < core::kTactors; ++i)
+        intensities[i] = std::max(intensities[i], other[i]);
+}
+
+} // namespace
+
+const char* toString(Task task) {
+    return nameOf(kTasks, task);
+}
+const char* toString(Condition condition) {
+    return nameOf(kConditions, condition);
+}
+const char* toString(Arm arm) {
+    return nameOf(kArms, arm);
+}
+const char* toString(Easing easing) {
+    return nameOf(kEasings, easing);
+}
+std::optional<Task> taskFrom(std::string_view text) {
+    return valueOf(kTasks, text);
+}
+std::optional<Condition> conditionFrom(std::string_view text) {
+    return valueOf(kConditions, text);
+}
+std::optional<Arm> armFrom(std::string_view text) {
+    return valueOf(kArms, text);
+}
+std::optional<Easing> easingFrom(std::string_view text) {
+    return valueOf(kEasings, text);
+}
+
+core::Intensities evaluate(const Pattern& pattern, double t_s) {
+    core::Intensities intensities{};
+    if (!(t_s >= 0.0 && t_s < pattern.duration_s))
+        return intensities;
+    for (std::size_t i = 0; i < core::kTactors; ++i) {
+        const Track& track = pattern.tracks[i];
+        const auto next =
+            std::upper_bound(track.begin(), track.end(), t_s,
+                             [](double time_s, const Breakpoint& point) { return time_s < point.time_s; });
+        if (next != track.begin() && next != track.end())
+            intensities[i] = between(*(next - 1), *next, t_s);
+    }
+    for (const PatternObject& object : pattern.objects)
+        raise(intensities, evaluate(object.form, t_s));
+    return intensities;
+}
+
+CompiledPattern::CompiledPattern(const Pattern& pattern)
+    : m_duration_s(pattern.duration_s) {
+    for (std::size_t i = 0; i < core::kTactors; ++i) {
+        m_breakpoints.insert(m_breakpoints.end(), pattern.tracks[i].begin(), pattern.tracks[i].end());
+        m_firstOfTrack[i + 1] = m_breakpoints.size();
+    }
+    m_times_s.reserve(m_breakpoints.size());
+    for (const Breakpoint& point : m_breakpoints)
+        m_times_s.push_back(point.time_s);
+
+    for (const PatternObject& object : pattern.objects) {
+        const Span span = spanOf(object.form);
+        if (span.begin_s < span.end_s) // an object without time is never on
+            m_objects.push_back({object.form, span.begin_s, span.end_s});
+    }
+    std::stable_sort(m_objects.begin(), m_objects.end(),
+                     [](const auto& a, const auto& b) { return a.begin_s < b.begin_s; });
+    for (std::size_t i = 1; i < m_objects.size(); ++i)
+        m_objects[i].latestEnd_s = std::max(m_objects[i].latestEnd_s, m_objects[i - 1].latestEnd_s);
+}
+
+core::Intensities CompiledPattern::evaluate(double t_s) const {
+    core::Intensities intensities{};
+    if (!(t_s >= 0.0 && t_s < m_duration_s))
+        return intensities;
+    for (std::size_t i = 0; i < core::kTactors; ++i) {
+        const double* const begin = m_times_s.data() + m_firstOfTrack[i];
+        const double* const end = m_times_s.data() + m_firstOfTrack[i + 1];
+        const double* const next = std::upper_bound(begin, end, t_s);
+        if (next != begin && next != end) {
+            const auto index = static_cast<std::size_t>(next - m_times_s.data());
+            intensities[i] = between(m_breakpoints[index - 1], m_breakpoints[index], t_s);
+        }
+    }
+    auto object = std::upper_bound(m_objects.begin(), m_objects.end(), t_s,
+                                   [](double time_s, const auto& o) { return time_s < o.begin_s; });
+    while (object != m_objects.begin() && (object - 1)->latestEnd_s > t_s) {
+        --object;
+        raise(intensities, pattern::evaluate(object->form, t_s));
+    }
+    return intensities;
+}
+
+} // namespace teleta::pattern

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/pattern/motors/sampled_output.h"
+
+#include "backend/core/data/csv_writer.h"
+#include "backend/core/data/output_file.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+namespace teleta::pattern {
+
+namespace {
+
+struct SampledText {
+    Q_DECLARE_TR_FUNCTIONS(PatternFile)
+};
+
+/// Little-endian, whatever the machine is.
+void put(std::string& bytes, std::uint64_t value, int count) {
+    for (int i = 0; i < count; ++i)
+        bytes += static_cast<char>((value >> (8 * i)) & 0xFFU);
+}
+
+constexpr std::uint32_t kBytesPerSample = 2;
+constexpr std::uint32_t kBytesPerFrame = kBytesPerSample * core::kTactors;
+constexpr std::uint32_t kHeaderBytes = 68;
+
+/// RIFF WAVE header with WAVE_FORMAT_EXTENSIBLE and the sub-format PCM.
+std::string wavHeader(std::uint32_t dataBytes, std::uint32_t rate_Hz) {
+    std::string header = "RIFF";
+    put(header, kHeaderBytes - 8 + dataBytes, 4);
+    header += "WAVEfmt ";
+    put(header, 40, 4);
+    put(header, 0xFFFE, 2);
+    put(header, core::kTactors, 2);
+    put(header, rate_Hz, 4);
+    put(header, std::uint64_t{rate_Hz} * kBytesPerFrame, 4);
+    put(header, kBytesPerFrame, 2);
+    put(header, 8 * kBytesPerSample, 2);
+    put(header, 22, 2);                  // of the extension
+    put(header, 8 * kBytesPerSample, 2); // valid bits
+    put(header, 0, 4);                   // speakers
+    put(header, 1, 4);                   // GUID of PCM: 00000001-0000-0010-8000-00AA00389B71
+    put(header, 0x0010'0000, 4);
+    put(header, 0xAA00'0080, 4);
+    put(header, 0x719B'3800, 4);
+    header += "data";
+    put(header, dataBytes, 4);
+    return header;
+}
+
+core::Unexpected refused(const std::string& path, const QString& message, const QString& expected) {
+    return core::Unexpected(
+        core::Error{core::ErrorKind::refused, message.toStdString(), expected.toStdString(), {path, 0, 0}});
+}
+
+core::Expected<void> checked(const SampleOptions& options, double rate_Hz, const std::string& path) {
+    if (!(rate_Hz >= kLowestRate_Hz && rate_Hz <= kHighestRate_Hz))
+        return refused(path, SampledText::tr("the rate of the samples is out of range"),
+                       SampledText::tr("%1 to %2 a second").arg(kLowestRate_Hz).arg(kHighestRate_Hz));
+    if (options.motors && !std::all_of(options.motors->begin(), options.motors->end(),
+                                       [](const MotorProfile& motor) { return motor.valid(); }))
+        return refused(path, SampledText::tr("the values of a motor contradict each other"), {});
+    return {};
+}
+
+void sample(const Pattern& pattern, const SampleOptions& options, double rate_Hz,
+            const std::function<bool(double t_s, const core::Intensities&)>& visit) {
+    if (!options.motors) {
+        forEachSample(pattern, rate_Hz, visit);
+        return;
+    }
+    forEachPredictedSample(pattern, *options.motors, rate_Hz,
+                           [&visit](double t_s, const core::Intensities& intensities,
+                                    const core::Intensities&) { return visit(t_s, intensities); });
+}
+
+} // namespace
+
+std::uint64_t samplesOf(double duration_s, double rate_Hz) {
+    if (!(duration_s > 0.0 && rate_Hz > 0.0))
+        return 0;
+    auto samples = static_cast<std::uint64_t>(std::ceil(duration_s * rate_Hz));
+    // The product is rounded; what counts is where the samples lie.
+    while (samples > 0 && static_cast<double>(samples - 1) / rate_Hz >= duration_s)
+        --samples;
+    while (static_cast<double>(samples) / rate_Hz < duration_s)
+        ++samples;
+    return samples;
+}
+
+void forEachSample(const Pattern& pattern, double rate_Hz,
+                   const std::function<bool(double t_s, const core::Intensities&)>& visit) {
+    const CompiledPattern compiled(pattern);
+    const std::uint64_t samples = samplesOf(pattern.duration_s, rate_Hz);
+    for (std::uint64_t k = 0; k < samples; ++k) {
+        const double t_s = static_cast<double>(k) / rate_Hz;
+        if (!visit(t_s, compiled.evaluate(t_s)))
+            return;
+    }
+}
+
+core::Expected<void> writeCsv(const Pattern& pattern, const std::string& path, const SampleOptions& options) {
+    constexpr std::array<std::string_view, 7> kColumns{"time_s", "t1", "t2", "t3", "t4", "t5", "t6"};
+    const double rate_Hz = options.rate_Hz.value_or(kCsvRate_Hz);
+    if (const core::Expected<void> possible = checked(options, rate_Hz, path); !possible)
+        return possible;
+    core::Expected<core::CsvWriter> csv = core::CsvWriter::create(path, kColumns);
+    if (!csv)
+        return core::Unexpected(csv.error());
+    sample(pattern, options, rate_Hz, [&](double t_s, const core::Intensities& intensities) {
+        csv->number(t_s);
+        for (const double intensity : intensities)
+            csv->number(intensity);
+        csv->endRow();
+        return !csv->failed();
+    });
+    return csv->finish();
+}
+
+core::Expected<void> writeWav(const Pattern& pattern, const std::string& path, const SampleOptions& options) {
+    const double rate_Hz = options.rate_Hz.value_or(kWavRate_Hz);
+    if (const core::Expected<void> possible = checked(options, rate_Hz, path); !possible)
+        return possible;
+    if (rate_Hz != std::floor(rate_Hz))
+        return refused(path, SampledText::tr("a WAV file cannot have this rate"),
+                       SampledText::tr("a whole number of samples a second"));
+    const std::uint64_t frames = samplesOf(pattern.duration_s, rate_Hz);
+    if (frames > (std::numeric_limits<std::uint32_t>::max() - kHeaderBytes) / kBytesPerFrame)
+        return refused(path, SampledText::tr("the pattern is too long for a WAV file"),
+                       SampledText::tr("at most 4 GiB of samples"));
+    core::Expected<core::OutputFile> file = core::OutputFile::create(path);
+    if (!file)
+        return core::Unexpected(file.error());
+    file->write(wavHeader(static_cast<std::uint32_t>(frames) * kBytesPerFrame,
+                          static_cast<std::uint32_t>(std::lround(rate_Hz))));
+    std::string bytes;
+    sample(pattern, options, rate_Hz, [&](double, const core::Intensities& intensities) {
+        bytes.clear();
+        for (const double intensity : intensities)
+            put(bytes, static_cast<std::uint64_t>(std::lround(32767.0 * intensity)), kBytesPerSample);
+        file->write(bytes);
+        return !file->failed();
+    });
+    return file->finish();
+}
+
+} // namespace teleta::pattern

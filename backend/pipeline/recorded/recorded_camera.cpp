@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/pipeline/recorded/recorded_camera.h"
+
+#include "backend/core/data/json_document.h"
+#include "backend/recording/stream_columns.h"
+#include "backend/vision/calibration/camera_file.h"
+
+#include <QCoreApplication>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace teleta::pipeline {
+
+namespace {
+
+struct RecordedCameraText {
+    Q_DECLARE_TR_FUNCTIONS(RecordedCameraText)
+};
+
+constexpr double kLargest = 1e12;
+
+recording::StreamInfo pictureStream(const std::string& name, const core::CameraDescription& description,
+                                    std::vector<std::size_t> shape) {
+    recording::StreamInfo info;
+    info.name = name;
+    info.kind = recording::StreamKind::camera;
+    info.type = recording::ValueType::grey8;
+    info.source = description.name;
+    info.shape = std::move(shape);
+    return info;
+}
+
+core::Unexpected notDescribed(const recording::StreamInfo& stream, const std::string& file,
+                              const core::Error& why) {
+    return core::Unexpected(
+        core::Error{core::ErrorKind::badInput,
+                    RecordedCameraText::tr("the stream \"%1\" is not described: %2")
+                        .arg(QString::fromStdString(stream.name), QString::fromStdString(core::describe(why)))
+                        .toStdString(),
+                    {},
+                    {file}});
+}
+
+/// Empty: the stream is one of references.
+core::Expected<std::optional<RecordedCamera>> recordedCamera(const recording::Recording& recording,
+                                                             std::size_t number) {
+    const recording::StreamInfo& stream = recording.streams()[number];
+    const auto document = core::JsonDocument::parse(stream.details, recording.path());
+    if (!document)
+        return notDescribed(stream, recording.path(), document.error());
+    core::JsonReader reader(*document);
+    if (reader.boolean(reader.root(), "reference", false))
+        return std::optional<RecordedCamera>();
+    const nlohmann::ordered_json& camera = reader.member(reader.root(), "camera");
+    vision::BumpDetector::Settings bump;
+    bump.speed_mPerS = reader.number(reader.root(), "bump_speed_m_per_s", 1e-9, kLargest, bump.speed_mPerS);
+    bump.depth_m = reader.number(reader.root(), "bump_depth_m", 1e-9, kLargest, bump.depth_m);
+    const std::string reference = reader.text(reader.root(), "reference_stream", {});
+    const bool simulated = reader.boolean(reader.root(), "simulated", false);
+    if (reader.error())
+        return notDescribed(stream, recording.path(), *reader.error());
+    auto model = vision::parseCamera(camera.dump(), recording.path());
+    if (!model)
+        return notDescribed(stream, recording.path(), model.error());
+    RecordedCamera found{.stream = number,
+                         .description = {.name = stream.source,
+                                         .nominalRate_Hz = stream.nominalRate_Hz,
+                                         .simulated = simulated,
+                                         .recorded = true},
+                         .camera = std::move(model->camera),
+                         .bump = bump,
+                         .referenceStream = {}};
+    const auto& streams = recording.streams();
+    const auto named = std::ranges::find(streams, reference, &recording::StreamInfo::name);
+    if (named != streams.end() && named->type == recording::ValueType::grey8)
+        found.referenceStream = static_cast<std::size_t>(named - streams.begin());
+    return std::optional(std::move(found));
+}
+
+} // namespace
+
+recording::StreamInfo cameraStream(const std::string& name, const core::CameraDescription& description,
+                                   const vision::CylinderCamera& camera,
+                                   const vision::BumpDetector::Settings& bump, const std::string& reference) {
+    const vision::CameraParameters& parameters = camera.camera().parameters();
+    recording::StreamInfo info = pictureStream(
+        name, description,
+        {static_cast<std::size_t>(parameters.height_px), static_cast<std::size_t>(parameters.width_px)});
+    info.nominalRate_Hz = description.nominalRate_Hz;
+    const vision::CalibrationSummary unknown;
+    nlohmann::ordered_json details;
+    details["simulated"] = description.simulated;
+    details["reference_stream"] = reference;
+    details["bump_speed_m_per_s"] = bump.speed_mPerS;
+    details["bump_depth_m"] = bump.depth_m;
+    details["camera"] = vision::cameraJson({camera, unknown, nlohmann::ordered_json::object()});
+    info.details = details.dump();
+    return info;
+}
+
+recording::StreamInfo referenceStream(const std::string& name, const core::CameraDescription& description) {
+    recording::StreamInfo info = pictureStream(name, description, {0, 0});
+    info.details = nlohmann::ordered_json{{"reference", true}}.dump();
+    return info;
+}
+
+recording::StreamInfo contactStream(const std::string& name, const core::CameraDescription& description) {
+    recording::StreamInfo info;
+    info.name = name;
+    info.kind = recording::StreamKind::contacts;
+    info.type = recording::ValueType::float64;
+    info.source = description.name;
+    info.shape = {kContactValues};
+    info.columns = recording::contactColumns();
+    return info;
+}
+
+std::array<double, kContactValues> contactValues(const vision::FollowedContact& followed) {
+    const vision::CameraContact& contact = followed.contact;
+    const Eigen::Vector3d displacement_m = followed.displacement_m();
+    return {static_cast<double>(contact.id),
+            contact.centre_px.x(),
+            contact.centre_px.y(),
+            contact.p_Sensor_Centre_m.x(),
+            contact.p_Sensor_Centre_m.y(),
+            contact.p_Sensor_Centre_m.z(),
+            displacement_m.x(),
+            displacement_m.y(),
+            displacement_m.z(),
+            contact.area_px};
+}
+
+core::Expected<std::vector<RecordedCamera>> recordedCameras(const recording::Recording& recording,
+                                                            std::optional<core::Error>& why) {
+    std::vector<RecordedCamera> cameras;
+    for (std::size_t i = 0; i < recording.streams().size(); ++i) {
+        if (recording.streams()[i].type != recording::ValueType::grey8)
+            continue;
+        auto camera = recordedCamera(recording, i);
+        if (!camera) {
+            why = why.value_or(camera.error());
+            continue;
+        }
+        if (!*camera)
+            continue;
+        const auto extent = recording.extent(i);
+        if (!extent)
+            return core::Unexpected(extent.error());
+        if (*extent)
+            cameras.push_back(std::move(**camera));
+    }
+    return cameras;
+}
+
+core::Expected<core::GreyImage> firstReference(const recording::Recording& recording,
+                                               const RecordedCamera& camera) {
+    if (!camera.referenceStream)
+        return core::GreyImage();
+    recording::StreamReader reader = recording.reader(*camera.referenceStream);
+    core::TappedFrames block;
+    for (;;) {
+        const core::Expected<bool> any = reader.next(block);
+        if (any)
+            return *any ? block.image : core::GreyImage();
+        if (any.error().kind != core::ErrorKind::badInput)
+            return core::Unexpected(any.error());
+        if (!reader.canGoOn())
+            return core::GreyImage();
+    }
+}
+
+} // namespace teleta::pipeline

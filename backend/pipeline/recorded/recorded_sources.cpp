@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/pipeline/recorded/recorded_sources.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace teleta::pipeline {
+
+namespace {
+
+struct RecordedSourcesText {
+    Q_DECLARE_TR_FUNCTIONS(RecordedStreams)
+};
+
+using recording::Recording;
+using recording::StreamInfo;
+using recording::StreamKind;
+
+/// why: the first thing that is not described.
+core::Expected<std::vector<RecordedSource>> recordedArrays(const Recording& recording,
+                                                           std::optional<core::Error>& why) {
+    std::vector<RecordedSource> sources;
+    const std::vector<StreamInfo>& streams = recording.streams();
+    for (std::size_t i = 0; i < streams.size(); ++i) {
+        if (streams[i].kind != StreamKind::array)
+            continue;
+        const auto extent = recording.extent(i);
+        if (!extent)
+            return core::Unexpected(extent.error());
+        if (!*extent)
+            continue;
+        auto array = recordedArray(streams[i], recording.path());
+        if (!array) {
+            why = why.value_or(array.error());
+            continue;
+        }
+        sources.push_back({.arrayStream = i, .array = std::move(*array), .jointStream = {}, .arm = {}});
+    }
+    for (std::size_t i = 0; i < streams.size(); ++i) {
+        if (streams[i].kind != StreamKind::joints)
+            continue;
+        auto arm = recordedArm(streams[i], recording.path());
+        if (!arm)
+            continue;
+        const auto skin = std::ranges::find_if(sources, [&](const RecordedSource& source) {
+            return streams[source.arrayStream].name == arm->skinStream;
+        });
+        if (skin != sources.end()) {
+            skin->jointStream = i;
+            skin->arm = std::move(arm->description);
+        }
+    }
+    return sources;
+}
+
+} // namespace
+
+core::Expected<RecordedSources> recordedSources(const Recording& recording) {
+    std::optional<core::Error> why;
+    auto arrays = recordedArrays(recording, why);
+    if (!arrays)
+        return core::Unexpected(arrays.error());
+    auto cameras = recordedCameras(recording, why);
+    if (!cameras)
+        return core::Unexpected(cameras.error());
+    if (arrays->empty() && cameras->empty() && why)
+        return core::Unexpected(*why);
+    if (arrays->empty() && cameras->empty())
+        return core::Unexpected(core::Error{
+            core::ErrorKind::refused,
+            RecordedSourcesText::tr("the recording has no frames of an array or a camera").toStdString(),
+            RecordedSourcesText::tr("a recording of an array, an arm or a camera").toStdString(),
+            {recording.path()}});
+    RecordedSources sources{.arrays = std::move(*arrays),
+                            .cameras = std::move(*cameras),
+                            .first_ns = std::numeric_limits<std::int64_t>::max(),
+                            .last_ns = std::numeric_limits<std::int64_t>::min()};
+    const auto include = [&](std::size_t stream) {
+        if (const auto extent = recording.extent(stream); extent && *extent) {
+            sources.first_ns = std::min(sources.first_ns, (*extent)->first_ns);
+            sources.last_ns = std::max(sources.last_ns, (*extent)->last_ns);
+        }
+    };
+    for (const RecordedSource& source : sources.arrays)
+        include(source.arrayStream);
+    for (const RecordedCamera& camera : sources.cameras)
+        include(camera.stream);
+    return sources;
+}
+
+} // namespace teleta::pipeline

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/error.h"
+#include "backend/pipeline/recorded/recorded_camera.h"
+#include "backend/pipeline/recorded/recorded_streams.h"
+#include "backend/recording/recording.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace teleta::pipeline {
+
+/// An array of a recording, and the arm that wears it.
+struct RecordedSource {
+    std::size_t arrayStream = 0; ///< number in the recording
+    RecordedArray array;
+    std::optional<std::size_t> jointStream; ///< empty: the array was on its own
+    core::ArmDescription arm;
+};
+
+/// What of a recording can be used as sources again.
+struct RecordedSources {
+    std::vector<RecordedSource> arrays;
+    std::vector<RecordedCamera> cameras;
+    std::int64_t first_ns = 0; ///< of the first frame of all of them
+    std::int64_t last_ns = 0;  ///< of the last one
+};
+
+/// The arrays and cameras of a recording that have frames, in its order; what is not described is left out.
+/// Error: badInput, nothing is left and a stream's details do not say what it is; refused: there is none.
+[[nodiscard]] core::Expected<RecordedSources> recordedSources(const recording::Recording& recording);
+
+} // namespace teleta::pipeline

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/pipeline/recorded/recorded_streams.h"
+
+#include "backend/core/data/json_document.h"
+#include "backend/core/number_text.h"
+#include "backend/recording/stream_columns.h"
+#include "backend/stiffness/material.h"
+
+#include <QCoreApplication>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace teleta::pipeline {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct RecordedStreamText {
+    Q_DECLARE_TR_FUNCTIONS(RecordedStreamText)
+};
+
+constexpr char kSettingsEvent[] = "settings";
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double kHuge = 1e12;
+constexpr double kMostTaxels =
+    static_cast<double>(core::ArrayLayout::kMaximumSide) * core::ArrayLayout::kMaximumSide;
+
+/// A number a taxel; those that are dead have none.
+ordered_json taxelsJson(const std::vector<float>& values) {
+    ordered_json list = ordered_json::array();
+    for (const float value : values)
+        list.push_back(std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr));
+    return list;
+}
+
+ordered_json settingsJson(const ChannelSettings& settings) {
+    return {{"gain", settings.conditioning.gain},
+            {"inverted", settings.conditioning.inverted},
+            {"tare", taxelsJson(settings.conditioning.tare)},
+            {"taxel_gains", taxelsJson(settings.conditioning.taxelGain)},
+            {"dead", settings.conditioning.dead},
+            {"threshold", settings.features.threshold_N},
+            {"automatic_threshold", settings.features.automaticThreshold},
+            {"weighted", settings.features.orientation == contact::OrientationMode::weighted},
+            {"active_only", settings.features.range == contact::MomentRange::active},
+            {"edge_ratio", settings.features.edgeRatio},
+            {"point_ratio", settings.features.pointRatio},
+            {"contact_threshold", settings.segmentation.threshold_N},
+            {"noise_height", settings.segmentation.noiseHeight},
+            {"noise_height_absolute", settings.segmentation.noiseHeight_N},
+            {"minimum_taxels", settings.segmentation.minimumTaxels},
+            {"load_unit", settings.loadUnit}};
+}
+
+/// Empty when there are none.
+std::vector<float> readTaxels(core::JsonReader& reader, const ordered_json& json, const char* key,
+                              std::size_t taxels, double lowest) {
+    std::vector<float> values;
+    const ordered_json* list = reader.find(json, key);
+    if (list == nullptr || list->empty())
+        return values;
+    for (const ordered_json& value : reader.array(*list, taxels, taxels))
+        values.push_back(value.is_null() ? std::numeric_limits<float>::quiet_NaN()
+                                         : static_cast<float>(reader.number(value, lowest, kHuge)));
+    return values;
+}
+
+ChannelSettings readSettings(core::JsonReader& reader, const ordered_json& json, std::size_t taxels) {
+    ChannelSettings settings;
+    contact::ConditioningSettings& conditioning = settings.conditioning;
+    contact::FeatureSettings& features = settings.features;
+    contact::SegmentationSettings& segmentation = settings.segmentation;
+    conditioning.gain = reader.number(json, "gain", -kHuge, kHuge, conditioning.gain);
+    conditioning.inverted = reader.boolean(json, "inverted", false);
+    conditioning.tare = readTaxels(reader, json, "tare", taxels, -kHuge);
+    conditioning.taxelGain = readTaxels(reader, json, "taxel_gains", taxels, 0.0);
+    if (const ordered_json* dead = reader.find(json, "dead"); dead != nullptr && !dead->empty()) {
+        for (const ordered_json& value : reader.array(*dead, taxels, taxels))
+            conditioning.dead.push_back(static_cast<std::uint8_t>(reader.integer(value, 0, 1)));
+    }
+    features.threshold_N = reader.number(json, "threshold", 0.0, kHuge, features.threshold_N);
+    features.automaticThreshold = reader.boolean(json, "automatic_threshold", false);
+    features.orientation = reader.boolean(json, "weighted", false) ? contact::OrientationMode::weighted
+                                                                   : contact::OrientationMode::binarised;
+    features.range = reader.boolean(json, "active_only", false) ? contact::MomentRange::active
+                                                                : contact::MomentRange::image;
+    features.edgeRatio = reader.number(json, "edge_ratio", 1.0, kHuge, features.edgeRatio);
+    features.pointRatio = reader.number(json, "point_ratio", 1.0, kHuge, features.pointRatio);
+    segmentation.threshold_N = reader.number(json, "contact_threshold", 0.0, kHuge, segmentation.threshold_N);
+    segmentation.noiseHeight = reader.number(json, "noise_height", 0.0, 1.0, segmentation.noiseHeight);
+    segmentation.noiseHeight_N =
+        reader.number(json, "noise_height_absolute", 0.0, kHuge, segmentation.noiseHeight_N);
+    segmentation.minimumTaxels =
+        static_cast<int>(reader.number(json, "minimum_taxels", 1.0, kMostTaxels, segmentation.minimumTaxels));
+    settings.loadUnit = reader.text(json, "load_unit", settings.loadUnit);
+    return settings;
+}
+
+template <std::size_t n>
+void readNumbers(core::JsonReader& reader, const ordered_json& json, const char* key,
+                 std::array<double, n>& values) {
+    const ordered_json& list = reader.array(reader.member(json, key), n, n);
+    for (std::size_t i = 0; i < n && i < list.size(); ++i)
+        values[i] = reader.number(list[i], -kHuge, kHuge);
+}
+
+core::Unexpected badDetails(const recording::StreamInfo& stream, const std::string& file,
+                            const std::string& why) {
+    return core::Unexpected(
+        core::Error{core::ErrorKind::badInput,
+                    RecordedStreamText::tr("the stream \"%1\" is not described: %2")
+                        .arg(QString::fromStdString(stream.name), QString::fromStdString(why))
+                        .toStdString(),
+                    {},
+                    {file}});
+}
+
+recording::StreamInfo streamOf(const std::string& name, const std::string& source, recording::StreamKind kind,
+                               recording::ValueType type, std::vector<std::size_t> shape) {
+    recording::StreamInfo info;
+    info.name = name;
+    info.kind = kind;
+    info.type = type;
+    info.source = source;
+    info.shape = std::move(shape);
+    return info;
+}
+
+} // namespace
+
+recording::StreamInfo arrayStream(const std::string& name, const core::SourceDescription& description,
+                                  const ChannelSettings& settings) {
+    recording::StreamInfo info =
+        streamOf(name, description.name, recording::StreamKind::array, recording::ValueType::float32,
+                 {static_cast<std::size_t>(description.layout.rows),
+                  static_cast<std::size_t>(description.layout.columns)});
+    info.unit = description.unit;
+    info.nominalRate_Hz = description.nominalRate_Hz;
+    const ordered_json details{{"pitch_m", description.layout.pitch_m},
+                               {"simulated", description.simulated},
+                               {"settings", settingsJson(settings)}};
+    info.details = details.dump();
+    return info;
+}
+
+recording::RecordingEvent settingsEvent(const std::string& stream, const ChannelSettings& settings) {
+    const ordered_json text{{"stream", stream}, {"settings", settingsJson(settings)}};
+    return {.kind = kSettingsEvent, .text = text.dump()};
+}
+
+bool settingsChanged(const std::vector<recording::RecordingEvent>& events, const std::string& stream) {
+    return std::ranges::any_of(events, [&](const recording::RecordingEvent& event) {
+        if (event.kind != kSettingsEvent)
+            return false;
+        const ordered_json text = ordered_json::parse(event.text, nullptr, /*allow_exceptions=*/false);
+        const auto named = text.is_object() ? text.find("stream") : text.end();
+        return named != text.end() && named->is_string() && named->get<std::string>() == stream;
+    });
+}
+
+recording::StreamInfo featureStream(const std::string& name, const core::SourceDescription& description) {
+    recording::StreamInfo info = streamOf(name, description.name, recording::StreamKind::features,
+                                          recording::ValueType::float64, {kFeatureValues});
+    info.columns = recording::featureColumns();
+    info.nominalRate_Hz = description.nominalRate_Hz;
+    return info;
+}
+
+recording::StreamInfo armStream(const std::string& name, const core::ArmDescription& description,
+                                const std::string& skinStream) {
+    recording::StreamInfo info = recording::jointStream(description.nominalRate_Hz);
+    info.name = name;
+    info.source = description.name;
+    const ordered_json details{{"simulated", description.simulated},
+                               {"skin_stream", skinStream},
+                               {"upper_arm_m", description.upperArmLength_m},
+                               {"forearm_m", description.forearmLength_m},
+                               {"half_thickness_m", description.halfThickness_m},
+                               {"elbow_stiffness_nm_per_rad", description.elbowStiffness_NmPerRad},
+                               {"shoulder_stiffness_nm_per_rad", description.shoulderStiffness_NmPerRad},
+                               {"skin_centre_distance_m", description.skin.centreDistance_m},
+                               {"skin_centre_side_rad", description.skin.centreSide_rad},
+                               {"skin_radius_m", description.skin.radius_m},
+                               {"lowest_rad", description.lowest_rad},
+                               {"highest_rad", description.highest_rad},
+                               {"fastest_rad_per_s", description.fastest_radPerS}};
+    info.details = details.dump();
+    return info;
+}
+
+recording::StreamInfo touchStream(const std::string& name, const core::ArmDescription& description) {
+    recording::StreamInfo info = streamOf(name, description.name, recording::StreamKind::touches,
+                                          recording::ValueType::float64, {kTouchValues});
+    info.columns = recording::touchColumns();
+    return info;
+}
+
+recording::StreamInfo tactorStream(const std::string& name, const core::BraceletDescription& description,
+                                   double rate_Hz) {
+    recording::StreamInfo info = streamOf(name, description.name, recording::StreamKind::tactors,
+                                          recording::ValueType::float32, {core::kTactors});
+    info.nominalRate_Hz = rate_Hz;
+    for (std::size_t i = 1; i <= core::kTactors; ++i)
+        info.columns.push_back({std::string("t").append(core::NumberText(i).view()), ""});
+    info.details = ordered_json{{"simulated", description.simulated}}.dump();
+    return info;
+}
+
+std::array<double, kFeatureValues> featureValues(const contact::TactileFeatures& features) {
+    const auto orNothing = [](const std::optional<double>& value) { return value.value_or(kNothing); };
+    return {static_cast<double>(features.type), features.force_N,
+            orNothing(features.copX_m),         orNothing(features.copY_m),
+            orNothing(features.cocX_m),         orNothing(features.cocY_m),
+            orNothing(features.dzmpX_m),        orNothing(features.dzmpY_m),
+            orNothing(features.alphaZ_rad),     orNothing(features.lambda1_m2),
+            orNothing(features.lambda2_m2),     static_cast<double>(features.active)};
+}
+
+std::array<double, kTouchValues> touchValues(const TouchRecord& touch) {
+    std::array<double, kTouchValues> values{};
+    values.fill(kNothing);
+    values[0] = static_cast<double>(touch.number);
+    values[1] = touch.start_s;
+    if (touch.located) {
+        values[2] = touch.contactDistance_m;
+        values[3] = touch.side_rad;
+        for (Eigen::Index i = 0; i < 3; ++i)
+            values[4 + static_cast<std::size_t>(i)] = touch.p_Base_Contact_m[i];
+    }
+    if (touch.stiffness) {
+        const stiffness::TouchStiffness& found = *touch.stiffness;
+        values[7] = found.deltaTheta_rad;
+        values[8] = found.deltaTorque_Nm;
+        values[9] = found.total.value_NPerM.value_or(kNothing);
+        values[10] = found.object.value_NPerM.value_or(kNothing);
+        values[11] = found.object.lower95_NPerM.value_or(kNothing);
+        values[12] = found.object.upper95_NPerM.value_or(kNothing);
+        values[13] = stiffness::level(found.material);
+    }
+    return values;
+}
+
+core::Expected<RecordedArray> recordedArray(const recording::StreamInfo& stream, const std::string& file) {
+    constexpr std::size_t kSide = core::ArrayLayout::kMaximumSide;
+    if (stream.kind != recording::StreamKind::array || stream.type != recording::ValueType::float32 ||
+        stream.shape.size() != 2 || stream.shape[0] < 1 || stream.shape[1] < 1 || stream.shape[0] > kSide ||
+        stream.shape[1] > kSide)
+        return badDetails(stream, file, RecordedStreamText::tr("it is no array").toStdString());
+    const auto document = core::JsonDocument::parse(stream.details, file);
+    if (!document)
+        return badDetails(stream, file, core::describe(document.error()));
+    core::JsonReader reader(*document);
+    RecordedArray array;
+    core::SourceDescription& description = array.description;
+    description.name = stream.source;
+    description.layout.rows = static_cast<int>(stream.shape[0]);
+    description.layout.columns = static_cast<int>(stream.shape[1]);
+    description.layout.pitch_m = reader.number(reader.member(reader.root(), "pitch_m"), 1e-9, 1e3);
+    description.unit = stream.unit;
+    description.nominalRate_Hz = stream.nominalRate_Hz;
+    description.simulated = reader.boolean(reader.root(), "simulated", false);
+    description.recorded = true;
+    array.settings = readSettings(reader, reader.member(reader.root(), "settings"), stream.channels());
+    if (reader.error())
+        return badDetails(stream, file, core::describe(*reader.error()));
+    return array;
+}
+
+core::Expected<RecordedArm> recordedArm(const recording::StreamInfo& stream, const std::string& file) {
+    if (stream.kind != recording::StreamKind::joints || stream.type != recording::ValueType::float64 ||
+        stream.channels() != recording::kJointValues)
+        return badDetails(stream, file, RecordedStreamText::tr("it is no arm").toStdString());
+    const auto document = core::JsonDocument::parse(stream.details, file);
+    if (!document)
+        return badDetails(stream, file, core::describe(document.error()));
+    core::JsonReader reader(*document);
+    const ordered_json& root = reader.root();
+    const auto number = [&](const char* key, double lower) {
+        return reader.number(reader.member(root, key), lower, kHuge);
+    };
+    RecordedArm arm;
+    core::ArmDescription& description = arm.description;
+    description.name = stream.source;
+    description.nominalRate_Hz = stream.nominalRate_Hz;
+    description.simulated = reader.boolean(root, "simulated", false);
+    description.recorded = true;
+    description.upperArmLength_m = number("upper_arm_m", 0.0);
+    description.forearmLength_m = number("forearm_m", 0.0);
+    description.halfThickness_m = number("half_thickness_m", 0.0);
+    description.elbowStiffness_NmPerRad = number("elbow_stiffness_nm_per_rad", 0.0);
+    readNumbers(reader, root, "shoulder_stiffness_nm_per_rad", description.shoulderStiffness_NmPerRad);
+    description.skin.centreDistance_m = number("skin_centre_distance_m", -kHuge);
+    description.skin.centreSide_rad = number("skin_centre_side_rad", -kHuge);
+    description.skin.radius_m = number("skin_radius_m", 1e-9);
+    readNumbers(reader, root, "lowest_rad", description.lowest_rad);
+    readNumbers(reader, root, "highest_rad", description.highest_rad);
+    readNumbers(reader, root, "fastest_rad_per_s", description.fastest_radPerS);
+    arm.skinStream = reader.text(root, "skin_stream", {});
+    if (reader.error())
+        return badDetails(stream, file, core::describe(*reader.error()));
+    return arm;
+}
+
+} // namespace teleta::pipeline

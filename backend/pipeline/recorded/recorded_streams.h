@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/contact/tactile_features.h"
+#include "backend/core/bracelet/bracelet_device.h"
+#include "backend/core/device/arm_device.h"
+#include "backend/core/device/device.h"
+#include "backend/core/error.h"
+#include "backend/pipeline/touch/touch_record.h"
+#include "backend/pipeline/touch/touch_snapshot.h"
+#include "backend/recording/recording_types.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace teleta::pipeline {
+
+/// How the streams of the running system are recorded, and what is needed to use them as sources again.
+/// Thread: any (pure).
+
+inline constexpr std::size_t kFeatureValues = 12;
+inline constexpr std::size_t kTouchValues = 14;
+
+/// Raw frames of an array, with the settings in force for them. name: of the stream.
+[[nodiscard]] recording::StreamInfo arrayStream(const std::string& name,
+                                                const core::SourceDescription& description,
+                                                const ChannelSettings& settings);
+/// The event that the settings of an array are others from now on, but for its time. stream: of its frames.
+[[nodiscard]] recording::RecordingEvent settingsEvent(const std::string& stream,
+                                                      const ChannelSettings& settings);
+/// Whether the settings of an array changed while it was recorded: those of its stream are the first ones.
+[[nodiscard]] bool settingsChanged(const std::vector<recording::RecordingEvent>& events,
+                                   const std::string& stream);
+/// What was computed of them.
+[[nodiscard]] recording::StreamInfo featureStream(const std::string& name,
+                                                  const core::SourceDescription& description);
+/// Joint samples of an arm, and which stream its skin is.
+[[nodiscard]] recording::StreamInfo
+armStream(const std::string& name, const core::ArmDescription& description, const std::string& skinStream);
+/// Touches of an arm.
+[[nodiscard]] recording::StreamInfo touchStream(const std::string& name,
+                                                const core::ArmDescription& description);
+
+/// Frames that were sent to a bracelet: a share of the full drive for each tactor.
+[[nodiscard]] recording::StreamInfo
+tactorStream(const std::string& name, const core::BraceletDescription& description, double rate_Hz);
+
+/// A frame of a stream of features; NaN where a feature is not defined.
+[[nodiscard]] std::array<double, kFeatureValues> featureValues(const contact::TactileFeatures& features);
+/// A frame of a stream of touches; NaN where nothing is known.
+[[nodiscard]] std::array<double, kTouchValues> touchValues(const TouchRecord& touch);
+
+/// An array as it was recorded; description.recorded is set.
+struct RecordedArray {
+    core::SourceDescription description;
+    ChannelSettings settings;
+};
+/// file: for errors. Error: badInput, the stream's details do not say what an array is.
+[[nodiscard]] core::Expected<RecordedArray> recordedArray(const recording::StreamInfo& stream,
+                                                          const std::string& file);
+
+/// An arm as it was recorded.
+struct RecordedArm {
+    core::ArmDescription description;
+    std::string skinStream;
+};
+[[nodiscard]] core::Expected<RecordedArm> recordedArm(const recording::StreamInfo& stream,
+                                                      const std::string& file);
+
+} // namespace teleta::pipeline

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/pipeline/touch/tactile_feedback.h"
+
+#include "backend/core/steady_time.h"
+
+#include <utility>
+
+namespace teleta::pipeline {
+
+namespace {
+
+using playback::Program;
+
+Program oneAfterTheOther(const Program& first, const Program& second) {
+    const double begin_s = first.duration_s + TactileFeedback::kPause_s;
+    return {[first, second, begin_s](double t_s) {
+                return t_s < begin_s ? first.evaluate(t_s) : second.evaluate(t_s - begin_s);
+            },
+            begin_s + second.duration_s};
+}
+
+} // namespace
+
+TactileFeedback::TactileFeedback(Play play)
+    : m_play(std::move(play)) {
+    m_settings.set(std::make_shared<const Settings>());
+}
+
+void TactileFeedback::setMap(const pattern::PatternMap& map, const Library& library) {
+    const auto entryOf = [&library](const std::string& id) {
+        return id.empty() ? Entry{} : Entry{id, library(id)};
+    };
+    Settings settings = *m_settings.get();
+    for (std::size_t i = 0; i < map.stiffness.size(); ++i)
+        settings.stiffness[i] = entryOf(map.stiffness[i]);
+    for (std::size_t i = 0; i < map.shape.size(); ++i)
+        settings.shape[i] = entryOf(map.shape[i]);
+    m_settings.set(std::make_shared<const Settings>(std::move(settings)));
+}
+
+void TactileFeedback::setMode(FeedbackMode mode) {
+    Settings settings = *m_settings.get();
+    settings.mode = mode;
+    m_settings.set(std::make_shared<const Settings>(std::move(settings)));
+}
+
+std::optional<contour::Shape> TactileFeedback::newShape(const ExploredContour& contour) {
+    if (contour.points_m.size() < kLeastPoints || !contour.recognition) {
+        m_lastShape.reset();
+        return std::nullopt;
+    }
+    if (contour.recognition->confidence < kLeastConfidence || contour.recognition->shape == m_lastShape)
+        return std::nullopt;
+    m_lastShape = contour.recognition->shape;
+    return m_lastShape;
+}
+
+const TactileFeedback::Entry* TactileFeedback::ofStiffness(const Settings& settings,
+                                                           const TouchRecord& record) {
+    const bool tells = settings.mode == FeedbackMode::stiffness || settings.mode == FeedbackMode::both;
+    if (!tells || !record.stiffness)
+        return nullptr;
+    return &settings.stiffness[static_cast<std::size_t>(stiffness::level(record.stiffness->material)) - 1];
+}
+
+void TactileFeedback::onTouch(const TouchRecord& record) {
+    const std::shared_ptr<const Settings> settings = m_settings.get();
+    const Entry* entry = ofStiffness(*settings, record);
+    if (entry == nullptr)
+        return;
+    if (entry->program.evaluate)
+        m_play(entry->program);
+    FeedbackSent sent = messageOf(record, *entry);
+    sent.material = record.stiffness->material;
+    m_sent.push(std::move(sent));
+}
+
+void TactileFeedback::onContour(const TouchRecord& record, const ExploredContour& contour) {
+    const std::optional<contour::Shape> shape = newShape(contour);
+    const std::shared_ptr<const Settings> settings = m_settings.get();
+    if (!shape || (settings->mode != FeedbackMode::shape && settings->mode != FeedbackMode::both))
+        return;
+    const Entry& entry = settings->shape[static_cast<std::size_t>(*shape)];
+    const Entry* before = ofStiffness(*settings, record);
+    if (entry.program.evaluate) {
+        // The pattern of the stiffness has begun a moment ago: it begins again, with the shape behind it.
+        m_play(before != nullptr && before->program.evaluate
+                   ? oneAfterTheOther(before->program, entry.program)
+                   : entry.program);
+    }
+    FeedbackSent sent = messageOf(record, entry);
+    sent.shape = shape;
+    m_sent.push(std::move(sent));
+}
+
+FeedbackSent TactileFeedback::messageOf(const TouchRecord& record, const Entry& entry) {
+    FeedbackSent sent;
+    sent.touch = record.number;
+    sent.patternId = entry.id;
+    sent.missing = !entry.id.empty() && !entry.program.evaluate;
+    sent.felt_ns = record.ready_ns;
+    sent.sent_ns = core::steadyNow_ns();
+    return sent;
+}
+
+} // namespace teleta::pipeline

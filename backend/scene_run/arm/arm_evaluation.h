@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/contact/contact_segmenter.h"
+#include "backend/contact/frame_conditioner.h"
+#include "backend/contact/tactile_features.h"
+#include "backend/pipeline/touch/touch_record.h"
+#include "backend/scene/scene.h"
+#include "backend/scene_run/arm/touch_log.h"
+#include "backend/simulation/arm/simulated_arm.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace teleta::scene_run {
+
+/// How often a run tells how far it is, and may be ended.
+inline constexpr std::uint64_t kSamplesBetweenReports = 1024;
+
+/// The strongest contact of each skin frame of a scene's arm.
+class SkinReader {
+public:
+    explicit SkinReader(const scene::Scene& scene);
+
+    /// sample: with which the frame was read.
+    [[nodiscard]] pipeline::SkinContact read(std::span<const float> values, const core::JointSample& sample);
+
+private:
+    contact::FrameConditioner m_conditioner;
+    contact::ContactSegmenter m_segmenter;
+    contact::FeatureExtractor m_features;
+    std::vector<float> m_load_N;
+    std::vector<std::uint8_t> m_dead;
+};
+
+/// A touch beside what the world knows of it: the newest touch that had begun when it was evaluated.
+[[nodiscard]] ComparedTouch compared(const pipeline::TouchRecord& record,
+                                     const simulation::SimulatedArm& arm);
+
+/// The measures of where the contacts were located, beside where they truly were, and of the first one.
+void reportContacts(const std::vector<ComparedTouch>& touches, nlohmann::ordered_json& measures);
+
+/// Name of the shape that an outline is recognised as.
+[[nodiscard]] const char* trueShape(const scene::Outline& outline);
+
+/// One value as such, several as a list.
+[[nodiscard]] nlohmann::ordered_json oneOrList(const std::vector<nlohmann::ordered_json>& values);
+
+} // namespace teleta::scene_run

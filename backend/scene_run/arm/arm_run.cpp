@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/scene_run/arm/arm_run.h"
+
+#include "backend/pipeline/touch/contour_explorer.h"
+#include "backend/pipeline/touch/touch_estimator.h"
+#include "backend/scene_run/arm/arm_evaluation.h"
+#include "backend/scene_run/arm/arm_logs.h"
+#include "backend/scene_run/arm/touch_log.h"
+#include "backend/simulation/arm/simulated_arm.h"
+#include "backend/simulation/base/effect_time.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace teleta::scene_run {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+void reportStiffness(const std::vector<ComparedTouch>& touches, ordered_json& measures) {
+    std::vector<ordered_json> estimated;
+    std::vector<ordered_json> truth;
+    std::vector<ordered_json> material;
+    for (const ComparedTouch& touch : touches) {
+        const auto& stiffness = touch.record.stiffness;
+        estimated.push_back(stiffness ? orNull(stiffness->object.value_NPerM) : nullptr);
+        truth.push_back(jsonNumber(touch.trueStiffness_NPerM));
+        material.push_back(stiffness ? ordered_json(stiffness::toString(stiffness->material))
+                                     : ordered_json(nullptr));
+    }
+    if (touches.empty())
+        return;
+    measures["estimated_stiffness_n_per_m"] = oneOrList(estimated);
+    measures["true_stiffness_n_per_m"] = oneOrList(truth);
+    measures["material"] = oneOrList(material);
+}
+
+void reportContour(const pipeline::ExploredContour& contour, const simulation::SimulatedArm& arm,
+                   ordered_json& measures) {
+    measures["shape"] = contour.recognition ? ordered_json(contour::toString(contour.recognition->shape))
+                                            : ordered_json(nullptr);
+    measures["true_shape"] = trueShape(arm.objects().front().shape);
+    if (contour.curve_m.empty()) {
+        measures["contour_rms_m"] = nullptr;
+        return;
+    }
+    double sum_m2 = 0.0;
+    for (const contour::Point& point : contour.curve_m)
+        sum_m2 += std::pow(arm.outlineDistance_m(0, point), 2);
+    measures["contour_rms_m"] = jsonNumber(std::sqrt(sum_m2 / static_cast<double>(contour.curve_m.size())));
+}
+
+core::Expected<void> writePoints(const std::string& path, const std::vector<contour::Point>& points_m) {
+    constexpr std::array<std::string_view, 2> kColumns{"x_m", "y_m"};
+    core::Expected<core::CsvWriter> csv = core::CsvWriter::create(path, kColumns);
+    if (!csv)
+        return core::Unexpected(csv.error());
+    for (const contour::Point& point : points_m) {
+        csv->number(point.x());
+        csv->number(point.y());
+        csv->endRow();
+    }
+    return csv->finish();
+}
+
+} // namespace
+
+core::Expected<SceneSummary> runArmScene(const scene::Scene& scene, const RunOptions& options) {
+    auto made = simulation::SimulatedArm::make(scene, options.seed);
+    if (!made)
+        return core::Unexpected(made.error());
+    simulation::SimulatedArm& arm = **made;
+    const core::ArmDescription description = arm.description();
+    core::Expected<ArmLogs> logs = ArmLogs::open(options, scene, arm);
+    if (!logs)
+        return core::Unexpected(logs.error());
+
+    const double duration_s = options.duration_s.value_or(scene.duration_s);
+    const auto samples = static_cast<std::uint64_t>(std::llround(duration_s * description.nominalRate_Hz));
+    pipeline::TouchEstimator estimator(description);
+    pipeline::ContourExplorer explorer;
+    SkinReader reader(scene);
+    SceneSummary summary;
+    std::vector<ComparedTouch> touches;
+    const auto take = [&](const std::optional<pipeline::TouchRecord>& record) {
+        if (!record)
+            return;
+        logs->addTouch(*record);
+        touches.push_back(compared(*record, arm));
+        summary.events.push_back(touchEvent(touches.back()));
+        if (record->located)
+            explorer.add(record->p_Base_Contact_m);
+    };
+
+    core::JointSample sample;
+    std::vector<float> values(arm.skinDescription().layout.taxels());
+    for (std::uint64_t i = 0; i < samples && !logs->failed(); ++i) {
+        if (i % kSamplesBetweenReports == 0 && options.goOn && !options.goOn(arm.time_s(), duration_s)) {
+            summary.interrupted = true;
+            break;
+        }
+        arm.next({.drive = core::ArmDrive::program}, sample);
+        sample.time_ns = std::llround(sample.sourceTime_s * 1e9);
+        logs->add(sample);
+        take(estimator.update(sample));
+        if (!arm.skinFrame(values))
+            continue;
+        logs->addFrame(sample.sourceTime_s, values);
+        take(estimator.update(reader.read(values, sample)));
+    }
+    if (const auto written = logs->finish(); !written)
+        return core::Unexpected(written.error());
+    if (!options.outFolder.empty()) {
+        for (const core::Expected<void>& written :
+             {writeTouches(options.outFolder + "/touches.csv", touches),
+              writePoints(options.outFolder + "/contour.csv", explorer.contour().points_m)})
+            if (!written)
+                return core::Unexpected(written.error());
+    }
+
+    summary.simulated_s = arm.time_s();
+    for (const simulation::EffectTime& effect : arm.effectTimes())
+        summary.effects.push_back({std::string(effect.name), effect.time_s});
+    if (std::holds_alternative<scene::TouchProgram>(scene.arm().program))
+        reportStiffness(touches, summary.measures);
+    if (std::holds_alternative<scene::ContourProgram>(scene.arm().program))
+        reportContour(explorer.contour(), arm, summary.measures);
+    reportContacts(touches, summary.measures);
+    summary.measures["frames"] = logs->frames();
+    summary.measures["frames_lost"] = 0;
+    return summary;
+}
+
+} // namespace teleta::scene_run

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/scene_run/arm/simulated_player.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+namespace teleta::scene_run {
+
+SimulatedPlayer::SimulatedPlayer()
+    : m_limiter({}, 1.0 / kRate_Hz) {
+}
+
+core::Expected<SimulatedPlayer> SimulatedPlayer::open(const std::string& outFolder) {
+    constexpr std::array<std::string_view, 7> kColumns{"time_s", "t1", "t2", "t3", "t4", "t5", "t6"};
+    SimulatedPlayer player;
+    if (outFolder.empty())
+        return player;
+    auto csv = core::CsvWriter::create(outFolder + "/bracelet.csv", kColumns);
+    if (!csv)
+        return core::Unexpected(csv.error());
+    player.m_csv = std::move(*csv);
+    return player;
+}
+
+void SimulatedPlayer::play(playback::Program program) {
+    m_program = std::move(program);
+    m_begun_s.reset();
+    m_onset_s.reset();
+}
+
+void SimulatedPlayer::advance(double now_s, double heardAt_s) {
+    // A frame that is due with a sample is not put off by how their times are rounded.
+    constexpr double kRounding_s = 1e-9;
+    for (; static_cast<double>(m_frames) / kRate_Hz <= now_s + kRounding_s; ++m_frames)
+        writeFrame(static_cast<double>(m_frames) / kRate_Hz, now_s - heardAt_s <= kTimeout_s);
+}
+
+void SimulatedPlayer::writeFrame(double now_s, bool heard) {
+    core::Intensities wanted{};
+    if (!heard)
+        m_program.reset();
+    if (m_program) {
+        if (!m_begun_s)
+            m_begun_s = now_s;
+        const double position_s = now_s - *m_begun_s;
+        if (position_s >= m_program->duration_s)
+            m_program.reset();
+        else
+            wanted = m_program->evaluate(position_s);
+    }
+    if (heard)
+        (void)m_limiter.step(wanted, 1.0 / kRate_Hz);
+    else
+        m_limiter.off(1.0 / kRate_Hz);
+    const core::Intensities& given = m_limiter.output();
+    const bool isOn = std::ranges::any_of(given, [](double intensity) { return intensity > 0.0; });
+    if (isOn && m_program && !m_onset_s)
+        m_onset_s = now_s;
+    if (!m_csv || (given == m_written && m_frames > 0))
+        return;
+    m_written = given;
+    m_csv->number(now_s);
+    for (const double intensity : given)
+        m_csv->number(intensity);
+    m_csv->endRow();
+}
+
+} // namespace teleta::scene_run

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/error.h"
+#include "backend/scene/scene.h"
+#include "backend/scene_run/base/run_options.h"
+#include "backend/scene_run/base/scene_summary.h"
+
+namespace teleta::scene_run {
+
+/// Runs a scene with an operator at another place: link -> arm -> link -> touches -> objects -> patterns ->
+/// frames of the bracelet, all in simulated time, in which computing takes none. Logs what the operator's
+/// side has:
+///   joints.csv, frames.csv, touches.csv   as of an arm (arm_run.h)
+///   objects.csv     a row an object: object,first_s,touches,contact_type,x_m,y_m,force_n,
+///                   stiffness_n_per_m,stiffness_lower_95,stiffness_upper_95,material,shape,confidence,
+///                   true_object,true_stiffness_n_per_m,true_shape
+///   bracelet.csv    SimulatedPlayer
+/// Measures with one value an object of the scene, in its order, null when it was not found:
+/// estimated_stiffness_n_per_m, true_stiffness_n_per_m, material, shape, true_shape. touch_to_tactor: from
+/// the sample, at the arm, that completed a touch to the first frame of its pattern. frames_lost: of the
+/// skin, on the link. Error and thread: as runScene.
+[[nodiscard]] core::Expected<SceneSummary> runTeleoperation(const scene::Scene& scene,
+                                                            const RunOptions& options);
+
+} // namespace teleta::scene_run

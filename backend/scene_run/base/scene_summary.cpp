@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/scene_run/base/scene_summary.h"
+
+#include "backend/core/data/output_file.h"
+#include "backend/core/quantile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace teleta::scene_run {
+
+using nlohmann::ordered_json;
+
+ordered_json SceneSummary::toJson() const {
+    const auto times = [](const std::vector<EffectTime>& list) {
+        ordered_json entries = ordered_json::array();
+        for (const EffectTime& each : list)
+            entries.push_back({{"name", each.name}, {"time_s", each.time_s}});
+        return entries;
+    };
+    ordered_json document{{"scene", scene},
+                          {"seed", seed},
+                          {"simulated_s", simulated_s},
+                          {"wall_s", wall_s},
+                          {"effects", times(effects)}};
+    if (!parts.empty())
+        document["parts"] = times(parts);
+    document["measures"] = measures;
+    document["events"] = events;
+    return document;
+}
+
+ordered_json jsonNumber(double value) {
+    return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+}
+
+ordered_json orNull(const std::optional<double>& value) {
+    return value ? jsonNumber(*value) : ordered_json(nullptr);
+}
+
+ErrorStatistics errorStatistics(const std::vector<double>& errors) {
+    if (errors.empty())
+        return {nullptr, nullptr};
+    const double mean =
+        std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size());
+    return {jsonNumber(mean), jsonNumber(quantile(errors, 0.95))};
+}
+
+double quantile(std::vector<double> values, double probability) {
+    if (values.empty())
+        return std::numeric_limits<double>::quiet_NaN();
+    std::ranges::sort(values);
+    return core::quantileOf(values, probability);
+}
+
+core::Expected<void> writeJson(const std::string& path, const ordered_json& document) {
+    core::Expected<core::OutputFile> file = core::OutputFile::create(path);
+    if (!file)
+        return core::Unexpected(file.error());
+    file->write(document.dump(2));
+    file->write("\n");
+    return file->finish();
+}
+
+} // namespace teleta::scene_run

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/bracelet/tactors.h"
+#include "backend/pattern/model/pattern.h"
+#include "backend/pattern/motors/motor_model.h"
+#include "backend/study/session/study_scene.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace teleta::scene_run {
+
+/// The bracelet of a study's scene: computes, frame by frame, what a stimulus makes the motors do. Without
+/// effects they do at once what they are told. Thread: one.
+class StimulusBracelet {
+public:
+    explicit StimulusBracelet(const study::StudyScene& scene);
+
+    struct Shown {
+        std::size_t frames = 0;
+        std::size_t lost = 0;
+    };
+    /// seed: of the trial; lost frames are drawn from it, where the scene lists them. pattern: at most
+    /// atMost_s of it.
+    Shown show(const pattern::Pattern& pattern, double atMost_s, std::uint64_t seed);
+
+    /// From the first frame of each stimulus shown until a motor had half of what it is told.
+    [[nodiscard]] const std::vector<double>& onsets_s() const { return m_onsets_s; }
+    /// Of intensities told and felt; empty before the first frame.
+    [[nodiscard]] std::optional<double> rmsError() const;
+    /// Computing time of an effect.
+    [[nodiscard]] double time_s(const std::string& effect) const;
+
+private:
+    const study::StudyScene& m_scene;
+    pattern::MotorProfile m_motor;
+    std::vector<double> m_onsets_s;
+    double m_squares = 0.0;
+    std::size_t m_values = 0;
+    std::map<std::string, std::int64_t> m_times_ns;
+};
+
+} // namespace teleta::scene_run

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/scene_run/study/study_run.h"
+
+#include "backend/core/steady_time.h"
+#include "backend/scene_run/study/stimulus_bracelet.h"
+#include "backend/study/session/rehearsal.h"
+
+#include <QCoreApplication>
+#include <QString>
+#include <QTemporaryDir>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace teleta::scene_run {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct StudyRunText {
+    Q_DECLARE_TR_FUNCTIONS(SceneRun)
+};
+
+/// Same scene and seed, same files: the day does not depend on the clock.
+QDateTime beginning() {
+    return {QDate(2026, 1, 1), QTime(8, 0), Qt::UTC};
+}
+
+ordered_json median(std::vector<double> values) {
+    if (values.empty())
+        return nullptr;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    if (values.size() % 2 == 1)
+        return *middle;
+    return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+}
+
+/// What the study itself has kept.
+core::Expected<ordered_json> measuresOf(const study::StudyStore& store) {
+    const auto participants = store.participants();
+    if (!participants)
+        return core::Unexpected(participants.error());
+    int trials = 0;
+    int right = 0;
+    int timeouts = 0;
+    std::vector<double> times_s;
+    for (const study::Participant& participant : *participants) {
+        const auto sessions = store.sessions(participant);
+        if (!sessions)
+            return core::Unexpected(sessions.error());
+        for (const study::SessionRecord& session : *sessions) {
+            const auto kept = store.trials(session);
+            if (!kept)
+                return core::Unexpected(kept.error());
+            for (const study::StoredTrial& trial : *kept) {
+                if (trial.result.planned.phase != study::Phase::test)
+                    continue;
+                ++trials;
+                timeouts += trial.result.outcome == study::Outcome::timeout ? 1 : 0;
+                if (trial.result.outcome != study::Outcome::correct)
+                    continue;
+                ++right;
+                times_s.push_back(trial.result.responseTime_s.value_or(0.0));
+            }
+        }
+    }
+    return ordered_json{{"trials", trials},
+                        {"accuracy", trials == 0 ? ordered_json() : ordered_json(double(right) / trials)},
+                        {"timeouts", timeouts},
+                        {"response_time_median_s", median(std::move(times_s))}};
+}
+
+/// The participant's effects, each with the computing time that it took.
+class Minds {
+public:
+    explicit Minds(const study::StudyScene& scene)
+        : m_scene(scene) {}
+
+    study::SimulatedParticipant::Answer answer(const study::StudyTask& task, const std::string& condition,
+                                               std::size_t stimulus, std::uint64_t seed) {
+        const std::pair key(task.id, condition);
+        auto known = m_minds.find(key);
+        if (known == m_minds.end())
+            known = m_minds.emplace(key, m_scene.participantFor(task, condition)).first;
+        const study::SimulatedParticipant& mind = known->second;
+        study::SimulatedParticipant::Answer answer;
+        const std::int64_t start_ns = core::steadyNow_ns();
+        answer.time_s = mind.time_s(seed);
+        const std::int64_t timed_ns = core::steadyNow_ns();
+        const bool isLapse = mind.isLapse(seed);
+        const std::int64_t lapsed_ns = core::steadyNow_ns();
+        if (!isLapse)
+            answer.response = mind.response(stimulus, seed);
+        m_times_ns["reaction_time"] += timed_ns - start_ns;
+        m_times_ns["lapses"] += lapsed_ns - timed_ns;
+        m_times_ns["confusion"] += core::steadyNow_ns() - lapsed_ns;
+        return answer;
+    }
+    [[nodiscard]] double time_s(const std::string& effect) const {
+        const auto found = m_times_ns.find(effect);
+        return found == m_times_ns.end() ? 0.0 : static_cast<double>(found->second) * 1e-9;
+    }
+
+private:
+    const study::StudyScene& m_scene;
+    std::map<std::pair<std::string, std::string>, study::SimulatedParticipant> m_minds;
+    std::map<std::string, std::int64_t> m_times_ns;
+};
+
+} // namespace
+
+core::Expected<SceneSummary> runStudyScene(const study::StudyScene& scene, const RunOptions& options) {
+    const std::int64_t start_ns = core::steadyNow_ns();
+    const QTemporaryDir nowhere;
+    study::StudyHead head;
+    head.protocol = scene.protocol;
+    head.seed = options.seed;
+    head.mode = study::Mode::simulated;
+    head.plannedParticipants = scene.participants;
+    head.lapses = scene.lapses.value_or(0.0);
+    head.created = beginning();
+    head.appVersion = QCoreApplication::applicationVersion().toStdString();
+    core::Expected<study::StudyStore> store = study::StudyStore::create(
+        options.outFolder.empty() ? nowhere.path().toStdString() : options.outFolder, head);
+    if (!store)
+        return core::Unexpected(store.error());
+
+    Minds minds(scene);
+    StimulusBracelet bracelet(scene);
+    std::size_t stimuli = 0;
+    std::size_t frames = 0;
+    std::size_t lost = 0;
+    bool unknown = false;
+    study::RehearsalCast cast;
+    cast.answer = [&](const study::StudyTask& task, const std::string& condition, std::size_t stimulus,
+                      std::uint64_t seed) { return minds.answer(task, condition, stimulus, seed); };
+    cast.show = [&](const std::string& id, std::uint64_t seed) {
+        study::RehearsalCast::Shown shown;
+        const pattern::Pattern* pattern = store->head().stimuli.find(id);
+        unknown = unknown || pattern == nullptr;
+        if (pattern == nullptr)
+            return shown;
+        const StimulusBracelet::Shown played = bracelet.show(*pattern, scene.protocol.stimulus_s, seed);
+        ++stimuli;
+        frames += played.frames;
+        lost += played.lost;
+        shown.latency_s = 1.0 / scene.frameRate_Hz;
+        shown.framesMissed = played.lost;
+        return shown;
+    };
+    const double duration_s = options.duration_s.value_or(scene.duration_s);
+    bool stopped = false;
+    cast.goOn = [&](double simulated_s) {
+        stopped = options.goOn && !options.goOn(simulated_s, duration_s);
+        return !stopped && simulated_s < duration_s;
+    };
+    const auto progress = study::rehearse(
+        *store, [](std::size_t) { return true; }, cast);
+    if (!progress)
+        return core::Unexpected(progress.error());
+    if (unknown)
+        return core::Unexpected(core::Error{
+            core::ErrorKind::badInput,
+            StudyRunText::tr("the protocol has a stimulus that does not come with the program").toStdString(),
+            StudyRunText::tr("tasks, letters and conditions whose patterns come with the program")
+                .toStdString(),
+            {}});
+    core::Expected<ordered_json> measures = measuresOf(*store);
+    if (!measures)
+        return core::Unexpected(measures.error());
+    SceneSummary summary;
+    summary.scene = options.name;
+    summary.seed = options.seed;
+    summary.simulated_s = progress->simulated_s;
+    summary.interrupted = stopped;
+    for (const study::StudyScene::Effect& effect : scene.effects)
+        summary.effects.push_back({effect.name, minds.time_s(effect.name) + bracelet.time_s(effect.name)});
+    summary.measures = std::move(*measures);
+    summary.measures["patterns_sent"] = stimuli;
+    summary.measures["frames"] = frames;
+    summary.measures["frames_lost"] = lost;
+    summary.measures["felt_onset_p50_s"] = median(bracelet.onsets_s());
+    const std::optional<double> rms = bracelet.rmsError();
+    summary.measures["felt_rms_error"] = rms ? ordered_json(*rms) : ordered_json();
+    summary.wall_s = static_cast<double>(core::steadyNow_ns() - start_ns) * 1e-9;
+    if (!options.outFolder.empty()) {
+        const core::Expected<void> written = writeJson(options.outFolder + "/summary.json", summary.toJson());
+        if (!written)
+            return core::Unexpected(written.error());
+    }
+    return summary;
+}
+
+} // namespace teleta::scene_run

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/simulation/array/simulated_array.h"
+
+#include "backend/simulation/effects/effect_factory.h"
+
+#include <algorithm>
+
+namespace teleta::simulation {
+
+core::Expected<std::unique_ptr<SimulatedArray>> SimulatedArray::make(const scene::Scene& scene,
+                                                                     std::uint64_t seed) {
+    if (const auto valid = checkArrayScene(scene); !valid)
+        return core::Unexpected(valid.error());
+    return std::unique_ptr<SimulatedArray>(new SimulatedArray(scene, seed));
+}
+
+SimulatedArray::SimulatedArray(const scene::Scene& scene, std::uint64_t seed)
+    : m_description{.name = scene.name,
+                    .layout = scene.array().sensor.layout,
+                    .unit = "N",
+                    .nominalRate_Hz = scene.rate_Hz,
+                    .simulated = true}
+    , m_firingThreshold_N(scene.array().sensor.firingThreshold_N)
+    , m_contact(scene.array().sensor.layout, scene.array().sensor.stiffness_NPerM)
+    , m_effects(makeEffects(scene, scene.rate_Hz, seed))
+    , m_load_N(scene.array().sensor.layout.taxels())
+    , m_loads(scene.array().indenters.size()) {
+    for (const scene::Indenter& indenter : scene.array().indenters) {
+        m_motions.emplace_back(indenter.keyframes, indenter.loop);
+        m_indenters.emplace_back(indenter.shape);
+        m_truth.indenters.push_back({.name = indenter.name, .pose = m_motions.back().at(0.0), .load = {}});
+    }
+}
+
+core::SourceDescription SimulatedArray::description() const {
+    return m_description;
+}
+
+void SimulatedArray::next(std::span<float> values, bool motionHeld) {
+    ++m_frame;
+    if (!motionHeld)
+        ++m_motionFrame;
+    m_truth.motionTime_s = static_cast<double>(m_motionFrame) / m_description.nominalRate_Hz;
+    for (std::size_t i = 0; i < m_indenters.size(); ++i)
+        m_indenters[i].moveTo(m_motions[i].at(m_truth.motionTime_s));
+
+    m_contact.press(m_indenters, m_load_N, m_loads);
+    for (std::size_t i = 0; i < m_indenters.size(); ++i) {
+        m_truth.indenters[i].pose = m_indenters[i].pose();
+        m_truth.indenters[i].load = m_loads[i];
+    }
+    m_effects.read(m_load_N, m_firingThreshold_N);
+    std::ranges::transform(m_load_N, values.begin(),
+                           [](double load_N) { return static_cast<float>(load_N); });
+}
+
+double SimulatedArray::time_s() const {
+    return static_cast<double>(m_frame) / m_description.nominalRate_Hz;
+}
+
+void SimulatedArray::restart() {
+    m_frame = m_motionFrame = 0;
+    m_effects.restart();
+}
+
+std::vector<EffectTime> SimulatedArray::effectTimes() const {
+    std::vector<EffectTime> times;
+    m_effects.appendTimes(times);
+    return times;
+}
+
+core::Expected<std::unique_ptr<core::FrameGenerator>> makeTactileArray(const scene::Scene& scene,
+                                                                       std::uint64_t seed) {
+    return SimulatedArray::make(scene, seed).map([](std::unique_ptr<SimulatedArray>&& array) {
+        return std::unique_ptr<core::FrameGenerator>(std::move(array));
+    });
+}
+
+} // namespace teleta::simulation

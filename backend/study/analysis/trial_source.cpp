@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/study/analysis/trial_source.h"
+
+#include "backend/core/data/csv_reader.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+namespace teleta::study {
+
+namespace {
+
+struct SourceText {
+    Q_DECLARE_TR_FUNCTIONS(SourceText)
+};
+
+constexpr std::array<std::string_view, 6> kNeeded{"participant_id", "task",     "condition",
+                                                  "phase",          "stimulus", "response"};
+constexpr long long kRowsBetweenQuestions = 8192;
+
+bool isMissing(std::string_view text) {
+    return text.empty() || text == "NA" || text == "n/a" || text == "NONE";
+}
+
+QString shown(std::string_view text) {
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(std::min<std::size_t>(text.size(), 40)));
+}
+
+core::Unexpected mixedModes(const core::SourcePlace& place, Mode one, Mode other) {
+    return core::Unexpected(
+        core::Error{core::ErrorKind::refused,
+                    SourceText::tr("these are data of different modes: %1 and %2")
+                        .arg(toString(one), toString(other))
+                        .toStdString(),
+                    SourceText::tr("one mode, or to be told which one counts").toStdString(), place});
+}
+
+core::Unexpected twoPeople(const core::SourcePlace& place, std::string_view participant,
+                           const std::string& before) {
+    return core::Unexpected(core::Error{
+        core::ErrorKind::refused,
+        SourceText::tr("%1 has trials in %2 too: these may be two people, or the same trials "
+                       "twice")
+            .arg(shown(participant), QString::fromStdString(before))
+            .toStdString(),
+        SourceText::tr("each participant in one study, under a name of their own").toStdString(), place});
+}
+
+/// Reads the fields of one file's rows.
+class RowReader {
+public:
+    RowReader(const core::CsvReader& csv, const std::vector<std::size_t>& needed)
+        : m_csv(csv)
+        , m_file(csv.place(0).file)
+        , m_needed(needed)
+        , m_mode(optionalColumn("mode"))
+        , m_outcome(optionalColumn("outcome"))
+        , m_time(optionalColumn("response_time_s"))
+        , m_session(optionalColumn("session_id"))
+        , m_trial(optionalColumn("trial"))
+        , m_attempt(optionalColumn("attempt"))
+        , m_alternatives(optionalColumn("n_alternatives")) {}
+
+    /// False: the row does not count.
+    [[nodiscard]] core::Expected<bool> read(const std::vector<std::string_view>& fields, ModeFilter& modes,
+                                            TalliedTrial& trial) const;
+    /// Error: the row may not be counted with those before it.
+    [[nodiscard]] core::Expected<void> take(const std::vector<std::string_view>& fields,
+                                            const TalliedTrial& trial, TrialOrigins& origins) const;
+    /// How many patterns the row says that its task has; 0: it does not say.
+    [[nodiscard]] core::Expected<std::size_t> alternatives(const std::vector<std::string_view>& fields) const;
+
+private:
+    [[nodiscard]] std::optional<std::size_t> optionalColumn(std::string_view name) const {
+        const auto& header = m_csv.header();
+        const auto found = std::find(header.begin(), header.end(), name);
+        return found == header.end() ? std::nullopt
+                                     : std::optional(static_cast<std::size_t>(found - header.begin()));
+    }
+
+    [[nodiscard]] core::Unexpected wrong(std::size_t column, std::string_view text,
+                                         const QString& expected) const {
+        return core::Unexpected(
+            core::Error{core::ErrorKind::badInput,
+                        SourceText::tr("%1 cannot be \"%2\"")
+                            .arg(QString::fromStdString(m_csv.header()[column]), shown(text))
+                            .toStdString(),
+                        expected.toStdString(), m_csv.place(column)});
+    }
+
+    [[nodiscard]] core::Expected<bool> hasCountedMode(std::string_view text, ModeFilter& modes) const;
+    [[nodiscard]] core::Expected<std::size_t> number(std::size_t column, std::string_view text) const;
+
+    const core::CsvReader& m_csv;
+    const std::string m_file;
+    const std::vector<std::size_t>& m_needed;
+    std::optional<std::size_t> m_mode;
+    std::optional<std::size_t> m_outcome;
+    std::optional<std::size_t> m_time;
+    std::optional<std::size_t> m_session;
+    std::optional<std::size_t> m_trial;
+    std::optional<std::size_t> m_attempt;
+    std::optional<std::size_t> m_alternatives;
+};
+
+core::Expected<bool> RowReader::hasCountedMode(std::string_view text, ModeFilter& modes) const {
+    // Comparing with the last mode first spares a text for each row.
+    if (modes.seen && text == toString(*modes.seen))
+        return !modes.wanted || modes.wanted == modes.seen;
+    const std::optional<Mode> mode = modeOf(std::string(text));
+    if (!mode)
+        return wrong(*m_mode, text, SourceText::tr("run, pilot or simulated"));
+    if (modes.wanted)
+        return *mode == *modes.wanted;
+    if (modes.seen)
+        return mixedModes(m_csv.place(*m_mode), *modes.seen, *mode);
+    modes.seen = mode;
+    return true;
+}
+
+core::Expected<bool> RowReader::read(const std::vector<std::string_view>& fields, ModeFilter& modes,
+                                     TalliedTrial& trial) const {
+    const auto field = [&](std::size_t i) { return fields[m_needed[i]]; };
+    for (std::size_t i = 0; i < 5; ++i) {
+        if (isMissing(field(i)))
+            return wrong(m_needed[i], field(i), SourceText::tr("a value"));
+    }
+    const bool isTest = field(3) == "test";
+    if (!isTest && field(3) != "practice")
+        return wrong(m_needed[3], field(3), SourceText::tr("practice or test"));
+    bool counts = true;
+    bool answered = !isMissing(field(5));
+    if (m_mode) {
+        const core::Expected<bool> counted = hasCountedMode(fields[*m_mode], modes);
+        if (!counted)
+            return counted;
+        counts = *counted;
+    }
+    if (m_outcome) {
+        const std::string_view text = fields[*m_outcome];
+        const std::optional<Outcome> outcome = outcomeOf(std::string(text));
+        if (!outcome)
+            return wrong(*m_outcome, text,
+                         SourceText::tr("correct, incorrect, timeout, aborted or device_error"));
+        const bool completed = *outcome != Outcome::aborted && *outcome != Outcome::deviceError;
+        counts = counts && completed;
+        const bool isAnswer = *outcome == Outcome::correct || *outcome == Outcome::incorrect;
+        if (completed &&
+            (isAnswer != answered || (isAnswer && (*outcome == Outcome::correct) != (field(4) == field(5)))))
+            return wrong(*m_outcome, text, SourceText::tr("what stimulus and response say"));
+    }
+    trial.responseTime_s.reset();
+    if (m_time && !isMissing(fields[*m_time])) {
+        const std::string_view text = fields[*m_time];
+        double time_s = 0.0;
+        const auto [stop, code] = std::from_chars(text.data(), text.data() + text.size(), time_s);
+        if (code != std::errc{} || stop != text.data() + text.size() || !std::isfinite(time_s))
+            return wrong(*m_time, text, SourceText::tr("a number of seconds or NA"));
+        trial.responseTime_s = time_s;
+    }
+    trial.participant = field(0);
+    trial.task = field(1);
+    trial.condition = field(2);
+    trial.phase = isTest ? Phase::test : Phase::practice;
+    trial.stimulus = field(4);
+    trial.response = answered ? field(5) : std::string_view();
+    return counts;
+}
+
+core::Expected<std::size_t> RowReader::number(std::size_t column, std::string_view text) const {
+    std::size_t value = 0;
+    const auto [stop, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (code != std::errc{} || stop != text.data() + text.size() || value == 0)
+        return wrong(column, text, SourceText::tr("a whole number from 1 on"));
+    return value;
+}
+
+core::Expected<std::size_t> RowReader::alternatives(const std::vector<std::string_view>& fields) const {
+    if (!m_alternatives || isMissing(fields[*m_alternatives]))
+        return 0U;
+    const std::string_view text = fields[*m_alternatives];
+    const core::Expected<std::size_t> value = number(*m_alternatives, text);
+    if (value && *value > TrialTally::kMostNames)
+        return wrong(*m_alternatives, text, SourceText::tr("%1 at most").arg(TrialTally::kMostNames));
+    return value;
+}
+
+core::Expected<void> RowReader::take(const std::vector<std::string_view>& fields, const TalliedTrial& trial,
+                                     TrialOrigins& origins) const {
+    if (const auto before = origins.takeFromFile(trial.participant, m_file))
+        return twoPeople(m_csv.place(m_needed[0]), trial.participant, *before);
+    if (!m_session || !m_trial || !m_attempt || isMissing(fields[*m_session]) ||
+        isMissing(fields[*m_trial]) || isMissing(fields[*m_attempt]))
+        return {};
+    const core::Expected<std::size_t> shownTrial = number(*m_trial, fields[*m_trial]);
+    if (!shownTrial)
+        return core::Unexpected(shownTrial.error());
+    const core::Expected<std::size_t> attempt = number(*m_attempt, fields[*m_attempt]);
+    if (!attempt)
+        return core::Unexpected(attempt.error());
+    if (!origins.addTrial({trial.participant, fields[*m_session], trial.phase, *shownTrial, *attempt}))
+        return core::Unexpected(core::Error{core::ErrorKind::refused,
+                                            SourceText::tr("trial %1 of session %2 of %3 was counted before")
+                                                .arg(*shownTrial)
+                                                .arg(shown(fields[*m_session]), shown(trial.participant))
+                                                .toStdString(),
+                                            SourceText::tr("each trial once").toStdString(),
+                                            m_csv.place(*m_trial)});
+    return {};
+}
+
+} // namespace
+
+core::Expected<void> tallyCsv(const std::string& path, ModeFilter& modes, TrialTally& tally,
+                              const std::function<bool(std::uint64_t)>& goOn) {
+    core::Expected<core::CsvReader> csv = core::CsvReader::open(path);
+    if (!csv)
+        return core::Unexpected(csv.error());
+    const core::Expected<std::vector<std::size_t>> needed = csv->columns(kNeeded);
+    if (!needed)
+        return core::Unexpected(needed.error());
+    const RowReader reader(*csv, *needed);
+    std::vector<std::string_view> fields;
+    TalliedTrial trial;
+    for (long long row = 0;; ++row) {
+        const core::Expected<bool> more = csv->nextText(fields);
+        if (!more)
+            return core::Unexpected(more.error());
+        if (!*more)
+            return {};
+        if (row % kRowsBetweenQuestions == 0 && !goOn(csv->bytesRead()))
+            return core::Unexpected(core::Error{
+                core::ErrorKind::cancelled, SourceText::tr("interrupted").toStdString(), {}, {path}});
+        const core::Expected<bool> counts = reader.read(fields, modes, trial);
+        if (!counts)
+            return core::Unexpected(counts.error());
+        if (!*counts)
+            continue;
+        if (const core::Expected<void> taken = reader.take(fields, trial, tally.origins()); !taken)
+            return taken;
+        const core::Expected<std::size_t> alternatives = reader.alternatives(fields);
+        if (!alternatives)
+            return core::Unexpected(alternatives.error());
+        tally.expectCount(trial.task, *alternatives);
+        if (!tally.add(trial))
+            return core::Unexpected(
+                core::Error{core::ErrorKind::badInput,
+                            SourceText::tr("there are too many different patterns").toStdString(),
+                            SourceText::tr("%1 at most").arg(TrialTally::kMostNames).toStdString(),
+                            csv->place((*needed)[4])});
+    }
+}
+
+core::Expected<void> tallyStore(const StudyStore& store, ModeFilter& modes, TrialTally& tally) {
+    const StudyHead& head = store.head();
+    if (modes.wanted && *modes.wanted != head.mode)
+        return {};
+    if (!modes.wanted && modes.seen && *modes.seen != head.mode)
+        return mixedModes({store.folder()}, *modes.seen, head.mode);
+    modes.seen = head.mode;
+    const core::Expected<std::vector<Participant>> participants = store.participants();
+    if (!participants)
+        return core::Unexpected(participants.error());
+    for (const Participant& participant : *participants) {
+        bool isTaken = false;
+        const std::vector<PlannedSession> plan =
+            planSessions(head.protocol, head.seed, participant.enrolment);
+        const core::Expected<std::vector<SessionRecord>> sessions = store.sessions(participant);
+        if (!sessions)
+            return core::Unexpected(sessions.error());
+        for (const SessionRecord& session : *sessions) {
+            const core::Expected<std::vector<StoredTrial>> trials = store.trials(session);
+            if (!trials)
+                return core::Unexpected(trials.error());
+            const PlannedSession& planned = plan.at(session.planIndex);
+            const StudyTask& task = head.protocol.tasks[planned.task];
+            const auto counts = [](const StoredTrial& stored) { return stored.result.isComplete(); };
+            if (std::any_of(trials->begin(), trials->end(), counts)) {
+                for (const StudyPattern& pattern : task.patterns)
+                    tally.expectPattern(task.id, pattern.letter);
+            }
+            for (const StoredTrial& stored : *trials) {
+                const TrialResult& result = stored.result;
+                if (!result.isComplete())
+                    continue;
+                if (!isTaken) {
+                    if (const auto before = tally.origins().takeFromStore(participant.id, store.shownName()))
+                        return twoPeople({store.shownName()}, participant.id, *before);
+                    isTaken = true;
+                }
+                tally.addFrames(result.frameWrite_ms, result.framesMissed);
+                const std::string_view response =
+                    result.response ? std::string_view(task.patterns.at(*result.response).letter)
+                                    : std::string_view();
+                (void)tally.add({participant.id, task.id, task.conditions[planned.condition],
+                                 result.planned.phase, task.patterns.at(result.planned.stimulus).letter,
+                                 response, result.responseTime_s});
+            }
+        }
+    }
+    return {};
+}
+
+} // namespace teleta::study

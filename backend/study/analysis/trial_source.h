@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/error.h"
+#include "backend/study/analysis/trial_tally.h"
+#include "backend/study/store/study_store.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace teleta::study {
+
+/// Which data may be counted together. Modes are never mixed: the first trial decides unless the user does.
+struct ModeFilter {
+    std::optional<Mode> wanted; ///< the others are left out
+    std::optional<Mode> seen;   ///< of the trials so far; without `wanted` another one is an error
+};
+
+/// Counts the completed trials of a trial CSV. Needed columns: participant_id, task, condition, phase,
+/// stimulus, response. Used where they are there: mode, outcome (aborted and device_error are left out;
+/// otherwise a response NA, NONE or nothing is a timeout), response_time_s (NA: unknown), n_alternatives (how
+/// many patterns the task has, whether they occur or not; NA: unknown), and session_id, trial and attempt
+/// together. Constant memory but the tally. goOn: asked now and then with the bytes read;
+/// false stops. Error: badInput with file, line and column, notFound, ioFailed, cancelled; refused for mixed
+/// modes, for a trial that was counted before, and for a participant whom a store has as well. The tally is
+/// of no use then. Thread: any.
+[[nodiscard]] core::Expected<void> tallyCsv(const std::string& path, ModeFilter& modes, TrialTally& tally,
+                                            const std::function<bool(std::uint64_t bytes)>& goOn);
+
+/// Counts the completed trials of a store, whose protocol says what patterns their tasks have. Error: what
+/// the store reports; refused for mixed modes, and for a participant who has trials elsewhere too: another
+/// study may have another person of that name. Thread: that of the store.
+[[nodiscard]] core::Expected<void> tallyStore(const StudyStore& store, ModeFilter& modes, TrialTally& tally);
+
+} // namespace teleta::study

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/data/toml_table.h"
+#include "backend/core/error.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace teleta::study {
+
+/// When a questionnaire is filled in.
+enum class QuestionnaireTime { beforeStudy, beforeSession, afterSession, afterStudy };
+
+enum class ItemKind {
+    text,   ///< free text
+    likert, ///< one of 1 .. points
+    choice, ///< one of the choices
+};
+
+/// Words of files: before_study, ..; text, likert, choice.
+[[nodiscard]] const char* toString(QuestionnaireTime time);
+[[nodiscard]] const char* toString(ItemKind kind);
+
+/// Of every session, or once a participant.
+[[nodiscard]] constexpr bool isOfSession(QuestionnaireTime time) {
+    return time == QuestionnaireTime::beforeSession || time == QuestionnaireTime::afterSession;
+}
+
+struct ItemChoice {
+    std::string id; ///< what files have
+    std::string text;
+};
+
+struct QuestionnaireItem {
+    std::string id;
+    ItemKind kind = ItemKind::text;
+    std::string question;
+    bool required = true;
+    std::size_t points = 7; ///< of a Likert scale, 2 .. 11
+    std::string low;        ///< what 1 means; may be empty
+    std::string high;       ///< what the last point means; may be empty
+    std::vector<ItemChoice> choices;
+};
+
+struct Questionnaire {
+    std::string id;
+    std::string title;
+    QuestionnaireTime when = QuestionnaireTime::afterStudy;
+    std::vector<QuestionnaireItem> items;
+};
+
+/// The answer to an item: the text, the number of the point, or the id of the choice. Empty: left out.
+struct ItemAnswer {
+    std::string item;
+    std::optional<std::string> value;
+};
+
+/// Reads [[questionnaire]] tables; what is wrong is kept by the document. Texts of ids: as in the protocol.
+[[nodiscard]] std::vector<Questionnaire> readQuestionnaires(core::TomlTable& root);
+
+/// Whether answers may be kept: one an item in the items' order, what is required answered, values that the
+/// item has, texts of at most 10000 characters. Error: refused, naming the item in Error::where.file.
+[[nodiscard]] core::Expected<void> checkAnswers(const Questionnaire& questionnaire,
+                                                const std::vector<ItemAnswer>& answers);
+
+/// The value as people read it: the text of a choice, otherwise the value itself; empty when left out.
+[[nodiscard]] std::string shownAnswer(const QuestionnaireItem& item, const std::optional<std::string>& value);
+
+} // namespace teleta::study

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/error.h"
+#include "backend/study/store/study_store.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace teleta::study {
+
+/// psychds  DIR/data/subject-P07/subject-P07_session-20261103T142233_task-shape_data.csv, a .json beside
+/// each,
+///          DIR/dataset_description.json and DIR/analysis.R; comma, NA.
+/// bids     DIR/bids/sub-P07/ses-20261103T142233/beh/sub-P07_ses-20261103T142233_task-shape_beh.tsv, a .json
+///          beside each and DIR/bids/dataset_description.json; tab, n/a.
+/// excel    DIR/excel/P07_20261103T142233_shape.csv; semicolon, decimal sign of the locale, byte order mark;
+///          texts like formulas and numbers of more than 15 digits have ' before them.
+/// Answers to questionnaires, one file a participant who gave any:
+///          DIR/data/subject-P07/subject-P07_description-questionnaire_data.csv with its .json,
+///          DIR/bids/phenotype/questionnaire_P07.tsv with its .json, DIR/excel/P07_questionnaire.csv.
+/// The experimenter's notes in the same way, with "notes" for "questionnaire".
+enum class ExportFormat { psychds, bids, excel };
+
+/// What names a participant in file names: the letters A-Z, a-z and digits of the id; where the id has
+/// others, or somebody who enrolled before has that name, the number of enrolment follows behind an x. So
+/// nobody's files get another name when more people enrol. One a participant, in their order of enrolment.
+/// Thread: any.
+[[nodiscard]] std::vector<std::string> fileLabels(const std::vector<Participant>& participants);
+
+/// Writes the sessions of a study into its folder, or one of them only. Files are replaced as a whole, read
+/// back and compared. Returns how many sessions were written. Error: ioFailed, also when what was read back
+/// differs. Thread: that of the store.
+[[nodiscard]] core::Expected<std::size_t> exportStudy(const StudyStore& store, ExportFormat format);
+/// Answers that a participant has given, and notes that were written, since the last session was exported;
+/// both functions write them too.
+[[nodiscard]] core::Expected<void> exportAnswers(const StudyStore& store, const Participant& participant,
+                                                 ExportFormat format);
+[[nodiscard]] core::Expected<void> exportNotes(const StudyStore& store, const Participant& participant,
+                                               ExportFormat format);
+[[nodiscard]] core::Expected<void> exportSession(const StudyStore& store, const Participant& participant,
+                                                 const SessionRecord& session, ExportFormat format);
+
+} // namespace teleta::study

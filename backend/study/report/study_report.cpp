@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/study/report/study_report.h"
+
+#include "backend/core/data/output_file.h"
+#include "backend/study/report/confusion_figure.h"
+#include "backend/study/report/study_figures.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QString>
+#include <QStringList>
+
+#include <algorithm>
+
+namespace teleta::study {
+
+namespace {
+
+struct ReportText {
+    Q_DECLARE_TR_FUNCTIONS(ReportText)
+};
+
+QString escaped(const std::string& text) {
+    return QString::fromStdString(text).toHtmlEscaped();
+}
+
+QString fixed(const std::optional<double>& value, int digits) {
+    return value ? QString::number(*value, 'f', digits) : QStringLiteral("NA");
+}
+
+QString percent(const std::optional<double>& share) {
+    return share ? QString::number(100.0 * *share, 'f', 1) : QStringLiteral("NA");
+}
+
+QString interval(const std::optional<Interval>& ends, double scale, int digits) {
+    if (!ends)
+        return QStringLiteral("NA");
+    return QStringLiteral("%1 – %2")
+        .arg(scale * ends->low, 0, 'f', digits)
+        .arg(scale * ends->high, 0, 'f', digits);
+}
+
+QString probability(const std::optional<double>& p) {
+    if (!p)
+        return QStringLiteral("NA");
+    return *p < 0.0001 ? QStringLiteral("&lt; 0.0001") : QString::number(*p, 'f', 4);
+}
+
+/// A table; cells are HTML already.
+class Table {
+public:
+    Table(const QString& caption, const QStringList& columns) {
+        m_html =
+            QStringLiteral("<div class=\"scroll\"><table>\n<caption>%1</caption>\n<thead><tr>").arg(caption);
+        for (const QString& column : columns)
+            m_html += QStringLiteral("<th scope=\"col\">%1</th>").arg(column);
+        m_html += QStringLiteral("</tr></thead>\n<tbody>\n");
+    }
+
+    /// The first `heads` cells name the row.
+    void row(const QStringList& cells, int heads = 1) {
+        m_html += QStringLiteral("<tr>");
+        for (int i = 0; i < cells.size(); ++i)
+            m_html +=
+                (i < heads ? QStringLiteral("<th scope=\"row\">%1</th>") : QStringLiteral("<td>%1</td>"))
+                    .arg(cells[i]);
+        m_html += QStringLiteral("</tr>\n");
+    }
+
+    [[nodiscard]] QString html() const { return m_html + QStringLiteral("</tbody>\n</table></div>\n"); }
+
+private:
+    QString m_html;
+};
+
+QString figure(const figure::SvgCanvas& picture, const QString& caption) {
+    return QStringLiteral("<figure>\n%1<figcaption>%2</figcaption>\n</figure>\n")
+        .arg(QString::fromStdString(picture.embedded()), caption);
+}
+
+class TaskSection {
+public:
+    TaskSection(const TaskResults& task, std::optional<Mode> mode)
+        : m_task(task)
+        , m_mode(mode) {}
+
+    [[nodiscard]] QString html() const {
+        const QString head = QStringLiteral("<section>\n<h2>%1</h2>\n").arg(escaped(m_task.task));
+        const QString end = QStringLiteral("</section>\n");
+        if (m_task.groups.empty())
+            return head + QStringLiteral("<p>%1</p>\n").arg(ReportText::tr("There are no test trials.")) +
+                   end;
+        return head + accuracy() + confusions() + patterns() + times() + transfer() + participants() +
+               anova() + end;
+    }
+
+private:
+    [[nodiscard]] QString accuracy() const {
+        Table table(ReportText::tr("Correct answers of the group; the interval is that of Student's t over "
+                                   "participants (95 %)"),
+                    {ReportText::tr("Condition"), ReportText::tr("Participants"), ReportText::tr("Mean, %"),
+                     ReportText::tr("SD, %"), ReportText::tr("Interval, %")});
+        for (const GroupSummary& group : m_task.groups) {
+            const std::optional<GroupMean>& mean = group.accuracy;
+            table.row({escaped(group.condition), QString::number(group.participants),
+                       percent(mean ? std::optional(mean->mean) : std::nullopt),
+                       percent(mean ? mean->standardDeviation : std::nullopt),
+                       interval(mean ? mean->interval : std::nullopt, 100.0, 1)});
+        }
+        return QStringLiteral("<h3>%1</h3>\n").arg(ReportText::tr("Correct answers")) +
+               figure(
+                   accuracyFigure(m_task, m_mode),
+                   ReportText::tr("Dots: participants. Marks: mean with the t interval over participants.")) +
+               table.html();
+    }
+
+    [[nodiscard]] QString confusions() const {
+        QString pictures;
+        QString tables;
+        for (const GroupSummary& group : m_task.groups) {
+            const std::string title = m_task.task + ", " + group.condition;
+            pictures += figure(
+                confusionFigure(group.matrix, m_task.patterns, title, ConfusionValues::percent, m_mode),
+                ReportText::tr("Rows: presented; columns: answered. Percent of the row, all participants."));
+            QStringList columns{ReportText::tr("Presented")};
+            for (const std::string& pattern : m_task.patterns)
+                columns << escaped(pattern);
+            columns << QStringLiteral("NONE") << ReportText::tr("Trials");
+            Table table(ReportText::tr("%1: trials and share of the row in percent").arg(escaped(title)),
+                        columns);
+            for (std::size_t i = 0; i < m_task.patterns.size(); ++i) {
+                QStringList cells{escaped(m_task.patterns[i])};
+                for (std::size_t j = 0; j < group.matrix.columns(); ++j)
+                    cells << QStringLiteral("%1 (%2 %)")
+                                 .arg(group.matrix.count(i, j))
+                                 .arg(fixed(group.matrix.rowPercent(i, j), 1));
+                table.row(cells << QString::number(group.matrix.rowTotal(i)));
+            }
+            tables += table.html();
+        }
+        return QStringLiteral("<h3>%1</h3>\n<div class=\"beside\">\n%2</div>\n%3")
+            .arg(ReportText::tr("Confusion matrices"), pictures, tables);
+    }
+
+    [[nodiscard]] QString patterns() const {
+        QStringList columns{ReportText::tr("Pattern")};
+        for (const GroupSummary& group : m_task.groups)
+            columns << ReportText::tr("%1, %").arg(escaped(group.condition));
+        if (m_task.groups.size() == 2)
+            columns << QStringLiteral("F") << ReportText::tr("df") << QStringLiteral("p");
+        Table table(ReportText::tr("Mean of the participants' correct answers for each pattern; "
+                                   "two conditions are compared within participants"),
+                    columns);
+        for (std::size_t i = 0; i < m_task.patterns.size(); ++i) {
+            QStringList cells{escaped(m_task.patterns[i])};
+            for (const GroupSummary& group : m_task.groups) {
+                const auto mean = groupMean(patternAccuracies(m_task, group.condition, i));
+                cells << percent(mean ? std::optional(mean->mean) : std::nullopt);
+            }
+            if (m_task.groups.size() == 2)
+                cells << comparison(m_task.patterns[i]);
+            table.row(cells);
+        }
+        return QStringLiteral("<h3>%1</h3>\n").arg(ReportText::tr("Patterns and conditions")) +
+               figure(patternFigure(m_task, m_mode),
+                      ReportText::tr("Mean of the participants with the t interval (95 %).")) +
+               table.html();
+    }
+
+    /// F, df and p of the conditions within one pattern.
+    [[nodiscard]] QStringList comparison(const std::string& pattern) const {
+        for (const AnovaLine& line : m_task.anova) {
+            if (line.stimulus != pattern)
+                continue;
+            if (!line.row)
+                return {escaped(line.note), QStringLiteral("NA"), QStringLiteral("NA")};
+            return {fixed(line.row->f, 3), QStringLiteral("%1, %2").arg(line.row->df1).arg(line.row->df2),
+                    probability(line.row->pGg)};
+        }
+        return {QStringLiteral("NA"), QStringLiteral("NA"), QStringLiteral("NA")};
+    }
+
+    [[nodiscard]] QString times() const {
+        Table table(ReportText::tr("Participants' median response times of correct, answered test trials, "
+                                   "from the onset of the stimulus"),
+                    {ReportText::tr("Condition"), ReportText::tr("Participants"),
+                     ReportText::tr("Median of the medians, s"), ReportText::tr("Shortest, s"),
+                     ReportText::tr("Longest, s")});
+        for (const GroupSummary& group : m_task.groups) {
+            std::vector<double> medians_s;
+            for (const ParticipantSummary& person : m_task.participants) {
+                if (person.condition == group.condition && person.medianTime_s)
+                    medians_s.push_back(*person.medianTime_s);
+            }
+            const auto [least, most] = std::minmax_element(medians_s.begin(), medians_s.end());
+            const bool none = medians_s.empty();
+            table.row({escaped(group.condition), QString::number(medians_s.size()),
+                       fixed(median(medians_s), 3), fixed(none ? std::nullopt : std::optional(*least), 3),
+                       fixed(none ? std::nullopt : std::optional(*most), 3)});
+        }
+        return QStringLiteral("<h3>%1</h3>\n").arg(ReportText::tr("Response times")) +
+               figure(responseTimeFigure(m_task, m_mode),
+                      ReportText::tr("Dots: medians of participants. Marks: the median of these.")) +
+               table.html();
+    }
+
+    [[nodiscard]] QString transfer() const {
+        Table table(ReportText::tr("Information transfer of the pooled answers in bit, its bias, and the "
+                                   "bootstrap interval over participants (95 %, of the measured value)"),
+                    {ReportText::tr("Condition"), ReportText::tr("Trials"), ReportText::tr("Measured"),
+                     ReportText::tr("Bias"), ReportText::tr("Corrected"), ReportText::tr("Interval"),
+                     ReportText::tr("A guesser would show"), ReportText::tr("Remark")});
+        for (const GroupSummary& group : m_task.groups) {
+            const auto bits = informationTransfer(group.matrix, m_task.alternatives());
+            table.row({escaped(group.condition), QString::number(group.matrix.total()),
+                       fixed(bits ? std::optional(bits->measured_bit) : std::nullopt, 3),
+                       fixed(bits ? std::optional(bits->bias_bit) : std::nullopt, 3),
+                       fixed(bits ? std::optional(bits->corrected_bit) : std::nullopt, 3),
+                       interval(group.transferInterval, 1.0, 3),
+                       fixed(guesserTransfer(group.matrix, m_task.alternatives()), 2),
+                       bits && bits->fewTrials ? ReportText::tr("few trials: fewer than 5 k²") : QString()});
+        }
+        return QStringLiteral("<h3>%1</h3>\n").arg(ReportText::tr("Information transfer")) +
+               figure(
+                   transferFigure(m_task, m_mode),
+                   ReportText::tr("Filled: measured, with the bootstrap interval. Hollow: less the bias.")) +
+               QStringLiteral("<p class=\"warning\">%1</p>\n")
+                   .arg(ReportText::tr(
+                       "The measured value is too high with few trials: even a participant who "
+                       "only guesses shows more than 0 bit. Compare it with the column of the "
+                       "guesser, and use the corrected value with care.")) +
+               table.html();
+    }
+
+    [[nodiscard]] QString participants() const {
+        Table table(ReportText::tr("Each participant, test trials; intervals of 95 %, p of so many correct "
+                                   "answers by chance"),
+                    {ReportText::tr("Participant"), ReportText::tr("Condition"), ReportText::tr("Correct"),
+                     ReportText::tr("No answer"), ReportText::tr("Accuracy, %"), ReportText::tr("Wilson, %"),
+                     ReportText::tr("Clopper-Pearson, %"), ReportText::tr("p of chance"),
+                     ReportText::tr("Transfer, bit"), ReportText::tr("Guesser, bit"),
+                     ReportText::tr("Corrected, bit"), ReportText::tr("Median time, s"),
+                     ReportText::tr("Times")});
+        const double chance = 1.0 / static_cast<double>(m_task.alternatives());
+        for (const ParticipantSummary& person : m_task.participants) {
+            const std::int64_t n = person.matrix.total();
+            const std::int64_t correct = person.matrix.correct();
+            const auto bits = informationTransfer(person.matrix);
+            table.row({escaped(person.participant), escaped(person.condition),
+                       QStringLiteral("%1/%2").arg(correct).arg(n),
+                       QString::number(person.matrix.unanswered()), percent(person.matrix.accuracy()),
+                       interval(wilsonInterval(correct, n), 100.0, 1),
+                       interval(clopperPearsonInterval(correct, n), 100.0, 1),
+                       probability(chanceProbability(correct, n, chance)),
+                       fixed(bits ? std::optional(bits->measured_bit) : std::nullopt, 3),
+                       fixed(guesserTransfer(person.matrix, m_task.alternatives()), 2),
+                       fixed(bits ? std::optional(bits->corrected_bit) : std::nullopt, 3),
+                       fixed(person.medianTime_s, 3), QString::number(person.times)},
+                      2);
+        }
+        return QStringLiteral("<h3>%1</h3>\n").arg(ReportText::tr("Participants")) + table.html();
+    }
+
+    [[nodiscard]] QString anova() const {
+        Table table(
+            ReportText::tr("Analysis of variance within participants of the shares of correct answers; "
+                           "p with the corrections of Greenhouse and Geisser and of Huynh and Feldt"),
+            {ReportText::tr("Effect"), ReportText::tr("df"), QStringLiteral("F"), QStringLiteral("p"),
+             QStringLiteral("ε GG"), QStringLiteral("p GG"), QStringLiteral("ε HF"), QStringLiteral("p HF"),
+             ReportText::tr("partial η²"), ReportText::tr("generalised η²"), ReportText::tr("Participants"),
+             ReportText::tr("Remark")});
+        for (const AnovaLine& line : m_task.anova) {
+            if (!line.stimulus.empty())
+                continue;
+            const std::optional<AnovaEffect>& row = line.row;
+            const auto value = [&](double AnovaEffect::*member) {
+                return row ? std::optional((*row).*member) : std::nullopt;
+            };
+            const std::optional<double> hf = row ? row->epsilonHf : std::nullopt;
+            QStringList remarks;
+            if (!line.note.empty())
+                remarks << escaped(line.note);
+            for (const std::string& person : line.dropped)
+                remarks << ReportText::tr("%1 is left out: a cell is missing").arg(escaped(person));
+            table.row({escaped(line.effect),
+                       row ? QStringLiteral("%1, %2").arg(row->df1).arg(row->df2) : QStringLiteral("NA"),
+                       fixed(value(&AnovaEffect::f), 4), probability(value(&AnovaEffect::p)),
+                       fixed(value(&AnovaEffect::epsilonGg), 4), probability(value(&AnovaEffect::pGg)),
+                       fixed(hf ? std::optional(std::min(1.0, *hf)) : std::nullopt, 4),
+                       probability(row ? row->pHf : std::nullopt), fixed(value(&AnovaEffect::partialEta2), 4),
+                       fixed(value(&AnovaEffect::generalizedEta2), 4), QString::number(line.participants),
+                       remarks.join(QStringLiteral("; "))});
+        }
+        return QStringLiteral("<h3>%1</h3>\n").arg(ReportText::tr("Analysis of variance")) + table.html();
+    }
+
+    const TaskResults& m_task;
+    std::optional<Mode> m_mode;
+};
+
+/// Colours of the page and, where the screen is dark, those of the pictures in it.
+QString pageStyle() {
+    return QStringLiteral(
+               ":root{color-scheme:light dark;--ink:#1b1b1f;--soft:#5c5f66;--grid:#d4d6da;--paper:#fff;"
+               "--warn:#fff4d6}"
+               "body{font:16px/1.5 system-ui,sans-serif;color:var(--ink);background:var(--paper);"
+               "max-width:72rem;margin:0 auto;padding:1rem 2rem}"
+               "h1,h2{line-height:1.2}h2{margin-top:3rem;border-bottom:2px solid var(--grid)}"
+               "table{border-collapse:collapse;font-variant-numeric:tabular-nums;margin:1rem 0}"
+               "caption{text-align:left;color:var(--soft);padding-bottom:.4rem}"
+               "th,td{padding:.25rem .7rem;border-bottom:1px solid var(--grid);text-align:right}"
+               "td{white-space:nowrap}th[scope=row],thead "
+               "th:first-child{text-align:left}.scroll{overflow-x:auto}"
+               ".beside{display:flex;flex-wrap:wrap;gap:0 2rem}figure{margin:1.5rem 0}figure "
+               "svg{max-width:100%;height:auto}"
+               "figcaption{max-width:36rem;color:var(--soft)}.warning,.mode{background:var(--warn);padding:."
+               "6rem 1rem;"
+               "border-left:4px solid #d08700}.mode{font-weight:bold}"
+               "@media (prefers-color-scheme:dark){:root{--ink:#e8e8ea;--soft:#a9adb5;--grid:#3a3d43;"
+               "--paper:#17181b;--warn:#3a2f12}}"
+               "@media print{:root{--ink:#000;--soft:#444;--grid:#bbb;--paper:#fff;--warn:#eee}"
+               "body{max-width:none;padding:0;font-size:11px}figure,table{break-inside:avoid}}") +
+           figure::SvgCanvas::style() +
+           QStringLiteral("text.ink{fill:var(--ink)}text.soft{fill:var(--soft)}line.ink{stroke:var(--ink)}"
+                          "line.soft{stroke:var(--grid)}line.dashed{stroke:var(--soft)}");
+}
+
+QString framesText(const TrialTally::Frames& frames) {
+    const int trials = static_cast<int>(frames.trials);
+    const QString played =
+        frames.longestWrite_ms
+            ? ReportText::tr(
+                  "Stimuli: %n trial(s) were played on a bracelet; the longest write of a frame took %1 ms.",
+                  nullptr, trials)
+                  .arg(*frames.longestWrite_ms, 0, 'f', 2)
+            : ReportText::tr("Stimuli: the frames of %n trial(s) were counted.", nullptr, trials);
+    return ReportText::tr("%1 Frames were missed in %2 of them, %3 in all.", "the sentence before, numbers")
+        .arg(played)
+        .arg(frames.trialsWithMisses)
+        .arg(frames.missed);
+}
+
+QString modeBanner(std::optional<Mode> mode) {
+    if (!mode || *mode == Mode::run)
+        return {};
+    return QStringLiteral("<p class=\"mode\">%1</p>\n")
+        .arg(*mode == Mode::pilot
+                 ? ReportText::tr("PILOT: these data were taken to try the study out.")
+                 : ReportText::tr("SIMULATED: these answers were made by a program, not by people."));
+}
+
+} // namespace
+
+std::string reportHtml(const std::vector<TaskResults>& results, const ReportHeading& heading) {
+    const QString title = escaped(heading.title);
+    QString html =
+        QStringLiteral(
+            "<!DOCTYPE html>\n<html lang=\"%1\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n"
+            "<meta charset=\"utf-8\"/>\n<meta name=\"viewport\" "
+            "content=\"width=device-width, initial-scale=1\"/>\n<title>%2</title>\n<style>%3</style>\n"
+            "</head>\n<body>\n<main>\n<h1>%2</h1>\n")
+            .arg(ReportText::tr("en", "language of the report, as BCP 47 has it"), title, pageStyle());
+    html += modeBanner(heading.mode);
+    QStringList sources;
+    for (const std::string& source : heading.sources)
+        sources << escaped(source);
+    html += QStringLiteral("<p>%1</p>\n")
+                .arg(ReportText::tr("Data: %1. TeleTA Console %2.")
+                         .arg(sources.join(QStringLiteral(", ")), escaped(heading.appVersion)));
+    if (heading.frames.trials > 0)
+        html += QStringLiteral("<p>%1</p>\n").arg(framesText(heading.frames));
+    for (const TaskResults& task : results)
+        html += TaskSection(task, heading.mode).html();
+    html +=
+        QStringLiteral("<section>\n<h2>%1</h2>\n<p>%2</p>\n</section>\n</main>\n</body>\n</html>\n")
+            .arg(ReportText::tr("Compute it again"),
+                 ReportText::tr(
+                     "analysis.R beside this page computes its numbers again from confusion_long.csv, but "
+                     "the response times, which that file does not have, and the bootstrap intervals: "
+                     "Rscript analysis.R. In the folder of the study it computes the response times too, "
+                     "from the exported trials."));
+    return html.toStdString();
+}
+
+core::Expected<void> writeReport(const std::vector<TaskResults>& results, const ReportHeading& heading,
+                                 const std::string& folder) {
+    const QDir directory(QString::fromStdString(folder));
+    if (!directory.mkpath(QStringLiteral(".")))
+        return core::Unexpected(core::Error{
+            core::ErrorKind::ioFailed, ReportText::tr("cannot make the folder").toStdString(), {}, {folder}});
+    core::Expected<core::OutputFile> file =
+        core::OutputFile::create(directory.filePath(QStringLiteral("report.html")).toStdString());
+    if (!file)
+        return core::Unexpected(file.error());
+    file->write(reportHtml(results, heading));
+    return file->finish();
+}
+
+} // namespace teleta::study

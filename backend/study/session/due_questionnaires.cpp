@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/study/session/due_questionnaires.h"
+
+#include "backend/study/protocol/portable_random.h"
+#include "backend/study/protocol/trial_order.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace teleta::study {
+
+namespace {
+
+constexpr std::uint64_t kQuestionnaires = 1'000'000;
+
+} // namespace
+
+std::vector<DueQuestionnaire> dueQuestionnaires(const Protocol& protocol, QuestionnaireTime when,
+                                                const SessionRecord& session,
+                                                const std::vector<StoredAnswer>& answers) {
+    const bool ofSession = isOfSession(when);
+    const auto isOfThis = [&](const StoredAnswer& answer) {
+        return ofSession ? answer.session && *answer.session == session.key : !answer.session;
+    };
+    std::vector<DueQuestionnaire> due;
+    for (std::size_t i = 0; i < protocol.questionnaires.size(); ++i) {
+        const Questionnaire& questionnaire = protocol.questionnaires[i];
+        const bool isKept = std::any_of(answers.begin(), answers.end(), [&](const StoredAnswer& answer) {
+            return answer.questionnaire == questionnaire.id && isOfThis(answer);
+        });
+        if (questionnaire.when == when && !isKept)
+            due.push_back({i, ofSession ? std::optional(session) : std::nullopt});
+    }
+    return due;
+}
+
+std::vector<ItemAnswer> simulatedAnswers(const StudyHead& head, const Participant& participant,
+                                         const PlannedSession& plan, std::size_t index) {
+    const Questionnaire& questionnaire = head.protocol.questionnaires.at(index);
+    const std::uint64_t seed =
+        isOfSession(questionnaire.when) ? plan.seed : derivedSeed(head.seed, participant.enrolment);
+    PortableRandom random(derivedSeed(derivedSeed(seed, kQuestionnaires), index));
+    std::vector<ItemAnswer> answers;
+    for (const QuestionnaireItem& item : questionnaire.items) {
+        std::string value = "simulated";
+        if (item.kind == ItemKind::likert)
+            value = std::to_string(random.below(item.points) + 1);
+        else if (item.kind == ItemKind::choice)
+            value = item.choices[static_cast<std::size_t>(random.below(item.choices.size()))].id;
+        answers.push_back({item.id, std::move(value)});
+    }
+    return answers;
+}
+
+} // namespace teleta::study

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/study/session/pink_noise.h"
+
+#include "backend/core/data/output_file.h"
+#include "backend/study/protocol/portable_random.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+#include <unsupported/Eigen/FFT>
+
+namespace teleta::study {
+
+namespace {
+
+struct NoiseText {
+    Q_DECLARE_TR_FUNCTIONS(StudyNoise)
+};
+
+constexpr std::size_t kMostSamples = std::size_t{1} << 26U;
+constexpr std::uint32_t kHeaderBytes = 44;
+
+core::Unexpected outOfRange(const QString& message, const QString& expected) {
+    return core::Unexpected(
+        core::Error{core::ErrorKind::refused, message.toStdString(), expected.toStdString(), {}});
+}
+
+/// Little-endian, whatever the machine is.
+void put(std::string& bytes, std::uint64_t value, int count) {
+    for (int i = 0; i < count; ++i)
+        bytes += static_cast<char>((value >> (8 * i)) & 0xFFU);
+}
+
+std::string wavHeader(std::uint32_t dataBytes, std::uint32_t rate_Hz) {
+    std::string header = "RIFF";
+    put(header, kHeaderBytes - 8 + std::uint64_t{dataBytes}, 4);
+    header += "WAVEfmt ";
+    put(header, 16, 4);
+    put(header, 1, 2); // PCM
+    put(header, 1, 2); // channel
+    put(header, rate_Hz, 4);
+    put(header, std::uint64_t{rate_Hz} * 2, 4);
+    put(header, 2, 2);
+    put(header, 16, 2);
+    header += "data";
+    put(header, dataBytes, 4);
+    return header;
+}
+
+} // namespace
+
+core::Expected<std::vector<float>> pinkNoise(const PinkNoiseSettings& settings) {
+    const std::size_t n = settings.samples;
+    if (n < 2 || n % 2 != 0 || n > kMostSamples || !(settings.rate_Hz > 0.0) || !(settings.low_Hz > 0.0) ||
+        !(settings.low_Hz <= settings.high_Hz && settings.high_Hz <= settings.rate_Hz / 2.0) ||
+        !std::isfinite(settings.rate_Hz) || !std::isfinite(settings.level_dBFS))
+        return outOfRange(
+            NoiseText::tr("these settings of the noise are out of range"),
+            NoiseText::tr("an even number of samples up to %1, and frequencies above 0 up to half "
+                          "the rate")
+                .arg(kMostSamples));
+    const double step_Hz = settings.rate_Hz / static_cast<double>(n);
+    const auto first = static_cast<std::size_t>(std::ceil(settings.low_Hz / step_Hz));
+    const std::size_t last = std::min(static_cast<std::size_t>(settings.high_Hz / step_Hz), n / 2 - 1);
+    if (first > last)
+        return outOfRange(NoiseText::tr("there is no frequency in this band"),
+                          NoiseText::tr("more samples or a wider band"));
+
+    PortableRandom random(settings.seed);
+    std::vector<std::complex<double>> spectrum(n);
+    double power = 0.0;
+    for (std::size_t k = first; k <= last; ++k) {
+        const double amplitude = 1.0 / std::sqrt(static_cast<double>(k));
+        const double phase = 2.0 * std::numbers::pi * random.unit();
+        spectrum[k] = std::polar(amplitude / 2.0, phase);
+        spectrum[n - k] = std::conj(spectrum[k]);
+        power += amplitude * amplitude / 2.0;
+    }
+    std::vector<std::complex<double>> wave;
+    Eigen::FFT<double> transform;
+    transform.SetFlag(Eigen::FFT<double>::Unscaled);
+    transform.inv(wave, spectrum);
+
+    const double scale = std::pow(10.0, settings.level_dBFS / 20.0) / std::sqrt(power);
+    std::vector<float> samples(n);
+    double peak = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double value = scale * wave[i].real();
+        peak = std::max(peak, std::abs(value));
+        samples[i] = static_cast<float>(value);
+    }
+    if (!(peak <= 1.0))
+        return outOfRange(NoiseText::tr("the noise would be clipped at this level"),
+                          NoiseText::tr("a level of %1 dBFS at most")
+                              .arg(std::floor(settings.level_dBFS - 20.0 * std::log10(peak))));
+    return samples;
+}
+
+core::Expected<void> writeMonoWav(const std::vector<float>& samples, double rate_Hz,
+                                  const std::string& path) {
+    if (samples.size() > (std::numeric_limits<std::uint32_t>::max() - kHeaderBytes) / 2)
+        return outOfRange(NoiseText::tr("the sound is too long for a WAV file"),
+                          NoiseText::tr("at most 4 GiB of samples"));
+    core::Expected<core::OutputFile> file = core::OutputFile::create(path);
+    if (!file)
+        return core::Unexpected(file.error());
+    file->write(wavHeader(static_cast<std::uint32_t>(2 * samples.size()),
+                          static_cast<std::uint32_t>(std::lround(rate_Hz))));
+    std::string bytes;
+    for (const float sample : samples) {
+        bytes.clear();
+        put(bytes, static_cast<std::uint64_t>(std::lround(32767.0 * std::clamp<double>(sample, -1.0, 1.0))),
+            2);
+        file->write(bytes);
+    }
+    return file->finish();
+}
+
+} // namespace teleta::study

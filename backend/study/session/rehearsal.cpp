@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/study/session/rehearsal.h"
+
+#include "backend/study/protocol/stimulus_set.h"
+#include "backend/study/report/study_export.h"
+#include "backend/study/session/due_questionnaires.h"
+#include "backend/study/session/session.h"
+#include "backend/study/session/simulated_participant.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace teleta::study {
+
+namespace {
+
+struct RehearsalText {
+    Q_DECLARE_TR_FUNCTIONS(StudyRehearsal)
+};
+
+constexpr std::int64_t kBetweenTrials_ns = 1'000'000'000;
+constexpr qint64 kBetweenSessions_s = 3600;
+constexpr std::uint64_t kAnswersOfSession = 2; // parts 0 and 1 of the session's seed are its orders
+
+/// A pattern ends by itself, and is cut off where the protocol says so.
+double lengthOf_s(const std::string& id, const StudyHead& head) {
+    const pattern::Pattern* stimulus = head.stimuli.find(id);
+    return stimulus == nullptr ? head.protocol.stimulus_s
+                               : std::min(stimulus->duration_s, head.protocol.stimulus_s);
+}
+
+/// Shows one trial to the participant and passes on what it does.
+void showTrial(Session& session, const SimulatedParticipant::Answer& answer,
+               const RehearsalCast::Shown& shown, double stimulus_s, std::int64_t& now_ns) {
+    now_ns += kBetweenTrials_ns;
+    if (!session.startTrial(now_ns))
+        return;
+    const std::int64_t onset_ns = now_ns + std::llround(shown.latency_s * 1e9);
+    const std::int64_t end_ns = onset_ns + std::llround(stimulus_s * 1e9);
+    const std::int64_t answer_ns = onset_ns + std::llround(answer.time_s * 1e9);
+    session.stimulusStarted(onset_ns, end_ns);
+    now_ns = end_ns;
+    const KeyPress press{answer.response, "simulated", std::to_string(answer.response.value_or(0) + 1),
+                         answer_ns, false};
+    if (answer.response && answer_ns < end_ns) {
+        session.press(press);
+        session.release(press.device, press.key);
+    }
+    session.stimulusEnded(end_ns);
+    if (answer.response && answer_ns >= end_ns) {
+        now_ns = answer_ns;
+        session.press(press);
+        session.release(press.device, press.key);
+    }
+    if (const std::optional<std::int64_t> deadline = session.deadline_ns()) {
+        now_ns = *deadline + 1;
+        session.advance(now_ns);
+    }
+}
+
+class Rehearsal {
+public:
+    Rehearsal(StudyStore& store, const std::function<bool(std::size_t)>& goOn, const RehearsalCast& cast)
+        : m_store(store)
+        , m_goOn(goOn)
+        , m_cast(cast) {}
+
+    [[nodiscard]] core::Expected<RehearsalProgress> run();
+
+private:
+    [[nodiscard]] core::Expected<void> runSession(const Participant& participant, std::size_t planIndex,
+                                                  const PlannedSession& plan, const QDateTime& begin);
+    /// Those that are due then and were not answered before an interruption.
+    [[nodiscard]] core::Expected<void> answerQuestionnaires(QuestionnaireTime when,
+                                                            const Participant& participant,
+                                                            const SessionRecord& session,
+                                                            const PlannedSession& plan, const QDateTime& now);
+
+    StudyStore& m_store;
+    const std::function<bool(std::size_t)>& m_goOn;
+    const RehearsalCast& m_cast;
+    RehearsalProgress m_progress;
+};
+
+core::Expected<RehearsalProgress> Rehearsal::run() {
+    const StudyHead& head = m_store.head();
+    if (head.mode != Mode::simulated)
+        return core::Unexpected(
+            core::Error{core::ErrorKind::refused,
+                        RehearsalText::tr("this study has real participants").toStdString(),
+                        RehearsalText::tr("a study that was begun as a rehearsal").toStdString(),
+                        {m_store.folder()}});
+    core::Expected<std::vector<Participant>> enrolled = m_store.participants();
+    if (!enrolled)
+        return core::Unexpected(enrolled.error());
+    for (std::size_t i = 0; i < head.plannedParticipants && !m_progress.interrupted; ++i) {
+        if (i == enrolled->size()) {
+            const core::Expected<Participant> participant =
+                m_store.enrol(QStringLiteral("P%1").arg(i + 1, 2, 10, QLatin1Char('0')).toStdString());
+            if (!participant)
+                return core::Unexpected(participant.error());
+            enrolled->push_back(*participant);
+        }
+        const std::vector<PlannedSession> plan =
+            planSessions(head.protocol, head.seed, (*enrolled)[i].enrolment);
+        const Participant& participant = (*enrolled)[i];
+        const core::Expected<ParticipantClaim> claim = m_store.claim(participant);
+        if (!claim)
+            return core::Unexpected(claim.error());
+        const auto beginOf = [&](std::size_t session) {
+            return head.created.addSecs(static_cast<qint64>(participant.enrolment * plan.size() + session) *
+                                        kBetweenSessions_s);
+        };
+        core::Expected<void> done =
+            answerQuestionnaires(QuestionnaireTime::beforeStudy, participant, {}, {}, beginOf(0));
+        for (std::size_t j = 0; done && j < plan.size() && !m_progress.interrupted; ++j)
+            done = runSession(participant, j, plan[j], beginOf(j));
+        if (done && !m_progress.interrupted)
+            done =
+                answerQuestionnaires(QuestionnaireTime::afterStudy, participant, {}, {}, beginOf(plan.size()))
+                    .and_then([&] { return exportAnswers(m_store, participant, ExportFormat::psychds); });
+        if (!done)
+            return core::Unexpected(done.error());
+        m_progress.participants += m_progress.interrupted ? 0 : 1;
+    }
+    return m_progress;
+}
+
+core::Expected<void> Rehearsal::answerQuestionnaires(QuestionnaireTime when, const Participant& participant,
+                                                     const SessionRecord& session, const PlannedSession& plan,
+                                                     const QDateTime& now) {
+    const StudyHead& head = m_store.head();
+    if (head.protocol.questionnaires.empty())
+        return {};
+    const core::Expected<std::vector<StoredAnswer>> kept = m_store.answers(participant);
+    if (!kept)
+        return core::Unexpected(kept.error());
+    for (const DueQuestionnaire& due : dueQuestionnaires(head.protocol, when, session, *kept)) {
+        const core::Expected<void> safe =
+            m_store.keepAnswers(participant, due.session, head.protocol.questionnaires[due.index],
+                                simulatedAnswers(head, participant, plan, due.index), now);
+        if (!safe)
+            return safe;
+    }
+    return {};
+}
+
+core::Expected<void> Rehearsal::runSession(const Participant& participant, std::size_t planIndex,
+                                           const PlannedSession& plan, const QDateTime& begin) {
+    const StudyHead& head = m_store.head();
+    const core::Expected<SessionRecord> record = m_store.beginSession(participant, planIndex, plan, begin);
+    if (!record)
+        return core::Unexpected(record.error());
+    if (const auto answered =
+            answerQuestionnaires(QuestionnaireTime::beforeSession, participant, *record, plan, begin);
+        !answered)
+        return answered;
+    const core::Expected<std::vector<StoredTrial>> kept = m_store.trials(*record);
+    if (!kept)
+        return core::Unexpected(kept.error());
+    std::vector<TrialResult> done;
+    std::int64_t now_ns = 0;
+    for (const StoredTrial& trial : *kept) {
+        done.push_back(trial.result);
+        now_ns = begin.msecsTo(trial.time) * 1'000'000;
+    }
+    m_progress.trialsBefore += done.size();
+    core::Expected<Session> session = Session::create(head.protocol, plan, done, 0);
+    if (!session)
+        return core::Unexpected(session.error());
+
+    const StudyTask& task = head.protocol.tasks[plan.task];
+    const std::string& condition = task.conditions[plan.condition];
+    const SimulatedParticipant simulated{knownMatrix(task, condition), head.lapses};
+    const std::int64_t start_ns = now_ns;
+    const double before_s = m_progress.simulated_s;
+    // From the results, so that a resumed rehearsal rests where an interrupted one did.
+    std::array<std::size_t, 2> completed{};
+    const auto count = [&](const TrialResult& result) {
+        completed[result.planned.phase == Phase::test ? 1 : 0] += result.isComplete() ? 1 : 0;
+    };
+    std::for_each(done.begin(), done.end(), count);
+    while (session->stage() == Stage::ready) {
+        const bool goOn = m_goOn(m_progress.trialsBefore + m_progress.trials) &&
+                          (!m_cast.goOn || m_cast.goOn(m_progress.simulated_s));
+        if (!goOn) {
+            m_progress.interrupted = true;
+            return {};
+        }
+        const PlannedTrial trial = *session->current();
+        const std::uint64_t part =
+            (trial.trial << 16U) + (trial.attempt << 1U) + (trial.phase == Phase::test ? 1 : 0);
+        const std::uint64_t seed = derivedSeed(derivedSeed(plan.seed, kAnswersOfSession), part);
+        const SimulatedParticipant::Answer answer = m_cast.answer
+                                                        ? m_cast.answer(task, condition, trial.stimulus, seed)
+                                                        : simulated.answer(trial.stimulus, seed);
+        const std::string stimulus = stimulusId(task, task.patterns[trial.stimulus], condition);
+        const RehearsalCast::Shown shown = m_cast.show ? m_cast.show(stimulus, seed) : RehearsalCast::Shown{};
+        if (head.protocol.rest.isDueAfter(completed[trial.phase == Phase::test ? 1 : 0]))
+            now_ns += std::llround(head.protocol.rest.atLeast_s * 1e9);
+        showTrial(*session, answer, shown, lengthOf_s(stimulus, head), now_ns);
+        // The store keeps milliseconds, and the next trial begins at what it keeps, resumed or not.
+        now_ns = (now_ns + 999'999) / 1'000'000 * 1'000'000;
+        m_progress.simulated_s = before_s + static_cast<double>(now_ns - start_ns) * 1e-9;
+        if (std::optional<TrialResult> result = session->takeResult()) {
+            result->framesMissed = shown.framesMissed;
+            count(*result);
+            const core::Expected<void> safe =
+                m_store.keepTrial(*record, *result, begin.addMSecs(now_ns / 1'000'000));
+            if (!safe)
+                return safe;
+            ++m_progress.trials;
+        }
+        session->feedbackSeen();
+    }
+    if (const auto answered = answerQuestionnaires(QuestionnaireTime::afterSession, participant, *record,
+                                                   plan, begin.addMSecs(now_ns / 1'000'000));
+        !answered)
+        return answered;
+    if (record->finished)
+        return {};
+    // Before it counts as finished, so that a resumed rehearsal writes what an interrupted one did not.
+    if (const core::Expected<void> written =
+            exportSession(m_store, participant, *record, ExportFormat::psychds);
+        !written)
+        return written;
+    return m_store.finishSession(*record);
+}
+
+} // namespace
+
+std::size_t plannedTrials(const StudyHead& head) {
+    std::size_t trials = 0;
+    const std::vector<PlannedSession> plan = planSessions(head.protocol, head.seed, 0);
+    for (const PlannedSession& session : plan)
+        trials += session.practice.size() + session.test.size();
+    return trials * head.plannedParticipants;
+}
+
+core::Expected<RehearsalProgress> rehearse(StudyStore& store, const std::function<bool(std::size_t)>& goOn,
+                                           const RehearsalCast& cast) {
+    return Rehearsal(store, goOn, cast).run();
+}
+
+} // namespace teleta::study

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/study/protocol/protocol.h"
+#include "backend/study/protocol/trial.h"
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+
+namespace teleta::study {
+
+/// An answer key or button that went down.
+struct KeyPress {
+    std::optional<std::size_t> response; ///< the pattern that it stands for; empty: none
+    std::string device;                  ///< mouse, touch, keyboard, keypad, simulated
+    std::string key;                     ///< physical key or button
+    std::int64_t time_ns = 0;            ///< of the input event
+    bool autoRepeat = false;
+};
+
+/// What a session waits for.
+enum class Stage {
+    ready,     ///< for the participant to ask for the next trial
+    starting,  ///< for the stimulus to begin
+    stimulus,  ///< the stimulus runs
+    answering, ///< the stimulus is over, an answer may still come
+    feedback,  ///< for the participant to have seen the right answer
+    paused,    ///< for the experimenter
+    finished,
+    aborted,
+};
+
+/// One participant's session: practice, then test, of one task under one condition. The caller shows the
+/// stimulus and passes on what happens with its time on the steady clock; the session decides what it means.
+/// Whoever drives it takes each result and keeps it before the next trial may start.
+/// Answers count from the onset (or end, as the protocol says) until the limit, ends included, by the time of
+/// the press, also when it comes to be known later than the onset or end. Keys that repeat by themselves, and
+/// those that are still down from before, do not count; the others outside of the window are early presses. A
+/// trial that ends by a device fault or an abort is shown again at the end of its phase with attempt + 1.
+/// Thread: one. Times must not go back, but those of presses.
+class Session {
+public:
+    /// done: results that were kept when this session was interrupted, in their order; the session goes on
+    /// behind them. Error: refused when they are not results of this plan.
+    [[nodiscard]] static core::Expected<Session> create(const Protocol& protocol, const PlannedSession& plan,
+                                                        std::span<const TrialResult> done,
+                                                        std::int64_t now_ns);
+
+    [[nodiscard]] Stage stage() const { return m_stage; }
+
+    /// The trial that is shown or comes next; nullptr when the session is over.
+    [[nodiscard]] const PlannedTrial* current() const { return m_queue.empty() ? nullptr : &m_queue.front(); }
+
+    [[nodiscard]] std::size_t remainingTrials() const { return m_queue.size(); }
+    [[nodiscard]] const PhaseSettings& settings(Phase phase) const {
+        return phase == Phase::practice ? m_practice : m_test;
+    }
+
+    /// When the time to answer is over; empty while it does not run.
+    [[nodiscard]] std::optional<std::int64_t> deadline_ns() const;
+
+    /// How often the stimulus of the trial that runs may still be felt again.
+    [[nodiscard]] std::size_t replaysLeft() const {
+        return isRunning() && m_trial.replays < m_replays ? m_replays - m_trial.replays : 0;
+    }
+
+    /// The participant asks for the next trial. False, and nothing happens, unless ready with no result that
+    /// waits to be taken.
+    [[nodiscard]] bool startTrial(std::int64_t time_ns);
+
+    /// due_ns: when the stimulus will end by itself, from which the time of an answer before its end is told;
+    /// empty: as late as the protocol lets it.
+    void stimulusStarted(std::int64_t time_ns, std::optional<std::int64_t> due_ns = {});
+    void stimulusEnded(std::int64_t time_ns);
+
+    /// The participant wants to feel the stimulus again: back to starting. False when the protocol does not
+    /// allow another one or there was none yet.
+    [[nodiscard]] bool replay(std::int64_t time_ns);
+
+    void press(const KeyPress& press);
+    void release(const std::string& device, const std::string& key);
+
+    /// Lets the limit pass. Input events up to this time must have been passed on before.
+    void advance(std::int64_t time_ns);
+
+    /// The device did not show the stimulus as it should.
+    void deviceFailed(std::int64_t time_ns);
+
+    /// Ends the feedback.
+    void feedbackSeen();
+
+    /// Between trials only; false otherwise.
+    [[nodiscard]] bool pause();
+    void goOn();
+
+    /// Ends the session; a trial that runs is aborted.
+    void abort(std::int64_t time_ns);
+
+    /// The result of the trial that has just ended, once.
+    [[nodiscard]] std::optional<TrialResult> takeResult();
+
+private:
+    Session(const Protocol& protocol, const PlannedSession& plan, std::int64_t now_ns);
+
+    [[nodiscard]] bool isRunning() const;
+    [[nodiscard]] bool windowIsOpen() const;
+    [[nodiscard]] bool windowIsOpenAt(std::int64_t time_ns) const;
+    void complete(Outcome outcome, std::int64_t time_ns);
+    void showAgain(PlannedTrial trial);
+
+    std::int64_t m_stimulus_ns;
+    std::int64_t m_limit_ns;
+    ResponseWindow m_window;
+    std::size_t m_replays;
+    PhaseSettings m_practice;
+    PhaseSettings m_test;
+
+    std::deque<PlannedTrial> m_queue;
+    std::size_t m_shown[2] = {0, 0}; ///< trials of each phase that were shown to their end
+    Stage m_stage = Stage::ready;
+    std::int64_t m_begin_ns;
+    std::int64_t m_request_ns = 0;
+    std::int64_t m_onset_ns = 0;
+    std::int64_t m_due_ns = 0;
+    std::optional<std::int64_t> m_end_ns;
+    TrialResult m_trial; ///< of the current trial, as far as it is known
+    std::set<std::string> m_held;
+    std::optional<TrialResult> m_result;
+};
+
+} // namespace teleta::study

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/study/store/folder_owner.h"
+
+#include "backend/core/data/output_file.h"
+#include "backend/study/store/store_values.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+
+#include <nlohmann/json.hpp>
+
+namespace teleta::study {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct OwnerText {
+    Q_DECLARE_TR_FUNCTIONS(StudyStore)
+};
+
+QString markOf(const std::string& folder) {
+    return QDir(QString::fromStdString(folder)).filePath(QStringLiteral("server-study.json"));
+}
+
+} // namespace
+
+core::Expected<void> checkFolderOwner(const std::string& folder, const StudyHead& head) {
+    const auto refused = [&](const QString& message) {
+        return core::Unexpected(core::Error{core::ErrorKind::refused,
+                                            message.toStdString(),
+                                            OwnerText::tr("a folder of its own for each study").toStdString(),
+                                            {folder}});
+    };
+    if (QFile::exists(QDir(QString::fromStdString(folder)).filePath(QStringLiteral("study.sqlite"))))
+        return refused(OwnerText::tr("this folder has a study that is kept in it"));
+    QFile mark(markOf(folder));
+    if (!mark.exists())
+        return {};
+    if (!mark.open(QIODevice::ReadOnly))
+        return core::Unexpected(
+            core::Error{core::ErrorKind::ioFailed,
+                        OwnerText::tr("cannot read the file: %1").arg(mark.errorString()).toStdString(),
+                        {},
+                        {mark.fileName().toStdString()}});
+    try {
+        const ordered_json json = ordered_json::parse(mark.readAll().toStdString());
+        if (json.at("created_utc").get<std::string>() != timeText(head.created).toStdString() ||
+            json.at("seed").get<std::string>() != std::to_string(head.seed))
+            return refused(OwnerText::tr("this folder is that of another study, on %1")
+                               .arg(QString::fromStdString(json.at("server").get<std::string>())));
+    } catch (const ordered_json::exception&) {
+        return core::Unexpected(
+            core::Error{core::ErrorKind::badInput,
+                        OwnerText::tr("this does not say which study the folder is for").toStdString(),
+                        OwnerText::tr("server, created_utc and seed of a study").toStdString(),
+                        {mark.fileName().toStdString()}});
+    }
+    return {};
+}
+
+core::Expected<void> ownFolder(const std::string& folder, const StudyHead& head,
+                               const std::string& shownName) {
+    if (const core::Expected<void> free = checkFolderOwner(folder, head); !free)
+        return free;
+    if (QFile::exists(markOf(folder)))
+        return {};
+    if (!QDir().mkpath(QString::fromStdString(folder)))
+        return core::Unexpected(
+            core::Error{core::ErrorKind::ioFailed,
+                        OwnerText::tr("cannot make the folder of the study").toStdString(),
+                        {},
+                        {folder}});
+    const ordered_json mark{{"server", shownName},
+                            {"created_utc", timeText(head.created).toStdString()},
+                            {"seed", std::to_string(head.seed)}};
+    core::Expected<core::OutputFile> file = core::OutputFile::create(markOf(folder).toStdString());
+    if (!file)
+        return core::Unexpected(file.error());
+    file->write(mark.dump(2) + '\n');
+    return file->finish();
+}
+
+} // namespace teleta::study

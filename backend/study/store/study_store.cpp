@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/study/store/study_store.h"
+
+#include "backend/study/store/file_claim.h"
+#include "backend/study/store/folder_owner.h"
+#include "backend/study/store/store_values.h"
+#include "backend/study/store/trial_journal.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QStringList>
+#include <QSysInfo>
+
+#include <utility>
+
+namespace teleta::study {
+
+namespace {
+
+struct StoreText {
+    Q_DECLARE_TR_FUNCTIONS(StoreText)
+};
+
+constexpr int kLongestId = 64;
+constexpr int kMostAttempts = 100;
+
+std::string claimFile(const std::string& folder, std::size_t enrolment) {
+    return QDir(QString::fromStdString(folder))
+        .filePath(QStringLiteral("running-%1.lock").arg(enrolment))
+        .toStdString();
+}
+
+/// Machine and process, for people at other stations.
+std::string thisStation() {
+    return StoreText::tr("%1, process %2")
+        .arg(QSysInfo::machineHostName())
+        .arg(QCoreApplication::applicationPid())
+        .toStdString();
+}
+
+} // namespace
+
+/// Holds a locked file or a lock of the server.
+struct ParticipantClaim::Hold {
+    std::unique_ptr<FileClaim> file;
+    std::weak_ptr<StudyConnection> server;
+    long long key = 0;
+
+    ~Hold() {
+        if (const std::shared_ptr<StudyConnection> connection = server.lock())
+            connection->unlock(key);
+    }
+};
+
+std::optional<bool> StudyHead::stimuliChanged() const {
+    return stimulusSetSha256.empty() ? std::nullopt : std::optional(stimulusSetSha256 != stimuli.sha256());
+}
+
+ParticipantClaim::ParticipantClaim(std::unique_ptr<Hold> hold)
+    : m_hold(std::move(hold)) {
+}
+ParticipantClaim::~ParticipantClaim() = default;
+ParticipantClaim::ParticipantClaim(ParticipantClaim&&) noexcept = default;
+ParticipantClaim& ParticipantClaim::operator=(ParticipantClaim&&) noexcept = default;
+
+StudyStore::StudyStore(std::shared_ptr<StudyConnection> connection)
+    : m_connection(std::move(connection)) {
+}
+StudyStore::~StudyStore() = default;
+StudyStore::StudyStore(StudyStore&&) noexcept = default;
+StudyStore& StudyStore::operator=(StudyStore&&) noexcept = default;
+
+const StoreLocation& StudyStore::location() const {
+    return m_connection->location();
+}
+
+const std::string& StudyStore::folder() const {
+    return m_connection->location().folder;
+}
+
+const std::string& StudyStore::shownName() const {
+    return m_connection->shownName();
+}
+
+core::Expected<StudyStore> StudyStore::create(const StoreLocation& location, const StudyHead& head) {
+    // What cannot be felt makes no study.
+    const core::Expected<std::vector<OwnStimulus>> own = readOwnStimuli(head.protocol);
+    if (!own)
+        return core::Unexpected(own.error());
+    // A server refuses a bad address before anything is made here.
+    const bool isOnServer = !location.server.empty();
+    if (const core::Expected<void> free =
+            isOnServer ? checkFolderOwner(location.folder, head) : core::Expected<void>();
+        !free)
+        return core::Unexpected(free.error());
+    if (!isOnServer && !QDir().mkpath(QString::fromStdString(location.folder)))
+        return core::Unexpected(
+            core::Error{core::ErrorKind::ioFailed,
+                        StoreText::tr("cannot make the folder of the study").toStdString(),
+                        {},
+                        {location.folder}});
+    StudyStore store(std::make_shared<StudyConnection>(location));
+    StudyConnection& connection = *store.m_connection;
+    if (const core::Expected<void> opened = connection.open(StudyConnection::Purpose::create); !opened)
+        return core::Unexpected(opened.error());
+    // The row is unique, so that of two programs that make the same study only one does.
+    const core::Expected<void> made = connection.inTransaction([&]() -> core::Expected<void> {
+        const auto row =
+            connection.run(QStringLiteral("INSERT INTO study VALUES (1, ?, ?, ?, ?, ?, ?, ?, ?)"),
+                           {QString::fromStdString(head.protocol.source), QString::number(head.seed),
+                            QString::fromLatin1(toString(head.mode)), number(head.plannedParticipants),
+                            head.lapses, timeText(head.created), QString::fromStdString(head.appVersion),
+                            QString::fromStdString(stimulusSetSha256(head.protocol, *own))});
+        if (!row)
+            return core::Unexpected(row.error());
+        for (const OwnStimulus& one : *own) {
+            const auto copied =
+                connection.run(QStringLiteral("INSERT INTO stimulus (id, file, pattern) VALUES (?, ?, ?)"),
+                               {QString::fromStdString(one.id), QString::fromStdString(one.file),
+                                QString::fromStdString(one.json)});
+            if (!copied)
+                return core::Unexpected(copied.error());
+        }
+        return {};
+    });
+    if (!made && made.error().kind == core::ErrorKind::refused)
+        return connection.isServer()
+                   ? connection.refused(StoreText::tr("there is a study of this name already"),
+                                        StoreText::tr("a new name, or to go on with the study"))
+                   : connection.refused(StoreText::tr("there is a study in this folder already"),
+                                        StoreText::tr("a new folder, or to go on with the study"));
+    if (!made)
+        return core::Unexpected(made.error());
+    if (const core::Expected<void> read = store.readHead().and_then([&] { return store.ownFolder(); }); !read)
+        return core::Unexpected(read.error());
+    return store;
+}
+
+core::Expected<void> StudyStore::ownFolder() const {
+    return m_connection->isServer() ? study::ownFolder(folder(), m_head, shownName())
+                                    : core::Expected<void>();
+}
+
+bool StudyStore::isReadOnly() const {
+    return m_connection->isReadOnly();
+}
+
+core::Expected<StudyStore> StudyStore::openForReading(const StoreLocation& location) {
+    return opened(location, StudyConnection::Purpose::read);
+}
+
+core::Expected<StudyStore> StudyStore::opened(const StoreLocation& location,
+                                              StudyConnection::Purpose purpose) {
+    StudyStore store(std::make_shared<StudyConnection>(location));
+    if (const core::Expected<void> done =
+            store.m_connection->open(purpose).and_then([&] { return store.readHead(); });
+        !done)
+        return core::Unexpected(done.error());
+    return store;
+}
+
+core::Expected<StudyStore> StudyStore::open(const StoreLocation& location) {
+    core::Expected<StudyStore> store = opened(location, StudyConnection::Purpose::open);
+    if (store && !store->m_connection->isServer())
+        FileClaim::removeUnheld(location.folder, "running-*.lock");
+    if (store && store->m_connection->isServer()) {
+        if (const core::Expected<void> owned = store->ownFolder(); !owned)
+            return core::Unexpected(owned.error());
+        for (const long long session : TrialJournal::sessionsIn(location.folder)) {
+            if (const core::Expected<void> sent = store->sendPending(session); !sent)
+                return core::Unexpected(sent.error());
+        }
+    }
+    return store;
+}
+
+core::Expected<void> StudyStore::readHead() {
+    auto query =
+        m_connection->run(QStringLiteral("SELECT protocol, seed, mode, planned_participants, lapses, "
+                                         "created_utc, app_version, stimulus_set_sha256 FROM study"));
+    if (!query)
+        return core::Unexpected(query.error());
+    if (!query->next())
+        return core::Unexpected(
+            core::Error{core::ErrorKind::badInput,
+                        StoreText::tr("the study was never completely made").toStdString(),
+                        {},
+                        {m_connection->shownName()}});
+    core::Expected<Protocol> protocol =
+        parseProtocol(query->value(0).toString().toStdString(), m_connection->shownName());
+    if (!protocol)
+        return core::Unexpected(protocol.error());
+    m_head.protocol = std::move(*protocol);
+    m_head.seed = query->value(1).toString().toULongLong();
+    m_head.mode = modeOf(query->value(2).toString().toStdString()).value_or(Mode::run);
+    m_head.plannedParticipants = count(query->value(3));
+    m_head.lapses = query->value(4).toDouble();
+    m_head.created = timeOf(query->value(5).toString());
+    m_head.appVersion = query->value(6).toString().toStdString();
+    m_head.stimulusSetSha256 = query->value(7).toString().toStdString();
+    auto copies = m_connection->run(QStringLiteral("SELECT id, file, pattern FROM stimulus ORDER BY id"));
+    if (!copies)
+        return core::Unexpected(copies.error());
+    std::vector<OwnStimulus> own;
+    while (copies->next())
+        own.push_back({copies->value(0).toString().toStdString(), copies->value(1).toString().toStdString(),
+                       copies->value(2).toString().toStdString()});
+    core::Expected<StimulusSet> stimuli =
+        StimulusSet::of(m_head.protocol, std::move(own), m_connection->shownName());
+    if (!stimuli)
+        return core::Unexpected(stimuli.error());
+    m_head.stimuli = std::move(*stimuli);
+    return {};
+}
+
+core::Expected<Participant> StudyStore::enrol(const std::string& id) {
+    const QString text = QString::fromStdString(id);
+    // Files have these words for no value and for all participants.
+    static const QStringList kReserved{QStringLiteral("NA"), QStringLiteral("n/a"), QStringLiteral("NONE"),
+                                       QStringLiteral("GROUP")};
+    const bool isReserved = kReserved.contains(text);
+    if (text.trimmed().isEmpty() || text.size() > kLongestId || isReserved)
+        return m_connection->refused(
+            StoreText::tr("\"%1\" cannot name a participant").arg(text.left(kLongestId)),
+            isReserved ? StoreText::tr("another name: files have %1 for no value or for all participants")
+                             .arg(kReserved.join(QStringLiteral(", ")))
+                       : StoreText::tr("a text of 1 to %1 characters").arg(kLongestId));
+    // Two stations may read the same highest number; then one of them is refused and reads again.
+    for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
+        const auto made =
+            m_connection->run(QStringLiteral("INSERT INTO participant (id, enrolment) SELECT ?, "
+                                             "COALESCE(MAX(enrolment) + 1, 0) FROM participant"),
+                              {text});
+        if (!made && made.error().kind != core::ErrorKind::refused)
+            return core::Unexpected(made.error());
+        auto query =
+            m_connection->run(QStringLiteral("SELECT key, enrolment FROM participant WHERE id = ?"), {text});
+        if (!query)
+            return core::Unexpected(query.error());
+        const bool isThere = query->next();
+        if (isThere && made)
+            return Participant{query->value(0).toLongLong(), id, count(query->value(1))};
+        if (isThere)
+            return m_connection->refused(
+                StoreText::tr("the participant \"%1\" is enrolled already").arg(text),
+                StoreText::tr("another name"));
+    }
+    return m_connection->refused(StoreText::tr("other stations enrol participants all the time"),
+                                 StoreText::tr("to try again"));
+}
+
+core::Expected<std::vector<Participant>> StudyStore::participants() const {
+    auto query =
+        m_connection->run(QStringLiteral("SELECT key, id, enrolment FROM participant ORDER BY enrolment"));
+    if (!query)
+        return core::Unexpected(query.error());
+    std::vector<Participant> all;
+    while (query->next())
+        all.push_back(
+            {query->value(0).toLongLong(), query->value(1).toString().toStdString(), count(query->value(2))});
+    return all;
+}
+
+core::Expected<ParticipantClaim> StudyStore::claim(const Participant& participant) {
+    auto hold = std::make_unique<ParticipantClaim::Hold>();
+    const auto taken = [&](const std::string& who) {
+        return m_connection->refused(
+            StoreText::tr("\"%1\" is in a session already, at %2")
+                .arg(QString::fromStdString(participant.id), QString::fromStdString(who)),
+            StoreText::tr("one session of a participant at a time"));
+    };
+    if (m_connection->isServer()) {
+        const core::Expected<std::optional<std::string>> who = runner(participant);
+        if (!who)
+            return core::Unexpected(who.error());
+        const core::Expected<bool> locked = *who ? false : m_connection->lock(participant.key);
+        if (!locked)
+            return core::Unexpected(locked.error());
+        if (!*locked)
+            return taken(who->value_or(StoreText::tr("another station").toStdString()));
+        hold->server = m_connection;
+        hold->key = participant.key;
+        return ParticipantClaim(std::move(hold));
+    }
+    const std::string path = claimFile(folder(), participant.enrolment);
+    core::Expected<std::unique_ptr<FileClaim>> file = FileClaim::take(path, thisStation());
+    if (!file)
+        return core::Unexpected(file.error());
+    if (*file == nullptr)
+        return taken(FileClaim::holderOf(path).value_or(StoreText::tr("another station").toStdString()));
+    hold->file = std::move(*file);
+    return ParticipantClaim(std::move(hold));
+}
+
+core::Expected<std::optional<std::string>> StudyStore::runner(const Participant& participant) const {
+    if (m_connection->isServer()) {
+        core::Expected<std::string> who = m_connection->lockedBy(participant.key);
+        if (!who)
+            return core::Unexpected(who.error());
+        return who->empty() ? std::optional<std::string>() : std::optional(std::move(*who));
+    }
+    return FileClaim::holderOf(claimFile(folder(), participant.enrolment));
+}
+
+core::Expected<SessionRecord> StudyStore::beginSession(const Participant& participant, std::size_t planIndex,
+                                                       const PlannedSession& plan, const QDateTime& now) {
+    if (m_head.stimuliChanged().value_or(false))
+        return core::Unexpected(core::Error{
+            core::ErrorKind::refused,
+            StoreText::tr("the patterns are not those with which this study was begun").toStdString(),
+            StoreText::tr("version %1 of the program, or a new study")
+                .arg(QString::fromStdString(m_head.appVersion))
+                .toStdString(),
+            {shownName()}});
+    const QString second = now.toUTC().toString(QStringLiteral("yyyyMMdd'T'HHmmss"));
+    constexpr int kMostRefusals = 10;
+    int refusals = 0;
+    for (int sameSecond = 1;; ++sameSecond) {
+        core::Expected<std::vector<SessionRecord>> known = sessions(participant);
+        if (!known)
+            return core::Unexpected(known.error());
+        bool taken = false;
+        const QString id = sameSecond == 1 ? second : QStringLiteral("%1x%2").arg(second).arg(sameSecond);
+        for (SessionRecord& session : *known) {
+            if (session.planIndex == planIndex)
+                return std::move(session);
+            taken = taken || session.id == id.toStdString();
+        }
+        if (taken)
+            continue;
+        const auto made = m_connection->run(
+            QStringLiteral("INSERT INTO session (participant, id, plan_index, seed) VALUES (?, ?, ?, ?)"),
+            {participant.key, id, number(planIndex), QString::number(plan.seed)});
+        if (made)
+            continue; // the next round reads it
+        // Another station may just have begun this session or taken this name; the next round sees it. A
+        // refusal that nobody else explains comes back every time.
+        if (made.error().kind != core::ErrorKind::refused || ++refusals == kMostRefusals)
+            return core::Unexpected(made.error());
+    }
+}
+
+core::Expected<void> StudyStore::finishSession(const SessionRecord& session) {
+    const auto done =
+        m_connection->run(QStringLiteral("UPDATE session SET finished = 1 WHERE key = ?"), {session.key});
+    if (!done)
+        return core::Unexpected(done.error());
+    return {};
+}
+
+core::Expected<std::vector<SessionRecord>> StudyStore::sessions(const Participant& participant) const {
+    auto query = m_connection->run(
+        QStringLiteral(
+            "SELECT key, id, plan_index, finished FROM session WHERE participant = ? ORDER BY plan_index"),
+        {participant.key});
+    if (!query)
+        return core::Unexpected(query.error());
+    const std::size_t planned = planSessions(m_head.protocol, m_head.seed, participant.enrolment).size();
+    std::vector<SessionRecord> all;
+    while (query->next()) {
+        all.push_back({query->value(0).toLongLong(), query->value(1).toString().toStdString(),
+                       count(query->value(2)), query->value(3).toInt() != 0});
+        if (all.back().planIndex >= planned)
+            return m_connection->damaged();
+    }
+    return all;
+}
+
+} // namespace teleta::study

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/error.h"
+#include "backend/study/protocol/trial.h"
+
+#include <QDateTime>
+
+#include <string>
+#include <vector>
+
+namespace teleta::study {
+
+/// A trial that a server has not got yet.
+struct PendingTrial {
+    long long sessionKey = 0;
+    std::string sessionId;
+    TrialResult result;
+    QDateTime time; ///< UTC of its end
+};
+
+/// Trials of one session that wait for their server, in a file pending-KEY.jsonl of the study's folder, one
+/// JSON object a line, so that they outlive the program. Thread: one; several processes use files of their
+/// own.
+class TrialJournal {
+public:
+    TrialJournal(const std::string& folder, long long sessionKey);
+
+    /// Safe on the disk when it returns. Error: ioFailed.
+    [[nodiscard]] core::Expected<void> append(const PendingTrial& trial) const;
+    /// A last line that was cut off by a crash was never reported as safe and is left out. Error: ioFailed,
+    /// badInput with the line for any other damage.
+    [[nodiscard]] core::Expected<std::vector<PendingTrial>> read() const;
+    /// When everything of it is on the server.
+    [[nodiscard]] core::Expected<void> remove() const;
+
+    [[nodiscard]] const std::string& path() const { return m_path; }
+
+    /// Keys of the sessions that have a file in a folder.
+    [[nodiscard]] static std::vector<long long> sessionsIn(const std::string& folder);
+
+private:
+    std::string m_path;
+};
+
+} // namespace teleta::study

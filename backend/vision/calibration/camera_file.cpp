@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/vision/calibration/camera_file.h"
+
+#include "backend/core/data/json_document.h"
+#include "backend/core/data/output_file.h"
+
+#include <QCoreApplication>
+#include <QFile>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+namespace teleta::vision {
+
+namespace {
+
+using core::JsonDocument;
+using core::JsonReader;
+using nlohmann::ordered_json;
+
+struct CameraText {
+    Q_DECLARE_TR_FUNCTIONS(CameraText)
+};
+
+constexpr const char* kFormat = "teleta-camera";
+constexpr long long kVersion = 1;
+constexpr double kHuge = 1e9;
+constexpr std::array<const char*, 8> kLensKeys{"k1", "k2", "k3", "k4", "k5", "k6", "p1", "p2"};
+constexpr std::array<std::string_view, 14> kKeys{
+    "format",   "version",    "width_px",        "height_px", "K",        "R",          "C_m",
+    "mirrored", "distortion", "valid_radius_px", "cylinder",  "noise_px", "covariance", "calibration"};
+
+template <typename Matrix>
+ordered_json rowsOf(const Matrix& matrix) {
+    ordered_json rows = ordered_json::array();
+    for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+        ordered_json row = ordered_json::array();
+        for (Eigen::Index j = 0; j < matrix.cols(); ++j)
+            row.push_back(matrix(i, j));
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+template <typename Matrix>
+void readRows(JsonReader& reader, const ordered_json& value, Matrix& matrix) {
+    const auto rows = static_cast<std::size_t>(matrix.rows());
+    const auto columns = static_cast<std::size_t>(matrix.cols());
+    const ordered_json& all = reader.array(value, rows, rows);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const ordered_json& row = reader.array(all[i], columns, columns);
+        for (std::size_t j = 0; j < row.size(); ++j)
+            matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
+                reader.number(row[j], -1e300, 1e300);
+    }
+}
+
+std::array<double*, 8> values(RationalDistortion& k) {
+    return {&k.k1, &k.k2, &k.k3, &k.k4, &k.k5, &k.k6, &k.p1, &k.p2};
+}
+
+void readFocus(JsonReader& reader, CameraParameters& camera) {
+    Eigen::Matrix3d k = Eigen::Matrix3d::Identity();
+    const ordered_json& value = reader.member(reader.root(), "K");
+    readRows(reader, value, k);
+    if (!reader.error() && (k(1, 0) != 0.0 || k(2, 0) != 0.0 || k(2, 1) != 0.0 || k(2, 2) != 1.0))
+        reader.fail(value, CameraText::tr("this is no camera matrix").toStdString(),
+                    "[[fx, s, cx], [0, fy, cy], [0, 0, 1]]");
+    camera.fx_px = k(0, 0);
+    camera.skew_px = k(0, 1);
+    camera.cx_px = k(0, 2);
+    camera.fy_px = k(1, 1);
+    camera.cy_px = k(1, 2);
+}
+
+std::string wordsFor(CameraModel::Refusal refusal) {
+    switch (refusal) {
+    case CameraModel::Refusal::notFinite:
+    case CameraModel::Refusal::noImage:
+        return CameraText::tr("a parameter is out of range").toStdString();
+    case CameraModel::Refusal::noFocus:
+        return CameraText::tr("the focal lengths in K are not positive").toStdString();
+    case CameraModel::Refusal::notRotation:
+        return CameraText::tr("R is no rotation").toStdString();
+    case CameraModel::Refusal::folds:
+        return CameraText::tr("the distortion folds on the axis already").toStdString();
+    }
+    return {};
+}
+
+} // namespace
+
+CalibrationSummary summaryOf(const Calibration& calibration) {
+    return {toString(calibration.method), calibration.residuals.size(), calibration.kept,
+            calibration.rms_px,           calibration.mean_px,          calibration.mean_error_m};
+}
+
+ordered_json cameraJson(const CameraFile& file) {
+    const CameraModel& model = file.camera.camera();
+    CameraParameters parameters = model.parameters();
+    ordered_json lens;
+    const auto lensValues = values(parameters.distortion);
+    for (std::size_t i = 0; i < kLensKeys.size(); ++i)
+        lens[kLensKeys[i]] = *lensValues[i];
+    const CylinderSurface& surface = file.camera.surface();
+    ordered_json document{{"format", kFormat},
+                          {"version", kVersion},
+                          {"width_px", parameters.width_px},
+                          {"height_px", parameters.height_px},
+                          {"K", rowsOf(parameters.cameraMatrix_px())},
+                          {"R", rowsOf(parameters.R_Camera_Sensor)},
+                          {"C_m", rowsOf(parameters.p_Sensor_Camera_m.transpose())[0]},
+                          {"mirrored", parameters.mirrored},
+                          {"distortion", std::move(lens)},
+                          {"valid_radius_px", model.validRadius_px()},
+                          {"cylinder",
+                           {{"radius_m", surface.radius_m},
+                            {"lowest_z_m", surface.lowest_z_m},
+                            {"highest_z_m", surface.highest_z_m}}},
+                          {"noise_px", file.camera.noise_px()},
+                          {"covariance", rowsOf(file.camera.covariance())},
+                          {"calibration",
+                           {{"method", file.summary.method},
+                            {"pairs", file.summary.pairs},
+                            {"kept", file.summary.kept},
+                            {"rms_px", file.summary.rms_px},
+                            {"mean_px", file.summary.mean_px},
+                            {"mean_mm", 1e3 * file.summary.mean_error_m}}}};
+    for (const auto& [key, value] : file.others.items())
+        document[key] = value;
+    return document;
+}
+
+core::Expected<CameraFile> parseCamera(std::string text, const std::string& file) {
+    const core::Expected<JsonDocument> document = JsonDocument::parse(std::move(text), file);
+    if (!document)
+        return core::Unexpected(document.error());
+    JsonReader reader(*document);
+    const ordered_json& root = reader.root();
+    if (const ordered_json* format = reader.find(root, "format");
+        !reader.error() && (format == nullptr || *format != kFormat))
+        reader.fail(format == nullptr ? root : *format,
+                    CameraText::tr("this is no camera file").toStdString(), "\"format\": \"teleta-camera\"");
+    if (const ordered_json& version = reader.member(root, "version");
+        !reader.error() && reader.integer(version, 1, 1'000'000) > kVersion)
+        reader.fail(version, CameraText::tr("the file is of a newer version").toStdString(),
+                    std::to_string(kVersion));
+
+    CameraParameters camera;
+    camera.width_px = static_cast<int>(reader.integer(reader.member(root, "width_px"), 1, kLargestSide_px));
+    camera.height_px = static_cast<int>(reader.integer(reader.member(root, "height_px"), 1, kLargestSide_px));
+    readFocus(reader, camera);
+    readRows(reader, reader.member(root, "R"), camera.R_Camera_Sensor);
+    const ordered_json& centre = reader.array(reader.member(root, "C_m"), 3, 3);
+    for (std::size_t i = 0; i < centre.size(); ++i)
+        camera.p_Sensor_Camera_m[static_cast<Eigen::Index>(i)] = reader.number(centre[i], -kHuge, kHuge);
+    camera.mirrored = reader.boolean(root, "mirrored", false);
+    const ordered_json& lens = reader.member(root, "distortion");
+    const auto lensValues = values(camera.distortion);
+    for (std::size_t i = 0; i < kLensKeys.size(); ++i)
+        *lensValues[i] = reader.number(lens, kLensKeys[i], -kHuge, kHuge, 0.0);
+
+    CylinderSurface surface;
+    if (const ordered_json* cylinder = reader.find(root, "cylinder")) {
+        surface.radius_m = reader.number(*cylinder, "radius_m", 1e-9, kHuge, surface.radius_m);
+        surface.lowest_z_m = reader.number(*cylinder, "lowest_z_m", -kHuge, kHuge, surface.lowest_z_m);
+        surface.highest_z_m = reader.number(*cylinder, "highest_z_m", -kHuge, kHuge, surface.highest_z_m);
+        if (!surface.isUsable())
+            reader.fail(*cylinder, CameraText::tr("the cylinder has no length").toStdString(),
+                        "lowest_z_m < highest_z_m");
+    }
+    const double noise_px = reader.number(root, "noise_px", 0.0, kHuge, 0.0);
+    CameraCovariance covariance = CameraCovariance::Zero();
+    if (const ordered_json* rows = reader.find(root, "covariance"))
+        readRows(reader, *rows, covariance);
+    CalibrationSummary summary;
+    if (const ordered_json* told = reader.find(root, "calibration")) {
+        summary.method = reader.text(*told, "method", {});
+        summary.pairs = static_cast<std::size_t>(reader.number(*told, "pairs", 0, kHuge, 0));
+        summary.kept = static_cast<std::size_t>(reader.number(*told, "kept", 0, kHuge, 0));
+        summary.rms_px = reader.number(*told, "rms_px", 0.0, kHuge, 0.0);
+        summary.mean_px = reader.number(*told, "mean_px", 0.0, kHuge, 0.0);
+        summary.mean_error_m = 1e-3 * reader.number(*told, "mean_mm", 0.0, kHuge, 0.0);
+    }
+    if (reader.error())
+        return core::Unexpected(*reader.error());
+    const auto model = CameraModel::create(camera);
+    if (!model)
+        return core::Unexpected(document->errorAt(root, wordsFor(model.error()), {}));
+    CameraFile result{CylinderCamera(*model, surface, covariance, noise_px), summary};
+    for (const auto& [key, value] : root.items()) {
+        if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end())
+            result.others[key] = value;
+    }
+    return result;
+}
+
+core::Expected<CameraFile> readCamera(const std::string& path) {
+    QFile file(QString::fromStdString(path));
+    if (!file.open(QIODevice::ReadOnly))
+        return core::Unexpected(
+            core::Error{core::ErrorKind::notFound, file.errorString().toStdString(), {}, {path, 0, 0}});
+    const QByteArray bytes = file.read(static_cast<qint64>(JsonDocument::kMostBytes) + 1);
+    if (file.error() != QFileDevice::NoError)
+        return core::Unexpected(
+            core::Error{core::ErrorKind::ioFailed, file.errorString().toStdString(), {}, {path, 0, 0}});
+    return parseCamera(bytes.toStdString(), path);
+}
+
+core::Expected<void> writeCamera(const CameraFile& camera, const std::string& path) {
+    core::Expected<core::OutputFile> file = core::OutputFile::create(path);
+    if (!file)
+        return core::Unexpected(file.error());
+    file->write(cameraJson(camera).dump(2) + "\n");
+    return file->finish();
+}
+
+} // namespace teleta::vision

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/core/data/csv_reader.h"
+#include "backend/core/data/csv_writer.h"
+#include "backend/vision/calibration/camera_file.h"
+
+#include <QCoreApplication>
+
+#include <array>
+#include <string_view>
+
+namespace teleta::vision {
+
+namespace {
+
+struct PairText {
+    Q_DECLARE_TR_FUNCTIONS(PairText)
+};
+
+constexpr std::array<std::string_view, 5> kPairColumns{"u_px", "v_px", "x_m", "y_m", "z_m"};
+
+} // namespace
+
+core::Expected<std::vector<CalibrationPair>> readPairs(const std::string& path, bool (*cancelled)()) {
+    core::Expected<core::CsvReader> reader = core::CsvReader::open(path);
+    if (!reader)
+        return core::Unexpected(reader.error());
+    const core::Expected<std::vector<std::size_t>> columns = reader->columns(kPairColumns);
+    if (!columns)
+        return core::Unexpected(columns.error());
+    // A fit of more would take minutes.
+    constexpr std::size_t kMostPairs = 100'000;
+    std::vector<CalibrationPair> pairs;
+    std::vector<double> row;
+    for (;;) {
+        const core::Expected<bool> more = reader->next(row);
+        if (!more)
+            return core::Unexpected(more.error());
+        if (!*more)
+            return pairs;
+        if (cancelled != nullptr && cancelled())
+            return core::Unexpected(
+                core::Error{core::ErrorKind::cancelled, PairText::tr("interrupted").toStdString(), {}, {}});
+        const auto value = [&](std::size_t i) { return row[(*columns)[i]]; };
+        pairs.push_back({{value(0), value(1)}, {value(2), value(3), value(4)}});
+        if (pairs.size() > kMostPairs)
+            return core::Unexpected(core::Error{
+                core::ErrorKind::badInput, PairText::tr("the file has too many pairs").toStdString(),
+                PairText::tr("at most %1").arg(kMostPairs).toStdString(), reader->place(0)});
+    }
+}
+
+core::Expected<void> writePairs(const std::vector<CalibrationPair>& pairs, const std::string& path) {
+    core::Expected<core::CsvWriter> csv = core::CsvWriter::create(path, kPairColumns);
+    if (!csv)
+        return core::Unexpected(csv.error());
+    for (const CalibrationPair& pair : pairs) {
+        for (const double value : pair.pixel)
+            csv->number(value);
+        for (const double value : pair.p_Sensor_m)
+            csv->number(value);
+        csv->endRow();
+    }
+    return csv->finish();
+}
+
+core::Expected<void> writeResiduals(const std::vector<CalibrationPair>& pairs, const Calibration& calibration,
+                                    const std::string& path) {
+    constexpr std::array<std::string_view, 12> kColumns{
+        "u_px",  "v_px",  "x_m",         "y_m",         "z_m",         "kept",
+        "du_px", "dv_px", "x_located_m", "y_located_m", "z_located_m", "error_m"};
+    core::Expected<core::CsvWriter> csv = core::CsvWriter::create(path, kColumns);
+    if (!csv)
+        return core::Unexpected(csv.error());
+    const auto numbers = [&](const auto& optional, Eigen::Index count) {
+        for (Eigen::Index i = 0; i < count; ++i)
+            csv->number(optional ? std::optional<double>((*optional)[i]) : std::nullopt);
+    };
+    for (std::size_t i = 0; i < pairs.size() && !csv->failed(); ++i) {
+        for (const double value : pairs[i].pixel)
+            csv->number(value);
+        for (const double value : pairs[i].p_Sensor_m)
+            csv->number(value);
+        const PairResidual& residual = calibration.residuals[i];
+        csv->integer(residual.kept ? 1 : 0);
+        numbers(residual.error_px, 2);
+        numbers(residual.located_m, 3);
+        csv->number(residual.error_m);
+        csv->endRow();
+    }
+    return csv->finish();
+}
+
+core::Error describe(CalibrationRefusal refusal, std::size_t pairs) {
+    core::Error error;
+    error.kind = core::ErrorKind::refused;
+    const auto say = [&](const QString& message, const QString& expected) {
+        error.message = message.toStdString();
+        error.expected = expected.toStdString();
+    };
+    const QString spread = PairText::tr("points at several heights and all around the cylinder");
+    switch (refusal) {
+    case CalibrationRefusal::notFinite:
+        error.kind = core::ErrorKind::badInput;
+        say(PairText::tr("a coordinate is not a number, or too large"),
+            PairText::tr("finite pixels and metres"));
+        break;
+    case CalibrationRefusal::badSettings:
+        say(PairText::tr("the image or the cylinder has no size that can be used"),
+            PairText::tr("a positive radius, width and height of 1 to %1 pixels").arg(kLargestSide_px));
+        break;
+    case CalibrationRefusal::tooFewPairs:
+        say(PairText::tr("there are too few pairs: %1").arg(pairs),
+            PairText::tr("at least 6, better 50 or more"));
+        break;
+    case CalibrationRefusal::repeatedPoints:
+        say(PairText::tr("the pairs repeat fewer than six different points"),
+            PairText::tr("at least 6 different points, each with its own pixel"));
+        break;
+    case CalibrationRefusal::onOneLine:
+        say(PairText::tr("all points are on one line of the cylinder: the camera may turn about that line "
+                         "without a change in the image"),
+            spread);
+        break;
+    case CalibrationRefusal::onOneRing:
+        say(PairText::tr("all points are on one ring of the cylinder: the camera's distance and its focal "
+                         "length cannot be told apart"),
+            spread);
+        break;
+    case CalibrationRefusal::inOnePlane:
+        say(PairText::tr("all points are in one plane: the camera's distance and its focal length cannot be "
+                         "told apart"),
+            spread);
+        break;
+    case CalibrationRefusal::noAgreement:
+        say(PairText::tr("no camera agrees with enough of the pairs"),
+            PairText::tr("half of the pairs and at least %1 in agreement: pixels in the order of their "
+                         "points, the right image size and cylinder radius")
+                .arg(kFewestAgreeing));
+        break;
+    case CalibrationRefusal::notDetermined:
+        say(PairText::tr("the pairs leave the camera undetermined: points on the surface would be uncertain "
+                         "by more than %1 mm")
+                .arg(1e3 * kLargestUncertainty_m),
+            PairText::tr("more pairs, spread over the whole surface"));
+        break;
+    case CalibrationRefusal::folds:
+        say(PairText::tr("the lens model folds over within the pairs"),
+            PairText::tr("more pairs near the lens, where the distortion is strongest"));
+        break;
+    }
+    return error;
+}
+
+} // namespace teleta::vision

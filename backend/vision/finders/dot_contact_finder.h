@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/vision/finders/contact_finder.h"
+#include "backend/vision/finders/contact_ladder.h"
+#include "backend/vision/finders/dot_tracker.h"
+#include "backend/vision/finders/skin_patches.h"
+#include "backend/vision/finders/skin_sample.h"
+
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+namespace teleta::vision {
+
+/// Contacts from the displacements of the printed dots. The reference is unrolled to find the dots, which
+/// then are tracked in the image itself. Thread: one.
+class DotContactFinder : public ContactFinder {
+public:
+    /// stop: ends the work on the lens in the first setReference().
+    DotContactFinder(const CylinderCamera& camera, const ContactSettings& settings,
+                     std::stop_token stop = {});
+
+    void forget() override;
+    [[nodiscard]] std::vector<Arrow> arrows(std::size_t about) const override;
+
+    /// Dots that were found in the newest frame.
+    [[nodiscard]] std::size_t dotsFound() const { return m_found; }
+    [[nodiscard]] const std::optional<DotTracker>& tracker() const { return m_tracker; }
+
+private:
+    [[nodiscard]] core::Expected<void> takeReference(const cv::Mat1b& frame) override;
+    [[nodiscard]] core::Expected<std::vector<CameraContact>> findIn(const cv::Mat1b& frame) override;
+
+    struct Unrolled {
+        cv::Mat2f toImage;
+        cv::Mat1b mask;
+        double step_m = 0.0;
+        int wrap = 0; ///< columns that are repeated on each side
+    };
+    [[nodiscard]] Unrolled unrolled() const;
+    [[nodiscard]] cv::Mat1b skinMask() const;
+    /// What depends on the camera alone, once: the lens is inverted for each pixel. False when it was
+    /// stopped.
+    [[nodiscard]] bool prepareMaps();
+    /// Without dots of neighbouring rings that the image cannot tell apart, as at the far end of few pixels:
+    /// there noise alone would look like a contact.
+    void dropUnresolved(std::vector<TrackedDot>& dots, std::vector<SkinSample>& samples) const;
+    void findNeighbours(const std::vector<SkinSample>& samples);
+    [[nodiscard]] CameraContact contactOf(const SkinPatch& patch) const;
+    void outline(const SkinPatch& patch, CameraContact& contact) const;
+
+    CylinderCamera m_camera;
+    CylinderSurface m_skin;
+    ContactSettings m_settings;
+    SkinPatches m_patches;
+    std::stop_token m_stop;
+    Unrolled m_unrolled;
+    cv::Mat1b m_skinMask;
+    std::optional<DotTracker> m_tracker;
+    std::vector<SkinSample> m_samples; ///< of each dot
+    std::vector<SkinNode> m_nodes;
+    std::vector<std::vector<std::size_t>> m_neighbours;
+    double m_pitch_m = 0.0; ///< median distance of the nearest dot
+    std::size_t m_found = 0;
+    bool m_beforeKnown = false; ///< m_nodes are those of the frame before
+};
+
+} // namespace teleta::vision

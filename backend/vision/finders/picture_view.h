@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/device/camera_source.h"
+
+#include <opencv2/core/mat.hpp>
+
+#include <cstdint>
+
+namespace teleta::vision {
+
+/// The pixels of a picture themselves, to which nobody may write; empty without a picture. Valid while the
+/// picture, or a copy of it, is kept. Thread: any (pure).
+[[nodiscard]] inline cv::Mat1b viewOf(const core::GreyImage& image) {
+    if (image.isEmpty())
+        return {};
+    return {image.height_px, image.width_px, const_cast<std::uint8_t*>(image.pixels.get())};
+}
+
+} // namespace teleta::vision

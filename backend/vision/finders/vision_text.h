@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/error.h"
+#include "backend/vision/camera/cylinder_projection.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+#include <opencv2/core.hpp>
+
+#include <new>
+
+namespace teleta::vision {
+
+/// Texts and errors that the contact finders share.
+struct VisionText {
+    Q_DECLARE_TR_FUNCTIONS(VisionText)
+};
+
+[[nodiscard]] inline core::Unexpected refused(const QString& message, const QString& expected = {}) {
+    return core::Unexpected(
+        core::Error{core::ErrorKind::refused, message.toStdString(), expected.toStdString(), {}});
+}
+
+[[nodiscard]] inline core::Error noReference() {
+    return {core::ErrorKind::refused,
+            VisionText::tr("There is no frame of the untouched skin to compare with.").toStdString(),
+            {},
+            {}};
+}
+
+[[nodiscard]] inline core::Error cancelledMaking() {
+    return {core::ErrorKind::cancelled,
+            VisionText::tr("The camera was closed before it was ready.").toStdString(),
+            {},
+            {}};
+}
+
+/// What work returns; what OpenCV or the memory throw in it becomes an error: refused.
+template <typename Work>
+[[nodiscard]] auto withoutExceptions(Work work) -> decltype(work()) {
+    try {
+        return work();
+    } catch (const cv::Exception& error) {
+        return refused(
+            VisionText::tr("The image cannot be worked on: %1").arg(QString::fromStdString(error.err)));
+    } catch (const std::bad_alloc&) {
+        return refused(VisionText::tr("There is too little memory for images of this size."));
+    }
+}
+
+/// Error: refused when a frame is not as large as the camera's image.
+[[nodiscard]] inline core::Expected<void> checkSize(int width_px, int height_px,
+                                                    const CylinderCamera& camera) {
+    const CameraParameters& own = camera.camera().parameters();
+    if (width_px == own.width_px && height_px == own.height_px)
+        return {};
+    return refused(VisionText::tr("The frame has %1 x %2 pixels.").arg(width_px).arg(height_px),
+                   VisionText::tr("%1 x %2 pixels, as in the camera's calibration")
+                       .arg(own.width_px)
+                       .arg(own.height_px));
+}
+
+} // namespace teleta::vision

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Finds every library that the module graph names.
+include_guard(GLOBAL)
+
+find_package(Threads REQUIRED)
+find_package(Qt6 6.4 REQUIRED COMPONENTS Core LinguistTools Sql)
+find_package(Boost 1.74 REQUIRED)
+find_package(Ceres 2.1 REQUIRED)
+find_package(CLI11 2.1 REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(tomlplusplus 3.3 CONFIG REQUIRED)
+# Never highgui: Debian's links Qt 5.
+find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgcodecs imgproc video videoio)
+find_path(TELETA_EXPECTED tl/expected.hpp REQUIRED)
+find_path(TELETA_READERWRITERQUEUE readerwriterqueue/readerwritercircularbuffer.h REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(HIDAPI REQUIRED IMPORTED_TARGET hidapi-hidraw)
+pkg_check_modules(LIBMODBUS REQUIRED IMPORTED_TARGET libmodbus)
+pkg_check_modules(LIBZIP REQUIRED IMPORTED_TARGET libzip)
+pkg_check_modules(RSVG REQUIRED IMPORTED_TARGET librsvg-2.0 cairo cairo-pdf cairo-png)
+
+if(TELETA_GUI)
+    find_package(Qt6 6.4 REQUIRED COMPONENTS Multimedia OpenGL OpenGLWidgets PrintSupport Svg Widgets)
+
+    find_library(TELETA_QCUSTOMPLOT QCustomPlotQt6 REQUIRED)
+    find_path(TELETA_QCUSTOMPLOT_INCLUDE qcustomplot.h REQUIRED)
+    add_library(teleta_qcustomplot INTERFACE)
+    target_include_directories(teleta_qcustomplot SYSTEM INTERFACE "${TELETA_QCUSTOMPLOT_INCLUDE}")
+    target_link_libraries(teleta_qcustomplot INTERFACE "${TELETA_QCUSTOMPLOT}" Qt6::PrintSupport)
+
+    # Debian's VTK widgets are Qt 5, so GUISupportQt is never named here and VtkWidget takes its place.
+    find_package(
+        VTK 9.1 REQUIRED
+        COMPONENTS CommonCore
+                   CommonDataModel
+                   CommonExecutionModel
+                   CommonMath
+                   CommonTransforms
+                   FiltersCore
+                   FiltersGeneral
+                   InteractionStyle
+                   IOGeometry
+                   IOPLY
+                   IOXML
+                   RenderingCore
+                   RenderingOpenGL2)
+    add_library(teleta_vtk INTERFACE)
+    target_link_libraries(teleta_vtk INTERFACE ${VTK_LIBRARIES})
+endif()

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/core/data/toml_table.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+using teleta::core::ErrorKind;
+using teleta::core::NumberRange;
+using teleta::core::TomlDocument;
+using teleta::core::TomlTable;
+
+namespace {
+
+/// What describe() says after these reads of a text; empty when all is well.
+std::string errorOf(const std::string& text, const std::function<void(TomlTable&)>& read) {
+    const auto document = TomlDocument::parse(text, "f.toml");
+    if (!document)
+        return describe(document.error());
+    TomlTable root = document->root();
+    read(root);
+    root.finish();
+    return document->firstError() ? describe(*document->firstError()) : "";
+}
+
+} // namespace
+
+TEST(TomlTable, readsEveryTypeAndFallsBackOnlyWhenTheKeyIsMissing) {
+    const std::string text = "t = 'text'\nn = 2.5\nwhole = 3\ni = -4\nb = true\nc = 'two'\nx = nan\n"
+                             "[sub]\nn = 1\n[[list]]\ni = 1\n[[list]]\ni = 2\n";
+    const std::string error = errorOf(text, [](TomlTable& root) {
+        EXPECT_EQ(root.text("t"), "text");
+        EXPECT_EQ(root.text("t", "other"), "text");
+        EXPECT_EQ(root.text("missing_t", "other"), "other");
+        EXPECT_EQ(root.number("n", NumberRange::any()), 2.5);
+        EXPECT_EQ(root.number("whole", NumberRange::any()), 3.0);
+        EXPECT_EQ(root.number("missing_n", NumberRange::positive(), 7.0), 7.0);
+        EXPECT_TRUE(std::isnan(root.number("x", NumberRange::anyOrNan())));
+        EXPECT_EQ(root.integer("i", -4, 4), -4);
+        EXPECT_EQ(root.integer("missing_i", 0, 4, 2), 2);
+        EXPECT_TRUE(root.boolean("b", false));
+        EXPECT_TRUE(root.boolean("missing_b", true));
+        EXPECT_EQ(root.choice("c", {"one", "two"}), 1U);
+        EXPECT_TRUE(root.has("t"));
+        EXPECT_FALSE(root.has("u"));
+        TomlTable sub = root.table("sub");
+        EXPECT_EQ(sub.number("n", NumberRange::any()), 1.0);
+        EXPECT_EQ(sub.place().line, 8);
+        std::vector<TomlTable> list = root.tables("list", 2);
+        ASSERT_EQ(list.size(), 2U);
+        EXPECT_EQ(list[1].integer("i", 0, 9), 2);
+        EXPECT_TRUE(root.tables("missing_list", 0).empty());
+    });
+    EXPECT_EQ(error, "");
+}
+
+TEST(TomlTable, saysWhereAValueIsWrongAndWhatWasExpected) {
+    const auto number = [](const NumberRange& range) {
+        return [range](TomlTable& root) { (void)root.number("v", range); };
+    };
+    EXPECT_EQ(errorOf("\n  v = 'a'", number(NumberRange::positive())),
+              "f.toml:2:7: wrong type for \"v\" (expected a number above 0)");
+    EXPECT_EQ(errorOf("v = 0.0", number(NumberRange::positive())),
+              "f.toml:1:5: \"v\" is out of range: 0 (expected a number above 0)");
+    EXPECT_EQ(errorOf("v = -1", number(NumberRange::notNegative())),
+              "f.toml:1:5: \"v\" is out of range: -1 (expected a number of at least 0)");
+    EXPECT_EQ(errorOf("v = 1.5", number(NumberRange::between(0, 1))),
+              "f.toml:1:5: \"v\" is out of range: 1.5 (expected a number from 0 to 1)");
+    EXPECT_EQ(errorOf("v = inf", number(NumberRange::any())),
+              "f.toml:1:5: \"v\" is out of range: inf (expected a finite number)");
+    EXPECT_EQ(errorOf("v = nan", number(NumberRange::between(0, 1))),
+              "f.toml:1:5: \"v\" is out of range: nan (expected a number from 0 to 1)");
+    EXPECT_EQ(errorOf("v = 2.0", [](TomlTable& root) { (void)root.integer("v", 1, 9); }),
+              "f.toml:1:5: wrong type for \"v\" (expected a whole number from 1 to 9)");
+    EXPECT_EQ(errorOf("v = 10", [](TomlTable& root) { (void)root.integer("v", 1, 9); }),
+              "f.toml:1:5: \"v\" is out of range: 10 (expected a whole number from 1 to 9)");
+    EXPECT_EQ(errorOf("v = 1", [](TomlTable& root) { (void)root.boolean("v", false); }),
+              "f.toml:1:5: wrong type for \"v\" (expected true or false)");
+    EXPECT_EQ(errorOf("v = 1", [](TomlTable& root) { (void)root.text("v"); }),
+              "f.toml:1:5: wrong type for \"v\" (expected a text in quotes)");
+    EXPECT_EQ(errorOf("v = ''", [](TomlTable& root) { (void)root.text("v"); }),
+              "f.toml:1:5: \"v\" is empty (expected a text in quotes)");
+    EXPECT_EQ(
+        errorOf("v = 'tow'",
+                [](TomlTable& root) {
+                    (void)root.choice("v", {"one", "two", "three"});
+                }),
+        "f.toml:1:5: unknown value \"tow\" of \"v\"; perhaps \"two\" is meant (expected one of: one, two, "
+        "three)");
+    EXPECT_EQ(errorOf("v = 1", [](TomlTable& root) { (void)root.table("v"); }),
+              "f.toml:1:5: wrong type for \"v\" (expected a table: [v])");
+    EXPECT_EQ(errorOf("[v]\n", [](TomlTable& root) { (void)root.tables("v", 0); }),
+              "f.toml:1:1: wrong type for \"v\" (expected tables: [[v]] or v = [{...}])");
+    EXPECT_EQ(errorOf("v = [1]", [](TomlTable& root) { (void)root.tables("v", 0); }),
+              "f.toml:1:5: wrong type for \"v\" (expected tables: [[v]] or v = [{...}])");
+    EXPECT_EQ(errorOf("v = []", [](TomlTable& root) { (void)root.tables("v", 1); }),
+              "f.toml:1:5: \"v\" has too few entries (expected at least 1)");
+}
+
+TEST(TomlTable, namesTheFirstUnknownKeyRatherThanTheOneThatIsThenMissing) {
+    const auto read = [](TomlTable& root) {
+        (void)root.number("radius_m", NumberRange::positive());
+        (void)root.text("name");
+    };
+    EXPECT_EQ(errorOf("name = 'a'\nradus_m = 1\nabc = 2", read),
+              "f.toml:2:1: unknown key \"radus_m\"; perhaps \"radius_m\" is meant (expected one of: "
+              "radius_m, name)");
+    EXPECT_EQ(errorOf("name = 'a'\nradius = 1", read),
+              "f.toml:2:1: \"radius\" has no unit in its name (expected radius_m)");
+    EXPECT_EQ(errorOf("name = 'a'\nradius_mm = 1", read),
+              "f.toml:2:1: \"radius_mm\" has another unit in its name (expected radius_m)");
+    EXPECT_EQ(errorOf("name = 'a'\nradius_m = 1\ncolour = 1", read),
+              "f.toml:3:1: unknown key \"colour\" (expected one of: radius_m, name)");
+    EXPECT_EQ(errorOf("name = 'a'", read), "f.toml: \"radius_m\" is missing");
+}
+
+TEST(TomlTable, keepsTheFirstErrorAndReadsOnWithStandIns) {
+    const std::string error = errorOf("a = 'x'\nb = 'y'", [](TomlTable& root) {
+        EXPECT_EQ(root.number("a", NumberRange::any()), 0.0);
+        EXPECT_EQ(root.integer("b", 3, 5), 3);
+        TomlTable missing = root.table("t");
+        EXPECT_EQ(missing.number("n", NumberRange::positive()), 0.0);
+        EXPECT_EQ(missing.text("s"), "");
+        EXPECT_TRUE(missing.tables("l", 1).empty());
+        missing.finish();
+    });
+    EXPECT_EQ(error, "f.toml:1:5: wrong type for \"a\" (expected a finite number)");
+}
+
+TEST(TomlDocument, placesASyntaxErrorAndTellsAMissingFileFromAnEmptyOne) {
+    const auto wrong = TomlDocument::parse("a = 1\nb = = 2\n", "f.toml");
+    ASSERT_FALSE(wrong);
+    EXPECT_EQ(wrong.error().kind, ErrorKind::badInput);
+    EXPECT_EQ(wrong.error().where.file, "f.toml");
+    EXPECT_EQ(wrong.error().where.line, 2);
+    EXPECT_EQ(wrong.error().where.column, 5);
+
+    const auto missing = TomlDocument::open("/nonexistent/scene.toml");
+    ASSERT_FALSE(missing);
+    EXPECT_EQ(missing.error().kind, ErrorKind::notFound);
+    EXPECT_TRUE(TomlDocument::open("/dev/null"));
+    EXPECT_FALSE(TomlDocument::open(TELETA_SOURCE_DIR)) << "a folder is no file";
+}

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/base/controls/badge.h"
+
+#include "widgets/base/theme.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+
+namespace teleta::base {
+
+namespace {
+
+QFont badgeFont(const QFont& font) {
+    QFont result = sized(font, kSmallText);
+    result.setBold(true);
+    return result;
+}
+
+} // namespace
+
+QString provenanceText(Provenance provenance) {
+    switch (provenance) {
+    case Provenance::simulated:
+        return QCoreApplication::translate("Provenance", "SIMULATED");
+    case Provenance::recorded:
+        return QCoreApplication::translate("Provenance", "RECORDED");
+    case Provenance::recordedSimulation:
+        return QCoreApplication::translate("Provenance", "RECORDED SIMULATION");
+    case Provenance::live:
+        break;
+    }
+    return {};
+}
+
+QSizeF badgeSize(const QFont& font, const QString& text) {
+    const QFontMetricsF metrics(badgeFont(font));
+    return {metrics.horizontalAdvance(text) + metrics.height(), metrics.height() * 1.25};
+}
+
+void paintBadge(QPainter& painter, const QRectF& rect, const QString& text, const QColor& colour) {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    const double radius = 0.2 * rect.height();
+    painter.drawRoundedRect(rect, radius, radius);
+    painter.setFont(badgeFont(painter.font()));
+    painter.setPen(readableOn(colour));
+    painter.drawText(rect, Qt::AlignCenter, text);
+    painter.restore();
+}
+
+} // namespace teleta::base

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/base/numbers/quantity_text.h"
+
+#include "backend/core/number_text.h"
+#include "widgets/base/numbers/number_format.h"
+#include "widgets/base/numbers/si_number.h"
+
+#include <QLocale>
+
+#include <cmath>
+
+namespace teleta::base {
+
+namespace {
+
+QString magnitude(double value, char format, int precision) {
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return locale.toString(std::abs(value), format, precision);
+}
+
+QString noValue() {
+    return QChar(0x2014);
+}
+
+constexpr QChar kMinusSign(0x2212);
+
+} // namespace
+
+QString fixedDigits(std::optional<double> value, int decimals) {
+    if (!value || !std::isfinite(*value))
+        return noValue();
+    const bool zero = std::round(std::abs(*value) * std::pow(10.0, decimals)) == 0.0;
+    const QString digits = magnitude(*value, 'f', decimals);
+    return *value < 0.0 && !zero ? kMinusSign + digits : digits;
+}
+
+QString significantDigits(std::optional<double> value, int digits) {
+    if (!value || !std::isfinite(*value))
+        return noValue();
+    const QString text = magnitude(*value, 'g', digits);
+    return *value < 0.0 ? kMinusSign + text : text;
+}
+
+QString siText(std::optional<double> value, const QString& unit, int moreDigits) {
+    if (!value || !std::isfinite(*value))
+        return withUnit(noValue(), unit);
+    const auto [mantissa, prefix] = siNumber(*value);
+    return withUnit(fixedDigits(mantissa, threeDigitDecimals(mantissa) + moreDigits),
+                    prefix != 0 ? QString(QChar(prefix)) + unit : unit);
+}
+
+QString millimetres(double length_m) {
+    return withUnit(threeDigits(1e3 * length_m).trimmed(), QStringLiteral("mm"));
+}
+
+QString csvNumber(std::optional<double> value) {
+    if (!value || !std::isfinite(*value))
+        return QStringLiteral("NA");
+    const core::NumberText text(*value);
+    return QString::fromLatin1(text.view().data(), static_cast<qsizetype>(text.view().size()));
+}
+
+} // namespace teleta::base

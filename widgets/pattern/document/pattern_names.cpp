@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/pattern/document/pattern_names.h"
+
+#include "backend/pattern/model/built_in_patterns.h"
+
+#include <QCoreApplication>
+
+namespace teleta::editor {
+
+namespace {
+
+/// As backend/pattern/built_in_patterns names them; files of them stay English.
+[[maybe_unused]] constexpr const char* kBuiltInNames[] = {
+    QT_TRANSLATE_NOOP("PatternNames", "Circle, static"),
+    QT_TRANSLATE_NOOP("PatternNames", "Rectangle, static"),
+    QT_TRANSLATE_NOOP("PatternNames", "Triangle, static"),
+    QT_TRANSLATE_NOOP("PatternNames", "Arc, static"),
+    QT_TRANSLATE_NOOP("PatternNames", "Line, static"),
+    QT_TRANSLATE_NOOP("PatternNames", "Point, static"),
+    QT_TRANSLATE_NOOP("PatternNames", "Circle, dynamic"),
+    QT_TRANSLATE_NOOP("PatternNames", "Rectangle, dynamic"),
+    QT_TRANSLATE_NOOP("PatternNames", "Triangle, dynamic"),
+    QT_TRANSLATE_NOOP("PatternNames", "Arc, dynamic"),
+    QT_TRANSLATE_NOOP("PatternNames", "Line, dynamic"),
+    QT_TRANSLATE_NOOP("PatternNames", "Point, dynamic"),
+    QT_TRANSLATE_NOOP("PatternNames", "Sponge, static"),
+    QT_TRANSLATE_NOOP("PatternNames", "Rubber sponge, static"),
+    QT_TRANSLATE_NOOP("PatternNames", "Rubber, static"),
+    QT_TRANSLATE_NOOP("PatternNames", "Wood, static"),
+    QT_TRANSLATE_NOOP("PatternNames", "Metal, static"),
+    QT_TRANSLATE_NOOP("PatternNames", "Sponge, dynamic"),
+    QT_TRANSLATE_NOOP("PatternNames", "Rubber sponge, dynamic"),
+    QT_TRANSLATE_NOOP("PatternNames", "Rubber, dynamic"),
+    QT_TRANSLATE_NOOP("PatternNames", "Wood, dynamic"),
+    QT_TRANSLATE_NOOP("PatternNames", "Metal, dynamic"),
+};
+
+} // namespace
+
+QString displayName(const pattern::Pattern& pattern) {
+    // A copy keeps the id for a while, and a file may carry any; the name decides with it.
+    const pattern::Pattern* builtIn = pattern::findBuiltIn(pattern.id);
+    return builtIn != nullptr && builtIn->name == pattern.name
+               ? QCoreApplication::translate("PatternNames", pattern.name.c_str())
+               : QString::fromStdString(pattern.name);
+}
+
+} // namespace teleta::editor

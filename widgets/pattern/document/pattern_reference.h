@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/pattern/edit/comparison.h"
+#include "widgets/pattern/document/pattern_overview.h"
+
+#include <QObject>
+#include <QTimer>
+
+#include <memory>
+#include <optional>
+
+namespace teleta::editor {
+
+/// The pattern with which a document is compared, and how far they are apart; looked at again on a pool
+/// thread when the document has rested for a moment. Thread: GUI.
+class PatternReference : public QObject {
+    Q_OBJECT
+public:
+    explicit PatternReference(PatternDocument* document, QObject* parent = nullptr);
+
+    /// Null: compares no more.
+    void setPattern(std::shared_ptr<const pattern::Pattern> pattern);
+    [[nodiscard]] const std::shared_ptr<const pattern::Pattern>& pattern() const { return m_pattern; }
+    /// Of a long one; null otherwise.
+    [[nodiscard]] const std::shared_ptr<const TrackEnvelopes>& envelopes() const { return m_envelopes; }
+    /// Empty: not known yet, or the patterns are too rich.
+    [[nodiscard]] const std::optional<pattern::Comparison>& comparison() const { return m_comparison; }
+
+signals:
+    void changed();
+
+private:
+    void compare();
+
+    PatternDocument* m_document;
+    QTimer m_rest;
+    std::shared_ptr<const pattern::Pattern> m_pattern;
+    std::shared_ptr<const TrackEnvelopes> m_envelopes;
+    std::optional<pattern::Comparison> m_comparison;
+    bool m_comparing = false;
+};
+
+} // namespace teleta::editor

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/base/figure_export.h"
+#include "widgets/pattern/document/pattern_document.h"
+#include "widgets/pattern/document/pattern_reference.h"
+#include "widgets/pattern/timeline/timeline_curves.h"
+#include "widgets/pattern/timeline/timeline_geometry.h"
+
+#include <QPixmap>
+#include <QWidget>
+
+#include <optional>
+
+class QMenu;
+class QScrollBar;
+
+namespace teleta::editor {
+
+/// The six tracks of a document over time: commanded and predicted curves in one lane, breakpoints as
+/// handles, objects as blocks. Mouse and keys as in its What's This. Thread: GUI.
+class TimelineView : public QWidget {
+    Q_OBJECT
+public:
+    /// document: outlives the view.
+    explicit TimelineView(PatternDocument* document, QWidget* parent = nullptr);
+
+    /// Shows the whole pattern.
+    void zoomToFit();
+    /// Shows [begin, begin + span], limited to what makes sense for the pattern.
+    void showSpan(double begin_s, double span_s);
+    [[nodiscard]] double begin_s() const { return m_begin_s; }
+    [[nodiscard]] double span_s() const { return m_span_s; }
+
+    /// Where the pattern plays or would begin to; limited to the pattern. Emits nothing.
+    void setPlayhead(double time_s);
+    [[nodiscard]] double playhead_s() const { return m_playhead_s; }
+    /// Follow a playhead that leaves the picture.
+    void setFollowing(bool following) { m_following = following; }
+
+    void setLoop(std::optional<pattern::Span> loop);
+    [[nodiscard]] const std::optional<pattern::Span>& loop() const { return m_loop; }
+    /// A click adds a breakpoint.
+    void setPen(bool pen);
+    [[nodiscard]] bool pen() const { return m_pen; }
+    /// Another pattern, drawn behind this one to compare them; null: none.
+    [[nodiscard]] PatternReference* reference() const { return m_reference; }
+    [[nodiscard]] PatternOverview* overview() const { return m_overview; }
+    /// Scrolls, and zooms out when it must, so that a stretch of time can be seen.
+    void reveal(pattern::Span span);
+
+    [[nodiscard]] TimelineGeometry geometryNow() const;
+    /// Handles that the last painting drew.
+    [[nodiscard]] int drawnHandles() const { return m_drawnHandles; }
+    [[nodiscard]] std::size_t currentLane() const { return m_lane; }
+    [[nodiscard]] base::Figure figure() const;
+    [[nodiscard]] base::FigureExport* figureExport() const { return m_export; }
+    void populateMenu(QMenu& menu, std::optional<QPointF> at = std::nullopt);
+    /// Opens a line to type time and intensity of a breakpoint.
+    void editPoint(PointRef point);
+
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+signals:
+    /// The user has moved the playhead.
+    void playheadMoved(double time_s);
+    void loopChanged();
+    void penChanged(bool pen);
+    /// Space.
+    void playToggled();
+    /// An object is to be shown with its numbers.
+    void objectActivated(std::size_t object);
+
+protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    enum class Grab { none, playhead, loop, points, object, box };
+
+    void retranslate();
+    void invalidate();
+    void updateScrollBar();
+    void refreshCurves();
+    void movePlayhead(double time_s);
+    void dragTo(const QPointF& at, Qt::KeyboardModifiers modifiers);
+    void finishBox();
+    void zoomAround(double anchor_s, double factor);
+    void setCurrentLane(std::size_t lane);
+    void stepPoint(int direction, bool extends);
+    void stepObject(int direction);
+    void nudge(int key, Qt::KeyboardModifiers modifiers);
+    [[nodiscard]] std::optional<PointRef> pointAt(const QPointF& at) const;
+    [[nodiscard]] std::optional<std::size_t> objectAt(const QPointF& at) const;
+    [[nodiscard]] QString describe(const QPointF& at) const;
+    [[nodiscard]] QString describePoint(PointRef point) const;
+    [[nodiscard]] double longestSpan_s() const;
+
+    PatternDocument* m_document;
+    QScrollBar* m_scroll;
+    base::FigureExport* m_export;
+    PatternOverview* m_overview;
+    PatternReference* m_reference;
+    TimelineCurves m_curves;
+    TimelineBands m_bands;
+    pattern::CompiledPattern m_compiledReference;
+    TimelineCurves m_referenceCurves;
+    TimelineBands m_referenceBands;
+    QPixmap m_layer; ///< all but the playhead and the box
+    bool m_layerValid = false;
+    int m_drawnHandles = 0;
+
+    double m_begin_s = 0.0;
+    double m_span_s = 2.0;
+    double m_playhead_s = 0.0;
+    std::optional<pattern::Span> m_loop;
+    std::size_t m_lane = 0;
+    bool m_pen = false;
+    bool m_following = true;
+
+    Grab m_grab = Grab::none;
+    bool m_moved = false;
+    QPointF m_press, m_now;
+    PointRef m_grabbed;
+    double m_grabbed_s = 0.0;
+    Selection m_beforeBox;
+};
+
+} // namespace teleta::editor

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/base/kept_picture.h"
+#include "widgets/study/participant/participant_scene.h"
+
+#include <QWidget>
+
+namespace teleta::studyview {
+
+/// One large answer: letter, name, the digit that stands for it, the picture of the pattern. Painted only;
+/// the window that holds it takes the input. Thread: GUI.
+class AnswerButton : public QWidget {
+    Q_OBJECT
+
+public:
+    enum class Look {
+        plain,
+        right,  ///< feedback: this was presented
+        wrong,  ///< feedback: this was answered and not presented
+        chosen, ///< answered, without feedback
+    };
+
+    AnswerButton(AnswerChoice choice, std::size_t digit, QWidget* parent = nullptr);
+
+    void setDiagramShown(bool shown);
+    void setOpen(bool open);
+    void setLook(Look look);
+    [[nodiscard]] Look look() const { return m_look; }
+    [[nodiscard]] bool isOpen() const { return m_open; }
+
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void describe();
+
+    AnswerChoice m_choice;
+    base::KeptPicture m_diagram;
+    std::size_t m_digit;
+    bool m_diagramShown = true;
+    bool m_open = false;
+    Look m_look = Look::plain;
+};
+
+} // namespace teleta::studyview

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/study/protocol/protocol.h"
+#include "backend/study/protocol/questionnaire.h"
+#include "backend/study/session/session.h"
+#include "widgets/base/kept_picture.h"
+#include "widgets/study/participant/event_clock.h"
+#include "widgets/study/participant/participant_scene.h"
+
+#include <QWidget>
+
+#include <cstdint>
+#include <functional>
+#include <set>
+#include <vector>
+
+class QGridLayout;
+class QInputEvent;
+class QLabel;
+
+namespace teleta::studyview {
+
+class AnswerButton;
+class QuestionnaireForm;
+
+/// The participant's own window: the answers as large buttons, and nothing else. Answers come by the digits
+/// of keyboard and keypad, mouse and touch; Space asks for the next trial, R for the stimulus once more where
+/// that is allowed. Questionnaires take the place of the answers. It decides nothing: each press goes out
+/// with the time at which it was made, also when a busy program handles it later. Thread: GUI.
+class ParticipantWindow : public QWidget {
+    Q_OBJECT
+
+public:
+    static constexpr std::size_t kMostAnswers = study::kMostPatterns; ///< one digit each
+
+    using Clock = std::function<std::int64_t()>;
+
+    /// clock: the steady clock on which presses are stamped.
+    explicit ParticipantWindow(Clock clock, QWidget* parent = nullptr);
+
+    void setChoices(std::vector<AnswerChoice> choices);
+    /// What ParticipantScene::State::questionnaire shows. answers: those that are given already.
+    void setQuestionnaire(const study::Questionnaire& questionnaire,
+                          const std::vector<study::ItemAnswer>& answers = {});
+    void setScene(const ParticipantScene& scene);
+    /// Paints what changed at once, not after whatever else waits to be painted.
+    void paintNow();
+    [[nodiscard]] const ParticipantScene& scene() const { return m_scene; }
+    /// The sentence that says what to do.
+    [[nodiscard]] QString instruction() const;
+    [[nodiscard]] const std::vector<AnswerButton*>& buttons() const { return m_buttons; }
+    [[nodiscard]] QuestionnaireForm& questionnaire() const { return *m_questionnaire; }
+
+signals:
+    void nextRequested(std::int64_t time_ns);
+    void replayRequested(std::int64_t time_ns);
+    void pressed(const teleta::study::KeyPress& press);
+    void released(const QString& device, const QString& key);
+    /// A questionnaire was filled in.
+    void questionnaireAnswered(const std::vector<teleta::study::ItemAnswer>& answers);
+    /// The window was closed.
+    void left();
+
+protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void arrange();
+    void refresh();
+    [[nodiscard]] std::int64_t timeOf(const QInputEvent& event);
+    void pressAt(const QPointF& at, const QString& device, std::int64_t time_ns);
+    void releasePointer();
+    void releaseAll();
+
+    Clock m_clock;
+    EventClock m_eventClock;
+    std::vector<AnswerChoice> m_choices;
+    ParticipantScene m_scene;
+    base::KeptPicture m_watermark; ///< of the scene's mode
+    QLabel* m_title;
+    QLabel* m_instruction;
+    QGridLayout* m_grid;
+    QuestionnaireForm* m_questionnaire;
+    QString m_questionnaireTitle;
+    std::vector<AnswerButton*> m_buttons;
+    std::set<std::pair<QString, QString>> m_down; ///< keys and buttons, by device, that were passed on
+};
+
+} // namespace teleta::studyview

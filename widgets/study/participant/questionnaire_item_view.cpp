@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/study/participant/questionnaire_item_view.h"
+
+#include "widgets/base/theme.h"
+#include "widgets/study/participant/answer_keys.h"
+#include "widgets/study/text_colour.h"
+
+#include <QCoreApplication>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <utility>
+
+namespace teleta::studyview {
+
+namespace {
+
+constexpr double kTarget_em = 2.4; ///< a finger's, in the large font of a form
+
+/// Can be pressed in all of its line, not on its words alone.
+class ChoiceButton : public QRadioButton {
+public:
+    using QRadioButton::QRadioButton;
+
+protected:
+    [[nodiscard]] bool hitButton(const QPoint& at) const override { return rect().contains(at); }
+};
+
+bool isPlain(const QKeyEvent& event) {
+    return !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
+}
+
+QLabel* textLabel(const std::string& text, QWidget* parent) {
+    auto* label = new QLabel(QString::fromStdString(text), parent);
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+    return label;
+}
+
+} // namespace
+
+QuestionnaireItemView::QuestionnaireItemView(study::QuestionnaireItem item, QWidget* parent)
+    : QWidget(parent)
+    , m_item(std::move(item))
+    , m_question(textLabel(m_item.question, this))
+    , m_problem(textLabel({}, this)) {
+    setObjectName(QString::fromStdString(m_item.id));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, base::grid(this, 2));
+    column->setSpacing(base::grid(this));
+    QFont bold = font();
+    bold.setBold(true);
+    m_question->setFont(bold);
+    column->addWidget(m_question);
+    switch (m_item.kind) {
+    case study::ItemKind::text:
+        m_text = new QPlainTextEdit(this);
+        m_text->setTabChangesFocus(true);
+        m_text->setFixedHeight(base::em(this, 4.5));
+        connect(m_text, &QPlainTextEdit::textChanged, this, &QuestionnaireItemView::changed);
+        column->addWidget(m_text);
+        break;
+    case study::ItemKind::likert:
+        buildScale(column);
+        break;
+    case study::ItemKind::choice:
+        buildChoices(column);
+        break;
+    }
+    column->addWidget(m_problem);
+    m_problem->hide();
+    retranslate();
+    colour();
+}
+
+void QuestionnaireItemView::addButton(QAbstractButton* button, std::string value) {
+    button->setMinimumHeight(base::em(this, kTarget_em));
+    button->setCheckable(true);
+    button->setAutoExclusive(true);
+    connect(button, &QAbstractButton::toggled, this, [this](bool checked) {
+        colour();
+        if (checked)
+            emit changed();
+    });
+    m_buttons.push_back(button);
+    m_values.push_back(std::move(value));
+}
+
+void QuestionnaireItemView::buildScale(QVBoxLayout* column) {
+    auto* row = new QHBoxLayout;
+    row->setSpacing(base::grid(this, 0.5));
+    for (std::size_t point = 1; point <= m_item.points; ++point) {
+        auto* button = new QPushButton(QString::number(point), this);
+        button->setMinimumWidth(base::em(this, kTarget_em));
+        addButton(button, std::to_string(point));
+        row->addWidget(button, 1);
+    }
+    if (!m_item.required) {
+        row->addSpacing(base::grid(this, 2));
+        auto* none = new QPushButton(this);
+        addButton(none, {});
+        row->addWidget(none);
+    }
+    column->addLayout(row);
+    if (m_item.low.empty() && m_item.high.empty())
+        return;
+    auto* ends = new QHBoxLayout;
+    QLabel* high = textLabel("\u2192 " + m_item.high, this);
+    high->setAlignment(Qt::AlignRight);
+    ends->addWidget(textLabel(m_item.low + " \u2190", this), 1);
+    ends->addWidget(high, 1);
+    column->addLayout(ends);
+}
+
+void QuestionnaireItemView::buildChoices(QVBoxLayout* column) {
+    std::size_t number = 0;
+    for (const study::ItemChoice& choice : m_item.choices) {
+        auto* button = new ChoiceButton(
+            QStringLiteral("%1   %2").arg(++number).arg(QString::fromStdString(choice.text)), this);
+        button->setAccessibleName(QString::fromStdString(choice.text));
+        addButton(button, choice.id);
+        column->addWidget(button);
+    }
+    if (!m_item.required) {
+        auto* none = new ChoiceButton(this);
+        addButton(none, {});
+        column->addWidget(none);
+    }
+}
+
+std::optional<std::string> QuestionnaireItemView::value() const {
+    if (m_text != nullptr) {
+        const QString text = m_text->toPlainText().trimmed();
+        return text.isEmpty() ? std::nullopt : std::optional(text.toStdString());
+    }
+    for (std::size_t i = 0; i < m_buttons.size(); ++i) {
+        if (m_buttons[i]->isChecked() && !m_values[i].empty())
+            return m_values[i];
+    }
+    return std::nullopt;
+}
+
+void QuestionnaireItemView::setValue(const std::optional<std::string>& value) {
+    if (m_text != nullptr)
+        m_text->setPlainText(QString::fromStdString(value.value_or(std::string())));
+    const auto at = std::find(m_values.begin(), m_values.end(), value.value_or(std::string()));
+    if (at != m_values.end())
+        m_buttons[static_cast<std::size_t>(at - m_values.begin())]->setChecked(true);
+}
+
+void QuestionnaireItemView::setProblem(const QString& problem) {
+    m_problem->setText(problem);
+    m_problem->setVisible(!problem.isEmpty());
+}
+
+void QuestionnaireItemView::focusAnswer() {
+    if (m_text != nullptr) {
+        m_text->setFocus(Qt::TabFocusReason);
+        return;
+    }
+    const auto chosen = std::find_if(m_buttons.begin(), m_buttons.end(),
+                                     [](const QAbstractButton* button) { return button->isChecked(); });
+    (chosen == m_buttons.end() ? m_buttons.front() : *chosen)->setFocus(Qt::TabFocusReason);
+}
+
+bool QuestionnaireItemView::takeFirstKey(QKeyEvent& key) {
+    if (m_text == nullptr)
+        return choose(key);
+    if (key.text().trimmed().isEmpty() || !isPlain(key))
+        return false;
+    focusAnswer();
+    QCoreApplication::sendEvent(m_text, &key);
+    return true;
+}
+
+bool QuestionnaireItemView::choose(const QKeyEvent& event) {
+    const std::optional<PhysicalKey> key = physicalKey(event);
+    if (!key || !isPlain(event) || key->number < 1 || key->number > m_buttons.size() ||
+        m_values[key->number - 1].empty())
+        return false;
+    m_buttons[key->number - 1]->setChecked(true);
+    m_buttons[key->number - 1]->setFocus(Qt::TabFocusReason);
+    return true;
+}
+
+void QuestionnaireItemView::keyPressEvent(QKeyEvent* event) {
+    // A digit that is held down may be that of the last trial.
+    if (event->isAutoRepeat() || !choose(*event))
+        QWidget::keyPressEvent(event);
+}
+
+/// A number that was chosen has to be seen from afar.
+void QuestionnaireItemView::colour() {
+    for (QAbstractButton* button : m_buttons) {
+        if (m_item.kind != study::ItemKind::likert)
+            continue;
+        QPalette colours = palette();
+        if (button->isChecked()) {
+            colours.setColor(QPalette::Button, palette().color(QPalette::Highlight));
+            colours.setColor(QPalette::ButtonText, palette().color(QPalette::HighlightedText));
+        }
+        button->setPalette(colours);
+    }
+    setTextColour(m_problem, base::statusColours(palette()).lost);
+}
+
+void QuestionnaireItemView::retranslate() {
+    const QString question = QString::fromStdString(m_item.question);
+    m_question->setText(m_item.required ? question : tr("%1 (may be left out)", "a question").arg(question));
+    if (m_text != nullptr)
+        m_text->setAccessibleName(question);
+    if (!m_item.required && !m_buttons.empty())
+        m_buttons.back()->setText(tr("No answer"));
+    if (m_item.kind != study::ItemKind::likert)
+        return;
+    for (std::size_t i = 0; i < m_item.points; ++i)
+        m_buttons[i]->setAccessibleName(
+            tr("%1: %2 of %3", "question, point, points").arg(question).arg(i + 1).arg(m_item.points));
+}
+
+void QuestionnaireItemView::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    if (event->type() == QEvent::PaletteChange)
+        colour();
+}
+
+} // namespace teleta::studyview

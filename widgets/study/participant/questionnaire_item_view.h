@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/study/protocol/questionnaire.h"
+
+#include <QWidget>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+class QAbstractButton;
+class QLabel;
+class QPlainTextEdit;
+class QVBoxLayout;
+
+namespace teleta::studyview {
+
+/// One question with what answers it: a field for text, large numbers for a scale, the choices. By mouse, by
+/// touch, and by keyboard: Tab goes from question to question, arrows and digits choose. Thread: GUI.
+class QuestionnaireItemView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit QuestionnaireItemView(study::QuestionnaireItem item, QWidget* parent = nullptr);
+
+    [[nodiscard]] const study::QuestionnaireItem& item() const { return m_item; }
+    /// Empty: left out.
+    [[nodiscard]] std::optional<std::string> value() const;
+    void setValue(const std::optional<std::string>& value);
+    /// Why the answer cannot be taken; empty: nothing is wrong.
+    void setProblem(const QString& problem);
+    void focusAnswer();
+    /// Answers with a key that was typed before the item had the keyboard: a digit, or the first letter of a
+    /// text. False: this is none.
+    bool takeFirstKey(QKeyEvent& key);
+    /// The points of a scale, or the choices; the last one of an optional item leaves it out.
+    [[nodiscard]] const std::vector<QAbstractButton*>& buttons() const { return m_buttons; }
+
+signals:
+    void changed();
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    bool choose(const QKeyEvent& event);
+    void buildScale(QVBoxLayout* column);
+    void buildChoices(QVBoxLayout* column);
+    void addButton(QAbstractButton* button, std::string value);
+    void retranslate();
+    void colour();
+
+    study::QuestionnaireItem m_item;
+    QLabel* m_question;
+    QLabel* m_problem;
+    QPlainTextEdit* m_text = nullptr;
+    std::vector<QAbstractButton*> m_buttons;
+    std::vector<std::string> m_values; ///< one a button; empty: left out
+};
+
+} // namespace teleta::studyview

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/study/analysis/confusion_matrix.h"
+#include "backend/study/protocol/trial.h"
+
+#include <QPalette>
+#include <QRectF>
+#include <QString>
+#include <QStringList>
+
+#include <optional>
+#include <utility>
+
+class QPainter;
+
+namespace teleta::studyview {
+
+/// A confusion matrix with all that its picture shows.
+struct ConfusionContent {
+    study::ConfusionMatrix matrix{1};
+    QStringList letters; ///< one a pattern; empty: there is nothing to show but the title
+    QString title;
+    study::Mode mode = study::Mode::run;
+    bool percent = false;                                    ///< shares of the rows instead of counts
+    std::optional<std::pair<std::size_t, std::size_t>> last; ///< cell of the newest trial
+    friend bool operator==(const ConfusionContent&, const ConfusionContent&) = default;
+};
+
+/// Where the cells lie. Thread: any (pure).
+struct ConfusionLayout {
+    ConfusionLayout(const QRectF& rect, double em, std::size_t rows, std::size_t columns);
+
+    [[nodiscard]] QRectF cell(std::size_t row, std::size_t column) const;
+    [[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> cellAt(const QPointF& at) const;
+
+    double em = 16.0;
+    std::size_t rows = 1;
+    std::size_t columns = 1;
+    QRectF grid;
+};
+
+/// In the layout of the paper's tables: rows presented, columns answered and last NONE; the darker the larger
+/// the share of the row. Each row has its number of trials at its end.
+void paintConfusion(QPainter& painter, const QRectF& rect, const ConfusionContent& content,
+                    const QPalette& palette);
+
+/// stimulus,response,count,row_total; C locale.
+[[nodiscard]] QString confusionCsv(const ConfusionContent& content);
+
+} // namespace teleta::studyview

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/base/figure_export.h"
+#include "widgets/study/results/confusion_picture.h"
+
+#include <QWidget>
+
+namespace teleta::studyview {
+
+/// A confusion matrix, live or final; Space or a double click changes between counts and percent. It copies
+/// and saves as picture and as data. Thread: GUI.
+class ConfusionView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ConfusionView(QWidget* parent = nullptr);
+
+    /// `percent` of the content is left to the view.
+    void setContent(ConfusionContent content);
+    [[nodiscard]] const ConfusionContent& content() const { return m_content; }
+    void setPercent(bool percent);
+    [[nodiscard]] base::Figure figure() const;
+    [[nodiscard]] base::FigureExport& exporter() { return *m_export; }
+
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+signals:
+    void percentChanged(bool percent);
+
+protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void describe();
+
+    ConfusionContent m_content;
+    base::FigureExport* m_export;
+};
+
+} // namespace teleta::studyview

@@ -1,0 +1,431 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/study/results/results_content.h"
+
+#include "backend/study/analysis/information_transfer.h"
+#include "backend/study/analysis/proportion.h"
+#include "widgets/study/results/participant_picker.h"
+
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace teleta::studyview {
+
+using study::Interval;
+using study::ParticipantSummary;
+using study::TaskResults;
+
+namespace {
+
+constexpr double kPercent = 100.0;
+constexpr double kSmallP = 0.001;
+
+QString text(const std::string& value) {
+    return QString::fromStdString(value);
+}
+
+QString conditionName(const std::string& condition, const ConditionNames& names) {
+    return names.value(text(condition), text(condition));
+}
+
+/// Data have the id, in every language.
+ResultCell conditionCell(const std::string& condition, const ConditionNames& names) {
+    return {conditionName(condition, names), text(condition)};
+}
+
+ResultCell missing() {
+    return {QStringLiteral("\u2013"), QStringLiteral("NA")};
+}
+
+ResultCell cell(const std::optional<double>& value, int decimals) {
+    if (!value || !std::isfinite(*value))
+        return missing();
+    return {QLocale().toString(*value, 'f', decimals),
+            QLocale::c().toString(*value, 'g', QLocale::FloatingPointShortest)};
+}
+
+ResultCell cell(const std::optional<Interval>& interval, int decimals, double factor = 1.0) {
+    if (!interval)
+        return missing();
+    const QLocale locale;
+    const QLocale c = QLocale::c();
+    return {QStringLiteral("%1 \u2013 %2")
+                .arg(locale.toString(factor * interval->low, 'f', decimals),
+                     locale.toString(factor * interval->high, 'f', decimals)),
+            QStringLiteral("%1;%2").arg(
+                c.toString(factor * interval->low, 'g', QLocale::FloatingPointShortest),
+                c.toString(factor * interval->high, 'g', QLocale::FloatingPointShortest))};
+}
+
+ResultCell count(std::int64_t value) {
+    return {QString::number(value)};
+}
+
+QString pText(double p) {
+    return p < kSmallP ? QStringLiteral("< %1").arg(QLocale().toString(kSmallP))
+                       : QLocale().toString(p, 'f', 3);
+}
+
+ResultCell pCell(const std::optional<double>& p) {
+    return p ? ResultCell{pText(*p), QLocale::c().toString(*p, 'g', QLocale::FloatingPointShortest)}
+             : missing();
+}
+
+std::optional<double> percent(const std::optional<double>& share) {
+    return share ? std::optional(kPercent * *share) : std::nullopt;
+}
+
+std::optional<Interval> percent(const std::optional<Interval>& share) {
+    return share ? std::optional(Interval{kPercent * share->low, kPercent * share->high}) : std::nullopt;
+}
+
+/// The group's point of a set of participants' values.
+ChartPoint groupPoint(const std::vector<double>& values) {
+    ChartPoint point;
+    if (const std::optional<study::GroupMean> mean = study::groupMean(values)) {
+        point.value = mean->mean;
+        point.interval = mean->interval;
+    }
+    point.single = values;
+    return point;
+}
+
+ChartPoint sharePoint(std::int64_t correct, std::int64_t trials) {
+    ChartPoint point;
+    if (trials > 0) {
+        point.value = kPercent * static_cast<double>(correct) / static_cast<double>(trials);
+        point.interval = percent(study::wilsonInterval(correct, trials));
+    }
+    return point;
+}
+
+std::vector<const ParticipantSummary*> under(const TaskResults& task, const std::string& condition,
+                                             const QStringList& group) {
+    std::vector<const ParticipantSummary*> found;
+    for (const ParticipantSummary& summary : task.participants) {
+        if (summary.condition == condition && (group.isEmpty() || group.contains(text(summary.participant))))
+            found.push_back(&summary);
+    }
+    return found;
+}
+
+/// A participant alone has an interval of the trials, a group one over its participants.
+bool isOne(const QStringList& group) {
+    return group.size() == 1;
+}
+
+bool areAllOne(const ShownPeople& shown) {
+    return std::ranges::all_of(shown.groups(), isOne);
+}
+
+} // namespace
+
+std::vector<QStringList> ShownPeople::groups() const {
+    return beside ? std::vector{group, *beside} : std::vector{group};
+}
+
+QString ResultsContent::nameOf(const QStringList& group) {
+    return group.isEmpty() ? tr("all participants") : ParticipantPicker::describe(group);
+}
+
+study::ConfusionMatrix ResultsContent::matrix(const TaskResults& task, const std::string& condition,
+                                              const QStringList& group) {
+    study::ConfusionMatrix sum(std::max<std::size_t>(task.patterns.size(), 1));
+    for (const ParticipantSummary* one : under(task, condition, group))
+        sum.add(one->matrix);
+    return sum;
+}
+
+IntervalChartContent ResultsContent::accuracy(const TaskResults& task, const ShownPeople& shown,
+                                              const ConditionNames& names) {
+    IntervalChartContent chart;
+    chart.name = QStringLiteral("accuracy_") + text(task.task);
+    chart.title = areAllOne(shown) ? tr("Right answers, 95 % Wilson interval")
+                                   : tr("Right answers, mean of participants, 95 % t interval");
+    chart.axis = tr("right, %");
+    chart.highest = kPercent;
+    chart.reference = kPercent / static_cast<double>(task.alternatives());
+    chart.referenceName = tr("chance");
+    for (const std::string& condition : task.conditions)
+        chart.categories << conditionName(condition, names);
+    for (const QStringList& group : shown.groups()) {
+        ChartSeries series{shown.beside ? nameOf(group) : tr("test"), {}};
+        for (const std::string& condition : task.conditions) {
+            const auto people = under(task, condition, group);
+            if (isOne(group)) {
+                series.points.push_back(people.empty() ? ChartPoint{}
+                                                       : sharePoint(people.front()->matrix.correct(),
+                                                                    people.front()->matrix.total()));
+                continue;
+            }
+            std::vector<double> values;
+            for (const ParticipantSummary* one : people)
+                values.push_back(kPercent * one->matrix.accuracy().value_or(0.0));
+            series.points.push_back(groupPoint(values));
+        }
+        chart.series.push_back(std::move(series));
+    }
+    return chart;
+}
+
+IntervalChartContent ResultsContent::patterns(const TaskResults& task, const ShownPeople& shown,
+                                              const ConditionNames& names) {
+    IntervalChartContent chart;
+    chart.name = QStringLiteral("patterns_") + text(task.task);
+    chart.title = task.conditions.size() > 1 ? tr("Each pattern: %1", "conditions").arg([&] {
+        QStringList shownNames;
+        for (const std::string& condition : task.conditions)
+            shownNames << conditionName(condition, names);
+        return shownNames.join(tr(" against "));
+    }())
+                                             : tr("Each pattern");
+    chart.axis = tr("right, %");
+    chart.highest = kPercent;
+    chart.reference = kPercent / static_cast<double>(task.alternatives());
+    chart.referenceName = tr("chance");
+    for (const std::string& pattern : task.patterns) {
+        chart.categories << text(pattern);
+        QString note;
+        for (const study::AnovaLine& line : task.anova) {
+            if (line.stimulus == pattern && line.row)
+                note = tr("p %1%2").arg(line.row->p < kSmallP ? QString() : QStringLiteral("= "),
+                                        pText(line.row->p));
+        }
+        // The comparison is of all participants.
+        chart.notes << (shown.isEverybody() ? note : QString());
+    }
+    for (const std::string& condition : task.conditions) {
+        for (const QStringList& group : shown.groups()) {
+            ChartSeries series{shown.beside ? tr("%1, %2", "condition, participant")
+                                                  .arg(conditionName(condition, names), nameOf(group))
+                                            : conditionName(condition, names),
+                               {}};
+            const auto people = under(task, condition, group);
+            for (std::size_t p = 0; p < task.patterns.size(); ++p) {
+                if (isOne(group)) {
+                    series.points.push_back(people.empty() ? ChartPoint{}
+                                                           : sharePoint(people.front()->matrix.count(p, p),
+                                                                        people.front()->matrix.rowTotal(p)));
+                    continue;
+                }
+                std::vector<double> values;
+                for (const ParticipantSummary* one : people) {
+                    if (const std::optional<double> share = one->matrix.rowPercent(p, p))
+                        values.push_back(*share);
+                }
+                series.points.push_back(groupPoint(values));
+            }
+            chart.series.push_back(std::move(series));
+        }
+    }
+    return chart;
+}
+
+IntervalChartContent ResultsContent::times(const TaskResults& task, const ShownPeople& shown,
+                                           const ConditionNames& names) {
+    IntervalChartContent chart;
+    chart.name = QStringLiteral("response_times_") + text(task.task);
+    chart.title =
+        areAllOne(shown) ? tr("Median response time") : tr("Median response times, 95 % t interval");
+    chart.axis = tr("s from the onset");
+    double highest = 0.0;
+    for (const std::string& condition : task.conditions)
+        chart.categories << conditionName(condition, names);
+    for (const QStringList& group : shown.groups()) {
+        ChartSeries series{shown.beside ? nameOf(group) : tr("right answers of the test"), {}};
+        for (const std::string& condition : task.conditions) {
+            std::vector<double> medians;
+            for (const ParticipantSummary* one : under(task, condition, group)) {
+                if (one->medianTime_s)
+                    medians.push_back(*one->medianTime_s);
+            }
+            series.points.push_back(groupPoint(medians));
+            if (isOne(group))
+                series.points.back().single.clear();
+            for (const double median : medians)
+                highest = std::max(highest, median);
+            if (const auto& interval = series.points.back().interval)
+                highest = std::max(highest, interval->high);
+        }
+        chart.series.push_back(std::move(series));
+    }
+    chart.highest = std::max(1.0, std::ceil(1.1 * highest));
+    return chart;
+}
+
+TableContent ResultsContent::groups(const TaskResults& task, const ConditionNames& names) {
+    TableContent table;
+    table.header = QStringList{tr("Condition"),       tr("Participants"),  tr("Right %"), tr("SD"),
+                               tr("95 % t interval"), tr("Trials"),        tr("IT bit"),  tr("Bias bit"),
+                               tr("IT corrected"),    tr("95 % bootstrap")};
+    table.tips = QStringList{{},
+                             {},
+                             tr("Mean of the participants' shares of right answers"),
+                             tr("Standard deviation between participants"),
+                             tr("Of the mean, from Student's t over participants"),
+                             tr("Of all participants together"),
+                             tr("Information transfer of the pooled matrix, as counted"),
+                             tr("By how much it is too high on average: (R-1)(C-1) / (2 n ln 2)"),
+                             tr("Measured less bias"),
+                             tr("Of the measured transfer, participants drawn with replacement")};
+    for (const study::GroupSummary& group : task.groups) {
+        const auto bits = study::informationTransfer(group.matrix);
+        const auto value = [&](double study::InformationTransfer::*member) {
+            return bits ? std::optional((*bits).*member) : std::nullopt;
+        };
+        table.rows.push_back(
+            {conditionCell(group.condition, names), count(static_cast<std::int64_t>(group.participants)),
+             cell(percent(group.accuracy ? std::optional(group.accuracy->mean) : std::nullopt), 1),
+             cell(percent(group.accuracy ? group.accuracy->standardDeviation : std::nullopt), 1),
+             cell(group.accuracy ? group.accuracy->interval : std::nullopt, 1, kPercent),
+             count(group.matrix.total()), cell(value(&study::InformationTransfer::measured_bit), 2),
+             cell(value(&study::InformationTransfer::bias_bit), 2),
+             cell(value(&study::InformationTransfer::corrected_bit), 2), cell(group.transferInterval, 2)});
+    }
+    return table;
+}
+
+TableContent ResultsContent::people(const TaskResults& task, const ShownPeople& shown,
+                                    const ConditionNames& names) {
+    TableContent table;
+    table.header =
+        QStringList{tr("Participant"), tr("Condition"), tr("Trials"),      tr("Right"),
+                    tr("No answer"),   tr("Right %"),   tr("Wilson 95 %"), tr("Clopper-Pearson 95 %"),
+                    tr("p by chance"), tr("IT bit"),    tr("Bias bit"),    tr("IT corrected"),
+                    tr("Median s"),    tr("of n")};
+    table.tips = QStringList{{},
+                             {},
+                             {},
+                             {},
+                             tr("In time"),
+                             {},
+                             {},
+                             {},
+                             tr("Probability of so many right answers, or more, by guessing"),
+                             tr("Information transfer as counted"),
+                             tr("By how much it is too high on average"),
+                             tr("Measured less bias"),
+                             tr("Response time of right answers"),
+                             {}};
+    const double chance = 1.0 / static_cast<double>(task.alternatives());
+    for (const ParticipantSummary& one : task.participants) {
+        const auto has = [&](const QStringList& group) {
+            return group.isEmpty() || group.contains(text(one.participant));
+        };
+        if (std::ranges::none_of(shown.groups(), has))
+            continue;
+        const std::int64_t n = one.matrix.total();
+        const std::int64_t correct = one.matrix.correct();
+        const auto bits = study::informationTransfer(one.matrix);
+        const auto value = [&](double study::InformationTransfer::*member) {
+            return bits ? std::optional((*bits).*member) : std::nullopt;
+        };
+        table.rows.push_back({{text(one.participant)},
+                              conditionCell(one.condition, names),
+                              count(n),
+                              count(correct),
+                              count(one.matrix.unanswered()),
+                              cell(percent(one.matrix.accuracy()), 1),
+                              cell(study::wilsonInterval(correct, n), 1, kPercent),
+                              cell(study::clopperPearsonInterval(correct, n), 1, kPercent),
+                              pCell(study::chanceProbability(correct, n, chance)),
+                              cell(value(&study::InformationTransfer::measured_bit), 2),
+                              cell(value(&study::InformationTransfer::bias_bit), 2),
+                              cell(value(&study::InformationTransfer::corrected_bit), 2),
+                              cell(one.medianTime_s, 2),
+                              count(static_cast<std::int64_t>(one.times))});
+    }
+    return table;
+}
+
+TableContent ResultsContent::anova(const TaskResults& task) {
+    TableContent table;
+    table.header =
+        QStringList{tr("Effect"),         tr("Pattern"), tr("df"),     tr("F"),    tr("p"),
+                    tr("eps GG"),         tr("p GG"),    tr("eps HF"), tr("p HF"), tr("partial eta\u00b2"),
+                    tr("gen. eta\u00b2"), tr("n"),       tr("Note")};
+    table.tips = QStringList{{},
+                             tr("A comparison of the conditions for this pattern alone"),
+                             {},
+                             {},
+                             {},
+                             tr("Greenhouse and Geisser"),
+                             {},
+                             tr("Huynh and Feldt, at most 1"),
+                             {},
+                             {},
+                             tr("Generalised eta squared"),
+                             tr("Participants that are complete"),
+                             {}};
+    for (const study::AnovaLine& line : task.anova) {
+        QStringList notes;
+        if (!line.note.empty())
+            notes << text(line.note);
+        if (!line.dropped.empty()) {
+            QStringList dropped;
+            for (const std::string& person : line.dropped)
+                dropped << text(person);
+            notes << tr("without %1").arg(dropped.join(QStringLiteral(", ")));
+        }
+        std::vector<ResultCell> row{{text(line.effect)},
+                                    line.stimulus.empty() ? missing() : ResultCell{text(line.stimulus)}};
+        if (line.row) {
+            const study::AnovaEffect& effect = *line.row;
+            const QLocale locale;
+            row.push_back(
+                {QStringLiteral("%1; %2").arg(locale.toString(effect.df1), locale.toString(effect.df2)),
+                 QStringLiteral("%1;%2").arg(effect.df1).arg(effect.df2)});
+            row.push_back(cell(effect.f, 2));
+            row.push_back(pCell(effect.p));
+            row.push_back(cell(effect.epsilonGg, 3));
+            row.push_back(pCell(effect.pGg));
+            row.push_back(
+                cell(effect.epsilonHf ? std::optional(std::min(1.0, *effect.epsilonHf)) : std::nullopt, 3));
+            row.push_back(pCell(effect.pHf));
+            row.push_back(cell(effect.partialEta2, 3));
+            row.push_back(cell(effect.generalizedEta2, 3));
+        } else {
+            row.resize(row.size() + 9, missing());
+        }
+        row.push_back(count(static_cast<std::int64_t>(line.participants)));
+        row.push_back({notes.join(QStringLiteral("; "))});
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+QString ResultsContent::transferNote(const TaskResults& task) {
+    const std::size_t k = task.alternatives();
+    std::int64_t trials = 0;
+    bool few = false;
+    for (const study::GroupSummary& group : task.groups) {
+        if (group.participants > 0)
+            trials = std::max(trials, group.matrix.total() / static_cast<std::int64_t>(group.participants));
+        const auto bits = study::informationTransfer(group.matrix, k);
+        few = few || (bits && bits->fewTrials);
+    }
+    if (trials == 0 || k < 2)
+        return {};
+    study::ConfusionMatrix presented(k);
+    for (std::size_t pattern = 0; pattern < k; ++pattern)
+        presented.add(pattern, pattern, std::max<std::int64_t>(1, trials / static_cast<std::int64_t>(k)));
+    QString note = tr("The information transfer of few trials is too high: with %1 trials, somebody who only "
+                      "guesses shows "
+                      "%2 bit on average. Read the corrected value beside it.")
+                       .arg(trials)
+                       .arg(QLocale().toString(study::guesserTransfer(presented).value_or(0.0), 'f', 2));
+    if (few)
+        note += QLatin1Char(' ') + tr("With fewer than 5 k\u00b2 trials even the corrected value is rough.");
+    return note;
+}
+
+QString ResultsContent::anovaNote(const TaskResults& task) {
+    return task.conditions.size() < 2 ? tr("There is one condition only, so the patterns are compared.")
+                                      : tr("Within participants, condition \u00d7 pattern, of the shares of "
+                                           "right answers; below, the conditions "
+                                           "compared for each pattern.");
+}
+
+} // namespace teleta::studyview

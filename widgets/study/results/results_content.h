@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/study/analysis/study_results.h"
+#include "widgets/study/results/interval_chart.h"
+#include "widgets/study/results/result_table.h"
+
+#include <QCoreApplication>
+#include <QMap>
+#include <QString>
+#include <QStringList>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace teleta::studyview {
+
+/// How conditions are called, by id; one that is not in it is called by its id.
+using ConditionNames = QMap<QString, QString>;
+
+/// Header, explanations and rows of a table.
+struct TableContent {
+    QStringList header;
+    QStringList tips;
+    std::vector<std::vector<ResultCell>> rows;
+};
+
+/// Whose results are shown: some participants, and others beside them.
+struct ShownPeople {
+    QStringList group = {};                 ///< empty: all
+    std::optional<QStringList> beside = {}; ///< a second group; empty list: all
+
+    [[nodiscard]] bool isEverybody() const { return group.isEmpty() && !beside; }
+    /// The groups in their order.
+    [[nodiscard]] std::vector<QStringList> groups() const;
+};
+
+/// What the pictures and tables of a task show. Thread: any (pure).
+class ResultsContent {
+    Q_DECLARE_TR_FUNCTIONS(ResultsContent)
+
+public:
+    /// Share of right answers: a group's mean with its t interval, or a participant's with Wilson's.
+    [[nodiscard]] static IntervalChartContent accuracy(const study::TaskResults& task,
+                                                       const ShownPeople& people = {},
+                                                       const ConditionNames& names = {});
+    /// The same for each pattern, conditions side by side, with p of the comparison where all are shown.
+    [[nodiscard]] static IntervalChartContent patterns(const study::TaskResults& task,
+                                                       const ShownPeople& people = {},
+                                                       const ConditionNames& names = {});
+    /// Median response times of right answers.
+    [[nodiscard]] static IntervalChartContent
+    times(const study::TaskResults& task, const ShownPeople& people = {}, const ConditionNames& names = {});
+    /// Test trials of a group under a condition; empty group: all.
+    [[nodiscard]] static study::ConfusionMatrix
+    matrix(const study::TaskResults& task, const std::string& condition, const QStringList& group);
+    /// "all participants", "P01, P02", "5 participants".
+    [[nodiscard]] static QString nameOf(const QStringList& group);
+
+    [[nodiscard]] static TableContent groups(const study::TaskResults& task,
+                                             const ConditionNames& names = {});
+    [[nodiscard]] static TableContent people(const study::TaskResults& task, const ShownPeople& shown = {},
+                                             const ConditionNames& names = {});
+    [[nodiscard]] static TableContent anova(const study::TaskResults& task);
+    /// What a guesser would show, and how far the information transfer can be trusted.
+    [[nodiscard]] static QString transferNote(const study::TaskResults& task);
+    [[nodiscard]] static QString anovaNote(const study::TaskResults& task);
+};
+
+} // namespace teleta::studyview

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/study/results/results_view.h"
+
+#include "widgets/base/theme.h"
+#include "widgets/study/results/confusion_view.h"
+#include "widgets/study/results/interval_chart.h"
+#include "widgets/study/results/participant_picker.h"
+#include "widgets/study/results/result_table.h"
+#include "widgets/study/results/results_content.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <initializer_list>
+#include <set>
+#include <utility>
+
+namespace teleta::studyview {
+
+namespace {
+
+void fill(ResultTable* table, const TableContent& content) {
+    table->setRows(content.header, content.tips, content.rows);
+}
+
+QLabel* note(QWidget* parent) {
+    auto* label = new QLabel(parent);
+    label->setWordWrap(true);
+    label->setTextFormat(Qt::PlainText);
+    label->setFont(base::sized(label->font(), base::kSmallText));
+    return label;
+}
+
+QLabel* heading(QWidget* parent) {
+    auto* label = new QLabel(parent);
+    QFont bold = label->font();
+    bold.setBold(true);
+    label->setFont(bold);
+    return label;
+}
+
+} // namespace
+
+ResultsView::ResultsView(QWidget* parent)
+    : QWidget(parent)
+    , m_task(new QComboBox(this))
+    , m_who(new ParticipantPicker(this))
+    , m_beside(new ParticipantPicker(this))
+    , m_counts(new QComboBox(this))
+    , m_export(new QPushButton(this))
+    , m_state(new QLabel(this))
+    , m_content(new QWidget(this))
+    , m_matrixGrid(new QGridLayout)
+    , m_accuracy(new IntervalChart(m_content))
+    , m_patterns(new IntervalChart(m_content))
+    , m_times(new IntervalChart(m_content))
+    , m_groupsTitle(heading(m_content))
+    , m_groups(new ResultTable(QStringLiteral("group"), m_content))
+    , m_groupsNote(note(m_content))
+    , m_anovaTitle(heading(m_content))
+    , m_anova(new ResultTable(QStringLiteral("anova"), m_content))
+    , m_anovaNote(note(m_content))
+    , m_peopleTitle(heading(m_content))
+    , m_people(new ResultTable(QStringLiteral("summary"), m_content)) {
+    m_task->setObjectName(QStringLiteral("resultTask"));
+    m_who->setObjectName(QStringLiteral("resultParticipant"));
+    m_beside->setObjectName(QStringLiteral("resultBeside"));
+    m_counts->setObjectName(QStringLiteral("resultCounts"));
+    m_export->setObjectName(QStringLiteral("resultExport"));
+    m_counts->addItems({QString(), QString()});
+    for (QComboBox* box : {m_task, m_counts})
+        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    m_state->setWordWrap(true);
+    auto* bar = new QHBoxLayout;
+    bar->addWidget(m_task);
+    bar->addWidget(m_who);
+    bar->addWidget(m_beside);
+    bar->addWidget(m_counts);
+    bar->addWidget(m_state, 1);
+    bar->addWidget(m_export);
+    auto* charts = new QHBoxLayout;
+    charts->addWidget(m_accuracy, 3);
+    charts->addWidget(m_patterns, 5);
+    charts->addWidget(m_times, 3);
+    auto* column = new QVBoxLayout(m_content);
+    const int margin = base::grid(this, 2);
+    column->setContentsMargins(margin, margin, margin, margin);
+    column->setSpacing(base::grid(this, 1.5));
+    column->addLayout(m_matrixGrid);
+    column->addLayout(charts);
+    for (QWidget* part : std::initializer_list<QWidget*>{m_groupsTitle, m_groups, m_groupsNote, m_anovaTitle,
+                                                         m_anova, m_anovaNote, m_peopleTitle, m_people})
+        column->addWidget(part);
+    column->addStretch(1);
+    auto* area = new QScrollArea(this);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidget(m_content);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, margin, 0, 0);
+    auto* framed = new QHBoxLayout;
+    framed->setContentsMargins(margin, 0, margin, 0);
+    framed->addLayout(bar);
+    layout->addLayout(framed);
+    layout->addWidget(area, 1);
+
+    auto* menu = new QMenu(m_export);
+    m_export->setMenu(menu);
+    connect(m_task, &QComboBox::currentIndexChanged, this, &ResultsView::refresh);
+    for (ParticipantPicker* picker : {m_who, m_beside})
+        connect(picker, &ParticipantPicker::chosenChanged, this, &ResultsView::refresh);
+    connect(m_counts, &QComboBox::currentIndexChanged, this, [this](int index) {
+        for (ConfusionView* view : m_matrices)
+            view->setPercent(index == 1);
+    });
+    for (IntervalChart* chart : {m_accuracy, m_patterns, m_times})
+        connect(&chart->exporter(), &base::FigureExport::failed, this, &ResultsView::figureFailed);
+    for (ResultTable* table : {m_groups, m_anova, m_people})
+        connect(&table->exporter(), &base::FigureExport::failed, this, &ResultsView::figureFailed);
+    m_content->hide();
+    retranslate();
+}
+
+void ResultsView::setScene(ResultsScene scene) {
+    m_scene = std::move(scene);
+    fillChoices();
+    refresh();
+}
+
+void ResultsView::setState(const QString& state) {
+    m_state->setText(state);
+}
+
+QString ResultsView::task() const {
+    return m_task->currentData().toString();
+}
+
+ShownPeople ResultsView::shown() const {
+    ShownPeople people{m_who->chosen(), {}};
+    if (!m_beside->chosen().isEmpty())
+        people.beside = m_beside->chosen();
+    return people;
+}
+
+ConditionNames ResultsView::conditionNames() const {
+    return m_scene.conditionNames.value(task());
+}
+
+const study::TaskResults* ResultsView::chosen() const {
+    const auto found = std::find_if(m_scene.tasks.begin(), m_scene.tasks.end(), [this](const auto& one) {
+        return QString::fromStdString(one.task) == task();
+    });
+    return found == m_scene.tasks.end() ? nullptr : &*found;
+}
+
+/// What was chosen stays chosen when new trials come in.
+void ResultsView::fillChoices() {
+    const QString oldTask = task();
+    const QSignalBlocker quietTask(m_task);
+    const QSignalBlocker quietWho(m_who);
+    const QSignalBlocker quietBeside(m_beside);
+    m_task->clear();
+    std::set<QString> people;
+    for (const study::TaskResults& one : m_scene.tasks) {
+        const QString id = QString::fromStdString(one.task);
+        m_task->addItem(m_scene.taskNames.value(id, id), id);
+        for (const study::ParticipantSummary& person : one.participants)
+            people.insert(QString::fromStdString(person.participant));
+    }
+    const QStringList all(people.begin(), people.end());
+    m_who->setChoices(all, tr("All participants"));
+    m_beside->setChoices(all, tr("Nobody beside them"));
+    m_task->setCurrentIndex(std::max(0, m_task->findData(oldTask)));
+}
+
+void ResultsView::refresh() {
+    const study::TaskResults* results = chosen();
+    const bool any = results != nullptr && !results->participants.empty();
+    m_content->setVisible(any);
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_task, m_who, m_beside, m_counts, m_export})
+        widget->setEnabled(any);
+    if (!any)
+        return;
+    showMatrices(*results);
+    showCharts(*results);
+    showTables(*results);
+}
+
+void ResultsView::showMatrices(const study::TaskResults& results) {
+    const std::vector<QStringList> groups = shown().groups();
+    const std::size_t columns = results.conditions.size();
+    const ConditionNames names = conditionNames();
+    while (m_matrices.size() > groups.size() * columns) {
+        delete m_matrices.back();
+        m_matrices.pop_back();
+    }
+    while (m_matrices.size() < groups.size() * columns) {
+        auto* view = new ConfusionView(m_content);
+        view->setPercent(m_counts->currentIndex() == 1);
+        connect(view, &ConfusionView::percentChanged, this,
+                [this](bool percent) { m_counts->setCurrentIndex(percent ? 1 : 0); });
+        connect(&view->exporter(), &base::FigureExport::failed, this, &ResultsView::figureFailed);
+        m_matrices.push_back(view);
+    }
+    for (std::size_t i = 0; i < m_matrices.size(); ++i) {
+        const QStringList& group = groups[i / columns];
+        const std::string& condition = results.conditions[i % columns];
+        const QString id = QString::fromStdString(condition);
+        ConfusionContent content;
+        content.matrix = ResultsContent::matrix(results, condition, group);
+        for (const std::string& letter : results.patterns)
+            content.letters << QString::fromStdString(letter);
+        content.title =
+            tr("%1, %2", "condition, participant").arg(names.value(id, id), ResultsContent::nameOf(group));
+        content.mode = m_scene.mode;
+        m_matrices[i]->setContent(std::move(content));
+        m_matrices[i]->setMinimumHeight(base::em(this, 19));
+        m_matrixGrid->addWidget(m_matrices[i], static_cast<int>(i / columns), static_cast<int>(i % columns));
+    }
+}
+
+void ResultsView::showCharts(const study::TaskResults& results) {
+    const auto set = [this](IntervalChart* chart, IntervalChartContent content) {
+        content.mode = m_scene.mode;
+        chart->setContent(std::move(content));
+        chart->setMinimumHeight(base::em(this, 17));
+    };
+    set(m_accuracy, ResultsContent::accuracy(results, shown(), conditionNames()));
+    set(m_patterns, ResultsContent::patterns(results, shown(), conditionNames()));
+    set(m_times, ResultsContent::times(results, shown(), conditionNames()));
+}
+
+void ResultsView::showTables(const study::TaskResults& results) {
+    fill(m_groups, ResultsContent::groups(results, conditionNames()));
+    fill(m_anova, ResultsContent::anova(results));
+    fill(m_people, ResultsContent::people(results, shown(), conditionNames()));
+    m_groupsNote->setText(ResultsContent::transferNote(results));
+    m_anovaNote->setText(ResultsContent::anovaNote(results));
+}
+
+void ResultsView::retranslate() {
+    m_task->setAccessibleName(tr("Task"));
+    m_who->setAccessibleName(tr("Participants that are shown"));
+    m_who->setToolTip(tr("Tick one participant, or a group"));
+    m_beside->setAccessibleName(tr("Participants beside them"));
+    m_beside->setToolTip(tr("Tick those whom you want to compare with: a second group side by side"));
+    m_counts->setAccessibleName(tr("What the matrices show"));
+    m_counts->setItemText(0, tr("Counts"));
+    m_counts->setItemText(1, tr("Percent of the row"));
+    m_groupsTitle->setText(tr("All participants together"));
+    m_anovaTitle->setText(tr("Analysis of variance"));
+    m_peopleTitle->setText(tr("Each participant"));
+    m_groups->setAccessibleName(m_groupsTitle->text());
+    m_anova->setAccessibleName(m_anovaTitle->text());
+    m_people->setAccessibleName(m_peopleTitle->text());
+    m_export->setText(tr("&Export"));
+    m_export->setToolTip(tr("Writes the trials, or these results, into the folder of the study"));
+    m_export->menu()->clear();
+    const auto add = [this](const QString& text, const QString& format) {
+        m_export->menu()->addAction(text, this, [this, format] { emit exportRequested(format); });
+    };
+    add(tr("Trials as &Psych-DS (CSV)"), QStringLiteral("psychds"));
+    add(tr("Trials as &BIDS (TSV)"), QStringLiteral("bids"));
+    add(tr("Trials for a &spreadsheet"), QStringLiteral("excel"));
+    add(tr("&Results: tables, figures, R script"), QStringLiteral("analysis"));
+    fillChoices();
+    refresh();
+}
+
+void ResultsView::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+} // namespace teleta::studyview

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/study/analysis/study_results.h"
+#include "backend/study/protocol/trial.h"
+
+#include <QMap>
+#include <QString>
+#include <QWidget>
+
+#include <vector>
+
+class QComboBox;
+class QGridLayout;
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace teleta::studyview {
+
+class ConfusionView;
+class ParticipantPicker;
+class IntervalChart;
+class ResultTable;
+struct ShownPeople;
+using ConditionNames = QMap<QString, QString>;
+
+/// Results of a study, and how to call its parts.
+struct ResultsScene {
+    std::vector<study::TaskResults> tasks;
+    QMap<QString, QString> taskNames;             ///< by id
+    QMap<QString, ConditionNames> conditionNames; ///< by id of the task
+    study::Mode mode = study::Mode::run;
+};
+
+/// The results of a study: confusion matrices, accuracy with intervals, conditions compared for each pattern,
+/// response times, information transfer with its bias, ANOVA. Every picture and table copies and saves.
+/// Thread: GUI.
+class ResultsView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ResultsView(QWidget* parent = nullptr);
+
+    void setScene(ResultsScene scene);
+    /// What is going on with them: being computed, none yet.
+    void setState(const QString& state);
+    [[nodiscard]] QString task() const;
+    /// Who is shown, and who beside them.
+    [[nodiscard]] ParticipantPicker* whoPicker() const { return m_who; }
+    [[nodiscard]] ParticipantPicker* besidePicker() const { return m_beside; }
+    /// Conditions from left to right; below them those of the second group.
+    [[nodiscard]] const std::vector<ConfusionView*>& matrices() const { return m_matrices; }
+    [[nodiscard]] IntervalChart* accuracyChart() const { return m_accuracy; }
+    [[nodiscard]] IntervalChart* patternChart() const { return m_patterns; }
+    [[nodiscard]] IntervalChart* timeChart() const { return m_times; }
+    [[nodiscard]] ResultTable* groupTable() const { return m_groups; }
+    [[nodiscard]] ResultTable* peopleTable() const { return m_people; }
+    [[nodiscard]] ResultTable* anovaTable() const { return m_anova; }
+
+signals:
+    /// psychds, bids, excel, or analysis for the files of this page.
+    void exportRequested(const QString& format);
+    void figureFailed(const QString& message);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void retranslate();
+    void fillChoices();
+    void refresh();
+    void showMatrices(const study::TaskResults& task);
+    void showCharts(const study::TaskResults& task);
+    void showTables(const study::TaskResults& task);
+    [[nodiscard]] ConditionNames conditionNames() const;
+    [[nodiscard]] const study::TaskResults* chosen() const;
+    [[nodiscard]] ShownPeople shown() const;
+
+    ResultsScene m_scene;
+    QComboBox* m_task;
+    ParticipantPicker* m_who;
+    ParticipantPicker* m_beside;
+    QComboBox* m_counts;
+    QPushButton* m_export;
+    QLabel* m_state;
+    QWidget* m_content;
+    QGridLayout* m_matrixGrid;
+    std::vector<ConfusionView*> m_matrices;
+    IntervalChart* m_accuracy;
+    IntervalChart* m_patterns;
+    IntervalChart* m_times;
+    QLabel* m_groupsTitle;
+    ResultTable* m_groups;
+    QLabel* m_groupsNote;
+    QLabel* m_anovaTitle;
+    ResultTable* m_anova;
+    QLabel* m_anovaNote;
+    QLabel* m_peopleTitle;
+    ResultTable* m_people;
+};
+
+} // namespace teleta::studyview

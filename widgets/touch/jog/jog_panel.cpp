@@ -1,0 +1,581 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/touch/jog/jog_panel.h"
+
+#include "widgets/base/icons.h"
+#include "widgets/base/numbers/number_format.h"
+#include "widgets/base/theme.h"
+#include "widgets/touch/jog/drive_sign.h"
+#include "widgets/touch/jog/hold_button.h"
+#include "widgets/touch/jog/jog_rates.h"
+#include "widgets/touch/jog/joint_range.h"
+#include "widgets/touch/touch_texts.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QSlider>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <limits>
+
+namespace teleta::touch {
+
+using core::JointArray;
+
+namespace {
+
+constexpr int kFirstSpeed_percent = 20;
+constexpr double kTouchTarget_em = 2.2;
+
+constexpr Qt::KeyboardModifiers kShortcutModifiers = Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier;
+
+struct KeyPair {
+    int down, up;
+};
+constexpr std::array<KeyPair, core::kArmJoints> kJointKeys{
+    {{Qt::Key_A, Qt::Key_Q}, {Qt::Key_S, Qt::Key_W}, {Qt::Key_D, Qt::Key_E}, {Qt::Key_F, Qt::Key_R}}};
+constexpr std::array<KeyPair, 3> kTipKeys{
+    {{Qt::Key_A, Qt::Key_D}, {Qt::Key_S, Qt::Key_W}, {Qt::Key_Q, Qt::Key_E}}};
+
+KeyPair keysOf(JogPanel::Mode mode, std::size_t axis) {
+    return mode == JogPanel::Mode::joints ? kJointKeys[axis] : kTipKeys[axis];
+}
+
+} // namespace
+
+JogPanel::JogPanel(QWidget* parent)
+    : QWidget(parent)
+    , m_message(new QLabel(this))
+    , m_handText(new QLabel(this))
+    , m_driveSign(new DriveSign(this))
+    , m_run(new QPushButton(base::themeIcon(base::Icon::play), {}, this))
+    , m_hold(new QPushButton(base::themeIcon(base::Icon::pause), {}, this))
+    , m_restart(new QPushButton(base::themeIcon(base::Icon::toStart), {}, this))
+    , m_modeBox(new QComboBox(this))
+    , m_wayBox(new QComboBox(this))
+    , m_speed(new QSlider(Qt::Horizontal, this))
+    , m_speedLabel(new QLabel(this))
+    , m_speedText(new QLabel(this))
+    , m_deadMan(new HoldButton(this))
+    , m_clutch(new HoldButton(this)) {
+    setFocusPolicy(Qt::StrongFocus);
+    m_message->setWordWrap(true);
+    m_handText->setWordWrap(true);
+    m_handText->hide();
+    m_modeBox->addItems({QString(), QString()});
+    m_wayBox->addItems({QString(), QString()});
+    m_speed->setRange(1, 100);
+    m_speed->setValue(kFirstSpeed_percent);
+    m_speedLabel->setBuddy(m_speed);
+    m_speedText->setMinimumWidth(base::em(this, 4.0));
+    m_deadMan->setMinimumHeight(base::em(this, kTouchTarget_em));
+    m_clutch->setMinimumHeight(base::em(this, kTouchTarget_em));
+
+    auto* program = new QHBoxLayout;
+    program->addWidget(m_driveSign, 1);
+    for (QPushButton* button : {m_run, m_hold, m_restart}) {
+        button->setAutoDefault(false);
+        program->addWidget(button);
+    }
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(base::grid(this));
+    grid->setVerticalSpacing(base::grid(this, 0.5));
+    grid->setColumnStretch(1, 1);
+    for (std::size_t axis = 0; axis < core::kArmJoints; ++axis) {
+        const int row = static_cast<int>(axis);
+        m_names[axis] = new QLabel(this);
+        m_ranges[axis] = new JointRange(this);
+        grid->addWidget(m_names[axis], row, 0);
+        grid->addWidget(m_ranges[axis], row, 1);
+        for (const int side : {0, 1}) {
+            auto* button = new HoldButton(this);
+            button->setFixedSize(base::em(this, 3.4), base::em(this, kTouchTarget_em));
+            connect(button, &HoldButton::heldChanged, this, &JogPanel::onDirectionHeld);
+            m_buttons[axis][static_cast<std::size_t>(side)] = button;
+            grid->addWidget(button, row, 2 + side);
+        }
+    }
+    auto* kind = new QHBoxLayout;
+    kind->addWidget(m_modeBox, 1);
+    kind->addWidget(m_wayBox, 1);
+    auto* hold = new QHBoxLayout;
+    hold->addWidget(m_deadMan, 2);
+    hold->addWidget(m_clutch, 1);
+    auto* speed = new QHBoxLayout;
+    speed->addSpacing(base::grid(this));
+    speed->addWidget(m_speedLabel);
+    speed->addWidget(m_speed, 1);
+    speed->addWidget(m_speedText);
+    auto* layout = new QVBoxLayout(this);
+    const int margin = base::grid(this);
+    layout->setContentsMargins(margin, margin / 2, margin, margin / 2);
+    layout->setSpacing(margin / 2);
+    layout->addLayout(program);
+    layout->addWidget(m_message);
+    // What moves the arm comes first: the panel may have to be low.
+    layout->addLayout(grid);
+    layout->addLayout(hold);
+    layout->addLayout(kind);
+    layout->addLayout(speed);
+    layout->addWidget(m_handText);
+    layout->addStretch(1);
+
+    for (QWidget* child : findChildren<QWidget*>())
+        child->installEventFilter(this);
+    m_timer.setInterval(kPeriod_ms);
+    m_timer.setTimerType(Qt::PreciseTimer);
+    connect(&m_timer, &QTimer::timeout, this, [this] {
+        take();
+        if (isMoving())
+            emit jogRequested(m_rate);
+    });
+    connect(m_deadMan, &HoldButton::heldChanged, this, [this] {
+        setFocus(Qt::MouseFocusReason);
+        take();
+    });
+    connect(m_speed, &QSlider::valueChanged, this, [this] {
+        showSpeed();
+        // The same deflection would be another place.
+        if (m_leader == Leader::hand)
+            m_guide.letGo();
+        take();
+    });
+    connect(m_modeBox, &QComboBox::currentIndexChanged, this,
+            [this](int index) { setMode(index == 1 ? Mode::tip : Mode::joints); });
+    connect(m_wayBox, &QComboBox::currentIndexChanged, this,
+            [this](int index) { setWay(index == 1 ? Way::position : Way::velocity); });
+    connect(m_clutch, &HoldButton::heldChanged, this, [this] {
+        setFocus(Qt::MouseFocusReason);
+        take();
+    });
+    connect(m_run, &QPushButton::clicked, this, [this] { emit programRunRequested(true); });
+    connect(m_hold, &QPushButton::clicked, this, [this] { emit programRunRequested(false); });
+    connect(m_restart, &QPushButton::clicked, this, &JogPanel::programRestartRequested);
+    connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
+        if (now != this && !(now && isAncestorOf(now)))
+            releaseAll();
+    });
+    retranslate();
+    enableParts();
+}
+
+JogPanel::~JogPanel() {
+    // The parts that are destroyed after this may lose the focus.
+    disconnect(qApp, nullptr, this, nullptr);
+    releaseAll();
+}
+
+void JogPanel::showSpeed() {
+    if (isGuided()) {
+        m_speedLabel->setText(tr("&Step"));
+        m_speed->setToolTip(tr("How far a press leads the tip, and a 3D mouse that is fully deflected"));
+        m_speed->setAccessibleName(tr("Length of a step"));
+        m_speedText->setText(base::withUnit(QLocale().toString(10.0 * m_speed->value() * kFullStep_m, 'f', 1),
+                                            QStringLiteral("mm")));
+    } else {
+        m_speedLabel->setText(tr("&Speed"));
+        m_speed->setToolTip(tr("Share of the fastest speed"));
+        m_speed->setAccessibleName(tr("Jog speed"));
+        m_speedText->setText(tr("%1 %").arg(m_speed->value()));
+    }
+}
+
+void JogPanel::retranslate() {
+    setAccessibleName(tr("Jog the arm"));
+    setWhatsThis(isGuided()
+                     ? tr("<p>Leads the tip of the arm by hand. Each press of a direction is a step. The arm "
+                          "moves only while you hold Shift, or the wide button; let go of it and it stands "
+                          "still.</p>")
+                     : tr("<p>Moves the arm by hand. It moves only while you hold Shift, or the wide button, "
+                          "together with a direction. Let go of either and it stands still.</p>"));
+    m_run->setText(tr("&Run"));
+    m_run->setToolTip(tr("Let the arm's program go on"));
+    m_hold->setText(tr("&Hold"));
+    m_hold->setToolTip(tr("Hold the arm where it is"));
+    m_restart->setText(tr("R&estart"));
+    m_restart->setToolTip(tr("Restart the arm's program"));
+    m_modeBox->setItemText(0, tr("Joints"));
+    m_modeBox->setItemText(1, tr("Tip, x y z"));
+    m_modeBox->setAccessibleName(tr("What is moved"));
+    m_modeBox->setToolTip(tr("Turn single joints, or move the tip of the forearm along the base's axes"));
+    m_wayBox->setItemText(0, tr("By velocity"));
+    m_wayBox->setItemText(1, tr("By position"));
+    m_wayBox->setAccessibleName(tr("How it is moved"));
+    m_wayBox->setToolTip(
+        tr("By velocity the arm moves while a direction is held. By position each press is a "
+           "step of the tip, and a 3D mouse leads the tip as far as it is deflected."));
+    m_clutch->setText(tr("Clutch (C)"));
+    m_clutch->setToolTip(
+        tr("While it is held the arm stands still and the hand goes back freely; then it takes hold anew. "
+           "Also the second button of a 3D mouse."));
+    m_clutch->setAccessibleName(tr("Clutch"));
+    showSpeed();
+    m_deadMan->setText(tr("Hold to enable (or Shift)"));
+    m_deadMan->setToolTip(tr("Dead-man switch: the arm moves only while this button or Shift is held"));
+    m_deadMan->setAccessibleName(tr("Dead-man switch"));
+    constexpr std::array<char16_t, 3> kAxes{u'x', u'y', u'z'};
+    for (std::size_t axis = 0; axis < core::kArmJoints; ++axis) {
+        const QString joint = TouchTexts::joint(axis);
+        m_names[axis]->setText(joint);
+        m_ranges[axis]->setAccessibleName(tr("Angle of %1").arg(joint));
+        if (axis >= axes())
+            continue;
+        const bool tip = m_mode == Mode::tip;
+        const QString name = tip ? tr("tip along %1").arg(QChar(kAxes[axis])) : joint;
+        const KeyPair keys = keysOf(m_mode, axis);
+        const auto describe = [&](bool up, int key) {
+            HoldButton* button = directionButton(axis, up);
+            const QString sign = up ? QStringLiteral("+") : QString(QChar(0x2212));
+            button->setText(tip ? QChar(kAxes[axis]) + sign : sign);
+            button->setAccessibleName(up ? tr("%1 up").arg(name) : tr("%1 down").arg(name));
+            button->setToolTip((isGuided() ? tr("A step, while Shift is held; key Shift+%1")
+                                           : tr("Hold with Shift to move; key Shift+%1"))
+                                   .arg(QChar(key)));
+        };
+        describe(false, keys.down);
+        describe(true, keys.up);
+    }
+    enableParts();
+}
+
+std::size_t JogPanel::axes() const {
+    return m_mode == Mode::joints ? core::kArmJoints : kTipKeys.size();
+}
+
+HoldButton* JogPanel::directionButton(std::size_t axis, bool up) const {
+    return m_buttons[axis][up ? 1 : 0];
+}
+
+QString JogPanel::refusal() const {
+    if (!m_arm)
+        return tr("No arm is connected. Open a scene or a device with an arm.");
+    if (m_arm->recorded)
+        return tr("A recording is played: what its arm did is over, and nothing can be moved.");
+    if (m_stopEngaged)
+        return tr("STOP is engaged. Hold the STOP button to release it, then jog.");
+    if (m_readingsOld)
+        return tr("The joint readings are old: nothing is moved until they come again.");
+    return {};
+}
+
+void JogPanel::enableParts() {
+    const QString reason = refusal();
+    const bool able = reason.isEmpty();
+    const bool isRecorded = m_arm && m_arm->recorded;
+    if (!able) {
+        m_handReady = false;
+        releaseAll();
+    }
+    const bool tip = m_mode == Mode::tip;
+    m_message->setText(!able        ? reason
+                       : isGuided() ? tr("Hold Shift: each press of D A (x), W S (y), E Q (z) is a step.")
+                       : tip        ? tr("Hold Shift and a button, or Shift with D A (x), W S (y), E Q (z).")
+                             : tr("Hold Shift and a button, or Shift with Q W E R (up), A S D F (down)."));
+    QPalette colours = palette();
+    colours.setColor(QPalette::WindowText, able || isRecorded ? palette().color(QPalette::PlaceholderText)
+                                                              : base::statusColours(palette()).lost);
+    m_message->setPalette(colours);
+    m_deadMan->setEnabled(able);
+    m_clutch->setEnabled(able && m_way == Way::position);
+    for (std::size_t axis = 0; axis < core::kArmJoints; ++axis) {
+        m_ranges[axis]->setEnabled(m_arm.has_value());
+        for (HoldButton* button : m_buttons[axis]) {
+            button->setEnabled(able);
+            button->setVisible(axis < axes());
+        }
+    }
+    for (QPushButton* button : {m_run, m_hold, m_restart})
+        button->setEnabled(able && m_arm->hasProgram);
+    // What can only make it safer stays possible.
+    m_hold->setEnabled(m_arm && m_arm->hasProgram && !isRecorded && !m_stopEngaged);
+}
+
+void JogPanel::setArm(const std::optional<core::ArmDescription>& arm) {
+    m_handReady = false;
+    releaseAll();
+    m_arm = arm;
+    m_hasSample = false;
+    m_readingsOld = false;
+    m_age_s = 0.0;
+    for (std::size_t joint = 0; joint < core::kArmJoints; ++joint) {
+        m_ranges[joint]->setRange(arm ? arm->lowest_rad[joint] : 0.0, arm ? arm->highest_rad[joint] : 0.0);
+        m_ranges[joint]->setAngle(std::numeric_limits<double>::quiet_NaN());
+    }
+    if (!arm)
+        m_driveSign->setDrive(std::nullopt);
+    enableParts();
+}
+
+void JogPanel::setSample(const core::JointSample& sample) {
+    if (!m_arm)
+        return;
+    m_sample = sample;
+    m_hasSample = true;
+    for (std::size_t joint = 0; joint < core::kArmJoints; ++joint)
+        m_ranges[joint]->setAngle(sample.angle_rad[joint]);
+}
+
+void JogPanel::setDrive(core::ArmDrive drive) {
+    if (m_arm)
+        m_driveSign->setDrive(drive);
+}
+
+void JogPanel::setStopEngaged(bool engaged) {
+    if (engaged == m_stopEngaged)
+        return;
+    m_stopEngaged = engaged;
+    enableParts();
+}
+
+void JogPanel::setReadingsOld(bool old) {
+    if (old == m_readingsOld)
+        return;
+    m_readingsOld = old;
+    enableParts();
+}
+
+void JogPanel::setHand(const std::optional<HandMotion>& hand) {
+    m_hand = hand.value_or(HandMotion{});
+    m_handReady = hand && (m_handReady || !m_hand.deadManHeld);
+    take();
+}
+
+void JogPanel::setHandText(const QString& text) {
+    m_handText->setText(text);
+    m_handText->setVisible(!text.isEmpty());
+}
+
+void JogPanel::setMode(Mode mode) {
+    if (mode == m_mode)
+        return;
+    releaseAll();
+    m_mode = mode;
+    m_modeBox->setCurrentIndex(mode == Mode::tip ? 1 : 0);
+    retranslate();
+}
+
+void JogPanel::setWay(Way way) {
+    if (way == m_way)
+        return;
+    letGo();
+    m_way = way;
+    m_wayBox->setCurrentIndex(way == Way::position ? 1 : 0);
+    retranslate();
+}
+
+void JogPanel::setSpeed(int percent) {
+    m_speed->setValue(percent);
+}
+
+int JogPanel::speed() const {
+    return m_speed->value();
+}
+
+bool JogPanel::isMoving() const {
+    return std::ranges::any_of(m_rate, [](double rate) { return rate != 0.0; });
+}
+
+std::array<double, 3> JogPanel::handVelocity() const {
+    return m_handReady && m_hand.deadManHeld ? m_hand.velocity : std::array<double, 3>{};
+}
+
+JointArray JogPanel::tipRate(const std::array<double, 3>& share) const {
+    const Eigen::Vector3d velocity =
+        0.01 * m_speed->value() * kFullTipSpeed_mPerS * Eigen::Vector3d(share[0], share[1], share[2]);
+    return m_hasSample && !velocity.isZero() ? tipRates(*m_arm, m_sample.angle_rad, velocity) : JointArray{};
+}
+
+/// The tip is led from where it is when another one takes over: his hand is elsewhere.
+void JogPanel::leadBy(Leader leader) {
+    if (leader != m_leader)
+        m_guide.letGo();
+    m_leader = leader;
+}
+
+JointArray JogPanel::guidedRate() {
+    const bool byKeys = m_hasSample && m_mode == Mode::tip && (m_shift || m_deadMan->isHeld());
+    const bool byHand = m_hasSample && !byKeys && m_handReady && m_hand.deadManHeld;
+    const bool clutch = m_clutchKey || m_clutch->isHeld() || (byHand && m_hand.clutchHeld);
+    leadBy(byKeys ? Leader::keys : byHand ? Leader::hand : Leader::nobody);
+    if (m_leader == Leader::nobody)
+        return {};
+    const double scale_m = byHand ? 0.01 * m_speed->value() * kFullStep_m : 0.0;
+    const Eigen::Vector3d hand_m =
+        scale_m * Eigen::Vector3d(m_hand.velocity[0], m_hand.velocity[1], m_hand.velocity[2]);
+    const Eigen::Vector3d velocity = m_guide.velocity_mPerS(
+        true, clutch, hand_m, tipPosition(*m_arm, m_sample.reference_rad), kFullTipSpeed_mPerS, m_age_s);
+    return velocity.isZero() ? JointArray{} : tipRates(*m_arm, m_sample.reference_rad, velocity);
+}
+
+void JogPanel::stepBy(std::size_t axis, bool up) {
+    if (!isGuided() || !refusal().isEmpty())
+        return;
+    // The dead man may have come with this press: the tip is taken hold of where it is.
+    take();
+    if (m_leader != Leader::keys)
+        return;
+    Eigen::Vector3d by_m = Eigen::Vector3d::Zero();
+    by_m[static_cast<Eigen::Index>(axis)] = (up ? 0.01 : -0.01) * m_speed->value() * kFullStep_m;
+    m_guide.step(by_m);
+}
+
+JointArray JogPanel::wanted() {
+    if (!m_arm || m_stopEngaged || m_readingsOld) {
+        leadBy(Leader::nobody);
+        return {};
+    }
+    const bool byKeys = m_shift || m_deadMan->isHeld();
+    if (m_way == Way::position && (isGuided() || !byKeys))
+        return guidedRate();
+    leadBy(Leader::nobody);
+    if (!byKeys)
+        return tipRate(handVelocity());
+    std::array<double, core::kArmJoints> direction{};
+    for (std::size_t axis = 0; axis < axes(); ++axis)
+        for (const std::size_t side : {0U, 1U})
+            if (m_keys[axis][side] || m_buttons[axis][side]->isHeld())
+                direction[axis] += side == 1 ? 1.0 : -1.0;
+    if (m_mode == Mode::tip)
+        return tipRate({direction[0], direction[1], direction[2]});
+    JointArray rate{};
+    for (std::size_t joint = 0; joint < core::kArmJoints; ++joint)
+        rate[joint] = 0.01 * m_speed->value() * direction[joint] * m_arm->fastest_radPerS[joint];
+    return rate;
+}
+
+void JogPanel::take() {
+    const JointArray rate = wanted();
+    if (rate == m_rate)
+        return;
+    m_rate = rate;
+    if (!isMoving())
+        m_timer.stop();
+    else if (!m_timer.isActive())
+        m_timer.start();
+    emit jogRequested(m_rate);
+}
+
+void JogPanel::letGo() {
+    m_handReady = false;
+    releaseAll();
+}
+
+void JogPanel::releaseAll() {
+    m_shift = false;
+    m_keys = {};
+    m_clutchKey = false;
+    leadBy(Leader::nobody);
+    m_deadMan->letGo();
+    m_clutch->letGo();
+    for (const auto& pair : m_buttons)
+        for (HoldButton* button : pair)
+            button->letGo();
+    take();
+}
+
+void JogPanel::onDirectionHeld(bool held, Qt::KeyboardModifiers modifiers) {
+    if (held) {
+        // The keyboard comes here, so that letting go of Shift is seen.
+        setFocus(Qt::MouseFocusReason);
+        m_shift = modifiers.testFlag(Qt::ShiftModifier);
+        for (std::size_t axis = 0; axis < axes(); ++axis)
+            for (const bool up : {false, true})
+                if (sender() == directionButton(axis, up))
+                    stepBy(axis, up);
+    }
+    take();
+}
+
+bool JogPanel::isOwnKey(int key) const {
+    for (std::size_t axis = 0; axis < axes(); ++axis)
+        if (const KeyPair keys = keysOf(m_mode, axis); key == keys.down || key == keys.up)
+            return true;
+    return key == Qt::Key_Shift || (key == Qt::Key_C && m_way == Way::position);
+}
+
+void JogPanel::onKey(const QKeyEvent& event, bool pressed) {
+    if (event.key() == Qt::Key_Shift) {
+        m_shift = pressed;
+    } else {
+        // Shift may have been pressed or let go while the keyboard was elsewhere.
+        m_shift = event.modifiers().testFlag(Qt::ShiftModifier);
+        if (event.key() == Qt::Key_C)
+            m_clutchKey = pressed;
+        for (std::size_t axis = 0; axis < axes(); ++axis) {
+            const KeyPair keys = keysOf(m_mode, axis);
+            if (pressed && (event.key() == keys.down || event.key() == keys.up))
+                stepBy(axis, event.key() == keys.up);
+            if (event.key() == keys.down || event.key() == keys.up)
+                m_keys[axis][event.key() == keys.up ? 1 : 0] = pressed && refusal().isEmpty();
+        }
+    }
+    take();
+}
+
+bool JogPanel::eventFilter(QObject* watched, QEvent* event) {
+    // A menu takes keyboard and mouse without a change of the focus: a release would not be seen any more.
+    if (event->type() == QEvent::FocusOut &&
+        static_cast<QFocusEvent*>(event)->reason() == Qt::PopupFocusReason)
+        releaseAll();
+    if (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease) {
+        const auto& key = *static_cast<QKeyEvent*>(event);
+        const bool pressed = event->type() == QEvent::KeyPress;
+        if (isOwnKey(key.key()) && !(pressed && (key.modifiers() & kShortcutModifiers))) {
+            if (!key.isAutoRepeat())
+                onKey(key, pressed);
+            return true;
+        }
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+bool JogPanel::event(QEvent* event) {
+    switch (event->type()) {
+    case QEvent::KeyPress:
+    case QEvent::KeyRelease:
+        if (eventFilter(this, event))
+            return true;
+        break;
+    case QEvent::ShortcutOverride:
+        // The letters are the panel's own while it has the focus.
+        if (const auto* key = static_cast<QKeyEvent*>(event);
+            isOwnKey(key->key()) && !(key->modifiers() & kShortcutModifiers)) {
+            event->accept();
+            return true;
+        }
+        break;
+    case QEvent::FocusOut:
+        if (static_cast<QFocusEvent*>(event)->reason() == Qt::PopupFocusReason)
+            releaseAll();
+        break;
+    case QEvent::WindowDeactivate:
+        releaseAll();
+        break;
+    default:
+        break;
+    }
+    return QWidget::event(event);
+}
+
+void JogPanel::hideEvent(QHideEvent* event) {
+    releaseAll();
+    QWidget::hideEvent(event);
+}
+
+void JogPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    else if (event->type() == QEvent::EnabledChange && !isEnabled())
+        releaseAll();
+    else if (event->type() == QEvent::PaletteChange)
+        enableParts();
+}
+
+} // namespace teleta::touch

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/device/arm_device.h"
+#include "widgets/touch/jog/position_guide.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QSlider;
+
+namespace teleta::touch {
+
+/// What a hand on a 3D mouse wants.
+struct HandMotion {
+    std::array<double, 3>
+        velocity{}; ///< -1 .. 1 of the full deflection, right, away, up: x, y, z of the base
+    bool deadManHeld = false;
+    bool clutchHeld = false;
+};
+
+class DriveSign;
+class HoldButton;
+class JointRange;
+
+/// Moves the arm by hand, joint by joint or its tip along the axes of the base. The arm moves only while the
+/// dead-man switch (Shift, or the button on the screen) is held. Letting go of it, losing the keyboard focus
+/// or the window, hiding, STOP, or losing the arm sends zero at once and takes all holds back, so that
+/// nothing goes on by itself.
+///
+/// By velocity, the arm moves as long as a direction (a button, or its key) is held, too. By position, the
+/// tip goes where it is led: each press of a direction is a step of the scale, and the deflection of a 3D
+/// mouse is a displacement, of kFullStep_m at most and 100 %. While the clutch (C, its button, or the second
+/// one of a 3D mouse) is held, the arm stands still; then the hand takes hold anew, as does who takes over
+/// from another (keys from the mouse, the mouse from keys). Joints are always moved by velocity.
+///
+/// A 3D mouse moves the tip, whatever the mode, while its own dead-man button is held; it needs no focus.
+/// STOP, another arm and old joint readings take it out of effect until its button was let go.
+///
+/// Keys while the panel has the focus: Q W E R turn the joints 1 to 4 up, A S D F down; with the tip, D A
+/// move along x, W S along y, E Q along z. Thread: GUI.
+class JogPanel : public QWidget {
+    Q_OBJECT
+public:
+    enum class Mode { joints, tip };
+    enum class Way { velocity, position };
+    static constexpr double kFullStep_m = 0.05;
+    static constexpr int kPeriod_ms = 33; ///< of jogRequested() while it moves
+
+    explicit JogPanel(QWidget* parent = nullptr);
+    ~JogPanel() override;
+
+    /// The connected arm; empty: none.
+    void setArm(const std::optional<core::ArmDescription>& arm);
+    /// The newest reading of the joints.
+    void setSample(const core::JointSample& sample);
+    void setDrive(core::ArmDrive drive);
+    void setStopEngaged(bool engaged);
+    /// How old the newest reading is by now: the older, the more slowly the tip is led by position.
+    void setReadingsAge(double age_s) { m_age_s = age_s; }
+    /// The joint readings do not come any more: nothing is moved blindly.
+    void setReadingsOld(bool old);
+    /// What a 3D mouse tells now; empty: none is there.
+    void setHand(const std::optional<HandMotion>& hand);
+    /// Its state, in a line; empty: not shown.
+    void setHandText(const QString& text);
+
+    /// Ends what moves the arm here; keys, buttons and the mouse's dead man count again once they were let
+    /// go.
+    void letGo();
+
+    void setMode(Mode mode);
+    [[nodiscard]] Mode mode() const { return m_mode; }
+    void setWay(Way way);
+    [[nodiscard]] Way way() const { return m_way; }
+    /// Share of the full speed, in percent 1..100.
+    void setSpeed(int percent);
+    [[nodiscard]] int speed() const;
+
+    /// What is asked of the arm now.
+    [[nodiscard]] const core::JointArray& rate_radPerS() const { return m_rate; }
+    [[nodiscard]] bool isMoving() const;
+    /// Why it cannot jog; empty when it can.
+    [[nodiscard]] QString refusal() const;
+
+    /// Buttons of an axis (a joint, or x, y, z); up: towards larger values.
+    [[nodiscard]] HoldButton* directionButton(std::size_t axis, bool up) const;
+    [[nodiscard]] HoldButton* deadManButton() const { return m_deadMan; }
+    [[nodiscard]] HoldButton* clutchButton() const { return m_clutch; }
+    [[nodiscard]] JointRange* range(std::size_t joint) const { return m_ranges[joint]; }
+    [[nodiscard]] QPushButton* runButton() const { return m_run; }
+    [[nodiscard]] QPushButton* holdButton() const { return m_hold; }
+    [[nodiscard]] QPushButton* restartButton() const { return m_restart; }
+
+public slots:
+    /// Takes all holds back; zero is sent when the arm was moving.
+    void releaseAll();
+
+signals:
+    /// At 30 Hz while the arm shall move and at every change; one zero when it shall stand still.
+    void jogRequested(const core::JointArray& rate_radPerS);
+    void programRunRequested(bool running);
+    void programRestartRequested();
+
+protected:
+    bool event(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    /// Who leads the tip by position.
+    enum class Leader { nobody, keys, hand };
+
+    [[nodiscard]] bool isOwnKey(int key) const;
+    void onKey(const QKeyEvent& event, bool pressed);
+    [[nodiscard]] std::array<double, 3> handVelocity() const;
+    [[nodiscard]] core::JointArray tipRate(const std::array<double, 3>& share) const;
+    [[nodiscard]] core::JointArray guidedRate();
+    void leadBy(Leader leader);
+    void stepBy(std::size_t axis, bool up);
+    [[nodiscard]] bool isGuided() const { return m_way == Way::position && m_mode == Mode::tip; }
+    void onDirectionHeld(bool held, Qt::KeyboardModifiers modifiers);
+    void take();
+    [[nodiscard]] core::JointArray wanted();
+    [[nodiscard]] std::size_t axes() const;
+    void enableParts();
+    void showSpeed();
+    void retranslate();
+
+    std::optional<core::ArmDescription> m_arm;
+    core::JointSample m_sample;
+    bool m_hasSample = false;
+    bool m_stopEngaged = false;
+    bool m_readingsOld = false;
+    double m_age_s = 0.0; ///< of m_sample
+    HandMotion m_hand;
+    bool m_handReady = false; ///< its button was let go since it was taken out of effect
+    Mode m_mode = Mode::joints;
+    Way m_way = Way::velocity;
+    PositionGuide m_guide;
+    Leader m_leader = Leader::nobody; ///< who has hold of m_guide
+    bool m_clutchKey = false;
+    core::JointArray m_rate{};
+    bool m_shift = false;
+    std::array<std::array<bool, 2>, core::kArmJoints> m_keys{}; ///< held: [axis][0 down, 1 up]
+    QTimer m_timer;
+
+    QLabel* m_message;
+    QLabel* m_handText;
+    DriveSign* m_driveSign;
+    QPushButton* m_run;
+    QPushButton* m_hold;
+    QPushButton* m_restart;
+    QComboBox* m_modeBox;
+    QComboBox* m_wayBox;
+    QSlider* m_speed;
+    QLabel* m_speedLabel;
+    QLabel* m_speedText;
+    HoldButton* m_deadMan;
+    HoldButton* m_clutch;
+    std::array<std::array<HoldButton*, 2>, core::kArmJoints> m_buttons{};
+    std::array<QLabel*, core::kArmJoints> m_names{};
+    std::array<JointRange*, core::kArmJoints> m_ranges{};
+};
+
+} // namespace teleta::touch

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view3d/mesh/geometry_export.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QFileInfo>
+
+#include <vtkAppendPolyData.h>
+#include <vtkErrorCode.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPLYWriter.h>
+#include <vtkSTLWriter.h>
+#include <vtkStringArray.h>
+#include <vtkTransform.h>
+#include <vtkTransformPolyDataFilter.h>
+#include <vtkTriangleFilter.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <filesystem>
+#include <system_error>
+
+namespace teleta::view3d {
+
+namespace {
+
+constexpr double kMillimetresPerMetre = 1000.0;
+
+core::Unexpected failure(core::ErrorKind kind, const QString& path, const QString& message,
+                         const QString& expected = {}) {
+    core::Error error;
+    error.kind = kind;
+    error.message = message.toStdString();
+    error.expected = expected.toStdString();
+    error.where.file = path.toStdString();
+    return core::Unexpected(std::move(error));
+}
+
+vtkSmartPointer<vtkPolyData> joinedInMillimetres(std::span<const vtkSmartPointer<vtkPolyData>> meshes_m) {
+    const vtkNew<vtkAppendPolyData> joined;
+    for (const auto& mesh : meshes_m) {
+        joined->AddInputData(mesh);
+    }
+    const vtkNew<vtkTransform> scale;
+    scale->Scale(kMillimetresPerMetre, kMillimetresPerMetre, kMillimetresPerMetre);
+    const vtkNew<vtkTransformPolyDataFilter> scaled;
+    scaled->SetInputConnection(joined->GetOutputPort());
+    scaled->SetTransform(scale);
+    scaled->Update();
+    vtkSmartPointer<vtkPolyData> result = scaled->GetOutput();
+    const vtkNew<vtkStringArray> unit;
+    unit->SetName("length_unit");
+    unit->InsertNextValue("mm");
+    result->GetFieldData()->AddArray(unit);
+    return result;
+}
+
+vtkSmartPointer<vtkPolyData> trianglesOf(vtkPolyData* mesh) {
+    const vtkNew<vtkTriangleFilter> triangles;
+    triangles->SetInputData(mesh);
+    triangles->PassLinesOff();
+    triangles->PassVertsOff();
+    triangles->Update();
+    return triangles->GetOutput();
+}
+
+/// Returns VTK's error code.
+template <typename Writer>
+unsigned long writeWith(Writer* writer, vtkPolyData* mesh, const QByteArray& path) {
+    writer->SetFileName(path.constData());
+    writer->SetInputData(mesh);
+    writer->Write();
+    return writer->GetErrorCode();
+}
+
+unsigned long writeAs(const QString& format, vtkPolyData* mesh, const QByteArray& path) {
+    if (format == QLatin1String("vtp")) {
+        const vtkNew<vtkXMLPolyDataWriter> writer;
+        writer->SetDataModeToAppended();
+        return writeWith(writer.Get(), mesh, path);
+    }
+    const vtkSmartPointer<vtkPolyData> triangles = trianglesOf(mesh);
+    if (format == QLatin1String("ply")) {
+        const vtkNew<vtkPLYWriter> writer;
+        writer->SetArrayName("colour");
+        return writeWith(writer.Get(), triangles, path);
+    }
+    const vtkNew<vtkSTLWriter> writer;
+    writer->SetFileTypeToBinary();
+    return writeWith(writer.Get(), triangles, path);
+}
+
+} // namespace
+
+core::Expected<void> exportGeometry(std::span<const vtkSmartPointer<vtkPolyData>> meshes_m,
+                                    const QString& path) {
+    const QString format = QFileInfo(path).suffix().toLower();
+    if (format != QLatin1String("vtp") && format != QLatin1String("ply") && format != QLatin1String("stl")) {
+        return failure(
+            core::ErrorKind::badInput, path,
+            QCoreApplication::translate("view3d", "This is no geometry format that can be written."),
+            QCoreApplication::translate("view3d", "a file name that ends in .vtp, .ply or .stl"));
+    }
+    if (meshes_m.empty()) {
+        return failure(
+            core::ErrorKind::badInput, path,
+            QCoreApplication::translate("view3d", "The scene is empty: there is nothing to write."));
+    }
+    // The PLY writer insists on its extension.
+    const QString part = QStringLiteral("%1.part.%2").arg(path, format);
+    const QByteArray partName = QFile::encodeName(part);
+    const unsigned long code = writeAs(format, joinedInMillimetres(meshes_m), partName);
+    QString reason;
+    if (code != vtkErrorCode::NoError) {
+        reason = QString::fromLocal8Bit(vtkErrorCode::GetStringFromErrorCode(code));
+    } else if (QFileInfo(part).size() == 0) {
+        reason = QCoreApplication::translate("view3d", "nothing was written");
+    } else {
+        std::error_code renamed;
+        std::filesystem::rename(partName.toStdString(), QFile::encodeName(path).toStdString(), renamed);
+        if (!renamed) {
+            return {};
+        }
+        reason = QString::fromStdString(renamed.message());
+    }
+    QFile::remove(part);
+    return failure(
+        core::ErrorKind::ioFailed, path,
+        QCoreApplication::translate("view3d", "The geometry could not be written: %1").arg(reason));
+}
+
+} // namespace teleta::view3d

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view3d/scene/contact_part.h"
+
+#include "widgets/base/colour_maps.h"
+
+#include <vtkMatrix4x4.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace teleta::view3d {
+
+namespace {
+
+constexpr double kContactOutline_px = 2.5;
+constexpr double kWay_px = 3.0;
+constexpr double kShaft = 0.32; ///< radius of an arrow's shaft in radii of the sphere
+constexpr double kHead = 2.2;   ///< length of its head, likewise
+
+bool isDrawable(const contact::Contact& contact) {
+    return std::isfinite(contact.x_m) && std::isfinite(contact.y_m) && std::isfinite(contact.force_N);
+}
+
+} // namespace
+
+ContactPart::ContactPart()
+    : m_solidActor(m_solids.data(), MeshActor::Shading::smooth)
+    , m_outlineActor(m_outlines.data(), MeshActor::Shading::none)
+    , m_wayActor(m_ways.data(), MeshActor::Shading::none) {
+    m_marks.reserve(kMaximum);
+}
+
+void ContactPart::addTo(vtkRenderer* renderer) {
+    renderer->AddActor(m_solidActor.actor);
+    renderer->AddActor(m_outlineActor.actor);
+    renderer->AddActor(m_wayActor.actor);
+}
+
+void ContactPart::setPose(vtkMatrix4x4* X_World_Sensor) {
+    m_solidActor.actor->SetUserMatrix(X_World_Sensor);
+    m_outlineActor.actor->SetUserMatrix(X_World_Sensor);
+    m_wayActor.actor->SetUserMatrix(X_World_Sensor);
+}
+
+void ContactPart::setVisible(bool visible) {
+    m_visible = visible;
+    m_solidActor.actor->SetVisibility(visible);
+    m_outlineActor.actor->SetVisibility(visible);
+    m_wayActor.actor->SetVisibility(visible && m_wayShown);
+}
+
+void ContactPart::setDisplacementShown(bool shown) {
+    m_wayShown = shown;
+    setVisible(m_visible);
+}
+
+void ContactPart::applyPixelScale(double scale) {
+    m_outlineActor.setLineWidth(kContactOutline_px, scale);
+    m_wayActor.setLineWidth(kWay_px, scale);
+}
+
+void ContactPart::clear() {
+    m_marks.clear();
+    for (MeshBuilder* mesh : {&m_solids, &m_outlines, &m_ways}) {
+        mesh->clear();
+        mesh->finish();
+    }
+}
+
+void ContactPart::update(std::span<const contact::Contact> contacts, std::span<const std::int32_t> labels,
+                         const core::ArrayLayout& layout, const SensorPart& sensor, const FirstTouch& touches,
+                         double loadRange_N, double forceRange_N, bool onDark) {
+    const SensorSize& size = sensor.size();
+    const SurfaceMap& map = sensor.map();
+    m_marks.clear();
+    m_solids.clear();
+    m_outlines.clear();
+    m_ways.clear();
+    for (const contact::Contact& contact : contacts) {
+        if (m_marks.size() == kMaximum) {
+            break; // contacts come in order of falling force
+        }
+        if (!isDrawable(contact)) {
+            continue;
+        }
+        const int identity = contact.id > 0 ? contact.id : contact.region;
+        const QColor colour = base::identityColour(std::max(1, identity), onDark);
+        const double height_m = sensor.heightOf(contact.peak_N / loadRange_N);
+        const double share = std::clamp(contact.force_N / forceRange_N, 0.0, 1.0);
+        const Eigen::Vector3d foot = map.point(contact.x_m, contact.y_m, height_m);
+        // The arrow presses on the skin: its head ends on the sphere.
+        const Eigen::Vector3d out = map.normal(contact.y_m);
+        const Eigen::Vector3d head = foot + size.mark_m * out;
+        const Eigen::Vector3d tail = share > 0.0 ? Eigen::Vector3d(head + share * size.arrow_m * out) : foot;
+        m_marks.push_back({contact, colour, foot, tail});
+        m_solids.sphere(foot, size.mark_m, colour.rgb());
+        if (share > 0.0) {
+            m_solids.arrow(tail, head, kShaft * size.mark_m, kHead * size.mark_m, colour.rgb());
+        }
+        if (const auto start_m = touches.startOf(contact.id)) {
+            drawWay(m_marks.back(), *start_m, height_m, sensor);
+        }
+    }
+    if (labels.size() == layout.taxels() && !m_marks.empty()) {
+        outlineRegions(labels, layout, sensor);
+    }
+    m_solids.finish();
+    m_outlines.finish();
+    m_ways.finish();
+}
+
+void ContactPart::drawWay(const ContactMark& mark, const Eigen::Vector2d& start_m, double height_m,
+                          const SensorPart& sensor) {
+    const Eigen::Vector2d end_m(mark.contact.x_m, mark.contact.y_m);
+    if ((end_m - start_m).norm() < sensor.size().mark_m) {
+        return; // hidden in the sphere
+    }
+    constexpr int kSteps = 24;
+    m_way.clear();
+    for (int i = 0; i <= kSteps; ++i) {
+        const Eigen::Vector2d p = start_m + (end_m - start_m) * (static_cast<double>(i) / kSteps);
+        m_way.push_back(sensor.map().point(p.x(), p.y(), height_m));
+    }
+    m_ways.polyline(m_way, mark.colour.rgb());
+    m_solids.octahedron(m_way.front(), 0.6 * sensor.size().mark_m, mark.colour.rgb());
+}
+
+void ContactPart::outlineRegions(std::span<const std::int32_t> labels, const core::ArrayLayout& layout,
+                                 const SensorPart& sensor) {
+    const auto colourOf = [&](std::int32_t region) -> const ContactMark* {
+        for (const ContactMark& mark : m_marks) {
+            if (mark.contact.region == region) {
+                return &mark;
+            }
+        }
+        return nullptr;
+    };
+    const auto labelAt = [&](int row, int column) {
+        const bool inside = row >= 0 && row < layout.rows && column >= 0 && column < layout.columns;
+        return inside ? labels[static_cast<std::size_t>(row) * static_cast<std::size_t>(layout.columns) +
+                               static_cast<std::size_t>(column)]
+                      : 0;
+    };
+    // Neighbour across each side, and the side's two ends, in taxels from the centre.
+    struct Side {
+        int rowStep, columnStep;
+        double x0, y0, x1, y1;
+    };
+    static constexpr std::array<Side, 4> kSides = {{{-1, 0, -0.5, -0.5, 0.5, -0.5},
+                                                    {0, 1, 0.5, -0.5, 0.5, 0.5},
+                                                    {1, 0, 0.5, 0.5, -0.5, 0.5},
+                                                    {0, -1, -0.5, 0.5, -0.5, -0.5}}};
+    const double lift_m = sensor.size().tile_m;
+    for (int row = 0; row < layout.rows; ++row) {
+        for (int column = 0; column < layout.columns; ++column) {
+            const std::int32_t region = labelAt(row, column);
+            if (region <= 0) {
+                continue;
+            }
+            const ContactMark* mark = colourOf(region);
+            if (mark == nullptr) {
+                continue;
+            }
+            const double height_m = sensor.heightOfCell(sensor.grid().cellOf(row, column)) + lift_m;
+            for (const Side& side : kSides) {
+                if (labelAt(row + side.rowStep, column + side.columnStep) == region) {
+                    continue;
+                }
+                m_outlines.segment(
+                    sensor.map().point(layout.x_m(column + side.x0), layout.y_m(row + side.y0), height_m),
+                    sensor.map().point(layout.x_m(column + side.x1), layout.y_m(row + side.y1), height_m),
+                    mark->colour.rgb());
+            }
+        }
+    }
+}
+
+void ContactPart::appendMeshes(std::vector<vtkPolyData*>& meshes) const {
+    meshes.push_back(m_solids.data());
+    meshes.push_back(m_outlines.data());
+    if (m_wayShown) {
+        meshes.push_back(m_ways.data());
+    }
+}
+
+} // namespace teleta::view3d

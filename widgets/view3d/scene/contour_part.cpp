@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view3d/scene/contour_part.h"
+
+#include "widgets/base/theme.h"
+
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace teleta::view3d {
+
+namespace {
+
+void keepFinite(std::span<const Eigen::Vector3d> from, std::vector<Eigen::Vector3d>& to,
+                Eigen::AlignedBox3d& box) {
+    to.clear();
+    for (const Eigen::Vector3d& p : from) {
+        if (p.allFinite()) {
+            to.push_back(p);
+            box.extend(p);
+        }
+    }
+}
+
+bool isDrawableLink(const ArmLink& link) {
+    return link.X_World_Link.matrix().allFinite() && std::isfinite(link.length_m) &&
+           std::isfinite(link.radius_m) && link.length_m >= 0.0 && link.radius_m > 0.0;
+}
+
+} // namespace
+
+ContourPart::ContourPart()
+    : m_solidActor(m_solids.data(), MeshActor::Shading::smooth)
+    , m_curveActor(m_curve.data(), MeshActor::Shading::none) {
+    // The arm that explores an object stands between it and the camera half of the time.
+    m_solidActor.showThrough();
+    m_curveActor.showThrough();
+}
+
+void ContourPart::addTo(vtkRenderer* renderer) {
+    renderer->AddActor(m_solidActor.actor);
+    renderer->AddActor(m_curveActor.actor);
+}
+
+void ContourPart::applyColours(const SceneColours& colours) {
+    m_pointColour = colours.contourPoint.rgb();
+    m_curveColour = colours.contourCurve.rgb();
+    m_vertexColour = colours.contourVertex.rgb();
+    rebuild();
+}
+
+void ContourPart::set(std::span<const Eigen::Vector3d> points_m, std::span<const Eigen::Vector3d> curve_m,
+                      std::span<const Eigen::Vector3d> vertices_m) {
+    m_box_m.setEmpty();
+    keepFinite(points_m, m_points_m, m_box_m);
+    keepFinite(curve_m, m_curve_m, m_box_m);
+    keepFinite(vertices_m, m_vertices_m, m_box_m);
+    rebuild();
+}
+
+void ContourPart::rebuild() {
+    constexpr double kSmallestPoint_m = 2e-4;
+    const double extent_m = m_box_m.isEmpty() ? 0.0 : m_box_m.diagonal().norm();
+    const double radius_m = std::max(kSmallestPoint_m, 0.011 * extent_m);
+    m_solids.clear();
+    m_curve.clear();
+    for (const Eigen::Vector3d& p : m_points_m) {
+        m_solids.sphere(p, radius_m, m_pointColour);
+    }
+    for (const Eigen::Vector3d& p : m_vertices_m) {
+        m_solids.octahedron(p, 2.2 * radius_m, m_vertexColour);
+    }
+    m_curve.polyline(m_curve_m, m_curveColour);
+    m_solids.finish();
+    m_curve.finish();
+}
+
+void ContourPart::appendMeshes(std::vector<vtkPolyData*>& meshes) const {
+    meshes.push_back(m_solids.data());
+    meshes.push_back(m_curve.data());
+}
+
+ArmPart::ArmPart()
+    : m_actor(m_solids.data(), MeshActor::Shading::smooth) {
+}
+
+void ArmPart::applyColours(const SceneColours& colours) {
+    m_tubeColour = colours.arm.rgb();
+    m_jointColour = base::mixed(colours.arm, colours.text, 0.35).rgb();
+    rebuild();
+}
+
+void ArmPart::set(std::span<const ArmLink> links) {
+    m_links.clear();
+    std::copy_if(links.begin(), links.end(), std::back_inserter(m_links), isDrawableLink);
+    rebuild();
+}
+
+void ArmPart::rebuild() {
+    m_solids.clear();
+    m_box_m.setEmpty();
+    for (const ArmLink& link : m_links) {
+        const Eigen::Vector3d from = link.X_World_Link.translation();
+        const Eigen::Vector3d to = link.X_World_Link * Eigen::Vector3d(link.length_m, 0.0, 0.0);
+        const Eigen::Vector3d around = Eigen::Vector3d::Constant(1.25 * link.radius_m);
+        for (const Eigen::Vector3d& end : {from, to}) {
+            m_box_m.extend(end - around);
+            m_box_m.extend(end + around);
+        }
+        m_solids.cone(from, to, link.radius_m, link.radius_m, m_tubeColour);
+        m_solids.sphere(from, 1.25 * link.radius_m, m_jointColour);
+        m_solids.sphere(to, link.radius_m, m_tubeColour);
+    }
+    m_solids.finish();
+}
+
+} // namespace teleta::view3d

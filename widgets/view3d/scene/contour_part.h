@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/view3d/mesh/mesh_actor.h"
+#include "widgets/view3d/mesh/mesh_builder.h"
+#include "widgets/view3d/scene/scene_colours.h"
+#include "widgets/view3d/scene/scene_types.h"
+
+#include <Eigen/Geometry>
+#include <vtkRenderer.h>
+
+#include <span>
+#include <vector>
+
+namespace teleta::view3d {
+
+/// What was explored by touch: contact points, the spline through them, vertices. In the world frame. Points
+/// that are not finite are left out. Thread: one.
+class ContourPart {
+public:
+    ContourPart();
+    void addTo(vtkRenderer* renderer);
+    void applyColours(const SceneColours& colours);
+    void applyPixelScale(double scale) { m_curveActor.setLineWidth(3.0, scale); }
+
+    void set(std::span<const Eigen::Vector3d> points_m, std::span<const Eigen::Vector3d> curve_m,
+             std::span<const Eigen::Vector3d> vertices_m);
+    [[nodiscard]] const Eigen::AlignedBox3d& box_m() const { return m_box_m; }
+    void appendMeshes(std::vector<vtkPolyData*>& meshes) const;
+
+private:
+    void rebuild();
+
+    std::vector<Eigen::Vector3d> m_points_m;
+    std::vector<Eigen::Vector3d> m_curve_m;
+    std::vector<Eigen::Vector3d> m_vertices_m;
+    Eigen::AlignedBox3d m_box_m;
+    QRgb m_pointColour = 0;
+    QRgb m_curveColour = 0;
+    QRgb m_vertexColour = 0;
+    MeshBuilder m_solids;
+    MeshBuilder m_curve{false};
+    MeshActor m_solidActor;
+    MeshActor m_curveActor;
+};
+
+/// The arm as tubes and balls, in the world frame. Links with a transform, length or radius that cannot be
+/// drawn are left out. Thread: one.
+class ArmPart {
+public:
+    ArmPart();
+    void addTo(vtkRenderer* renderer) { renderer->AddActor(m_actor.actor); }
+    void applyColours(const SceneColours& colours);
+
+    void set(std::span<const ArmLink> links);
+    [[nodiscard]] const Eigen::AlignedBox3d& box_m() const { return m_box_m; }
+    void appendMeshes(std::vector<vtkPolyData*>& meshes) const { meshes.push_back(m_solids.data()); }
+
+private:
+    void rebuild();
+
+    std::vector<ArmLink> m_links;
+    Eigen::AlignedBox3d m_box_m;
+    QRgb m_tubeColour = 0;
+    QRgb m_jointColour = 0;
+    MeshBuilder m_solids;
+    MeshActor m_actor;
+};
+
+} // namespace teleta::view3d

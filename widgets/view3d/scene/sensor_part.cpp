@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view3d/scene/sensor_part.h"
+
+#include "widgets/base/colour_maps.h"
+
+#include <vtkMatrix4x4.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace teleta::view3d {
+
+namespace {
+
+constexpr double kGap = 0.14;
+constexpr double kSensorOutline_px = 1.5;
+constexpr double kRing_px = 1.0;
+constexpr double kTubeOpacity = 0.22;
+constexpr double kRingSpacing_m = 0.010;
+
+} // namespace
+
+SensorSize SensorSize::of(const core::ArrayLayout& layout, const DrawnGrid& grid, const SurfaceMap& map) {
+    SensorSize size;
+    size.halfX_m = 0.5 * layout.columns * layout.pitch_m;
+    size.halfY_m = 0.5 * layout.rows * layout.pitch_m;
+    const double cell_m = layout.pitch_m * grid.block();
+    const double diagonal_m = 2.0 * std::hypot(size.halfX_m, size.halfY_m);
+    const double reach_m =
+        map.surface() == Surface::cylinder ? std::min(diagonal_m, 2.0 * map.radius_m()) : diagonal_m;
+    size.thickness_m = 0.5 * cell_m;
+    size.tile_m = 0.06 * cell_m;
+    size.rise_m = 0.15 * reach_m;
+    size.mark_m = std::max(0.4 * layout.pitch_m, 0.011 * diagonal_m);
+    size.arrow_m = 0.28 * diagonal_m;
+    return size;
+}
+
+SensorPart::SensorPart()
+    : m_taxelActor(m_taxels.data(), MeshActor::Shading::flat)
+    , m_slabActor(m_slab.data(), MeshActor::Shading::smooth)
+    , m_outlineActor(m_outline.data(), MeshActor::Shading::none)
+    , m_crossActor(m_crosses.data(), MeshActor::Shading::none)
+    , m_tubeActor(m_tube.data(), MeshActor::Shading::smooth)
+    , m_ringActor(m_rings.data(), MeshActor::Shading::none) {
+    m_tubeActor.actor->GetProperty()->SetOpacity(kTubeOpacity);
+    setVisible(false);
+}
+
+void SensorPart::addTo(vtkRenderer* renderer) {
+    for (const MeshActor* part :
+         {&m_slabActor, &m_taxelActor, &m_outlineActor, &m_crossActor, &m_ringActor, &m_tubeActor}) {
+        renderer->AddActor(part->actor);
+    }
+}
+
+void SensorPart::setPose(vtkMatrix4x4* X_World_Sensor) {
+    for (const MeshActor* part :
+         {&m_slabActor, &m_taxelActor, &m_outlineActor, &m_crossActor, &m_ringActor, &m_tubeActor}) {
+        part->actor->SetUserMatrix(X_World_Sensor);
+    }
+}
+
+void SensorPart::setVisible(bool visible) {
+    m_visible = visible;
+    const bool tube = visible && m_map.surface() == Surface::cylinder;
+    for (const MeshActor* part : {&m_slabActor, &m_taxelActor, &m_outlineActor, &m_crossActor}) {
+        part->actor->SetVisibility(visible);
+    }
+    for (const MeshActor* part : {&m_ringActor, &m_tubeActor}) {
+        part->actor->SetVisibility(tube);
+    }
+}
+
+void SensorPart::applyColours(const SceneColours& colours) {
+    m_slabColour = colours.slab.rgb();
+    m_outlineColour = colours.outline.rgb();
+    m_deadColour = colours.dead.rgb();
+    m_crossColour = colours.deadCross.rgb();
+    m_cylinderColour = colours.cylinder.rgb();
+    m_ringColour = colours.cylinderRing.rgb();
+    if (m_grid.cells() > 0) {
+        rebuildSlab();
+        rebuildCylinder();
+        m_crossedCells.clear();
+        update(std::vector<float>(m_share));
+    }
+}
+
+void SensorPart::applyPixelScale(double scale) {
+    m_outlineActor.setLineWidth(kSensorOutline_px, scale);
+    m_crossActor.setLineWidth(kSensorOutline_px, scale);
+    m_ringActor.setLineWidth(kRing_px, scale);
+}
+
+void SensorPart::rebuild(const core::ArrayLayout& layout, const SurfaceMap& map,
+                         const CylinderSize& cylinder) {
+    m_layout = layout;
+    m_grid = DrawnGrid(layout);
+    m_map = map;
+    m_cylinder = cylinder;
+    m_size = SensorSize::of(layout, m_grid, map);
+    m_share.assign(m_grid.cells(), 0.0F);
+    m_height_m.assign(m_grid.cells(), 0.0F);
+    m_colour.assign(m_grid.cells(), 0);
+    m_deadCells.reserve(m_grid.cells());
+    m_crossedCells.clear();
+    m_taxels.rebuild(m_grid, map, kGap);
+    rebuildSlab();
+    rebuildCylinder();
+    update(std::vector<float>(m_share));
+    setVisible(m_visible);
+}
+
+double SensorPart::heightOf(double share) const {
+    return m_size.tile_m + m_size.rise_m * std::clamp(share, 0.0, 1.0);
+}
+
+void SensorPart::update(std::span<const float> share) {
+    const base::ColourMap& map = base::cividis();
+    m_deadCells.clear();
+    for (std::size_t cell = 0; cell < share.size(); ++cell) {
+        m_share[cell] = share[cell];
+        if (std::isnan(share[cell])) {
+            m_deadCells.push_back(cell);
+            m_height_m[cell] = static_cast<float>(m_size.tile_m);
+            m_colour[cell] = m_deadColour;
+        } else {
+            m_height_m[cell] = static_cast<float>(heightOf(static_cast<double>(share[cell])));
+            m_colour[cell] = base::colourAt(map, static_cast<double>(share[cell]));
+        }
+    }
+    m_taxels.update(m_height_m, m_colour);
+    if (m_deadCells != m_crossedCells) {
+        rebuildCrosses();
+    }
+}
+
+void SensorPart::rebuildCrosses() {
+    m_crossedCells = m_deadCells;
+    m_crosses.clear();
+    const double above_m = 1.5 * m_size.tile_m;
+    for (const std::size_t cell : m_crossedCells) {
+        m_crosses.segment(m_taxels.corner(cell, 0, above_m), m_taxels.corner(cell, 2, above_m),
+                          m_crossColour);
+        m_crosses.segment(m_taxels.corner(cell, 1, above_m), m_taxels.corner(cell, 3, above_m),
+                          m_crossColour);
+    }
+    m_crosses.finish();
+}
+
+void SensorPart::rebuildSlab() {
+    // Strips along x, narrow enough that they follow the cylinder.
+    const int strips = m_map.surface() == Surface::cylinder ? std::clamp(2 * m_layout.rows, 32, 256) : 1;
+    const double low_m = -m_size.thickness_m;
+    const double x_m = m_size.halfX_m;
+    const auto y_m = [&](int i) { return m_size.halfY_m * (2.0 * i / strips - 1.0); };
+    const auto at = [&](double x, int i, double h) { return m_map.point(x, y_m(i), h); };
+    m_slab.clear();
+    for (int i = 0; i < strips; ++i) {
+        m_slab.quad(at(-x_m, i, 0), at(x_m, i, 0), at(x_m, i + 1, 0), at(-x_m, i + 1, 0), m_slabColour);
+        m_slab.quad(at(-x_m, i + 1, low_m), at(x_m, i + 1, low_m), at(x_m, i, low_m), at(-x_m, i, low_m),
+                    m_slabColour);
+        m_slab.quad(at(x_m, i, low_m), at(x_m, i + 1, low_m), at(x_m, i + 1, 0), at(x_m, i, 0), m_slabColour);
+        m_slab.quad(at(-x_m, i + 1, low_m), at(-x_m, i, low_m), at(-x_m, i, 0), at(-x_m, i + 1, 0),
+                    m_slabColour);
+    }
+    m_slab.quad(at(-x_m, 0, low_m), at(x_m, 0, low_m), at(x_m, 0, 0), at(-x_m, 0, 0), m_slabColour);
+    m_slab.quad(at(x_m, strips, low_m), at(-x_m, strips, low_m), at(-x_m, strips, 0), at(x_m, strips, 0),
+                m_slabColour);
+    m_slab.finish();
+
+    m_outline.clear();
+    std::vector<Eigen::Vector3d> border;
+    for (int i = 0; i <= strips; ++i) {
+        border.push_back(at(-x_m, i, 0));
+    }
+    for (int i = strips; i >= 0; --i) {
+        border.push_back(at(x_m, i, 0));
+    }
+    m_outline.polyline(border, m_outlineColour, true);
+    m_outline.finish();
+}
+
+void SensorPart::rebuildCylinder() {
+    m_tube.clear();
+    m_rings.clear();
+    if (m_map.surface() == Surface::cylinder) {
+        const double half_m = 0.5 * m_cylinder.length_m;
+        const double radius_m = m_cylinder.radius_m - m_size.thickness_m;
+        constexpr int kStrips = 72;
+        const auto at = [&](double x, int i, double r) {
+            const double angle = 2.0 * std::numbers::pi * i / kStrips;
+            return Eigen::Vector3d(x, r * std::sin(angle), r * std::cos(angle));
+        };
+        for (int i = 0; i < kStrips; ++i) {
+            m_tube.quad(at(-half_m, i, radius_m), at(half_m, i, radius_m), at(half_m, i + 1, radius_m),
+                        at(-half_m, i + 1, radius_m), m_cylinderColour);
+        }
+        const int rings = static_cast<int>(std::floor(half_m / kRingSpacing_m));
+        std::vector<double> places = {-half_m, half_m};
+        for (int ring = -rings; ring <= rings; ++ring) {
+            places.push_back(ring * kRingSpacing_m);
+        }
+        std::array<Eigen::Vector3d, kStrips> circle;
+        for (const double x : places) {
+            for (int i = 0; i < kStrips; ++i) {
+                circle[static_cast<std::size_t>(i)] = at(x, i, radius_m);
+            }
+            m_rings.polyline(circle, m_ringColour, true);
+        }
+    }
+    m_tube.finish();
+    m_rings.finish();
+}
+
+void SensorPart::appendMeshes(std::vector<vtkPolyData*>& meshes) const {
+    meshes.push_back(m_taxels.data());
+    meshes.push_back(m_slab.data());
+    meshes.push_back(m_outline.data());
+    if (m_map.surface() == Surface::cylinder) {
+        meshes.push_back(m_tube.data());
+    }
+}
+
+} // namespace teleta::view3d

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/view3d/mesh/mesh_actor.h"
+#include "widgets/view3d/mesh/mesh_builder.h"
+#include "widgets/view3d/mesh/surface_map.h"
+#include "widgets/view3d/mesh/taxel_mesh.h"
+#include "widgets/view3d/scene/scene_colours.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+class vtkMatrix4x4;
+class vtkRenderer;
+
+namespace teleta::view3d {
+
+/// Lengths with which an array is drawn, from its own size.
+struct SensorSize {
+    double halfX_m = 0.0;     ///< half extent along the columns
+    double halfY_m = 0.0;     ///< along the rows, on the surface
+    double thickness_m = 0.0; ///< of the slab under the taxels
+    double tile_m = 0.0;      ///< height of a taxel without load
+    double rise_m = 0.0;      ///< what the full range adds
+    double mark_m = 0.0;      ///< radius of a contact's sphere
+    double arrow_m = 0.0;     ///< length of the full range of force
+
+    static SensorSize of(const core::ArrayLayout& layout, const DrawnGrid& grid, const SurfaceMap& map);
+};
+
+/// The sensor's body: taxels raised and coloured by load, the slab that carries them, dead taxels crossed,
+/// and the tactile cylinder when the array is wrapped on it. In the array's frame. Thread: one.
+class SensorPart {
+public:
+    SensorPart();
+
+    void addTo(vtkRenderer* renderer);
+    void setPose(vtkMatrix4x4* X_World_Sensor);
+    void setVisible(bool visible);
+    void applyColours(const SceneColours& colours);
+    void applyPixelScale(double scale);
+
+    void rebuild(const core::ArrayLayout& layout, const SurfaceMap& map, const CylinderSize& cylinder);
+    /// share: load over the range for each drawn cell, clamped to 0..1; NaN: dead.
+    void update(std::span<const float> share);
+
+    [[nodiscard]] const DrawnGrid& grid() const { return m_grid; }
+    [[nodiscard]] const SurfaceMap& map() const { return m_map; }
+    [[nodiscard]] const SensorSize& size() const { return m_size; }
+    [[nodiscard]] double heightOfCell(std::size_t cell) const {
+        return static_cast<double>(m_height_m[cell]);
+    }
+    [[nodiscard]] double heightOf(double share) const;
+    /// Meshes for other programs.
+    void appendMeshes(std::vector<vtkPolyData*>& meshes) const;
+
+private:
+    void rebuildSlab();
+    void rebuildCylinder();
+    void rebuildCrosses();
+
+    core::ArrayLayout m_layout;
+    DrawnGrid m_grid;
+    SurfaceMap m_map;
+    CylinderSize m_cylinder;
+    SensorSize m_size;
+    QRgb m_slabColour = 0;
+    QRgb m_outlineColour = 0;
+    QRgb m_deadColour = 0;
+    QRgb m_crossColour = 0;
+    QRgb m_cylinderColour = 0;
+    QRgb m_ringColour = 0;
+    std::vector<float> m_share;
+    std::vector<float> m_height_m;
+    std::vector<QRgb> m_colour;
+    std::vector<std::size_t> m_deadCells;
+    std::vector<std::size_t> m_crossedCells;
+    bool m_visible = false;
+
+    TaxelMesh m_taxels;
+    MeshBuilder m_slab;
+    MeshBuilder m_outline{false};
+    MeshBuilder m_crosses{false};
+    MeshBuilder m_tube;
+    MeshBuilder m_rings{false};
+    MeshActor m_taxelActor;
+    MeshActor m_slabActor;
+    MeshActor m_outlineActor;
+    MeshActor m_crossActor;
+    MeshActor m_tubeActor;
+    MeshActor m_ringActor;
+};
+
+} // namespace teleta::view3d

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/pipeline/touch/touch_snapshot.h"
+#include "widgets/base/calm_range.h"
+#include "widgets/view3d/scene/contact_part.h"
+#include "widgets/view3d/scene/contour_part.h"
+#include "widgets/view3d/scene/frame_part.h"
+#include "widgets/view3d/scene/scene_colours.h"
+#include "widgets/view3d/scene/sensor_part.h"
+#include "widgets/view3d/scene/tube_part.h"
+
+#include <QString>
+
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace teleta::view3d {
+
+/// Everything that the 3-D view shows, as VTK actors in a renderer; knows nothing of widgets. Actors are made
+/// once: a snapshot changes arrays in place. Thread: GUI.
+class TouchScene {
+public:
+    explicit TouchScene(const SceneColours& colours);
+
+    [[nodiscard]] vtkRenderer* renderer() const { return m_renderer; }
+
+    enum class Taken {
+        fresh,
+        same,    ///< the frame is already there
+        refused, ///< cannot be drawn: a layout or an array of the wrong size
+    };
+    /// Keeps the newest frame; draw() shows it.
+    Taken take(const pipeline::TouchSnapshot& snapshot);
+    /// Load at the end of the range; empty: follows the data. Finite, > 0.
+    void setFixedRange(std::optional<double> top_N);
+    /// Forgets the frame: nothing is known of the sensor any more.
+    void clear();
+    /// Brings the actors up to date. Returns whether the outer shape of the scene changed, so that the camera
+    /// may have to be fitted anew.
+    bool draw();
+
+    void setSurface(Surface surface);
+    void setCylinder(const CylinderSize& cylinder);
+    void setSensorPose(const Eigen::Isometry3d& X_World_Sensor);
+    void setContour(std::span<const Eigen::Vector3d> points_m, std::span<const Eigen::Vector3d> curve_m,
+                    std::span<const Eigen::Vector3d> vertices_m);
+    void setArmLinks(std::span<const ArmLink> links);
+    void setGridShown(bool shown) { m_ground.setVisible(shown); }
+    void setAxesShown(bool shown);
+    void setDisplacementShown(bool shown) {
+        m_contacts.setDisplacementShown(shown);
+        m_tube.setDisplacementShown(shown);
+    }
+    /// The tube that a camera watches; null: none. Returns whether the outer shape of the scene changed.
+    bool setTube(const pipeline::CameraSnapshot* snapshot);
+    [[nodiscard]] const TubePart& tube() const { return m_tube; }
+    void applyColours(const SceneColours& colours);
+    void applyPixelScale(double scale);
+
+    [[nodiscard]] bool hasSensor() const { return m_hasSensor; }
+    [[nodiscard]] const pipeline::TouchSnapshot& snapshot() const { return m_snapshot; }
+    [[nodiscard]] const SceneColours& colours() const { return m_colours; }
+    [[nodiscard]] Surface surface() const { return m_surface; }
+    /// The cylinder as drawn: enlarged when the array would not fit.
+    [[nodiscard]] CylinderSize cylinder() const;
+    [[nodiscard]] bool cylinderWasEnlarged() const {
+        return m_hasSensor && !(cylinder() == m_wantedCylinder);
+    }
+    [[nodiscard]] const DrawnGrid& grid() const { return m_sensor.grid(); }
+    [[nodiscard]] const SensorSize& sensorSize() const { return m_sensor.size(); }
+    /// In order of falling force.
+    [[nodiscard]] const std::vector<ContactMark>& marks() const { return m_contacts.marks(); }
+    [[nodiscard]] const AxesPart& axes() const { return m_axes; }
+    [[nodiscard]] bool axesShown() const { return m_axesShown && m_hasSensor; }
+    [[nodiscard]] Eigen::Vector3d toWorld(const Eigen::Vector3d& p_Sensor) const {
+        return m_X_World_Sensor * p_Sensor;
+    }
+    /// Load that is drawn with the full height and the last colour, in the snapshot's unit.
+    [[nodiscard]] double loadRange_N() const { return m_fixedRange_N.value_or(m_loadRange.high()); }
+    /// Force that is drawn with the longest arrow.
+    [[nodiscard]] double forceRange_N() const { return m_forceRange.high(); }
+    [[nodiscard]] double gridSpacing_m() const { return m_ground.spacing_m(); }
+    [[nodiscard]] const Eigen::AlignedBox3d& contourBox_m() const { return m_contour.box_m(); }
+    [[nodiscard]] const Eigen::AlignedBox3d& armBox_m() const { return m_arm.box_m(); }
+    [[nodiscard]] const Eigen::Isometry3d& X_World_Sensor() const { return m_X_World_Sensor; }
+    [[nodiscard]] bool isEmpty() const {
+        return !m_hasSensor && !m_tube.isShown() && contourBox_m().isEmpty() && armBox_m().isEmpty();
+    }
+
+    /// Corners of all that the camera should see, in the world frame. Does not depend on the loads. Never
+    /// empty.
+    [[nodiscard]] std::vector<Eigen::Vector3d> corners() const;
+    /// What is data, as meshes in the world frame (m): sensor, contacts, contour, arm. Each call copies.
+    [[nodiscard]] std::vector<vtkSmartPointer<vtkPolyData>> worldMeshes() const;
+
+private:
+    void rebuildSensor();
+    void coverGround(bool always);
+    [[nodiscard]] Eigen::AlignedBox3d sensorBox_m() const;
+
+    SceneColours m_colours;
+    pipeline::TouchSnapshot m_snapshot;
+    FirstTouch m_touches;
+    base::CalmRange m_loadRange{1.0};
+    base::CalmRange m_forceRange{1.0};
+    double m_rangeThreshold_N = 0.0;
+    std::optional<double> m_fixedRange_N;
+    Surface m_surface = Surface::plate;
+    CylinderSize m_wantedCylinder;
+    Eigen::Isometry3d m_X_World_Sensor = Eigen::Isometry3d::Identity();
+    bool m_hasSensor = false;
+    bool m_axesShown = true;
+    bool m_bodyStale = false;
+    bool m_frameStale = false;
+    std::vector<float> m_cell_N;
+
+    vtkNew<vtkRenderer> m_renderer;
+    vtkNew<vtkMatrix4x4> m_poseMatrix;
+    SensorPart m_sensor;
+    ContactPart m_contacts;
+    GridPart m_ground;
+    AxesPart m_axes;
+    ContourPart m_contour;
+    ArmPart m_arm;
+    TubePart m_tube;
+};
+
+} // namespace teleta::view3d

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view3d/vtk/vtk_canvas.h"
+
+#include "backend/core/steady_time.h"
+
+#include <QApplication>
+#include <QBackingStore>
+#include <QContextMenuEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QOpenGLFunctions>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace teleta::view3d {
+
+namespace {
+
+constexpr double kLogicalDpi = 96.0;
+constexpr int kLookAgain_ms = 2; ///< for a frame that the driver draws
+
+} // namespace
+
+VtkCanvas::VtkCanvas(GuestRenderWindow* window, vtkRenderWindowInteractor* interactor, QWidget* parent)
+    : QWidget(parent)
+    , m_window(window)
+    , m_interactor(interactor)
+    , m_input(interactor) {
+    setFocusPolicy(Qt::StrongFocus);
+    m_lookAgain.setTimerType(Qt::PreciseTimer);
+    m_lookAgain.setInterval(kLookAgain_ms);
+    m_lookAgain.setObjectName(QStringLiteral("look"));
+    connect(&m_lookAgain, &QTimer::timeout, this, &VtkCanvas::lookForFrame);
+}
+
+VtkCanvas::~VtkCanvas() {
+    RenderQueue::instance().leave(*this);
+    m_window->detach();
+}
+
+void VtkCanvas::requestRender() {
+    m_stale = true;
+    // Nobody waits for what nobody sees: it is repainted when it appears.
+    if (!visibleRegion().isEmpty()) {
+        RenderQueue::instance().ask(*this);
+    }
+}
+
+QSize VtkCanvas::deviceSize() const {
+    return size() * devicePixelRatio(); // rounds as Qt does for the window
+}
+
+void VtkCanvas::setDeviceSize(const QSize& size, double pixelScale) {
+    if (size == m_size && pixelScale == m_pixelScale) {
+        return;
+    }
+    m_size = size;
+    m_stale = true;
+    m_drawing = false; // of another size
+    m_interactor->UpdateSize(size.width(), size.height());
+    m_window->SetSize(size.width(), size.height());
+    if (pixelScale != m_pixelScale) {
+        m_pixelScale = pixelScale;
+        m_window->SetDPI(static_cast<int>(std::lround(kLogicalDpi * pixelScale)));
+        emit pixelScaleChanged(pixelScale);
+    }
+}
+
+bool VtkCanvas::makeContext() {
+    if (m_window->attached() || m_refused) {
+        return !m_refused;
+    }
+    const auto refuse = [this](GlProblem problem) {
+        m_refused = true;
+        emit contextRefused(problem);
+        return false;
+    };
+    if (!m_context.isValid()) {
+        if (!m_context.create()) {
+            return refuse(GlProblem::contextRefused);
+        }
+        m_surface.setFormat(m_context.format());
+        m_surface.create();
+    }
+    if (!m_surface.isValid() || !m_context.makeCurrent(&m_surface)) {
+        return refuse(GlProblem::contextRefused);
+    }
+    return m_window->attach(&m_context, &m_surface) || refuse(GlProblem::driverRefused);
+}
+
+void VtkCanvas::turnHasCome() {
+    if (!m_stale || visibleRegion().isEmpty()) {
+        return;
+    }
+    if (m_frame.isNull() || deviceSize() != m_size) {
+        update(); // there is nothing to show meanwhile
+    } else if (!m_drawing) {
+        beginFrame();
+        m_lookAgain.start();
+    } // or it asks again when that one has ended
+}
+
+void VtkCanvas::beginFrame() {
+    m_begun_ns = core::steadyNow_ns();
+    m_stale = false;
+    m_drawing = true;
+    m_window->renderGuarded();
+}
+
+void VtkCanvas::endFrame() {
+    m_lookAgain.stop();
+    m_drawing = false;
+    m_frame = m_window->frame();
+    m_frame.setDevicePixelRatio(m_pixelScale);
+    ++m_framesRendered;
+    RenderQueue::instance().drawn(*this, m_begun_ns, core::steadyNow_ns());
+    if (m_stale) {
+        requestRender();
+    }
+}
+
+void VtkCanvas::lookForFrame() {
+    if (!m_drawing) {
+        m_lookAgain.stop();
+    } else if (m_window->isDrawn()) {
+        endFrame();
+        update();
+    }
+}
+
+bool VtkCanvas::paintsOnScreen() const {
+    QPoint offset;
+    QBackingStore* screen = backingStore();
+    return screen != nullptr && redirected(&offset) == screen->paintDevice();
+}
+
+void VtkCanvas::paintEvent(QPaintEvent* /*event*/) {
+    const QSize device = deviceSize();
+    if (device.isEmpty() || !makeContext()) {
+        return;
+    }
+    setDeviceSize(device, devicePixelRatio());
+    const bool fits = m_frame.size() == device && m_frame.devicePixelRatio() == m_pixelScale;
+    if (!fits || !paintsOnScreen()) {
+        if (m_stale) {
+            beginFrame();
+        }
+        if (m_drawing) {
+            endFrame();
+        }
+    } else if (m_stale) {
+        requestRender(); // nobody asked while it was hidden
+    }
+    QPainter painter(this);
+    painter.drawImage(QPointF(), m_frame);
+    if (m_overlay) {
+        painter.setRenderHint(QPainter::Antialiasing);
+        m_overlay(painter, size());
+    }
+}
+
+QImage VtkCanvas::picture(double scale, bool withOverlay) {
+    if (deviceSize().isEmpty() || !makeContext()) {
+        return {};
+    }
+    m_drawing = false; // the window draws something else now
+    m_window->MakeCurrent();
+    GLint largest = 0;
+    m_context.functions()->glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
+    const QSize device = deviceSize();
+    const double fits = static_cast<double>(largest) / std::max(device.width(), device.height());
+    const double used = std::min(scale, fits);
+    const QSize before = m_size;
+    const double pixelScaleBefore = m_pixelScale;
+    setDeviceSize(device * used, devicePixelRatio() * used);
+    const int samples = m_window->GetMultiSamples();
+    m_window->SetMultiSamples(GuestRenderWindow::kSamples); // a picture may take its time
+    m_window->renderGuarded();
+
+    QImage image = m_window->frame();
+    image.setDevicePixelRatio(m_pixelScale);
+    m_window->SetMultiSamples(samples);
+    if (!before.isEmpty()) {
+        setDeviceSize(before, pixelScaleBefore);
+    }
+    requestRender();
+    if (!image.isNull() && withOverlay && m_overlay) {
+        QPainter painter(&image);
+        painter.setRenderHint(QPainter::Antialiasing);
+        m_overlay(painter, size());
+    }
+    return image;
+}
+
+void VtkCanvas::mousePressEvent(QMouseEvent* event) {
+    if (event->button() == Qt::RightButton) {
+        m_rightPress = event->position();
+        m_rightDragged = false;
+    }
+    m_input.mouse(*event, devicePixelRatio());
+    event->accept();
+}
+
+void VtkCanvas::mouseReleaseEvent(QMouseEvent* event) {
+    m_input.mouse(*event, devicePixelRatio());
+    event->accept();
+    if (event->button() == Qt::RightButton && !m_rightDragged) {
+        emit menuRequested(event->globalPosition().toPoint());
+    }
+}
+
+void VtkCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
+    m_input.mouse(*event, devicePixelRatio());
+    event->accept();
+}
+
+void VtkCanvas::mouseMoveEvent(QMouseEvent* event) {
+    if (event->buttons().testFlag(Qt::RightButton) &&
+        (event->position() - m_rightPress).manhattanLength() >= QApplication::startDragDistance()) {
+        m_rightDragged = true;
+    }
+    m_input.mouse(*event, devicePixelRatio());
+    event->accept();
+}
+
+void VtkCanvas::wheelEvent(QWheelEvent* event) {
+    m_input.wheel(*event, devicePixelRatio());
+    event->accept();
+}
+
+void VtkCanvas::keyPressEvent(QKeyEvent* event) {
+    m_input.key(*event);
+    event->ignore(); // shortcuts of the window, STOP first of all, must see every key
+}
+
+void VtkCanvas::keyReleaseEvent(QKeyEvent* event) {
+    m_input.key(*event);
+    event->ignore();
+}
+
+void VtkCanvas::contextMenuEvent(QContextMenuEvent* event) {
+    // The right button also zooms: its menu opens on release, when nothing was dragged.
+    if (event->reason() != QContextMenuEvent::Mouse) {
+        emit menuRequested(mapToGlobal(rect().center()));
+    }
+    event->accept();
+}
+
+} // namespace teleta::view3d

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/view3d/vtk/gl_setup.h"
+#include "widgets/view3d/vtk/guest_render_window.h"
+#include "widgets/view3d/vtk/render_queue.h"
+#include "widgets/view3d/vtk/vtk_input.h"
+
+#include <QImage>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QTimer>
+#include <QWidget>
+
+#include <vtkNew.h>
+#include <vtkRenderWindowInteractor.h>
+
+#include <cstdint>
+#include <functional>
+
+namespace teleta::view3d {
+
+/// The surface inside VtkWidget: shows what the render window draws in a context of its own behind the
+/// screen. It is an ordinary widget, because one OpenGL widget would have its whole window put together by
+/// OpenGL with every repaint of anything in it. On the screen the last frame stays until the driver has drawn
+/// the next one, for which nobody waits. Owns nothing of the scene, which lives in the render window.
+class VtkCanvas : public QWidget, private RenderQueue::View {
+    Q_OBJECT
+public:
+    /// painter: in logical pixels; size: of the widget.
+    using Overlay = std::function<void(QPainter& painter, const QSizeF& size)>;
+
+    VtkCanvas(GuestRenderWindow* window, vtkRenderWindowInteractor* interactor, QWidget* parent);
+    ~VtkCanvas() override;
+
+    /// Draws anew when RenderQueue has a turn for it.
+    void requestRender();
+    void setOverlay(Overlay overlay) { m_overlay = std::move(overlay); }
+    /// Draws the scene anew at `scale` times the widget's device pixels.
+    [[nodiscard]] QImage picture(double scale, bool withOverlay);
+    [[nodiscard]] std::uint64_t framesRendered() const { return m_framesRendered; }
+
+signals:
+    /// Nothing can be drawn, ever.
+    void contextRefused(GlProblem problem);
+    void pixelScaleChanged(double devicePerLogical);
+    void menuRequested(const QPoint& globalPosition);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+
+private:
+    void turnHasCome() override;
+    [[nodiscard]] bool makeContext();
+    void beginFrame();
+    /// Waits for the driver when it has not drawn the frame yet.
+    void endFrame();
+    void lookForFrame();
+    [[nodiscard]] bool paintsOnScreen() const;
+    void setDeviceSize(const QSize& size, double pixelScale);
+    [[nodiscard]] QSize deviceSize() const;
+
+    vtkSmartPointer<GuestRenderWindow> m_window;
+    vtkRenderWindowInteractor* m_interactor;
+    VtkInput m_input;
+    Overlay m_overlay;
+    QOffscreenSurface m_surface;
+    QOpenGLContext m_context;
+    bool m_refused = false;
+    QImage m_frame;
+    QPointF m_rightPress;
+    bool m_rightDragged = false;
+    bool m_stale = true;    ///< the scene has changed since the last frame was begun
+    bool m_drawing = false; ///< a frame was begun that has not ended
+    std::int64_t m_begun_ns = 0;
+    QTimer m_lookAgain;
+    QSize m_size;
+    double m_pixelScale = 0.0;
+    std::uint64_t m_framesRendered = 0;
+};
+
+} // namespace teleta::view3d

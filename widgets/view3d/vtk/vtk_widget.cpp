@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view3d/vtk/vtk_widget.h"
+
+#include "widgets/view3d/vtk/gl_setup.h"
+#include "widgets/view3d/vtk/vtk_canvas.h"
+#include "widgets/view3d/vtk/vtk_log.h"
+
+#include <QEvent>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include <vtkCallbackCommand.h>
+#include <vtkGenericRenderWindowInteractor.h>
+#include <vtkInteractorStyleTrackballCamera.h>
+#include <vtkNew.h>
+
+#include <utility>
+
+namespace teleta::view3d {
+
+struct VtkWidget::Parts {
+    vtkNew<GuestRenderWindow> window;
+    vtkNew<vtkGenericRenderWindowInteractor> interactor;
+    vtkNew<vtkCallbackCommand> onRender;
+    VtkCanvas* canvas = nullptr;
+    QLabel* fallback = nullptr;
+    GlProblem problem = GlProblem::none;
+};
+
+VtkWidget::VtkWidget(QWidget* parent)
+    : QWidget(parent)
+    , m_parts(std::make_unique<Parts>()) {
+    routeVtkMessagesToQtLog();
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+
+    const vtkNew<vtkInteractorStyleTrackballCamera> style;
+    m_parts->interactor->SetRenderWindow(m_parts->window);
+    m_parts->interactor->SetInteractorStyle(style);
+    // VTK's wish to draw becomes a request: drawing happens in the widget's paint only.
+    m_parts->interactor->EnableRenderOff();
+    m_parts->onRender->SetClientData(this);
+    m_parts->onRender->SetCallback(
+        [](vtkObject*, unsigned long, void* self, void*) { static_cast<VtkWidget*>(self)->requestRender(); });
+    m_parts->interactor->AddObserver(vtkCommand::RenderEvent, m_parts->onRender);
+    m_parts->interactor->Initialize();
+
+    if (findGlProblem() != GlProblem::none) {
+        showFallback(findGlProblem());
+        return;
+    }
+    auto* canvas = new VtkCanvas(m_parts->window, m_parts->interactor, this);
+    m_parts->canvas = canvas;
+    layout->addWidget(canvas);
+    setFocusProxy(canvas);
+    connect(canvas, &VtkCanvas::pixelScaleChanged, this, &VtkWidget::pixelScaleChanged);
+    connect(canvas, &VtkCanvas::menuRequested, this, &VtkWidget::menuRequested);
+    // Queued: the canvas is in the middle of its first repaint when it says so.
+    connect(canvas, &VtkCanvas::contextRefused, this, &VtkWidget::showFallback, Qt::QueuedConnection);
+}
+
+VtkWidget::~VtkWidget() {
+    m_parts->interactor->RemoveObserver(m_parts->onRender);
+    // Before the render window, which has resources in the canvas's context.
+    delete m_parts->canvas;
+    m_parts->interactor->SetRenderWindow(nullptr);
+}
+
+vtkRenderWindow* VtkWidget::renderWindow() const {
+    return m_parts->window;
+}
+
+vtkRenderWindowInteractor* VtkWidget::interactor() const {
+    return m_parts->interactor;
+}
+
+bool VtkWidget::canRender() const {
+    return m_parts->canvas != nullptr;
+}
+
+QString VtkWidget::fallbackText() const {
+    return m_parts->fallback != nullptr ? m_parts->fallback->text() : QString();
+}
+
+void VtkWidget::requestRender() {
+    if (m_parts->canvas != nullptr) {
+        m_parts->canvas->requestRender();
+    }
+}
+
+void VtkWidget::setOverlay(Overlay overlay) {
+    if (m_parts->canvas != nullptr) {
+        m_parts->canvas->setOverlay(std::move(overlay));
+    }
+}
+
+QImage VtkWidget::picture(double scale, PictureOverlay overlay) {
+    return m_parts->canvas != nullptr ? m_parts->canvas->picture(scale, overlay == PictureOverlay::with)
+                                      : QImage();
+}
+
+std::uint64_t VtkWidget::framesRendered() const {
+    return m_parts->canvas != nullptr ? m_parts->canvas->framesRendered() : 0;
+}
+
+QSize VtkWidget::sizeHint() const {
+    return minimumSizeHint() * 3;
+}
+
+QSize VtkWidget::minimumSizeHint() const {
+    return {10 * fontMetrics().height(), 8 * fontMetrics().height()};
+}
+
+void VtkWidget::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange) {
+        writeFallback();
+    }
+    QWidget::changeEvent(event);
+}
+
+void VtkWidget::showFallback(GlProblem problem) {
+    m_parts->problem = problem;
+    if (m_parts->fallback == nullptr) {
+        setFocusProxy(nullptr);
+        delete std::exchange(m_parts->canvas, nullptr);
+        m_parts->fallback = new QLabel(this);
+        m_parts->fallback->setAlignment(Qt::AlignCenter);
+        m_parts->fallback->setWordWrap(true);
+        m_parts->fallback->setMargin(2 * fontMetrics().height());
+        m_parts->fallback->setBackgroundRole(QPalette::Base);
+        m_parts->fallback->setAutoFillBackground(true);
+        layout()->addWidget(m_parts->fallback);
+        m_parts->fallback->show();
+        emit renderingLost();
+    }
+    writeFallback();
+}
+
+void VtkWidget::writeFallback() {
+    if (m_parts->fallback != nullptr) {
+        m_parts->fallback->setText(
+            tr("No 3-D view here. %1\nAll other views work without it.").arg(describe(m_parts->problem)));
+    }
+}
+
+} // namespace teleta::view3d
