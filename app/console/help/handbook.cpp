@@ -17,7 +17,8 @@ QString firstHeading(const QString& text) {
 QStringList handbookPages() {
     return {QStringLiteral("first-steps"), QStringLiteral("operate"),  QStringLiteral("teleoperation"),
             QStringLiteral("recordings"),  QStringLiteral("patterns"), QStringLiteral("study"),
-            QStringLiteral("calibrate"),   QStringLiteral("cost"),     QStringLiteral("devices")};
+            QStringLiteral("calibrate"),   QStringLiteral("cost"),     QStringLiteral("devices"),
+            QStringLiteral("command-line")};
 }
 
 std::optional<HandbookPage> handbookPage(const QString& name, const QString& language) {
