@@ -13,7 +13,7 @@ namespace teleta::arm {
 tl::expected<ContactForce, ForceRefusal> solveContactForce(const PointJacobian& jacobian,
                                                            const JointVector& torque_Nm,
                                                            const ForceSettings& settings) {
-    // Not allFinite(), which subtracts infinities.
+    // Not allFinite(), which subtracts infinities and raises "invalid".
     if (!jacobian.array().isFinite().all() || !torque_Nm.array().isFinite().all() ||
         !std::isfinite(settings.torqueNoise_Nm) || !std::isfinite(settings.leastLever_m))
         return tl::unexpected(ForceRefusal::notFinite);
@@ -30,7 +30,7 @@ tl::expected<ContactForce, ForceRefusal> solveContactForce(const PointJacobian& 
     Eigen::Vector3d variance_N2 = Eigen::Vector3d::Zero();
     for (int i = 0; i < 3; ++i) {
         const Eigen::Vector3d direction = contact.directions.col(i);
-        // In units of the least lever nothing overflows or vanishes for arms of any size.
+        // In units of the least lever nothing overflows or underflows for an arm of any size.
         const double lever = contact.levers_m[i] / settings.leastLever_m;
         const double damping2 = lever < 1.0 ? 0.25 * (1.0 - lever * lever) : 0.0;
         const double gain_perM = lever / (lever * lever + damping2) / settings.leastLever_m;

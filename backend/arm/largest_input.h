@@ -3,7 +3,7 @@
 
 namespace teleta::arm {
 
-/// Larger numbers are refused, so that no product of a few of them overflows.
+/// Larger inputs are refused, so that no product of a few of them overflows.
 inline constexpr double kLargestInput = 1e100;
 
 } // namespace teleta::arm

@@ -17,9 +17,9 @@ std::size_t roundUp(std::size_t count) {
     return (count + 2 * kWord - 1) / kWord * kWord;
 }
 
-/// One number that orders active taxels by load and equal loads by index, the first being the highest. It is
-/// built as the bit pattern of a finite positive double, whose order is that of the pattern: the load's
-/// pattern in the upper half, the index in the lower. As a double it has a vector maximum on every processor.
+/// One number that orders active taxels by load, and equal loads by index with the first index highest. It is
+/// the bit pattern of a finite positive double, which sorts like the double itself: the load in the upper
+/// half, the index in the lower. A double, because every processor has a vector maximum for it.
 double keyOf(float load, std::uint32_t taxel) {
     const std::uint64_t upper = std::bit_cast<std::uint32_t>(load);
     const std::uint64_t lower = ~taxel;
@@ -106,7 +106,7 @@ void ContactSegmenter::findRuns() {
     std::int32_t rowEnd = columns;
     std::int32_t begin = -1;
     std::uint64_t before = 0;
-    // A taxel begins or ends a run where it differs from the one before it; eight are compared at a time.
+    // A run begins or ends where a taxel differs from the one before it; eight taxels are compared at a time.
     for (std::size_t offset = 0; offset < m_active.size(); offset += kWord) {
         std::uint64_t word = 0;
         std::memcpy(&word, m_active.data() + offset, kWord);
@@ -140,7 +140,7 @@ void ContactSegmenter::findAscents() {
     double* const maximum = m_rowMaximum.data() + columns;
     for (std::size_t i = 0; i < taxels; ++i)
         maximum[i] = larger(larger(m_key[i], m_key[i + 1]), m_key[i + 2]);
-    // The taxels at the ends of a row have looked into the rows beside it.
+    // The vector maximum at both ends of a row has read taxels of the adjacent rows.
     for (std::size_t first = 0; first < taxels; first += columns) {
         const std::size_t last = first + columns - 1;
         maximum[first] = columns > 1 ? larger(key[first], key[first + 1]) : key[first];
@@ -216,7 +216,7 @@ std::int32_t ContactSegmenter::rootOf(std::int32_t basin) {
 void ContactSegmenter::findPasses(double height_N) {
     m_passes.clear();
     const std::int32_t columns = m_layout.columns;
-    // Segments come from the last to the first, so those of the row below come before those of a row.
+    // Segments are numbered from the last to the first, so those of the next row precede those of this one.
     std::size_t belowBegin = 0;
     std::size_t begin = 0;
     while (begin < m_segments.size()) {
@@ -256,7 +256,8 @@ void ContactSegmenter::addPasses(const Run& segment, const Run& below, double he
     }
 }
 
-/// Notes where two basins meet, unless both rise too far above that place to be merged there or further down.
+/// Records where two basins meet, unless both rise so far above that place that they cannot be merged there
+/// or lower.
 void ContactSegmenter::addPass(std::int32_t first, std::int32_t second, double height_N) {
     const std::int32_t pass = isHigher(first, second) ? second : first;
     const float summit =
@@ -265,7 +266,7 @@ void ContactSegmenter::addPass(std::int32_t first, std::int32_t second, double h
         m_passes.push_back(pass);
 }
 
-/// Floods over a pass: of the regions that meet there, those that rise too little go to the highest.
+/// Floods a pass: of the regions that meet there, those that rise too little are merged into the highest.
 void ContactSegmenter::mergeOver(std::int32_t pass, double height_N) {
     const std::int32_t row = pass / m_layout.columns;
     const std::int32_t column = pass % m_layout.columns;

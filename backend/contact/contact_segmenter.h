@@ -11,8 +11,8 @@ namespace teleta::contact {
 
 /// One contact region of a frame, in the sensor frame {s}.
 struct Contact {
-    int id = 0;       ///< stable from frame to frame, from 1; 0 before tracking
-    int region = 0;   ///< value of its taxels in the label image, from 1
+    int id = 0;       ///< stable from frame to frame, counts from 1; 0 before tracking
+    int region = 0;   ///< value of its taxels in the label image; counts from 1
     double x_m = 0.0; ///< load-weighted centroid, TeleTA eq. (1)
     double y_m = 0.0;
     double force_N = 0.0;
@@ -23,45 +23,46 @@ struct Contact {
 };
 
 struct SegmentationSettings {
-    double threshold_N = 0.2; ///< taxels below carry no contact; > 0
-    double noiseHeight = 0.3; ///< h of the h-maxima: a summit that rises less than this above its saddle to a
-                              ///< higher one is merged into it; as a share of the frame's peak load, 0..1.
-                              ///< An edge that lies obliquely on the grid is a chain of summits that rise
-                              ///< by up to 0.29; two balls that touch 3 taxels apart rise by 0.4
-    double noiseHeight_N = 0.0; ///< the same, absolute; the larger of the two acts
+    double threshold_N = 0.2; ///< taxels below it belong to no contact; > 0
+    double noiseHeight = 0.3; ///< h of the h-maxima, as a share of the frame's peak load, 0..1: a summit that
+                              ///< rises less than this above its saddle to a higher summit is merged into
+                              ///< that one. An edge oblique to the grid is a chain of summits that rise by up
+                              ///< to 0.29; two balls that touch 3 taxels apart rise by 0.4
+    double noiseHeight_N = 0.0; ///< the same in N; the larger of the two applies
     int minimumTaxels = 1;      ///< smaller regions are dropped
 };
 
-/// Segments a frame into contacts by watershed: flooding from the maxima of the load in order of falling load
-/// (8-neighbourhood, union-find over taxels sorted by load; exact, one pass), with h-maxima suppression so
-/// that noise does not split a contact. A plateau is one region. Scale-free: loads of 1e-12 and 1e12 segment
-/// alike. Contacts come out in order of falling force. Dead and non-finite taxels belong to no region.
-/// Thread: one; after the first frames nothing is allocated.
-/// Source: TeleTA section 1, eq. (1); spec teleta.md section 1.
+/// Segments a frame into contacts by watershed. The load is flooded downwards from its maxima in one exact
+/// pass (8-neighbourhood, union-find over the taxels sorted by load). Maxima lower than h are suppressed, so
+/// that noise does not split a contact. A plateau is one region. The result does not depend on the unit of
+/// load: loads of 1e-12 and 1e12 segment alike. Contacts are returned by falling force. Dead and non-finite
+/// taxels belong to no region. Thread: one; allocates nothing after the first frames. Source: TeleTA section
+/// 1, eq. (1); spec teleta.md section 1.
 class ContactSegmenter {
 public:
     explicit ContactSegmenter(const core::ArrayLayout& layout, const SegmentationSettings& settings = {});
 
     [[nodiscard]] std::span<Contact> segment(std::span<const float> load_N,
                                              std::span<const std::uint8_t> dead = {});
-    /// Region of each taxel of the last frame: 0 none, else Contact::region.
+    /// Contact::region of each taxel of the last frame, row-major; 0: no contact.
     [[nodiscard]] std::span<const std::int32_t> labels() const { return m_labels; }
 
     void setSettings(const SegmentationSettings& settings) { m_settings = settings; }
     [[nodiscard]] const SegmentationSettings& settings() const { return m_settings; }
 
 private:
-    /// Consecutive active taxels of one row, [begin, end), later those of one basin.
+    /// Consecutive active taxels [begin, end) of one row; later those of one basin.
     struct Run {
         std::int32_t begin = 0;
         std::int32_t end = 0;
         std::int32_t row = 0;
         std::int32_t basin = 0;
     };
-    /// The taxels that climb to one summit; after merging, the region of its highest summit.
+    /// The taxels from which steepest ascent leads to one summit; after merging, the region of its highest
+    /// summit.
     struct Basin {
         std::int32_t summit = 0; ///< taxel
-        std::int32_t parent = 0; ///< basin that it was merged into, or itself
+        std::int32_t parent = 0; ///< basin into which it was merged, or itself
         std::int32_t region = 0;
         std::int32_t taxels = 0;
         std::int32_t minRow = 0, maxRow = 0, minColumn = 0, maxColumn = 0;
@@ -87,7 +88,7 @@ private:
     std::vector<std::int32_t> m_labels;
     std::vector<Contact> m_contacts;
 
-    // Working memory, as large as the array can ever need it.
+    // Working memory, allocated once for the worst case.
     std::vector<float> m_load;          ///< 0 where a taxel is not active
     std::vector<std::uint8_t> m_active; ///< 0 or 255
     std::vector<double> m_key;          ///< orders taxels by falling load, then by index

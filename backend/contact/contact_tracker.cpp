@@ -43,7 +43,7 @@ ContactTracker::ContactTracker(const TrackingSettings& settings) {
 
 void ContactTracker::setSettings(const TrackingSettings& settings) {
     m_settings = settings;
-    // Also turns NaN into 0: an infinite or undefined cost would leave the assignment without an answer.
+    // Turns NaN into 0, too: the assignment has no solution with an infinite or undefined cost.
     m_settings.gate_m = settings.gate_m > 0.0 ? std::min(settings.gate_m, kLargestGate_m) : 0.0;
 }
 
@@ -53,7 +53,7 @@ void ContactTracker::reset() {
 }
 
 void ContactTracker::assign(std::span<Contact> contacts, double time_s) {
-    // A contact of the frame before is not gone, however long ago that frame was.
+    // A contact of the previous frame is kept, however long ago that frame was.
     std::erase_if(m_tracks, [&](const Track& track) {
         return track.lastFrame != m_frame && time_s - track.lastSeen_s > m_settings.memory_s;
     });
@@ -147,7 +147,7 @@ void ContactTracker::solveNearestFirst(std::span<Pair> group) {
 
 // The Hungarian method by shortest augmenting paths with potentials (Jonker and Volgenant 1987). Row and
 // column 0 are the path's start; real rows (contacts) and columns (tracks) count from 1. The smaller side is
-// filled up with partners that cost the gate.
+// padded with partners that cost the gate.
 void ContactTracker::solveExactly(std::span<const Pair> group) {
     const std::size_t size = std::max(m_groupContacts.size(), m_groupTracks.size());
     const std::size_t stride = size + 1;

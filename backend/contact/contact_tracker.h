@@ -11,31 +11,31 @@
 namespace teleta::contact {
 
 struct TrackingSettings {
-    double gate_m = 0.015; ///< a contact that moved further than this since it was seen is a new one; 0..1000
-    double memory_s = 0.1; ///< how long a contact that is gone may come back under its identity; one that was
-                           ///< there in the frame before keeps it in any case
+    double gate_m = 0.015; ///< a contact that has moved further than this since it was last seen counts as a
+                           ///< new one; 0..1000
+    double memory_s = 0.1; ///< how long a lost contact keeps its identity; one that was seen in the previous
+                           ///< frame always keeps it
 };
 
-/// The default settings, with a gate that fits an array: a contact may move by two taxels, or by 15 mm on an
-/// array that is finer than 7.5 mm, from one frame to the next.
+/// The default settings with a gate that fits an array: two taxels, at least 15 mm, from one frame to the
+/// next.
 [[nodiscard]] TrackingSettings trackingFor(const core::ArrayLayout& layout);
 
-/// Gives contacts an identity that is stable from frame to frame: optimal assignment between the contacts of
-/// this frame and those remembered.
+/// Gives contacts an identity that is stable from frame to frame, by optimal assignment between the contacts
+/// of this frame and the remembered ones:
 ///   least sum over the contacts of min(distance, gate)
-/// so a contact that is left without a partner costs as much as one that moved by the gate. Contacts and
-/// tracks that cannot be mixed up, since more than the gate is between them, are solved apart; in a group of
-/// more than kExactLimit (noise taken for contacts) the nearest pairs are taken first. Identities count from
-/// 1 and are never reused until reset(). Thread: one; after the first frames nothing is allocated.
+/// A contact without a partner costs as much as one that moved by the gate. Groups that are further apart
+/// than the gate cannot be confused and are solved separately. In a group of more than kExactLimit contacts
+/// or tracks (noise taken for contacts) the nearest pairs are matched first. Identities count from 1 and are
+/// not reused until reset(). Thread: one; allocates nothing after the first frames.
 class ContactTracker {
 public:
     explicit ContactTracker(const TrackingSettings& settings = {});
 
-    /// Contacts, or tracks, of a group up to which the assignment is exact; its cost grows with the third
-    /// power.
+    /// Largest group, in contacts or tracks, that is assigned exactly; the cost grows with the third power.
     static constexpr std::size_t kExactLimit = 64;
 
-    /// Writes Contact::id of each contact. Positions are finite; time_s: stream time, not decreasing.
+    /// Sets Contact::id of each contact. Positions: finite. time_s: stream time, never decreasing.
     void assign(std::span<Contact> contacts, double time_s);
     void setSettings(const TrackingSettings& settings);
     void reset();
@@ -47,7 +47,7 @@ private:
         double lastSeen_s = 0.0;
         std::uint64_t lastFrame = 0; ///< number of the frame in which it was seen last
     };
-    /// A contact and a track that are no further apart than the gate.
+    /// A contact and a track within the gate.
     struct Pair {
         std::size_t contact = 0;
         std::size_t track = 0;

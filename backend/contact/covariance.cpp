@@ -9,7 +9,7 @@ namespace teleta::contact {
 
 namespace {
 
-/// a d - b c with one rounding of the result (Kahan), so that it is 0 for a perfect line.
+/// a d - b c with a single rounding of the result (Kahan), so that it is 0 for a perfect line.
 double differenceOfProducts(double a, double d, double b, double c) {
     const double bc = b * c;
     const double rest = std::fma(-b, c, bc);
@@ -28,8 +28,8 @@ Covariance binarisedCovariance(const FrameMoments& moments) {
             1.0 / (count * (count - 1.0))};
 }
 
-// Coordinates start at the taxel with the largest load, and the denominator is summed without it, so that one
-// taxel that outweighs all others cancels nowhere.
+// Coordinates are relative to the taxel with the largest load, and the denominator is summed without it: a
+// taxel that outweighs all others then causes no cancellation.
 Covariance weightedCovariance(std::span<const float> loads, const FrameShape& shape, float threshold) {
     const auto peak = static_cast<int>(std::max_element(loads.begin(), loads.end()) - loads.begin());
     const int peakRow = peak / shape.stride;
@@ -56,7 +56,7 @@ Covariance weightedCovariance(std::span<const float> loads, const FrameShape& sh
         }
     }
     const double total = 1.0 + w;
-    // total^2 - sum w^2 of all taxels; each term is >= 0.
+    // Equals total^2 - sum w^2 over all taxels; each term is >= 0.
     const double freedom = 2.0 * w + std::max(0.0, w * w - ww);
     return {xx - x * x / total, xy - x * y / total, yy - y * y / total, total / freedom};
 }
@@ -72,8 +72,8 @@ PrincipalAxis principalAxis(const Covariance& covariance) {
 
     PrincipalAxis axis{.lambda1 = larger * scale, .lambda2 = smaller * scale, .angle_rad = {}};
     if (root > kIsotropy * trace) {
-        // Adding 0 turns -0 into 0, whose angle is pi and not -pi; the smallest negative angles round to -pi
-        // as well.
+        // Adding 0 turns -0 into 0, so that the angle is pi and not -pi; the smallest negative angles round
+        // to -pi, too.
         const double angle_rad = 0.5 * std::atan2(2.0 * xy + 0.0, difference);
         constexpr double kQuarterTurn_rad = 0.5 * std::numbers::pi;
         axis.angle_rad = angle_rad > -kQuarterTurn_rad ? angle_rad : kQuarterTurn_rad;

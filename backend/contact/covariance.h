@@ -8,7 +8,7 @@
 
 namespace teleta::contact {
 
-/// A 2 x 2 covariance of taxel coordinates in taxels^2, up to the factor scale > 0.
+/// A 2 x 2 covariance of taxel coordinates: (xx, xy, yy) divided by scale > 0, in taxels^2.
 struct Covariance {
     double xx = 0.0;
     double xy = 0.0;
@@ -16,14 +16,15 @@ struct Covariance {
     double scale = 0.0;
 };
 
-/// Covariance of the active taxels, n - 1 in the denominator. The coordinates are whole numbers, so xx, xy
-/// and yy are exact, and with them a perfect line and a perfect symmetry. Needs two active taxels. Source:
-/// servoing paper, (B.4) with n = taxels in contact (erratum 1).
+/// Covariance of the coordinates of the active taxels, with n - 1 in the denominator. The coordinates are
+/// integers, so xx, xy and yy are exact, and so are a perfect line and a perfect symmetry. Needs two active
+/// taxels. Thread: any (pure). Source: servoing paper, (B.4) with n = number of taxels in contact (erratum
+/// 1).
 [[nodiscard]] Covariance binarisedCovariance(const FrameMoments& moments);
 
-/// Covariance of the active taxels weighted with their loads f,
+/// Covariance of the coordinates of the active taxels, weighted with their loads f:
 ///   sum f (x - mean)(y - mean) / (F - sum f^2 / F),   F = sum f,
-/// which is the binarised one when all loads are equal. Needs two active taxels.
+/// Equals binarisedCovariance() when all loads are equal. Needs two active taxels. Thread: any (pure).
 [[nodiscard]] Covariance weightedCovariance(std::span<const float> loads, const FrameShape& shape,
                                             float threshold);
 
@@ -34,7 +35,7 @@ struct PrincipalAxis {
         angle_rad; ///< (-pi/2, pi/2]; empty when the eigenvalues differ by less than kIsotropy
 };
 
-/// A blob whose eigenvalues differ by less than this share of their sum has no axis.
+/// A contact whose eigenvalues differ by less than this share of their sum has no axis.
 constexpr double kIsotropy = 1e-9;
 
 /// Eigenvalues and first principal axis in closed form:

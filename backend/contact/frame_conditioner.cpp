@@ -35,8 +35,8 @@ std::size_t FrameConditioner::apply(std::span<const float> raw, std::span<float>
     for (std::size_t i = 0; i < taxels; ++i) {
         const auto load =
             static_cast<float>(m_gain[i] * (static_cast<double>(raw[i]) - static_cast<double>(m_tare[i])));
-        // A value, tare or gain that is not finite makes a load that is not finite. By its bits, since
-        // comparing NaN raises the floating-point exception "invalid".
+        // A value, tare or gain that is not finite gives a load that is not finite. Tested by its bits,
+        // because comparing with NaN raises the floating-point exception "invalid".
         const bool finite = (std::bit_cast<std::uint32_t>(load) & kMagnitude) < kInfinity;
         const bool usable = m_dead[i] == 0 && finite;
         const float clean = usable ? load : 0.0F;

@@ -8,23 +8,22 @@
 
 namespace teleta::contact {
 
-/// How raw taxel values become loads.
+/// How raw taxel values are converted to loads.
 struct ConditioningSettings {
-    std::vector<float>
-        tare;              ///< value of each unloaded taxel in raw units; empty: zero. NaN marks a dead taxel
-    double gain = 1.0;     ///< N (or the unit shown) per raw unit; finite, not zero
-    bool inverted = false; ///< the raw value falls under load
-    /// What each taxel's load is multiplied with, so that all tell the same of the same load
+    std::vector<float> tare; ///< raw value of each taxel without load; empty: zero. NaN marks a dead taxel
+    double gain = 1.0;       ///< N (or the unit shown) per raw unit; finite, not zero
+    bool inverted = false;   ///< the raw value decreases under load
+    /// Factor on each taxel's load that makes all taxels read the same under the same load
     /// (findTaxelGains()); empty: 1. NaN marks a dead taxel.
     std::vector<float> taxelGain = {};
-    std::vector<std::uint8_t> dead; ///< 1 marks a taxel that is never used; empty: none
+    std::vector<std::uint8_t> dead; ///< 1: the taxel is never used; empty: all are used
 };
 
-/// Turns a raw frame into loads.
+/// Converts a raw frame to loads.
 ///   load = max(0, s gain taxelGain (raw - tare)), s = -1 when inverted, else 1
 /// A taxel that is marked dead, or whose raw value, tare, gain or load is not finite, is dead in this frame:
-/// load 0, mask 1. A load below zero (drift after tare) carries nothing and is 0. Thread: one; apply()
-/// allocates nothing.
+/// load 0, mask 1. Negative loads (drift after the tare) become 0. Thread: any (immutable); apply() allocates
+/// nothing.
 class FrameConditioner {
 public:
     /// tare, taxelGain and dead must be empty or have taxels entries; a wrong size is treated as empty.
@@ -38,9 +37,9 @@ public:
 
 private:
     ConditioningSettings m_settings;
-    std::vector<float> m_tare;        ///< settings' tare, or zeros
-    std::vector<double> m_gain;       ///< load of a raw unit, with its sign
-    std::vector<std::uint8_t> m_dead; ///< settings' mask, or zeros
+    std::vector<float> m_tare;        ///< the tare of the settings, or zeros
+    std::vector<double> m_gain;       ///< load per raw unit, with its sign
+    std::vector<std::uint8_t> m_dead; ///< the mask of the settings, or zeros
 };
 
 } // namespace teleta::contact

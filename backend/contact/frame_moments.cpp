@@ -9,19 +9,19 @@ namespace teleta::contact {
 
 namespace {
 
-// Vectors of the compiler (GCC, Clang), which any target has or imitates.
+// Vector extension of GCC and Clang, available on every target.
 using Floats [[gnu::vector_size(4 * kMomentLanes)]] = float;
 using Words [[gnu::vector_size(4 * kMomentLanes)]] = std::int32_t;
 using UnsignedWords [[gnu::vector_size(4 * kMomentLanes)]] = std::uint32_t;
 using Doubles [[gnu::vector_size(8 * kMomentLanes)]] = double;
 using HalfDoubles [[gnu::vector_size(4 * kMomentLanes)]] = double;
 
-// A strip is small enough for its counts, times column and column squared, to be exact in float:
-// 128 * 129 / 2 * (0 + 1 + .. + 31) < 2^24.
+// A strip is so small that its counts, multiplied by column and column squared, are exact in float: 128 * 129
+// / 2 * (0 + 1 + .. + 31) < 2^24.
 constexpr int kStripRows = 128;
 constexpr int kStripColumns = 32;
 
-// Lanes from [kMomentLanes - n] on keep all but the first n columns.
+// Lanes read from [kMomentLanes - n] on drop the first n columns and keep the others.
 constexpr auto kKeep = [] {
     std::array<std::int32_t, 2 * kMomentLanes> keep{};
     for (std::size_t i = kMomentLanes; i < keep.size(); ++i)
@@ -44,7 +44,7 @@ struct Strip {
     int columns = 0;
 };
 
-// Sums weighted with the row come from sums of running sums, w = rows of the strip - row in the strip:
+// Sums weighted with the row come from sums of running sums, with w = rows of the strip - row in the strip:
 // c0 = sum 1, c1 = sum w, c2 = sum w (w + 1) / 2; likewise load and weighted load.
 template <bool activeOnly>
 [[gnu::always_inline]] inline void addStrip(FrameMoments& moments, const float* values,
@@ -59,8 +59,7 @@ template <bool activeOnly>
     xLow -= centre;
     xHigh -= centre;
     for (int column = 0; column < strip.columns; column += kMomentLanes) {
-        // The last group ends with the strip, and leaves out the columns that the group before it has
-        // counted.
+        // The last group ends with the strip and skips the columns that the group before it has counted.
         const int counted = std::max(0, column + kMomentLanes - strip.columns);
         Words keep;
         std::memcpy(&keep, kKeep.data() + kMomentLanes - counted, sizeof(keep));
@@ -76,7 +75,7 @@ template <bool activeOnly>
             Words bits;
             std::memcpy(&bits, row, sizeof(bits));
             bits &= keep;
-            // Sets the sign bit of what is negative, or has the exponent of infinity and NaN.
+            // Sets the sign bit of every value that is negative, infinite or NaN.
             unusable |= bits | reinterpret_cast<Words>(reinterpret_cast<UnsignedWords>(bits) + 0x00800000U);
             const auto value = reinterpret_cast<Floats>(bits);
             const Words active = value >= threshold;

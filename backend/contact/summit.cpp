@@ -28,7 +28,8 @@ std::optional<Summit> summitOf(std::span<const float> load_N, const core::ArrayL
     if (active < kFewestTaxels || minRow == maxRow || minColumn == maxColumn || !std::isfinite(peak_N))
         return std::nullopt;
 
-    // In taxels from the middle of the active ones and shares of the peak, so that no number is far from one.
+    // In taxels from the middle of the active ones and in shares of the peak, so that all numbers are of
+    // order one.
     const double middleRow = 0.5 * (minRow + maxRow);
     const double middleColumn = 0.5 * (minColumn + maxColumn);
     const double reach = 0.5 * std::max(maxRow - minRow, maxColumn - minColumn);

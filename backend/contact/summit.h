@@ -8,20 +8,21 @@
 
 namespace teleta::contact {
 
-/// Where a round body presses deepest, finer than the taxels, in the sensor frame.
+/// Where a round body presses deepest, at a resolution finer than the taxels, in the sensor frame {s}.
 struct Summit {
     double x_m = 0.0;
     double y_m = 0.0;
-    double peak_N = 0.0; ///< load that a taxel there would have
+    double peak_N = 0.0; ///< load that a taxel at that place would have
 };
 
-/// Summit of the paraboloid through the loads of the active taxels:
+/// Finds the summit of the paraboloid through the loads of the active taxels:
 ///   load = a + b x + c y - d (x^2 + y^2),  least squares weighted by the loads,  summit (b, c) / 2d
-/// On a foundation of springs that is the profile of a ball, also where the border of the array cuts its
-/// contact off, which pulls a centroid inward. One contact in the frame: of several it is none. Scale-free.
-/// load_N: layout.taxels() values, >= 0 and finite; threshold_N: > 0, a taxel is active from it on. Empty for
-/// fewer than five active taxels, when they lie in a line, when the loads do not fall from a summit, or when
-/// it is more than half a taxel beyond the active ones. Thread: any (pure); nothing is allocated.
+/// On a bed of springs a ball has this profile, even where the border of the array cuts the contact off,
+/// which would bias a centroid inwards. The frame must hold a single contact. Independent of the unit of
+/// load. load_N: layout.taxels() values, >= 0 and finite; threshold_N: > 0, a taxel is active from it on.
+/// Empty for fewer than five active taxels, when they lie on a line, when the loads do not fall off from a
+/// summit, or when the summit is more than half a taxel outside the active ones. Thread: any (pure);
+/// allocates nothing.
 [[nodiscard]] std::optional<Summit> summitOf(std::span<const float> load_N, const core::ArrayLayout& layout,
                                              float threshold_N);
 

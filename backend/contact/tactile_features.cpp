@@ -93,7 +93,7 @@ TactileFeatures FeatureExtractor::compute(std::span<const float> load_N, std::sp
     features.force_N = moments.sum;
     features.peak_N = static_cast<double>(moments.peak);
     features.active = static_cast<int>(moments.active);
-    // Without a contact the sum is noise, and so would its centre be.
+    // Without a contact the sum, and therefore its centre, is only noise.
     if (moments.active > 0) {
         features.copX_m = pitch_m * (moments.sumX / moments.sum);
         features.copY_m = pitch_m * (moments.sumY / moments.sum);

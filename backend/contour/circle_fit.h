@@ -10,12 +10,13 @@ namespace teleta::contour {
 struct Circle {
     Point centre_m = Point::Zero();
     double radius_m = 0.0;
-    double rms_m = 0.0; ///< distance of the points from the circle, outliers left out
+    double rms_m = 0.0; ///< root mean square distance of the points from the circle, without outliers
 };
 
-/// Circle with the least robust sum of squared distances from the points (Taubin's algebraic fit, then
-/// geometric refinement; see CurvedLine). Points may cover any part of it and contain outliers. Empty with
-/// fewer than three points, points on a line or in one place, and unusable coordinates. Thread: any (pure).
+/// Fits a circle by robust least squares of the distances (Taubin's algebraic fit, then geometric refinement;
+/// see CurvedLine). The points may cover any part of the circle and contain outliers. Empty for fewer than
+/// three points, points on a line or in one place, and unusable coordinates (areUsable()). Thread: any
+/// (pure).
 [[nodiscard]] std::optional<Circle> fitCircle(std::span<const Point> points_m);
 
 } // namespace teleta::contour

@@ -33,7 +33,8 @@ double largestDistance(std::span<const Point> points) {
     return std::sqrt(largest);
 }
 
-/// The (skipped + 1)-th largest over all points of the (skipped + 1)-th largest distance from it.
+/// For each point the (skipped + 1)-th largest distance to another one; of these the (skipped + 1)-th
+/// largest.
 double robustSize(std::span<const Point> points) {
     const std::size_t n = points.size();
     const std::size_t skipped = n < kPointsForRejection ? 0 : std::max<std::size_t>(1, n / 20);
@@ -59,7 +60,7 @@ double usualStep(std::span<const Point> points) {
     return *quartile;
 }
 
-/// Position of the foot of p on a closed polygon: index of the edge plus the share of it.
+/// Position of the foot of p on a closed polygon: index of the edge plus the share along it.
 double footOnPolygon(std::span<const Point> polygon, const Point& p) {
     double best = std::numeric_limits<double>::infinity();
     double place = 0.0;
@@ -77,8 +78,8 @@ double footOnPolygon(std::span<const Point> polygon, const Point& p) {
     return place;
 }
 
-/// Index of the first point that has gone once around a centre and is near the start again; the number of
-/// points when none has.
+/// Index of the first point that has completed a turn about a centre and is near the start again; the number
+/// of points when there is none.
 std::size_t endOfTurn(std::span<const Point> points, const Point& centre, double near) {
     double turned_rad = 0.0;
     for (std::size_t i = 1; i < points.size(); ++i) {
@@ -91,8 +92,8 @@ std::size_t endOfTurn(std::span<const Point> points, const Point& centre, double
     return points.size();
 }
 
-/// Index of the first point that has gone more than once around a place deep inside the contour; the number
-/// of points when none has.
+/// Index of the first point that has completed more than one turn about a place deep inside the contour; the
+/// number of points when there is none.
 std::size_t endOfFirstLap(std::span<const Point> points) {
     constexpr int kGrid = 8;
     Point low = points.front();
@@ -139,7 +140,7 @@ PreparedContour prepare(std::span<const Point> points_m) {
         prepared.points = std::move(kept);
         return prepared;
     }
-    // Squares of distances neither overflow nor vanish in units of the bounding box.
+    // In units of the bounding box squared distances neither overflow nor underflow.
     for (Point& p : kept)
         p /= box_m;
 
@@ -158,7 +159,7 @@ PreparedContour prepare(std::span<const Point> points_m) {
     prepared.size_m = box_m * size;
     prepared.extent_m = box_m * extent;
     prepared.points.reserve(kept.size());
-    // A point that repeats its predecessor says nothing new.
+    // A repeated point adds no information.
     for (std::size_t i = 0; i < kept.size(); ++i)
         if (i == 0 || kept[i] != kept[i - 1])
             prepared.points.push_back(size > 0.0 ? Point((kept[i] - centre) / size) : Point::Zero());
@@ -175,7 +176,7 @@ Point spatialMedian(std::span<const Point> points) {
         spread = std::max(spread, distance(p, median));
     if (spread == 0.0)
         return median;
-    // Weiszfeld's iteration; a point under the estimate must not take all the weight.
+    // Weiszfeld's iteration; a point at the estimate itself must not get infinite weight.
     for (int iteration = 0; iteration < 50; ++iteration) {
         Point sum = Point::Zero();
         double weights = 0.0;

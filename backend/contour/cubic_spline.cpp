@@ -10,7 +10,7 @@ namespace teleta::contour {
 
 namespace {
 
-// Inputs are rounded to half an ulp, the system amplifies by at most 3, second differences by at most 4.
+// Inputs are rounded to half an ulp; the system amplifies this by at most 3, second differences by at most 4.
 constexpr double kRoundingUlps = 32.0;
 
 /// Solves the tridiagonal system with off-diagonals 1 and the given diagonal in place.
@@ -93,7 +93,7 @@ std::optional<CubicSpline> CubicSpline::fit(std::span<const Point> points_m, Spl
     spline.m_closed = closed && n > 1;
     spline.m_segments = spline.m_closed ? n : n - 1;
 
-    // One phantom before the points; one (open) or two (closed) behind them.
+    // One phantom before the points and one (open) or two (closed) after them.
     auto& control = spline.m_control_m;
     control.resize(n + (spline.m_closed ? 3 : 2));
     const std::span<Point> own(control.data() + 1, n);
@@ -174,7 +174,7 @@ double CubicSpline::curvature_perM(double t) const {
     const Place place = locate(t);
     const Point first = derivativeAt_m(place);
     const Point second = secondDerivativeAt_m(place);
-    // Unit vectors keep the powers of (11) from overflowing or vanishing at any scale.
+    // With unit vectors the powers in (11) neither overflow nor underflow at any scale.
     const double speed = std::hypot(first.x(), first.y());
     const double change = std::hypot(second.x(), second.y());
     if (speed <= m_rounding_m || change <= m_rounding_m)

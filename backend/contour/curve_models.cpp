@@ -194,8 +194,8 @@ CurvedLineFit fitLine(std::span<const Point> points) {
     };
     const Point mean = meanOf(points);
     tryStart(mean, leastSquaresLine(points, mean));
-    // Lines through points that are far apart in the order survive an outlier that turns the least-squares
-    // line.
+    // Lines through points that are far apart in the order are not affected by an outlier that turns the
+    // least-squares line.
     const std::size_t n = points.size();
     for (std::size_t quarter = 0; quarter < 3 && n >= 4; ++quarter) {
         const Point& a = points[quarter * n / 4];

@@ -13,8 +13,8 @@ namespace teleta::contour {
 ///   A z + B x + C y + D = 0,  z = x^2 + y^2,  B = E cos(theta),  C = E sin(theta),  E = sqrt(1 + 4 A D)
 /// with x, y from a point near the curve, so that D is small and E near 1. The distance of a point is
 ///   d = 2 P / (1 + sqrt(1 + 4 A P)),  P = A z + B x + C y + D
-/// which has no cancellation however large the radius 1/(2|A|) is. Source: Chernov, Circular and linear
-/// regression, chapters 3 and 5 (Pratt's normalisation).
+/// which has no cancellation for any radius 1/(2|A|). Source: Chernov, Circular and linear regression,
+/// chapters 3 and 5 (Pratt's normalisation).
 struct CurvedLine {
     Point reference = Point::Zero();
     double a = 0.0;
@@ -27,23 +27,23 @@ struct CurvedLine {
     [[nodiscard]] Point foot(const Point& p) const;                   ///< of a straight one
 };
 
-/// A model with the curve it stands for.
+/// A fitted model and the curve that it describes.
 struct CurvedLineFit {
     RobustFit fit; ///< parameters (A, D, theta), or (D, theta) of a straight line
     CurvedLine curve;
 };
 
-/// Robust geometric fits; points in units of their size, at least 2 (line) or 3 (circle). The circle starts
-/// from Taubin's algebraic fit, from circles through triples of points, and from the line; the best is
-/// refined.
+/// Robust geometric fits. points: in units of their size, at least 2 (line) or 3 (circle). The circle is
+/// started from Taubin's algebraic fit, from circles through triples of points and from the line; the best
+/// start is refined. Thread: any (pure).
 [[nodiscard]] CurvedLineFit fitLine(std::span<const Point> points);
 [[nodiscard]] CurvedLineFit fitCurvedLine(std::span<const Point> points);
 
 /// Taubin's algebraic circle fit as (centre x, centre y, radius); empty when the points are on a line.
 [[nodiscard]] std::optional<Eigen::Vector3d> taubinCircle(std::span<const Point> points);
 
-/// Ellipse (centre x, centre y, log a, log b, angle), started from the scatter matrix and from a circle.
-/// Distances are first-order; exact for a circle.
+/// Fits an ellipse; parameters: centre x, centre y, log a, log b, angle. Started from the scatter matrix and
+/// from a circle. Distances are of first order; exact for a circle.
 [[nodiscard]] RobustFit fitEllipse(std::span<const Point> points, const CurvedLine& circle);
 [[nodiscard]] double ellipseLength(const Eigen::VectorXd& parameters);
 

@@ -25,7 +25,7 @@ constexpr double kSmallestSpread = 0.02;
 constexpr double kJumpShare = 0.1; ///< near a corner noise moves a point to the other edge
 constexpr std::size_t kGroups = 14;
 
-/// From the smallest to the largest noise, evenly in the logarithm.
+/// From the smallest to the largest noise, uniform in the logarithm.
 std::array<double, kNoiseSteps> noiseSteps(double widening) {
     std::array<double, kNoiseSteps> noise{};
     for (std::size_t step = 0; step < kNoiseSteps; ++step) {
@@ -53,7 +53,8 @@ double logLikelihood(const Eigen::VectorXd& residuals, double length) {
     return best;
 }
 
-/// Of values being normal about 0, a share of them anything, against being spread over the length.
+/// Log likelihood ratio: values normal about 0 with a share of arbitrary ones, against values spread over the
+/// length.
 double logGain(std::span<const double> values, double length) {
     double best = 0.0;
     for (double spread = kSmallestSpread; spread < length; spread *= 1.5) {
@@ -149,7 +150,7 @@ Evidence evidence(const RobustFit& fit, double length, const Assumptions& assump
     const auto density = [&](Eigen::Index i, double noise) {
         if (i == 0 || correlation == 0.0)
             return inlierDensity(fit.residuals[i], noise * widening, curve);
-        // An outlier says nothing of its neighbour.
+        // An outlier carries no information about its neighbour.
         const double before = fit.residuals[i - 1];
         const double expected = std::abs(before) > 4.0 * noise * widening ? 0.0 : correlation * before;
         return inlierDensity(fit.residuals[i] - expected, noise, curve);

@@ -15,7 +15,7 @@ constexpr std::size_t kPatience = 3;
 constexpr double kShortestSpacing = 1e-3;
 constexpr double kFarthestVertex = 1.5; ///< from the centre of the contour
 
-/// Moves the ends of an open chain to the outermost feet of its points.
+/// Moves the ends of an open chain to the outermost projections of its points.
 void trimEnds(std::span<const Point> points, const Evidence& judged, Eigen::VectorXd& vertices) {
     const Eigen::Index last = vertices.size() / 2 - 1;
     double low = std::numeric_limits<double>::infinity();
@@ -43,7 +43,7 @@ void trimEnds(std::span<const Point> points, const Evidence& judged, Eigen::Vect
 ChainFit fitChain(std::span<const Point> points, const Eigen::VectorXd& start, bool closed) {
     const Residuals evaluate = [&](const Eigen::VectorXd& p, Eigen::VectorXd& r, Eigen::MatrixXd& j) {
         polylineResiduals(points, p, closed, r, j);
-        // A vertex that few points hold would otherwise run away along its edge.
+        // Otherwise a vertex that few points determine could drift away along its edge.
         if (p.cwiseAbs().maxCoeff() > kFarthestVertex)
             r.setConstant(kFarthestVertex);
     };
@@ -55,7 +55,7 @@ ChainFit fitChain(std::span<const Point> points, const Eigen::VectorXd& start, b
         trimEnds(points, evidence(chain.fit, 1.0), chain.fit.parameters);
         evaluate(chain.fit.parameters, chain.fit.residuals, chain.fit.jacobian);
     }
-    // A vertex between two points that is on no edge, and the end of an open chain, are free by one spacing.
+    // A vertex between two points without an edge, and the end of an open chain, can move by one spacing.
     const double length = polylineLength(chain.fit.parameters, closed);
     const double spacing = length / static_cast<double>(points.size());
     chain.evidence = evidence(chain.fit, length, {.freedom = std::clamp(spacing, kShortestSpacing, 1.0)});

@@ -207,8 +207,8 @@ Eigen::VectorXd EdgeRuns::vertices(std::size_t edges) const {
     std::size_t first = 0;
     std::vector<std::size_t> begins = starts(m_division, edges);
     if (m_closed) {
-        // The first division has a vertex at the arbitrary first point; starting from one that it found
-        // elsewhere frees that place.
+        // The first division has a vertex at the arbitrary first point; a second one that starts at another
+        // vertex removes it.
         first = begins[edges / 2];
         begins = starts(divide(first), edges);
     }

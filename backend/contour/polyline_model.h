@@ -9,11 +9,12 @@
 namespace teleta::contour {
 
 /// Distances of points from a chain of edges, and their Jacobian in the coordinates (x0, y0, x1, y1, ...) of
-/// its vertices; positive to the left of the chain. The end edges of an open chain reach beyond their ends.
+/// its vertices; positive to the left of the chain. The first and last edge of an open chain extend beyond
+/// its ends.
 void polylineResiduals(std::span<const Point> points, const Eigen::VectorXd& vertices, bool closed,
                        Eigen::VectorXd& residuals, Eigen::MatrixXd& jacobian);
 
-/// Edge that each point is nearest to, and where on it: index of the edge plus the share of its length.
+/// For each point the nearest edge and the place on it: index of the edge plus the share of its length.
 /// Beyond the ends of an open chain the share is below 0 or above 1.
 [[nodiscard]] std::vector<double> placesOnPolyline(std::span<const Point> points,
                                                    const Eigen::VectorXd& vertices, bool closed);
@@ -22,17 +23,17 @@ void polylineResiduals(std::span<const Point> points, const Eigen::VectorXd& ver
 
 [[nodiscard]] std::vector<Point> toVertices(const Eigen::VectorXd& coordinates);
 
-/// First guesses of the vertices of an ordered contour, by lines through neighbouring points: the contour is
-/// divided into runs so that the sum of squared distances from the runs' total-least-squares lines is least
-/// (dynamic programming, exact), and the lines of neighbouring runs intersect in the vertices.
+/// First guesses of the vertices of an ordered contour. The contour is divided into runs of points so that
+/// the sum of squared distances from the total-least-squares line of each run is minimal (exact, by dynamic
+/// programming); the lines of neighbouring runs intersect in the vertices.
 class EdgeRuns {
 public:
-    /// maximumEdges: how many edges vertices() may be asked for.
+    /// maximumEdges: the largest number of edges that vertices() will be asked for.
     EdgeRuns(std::span<const Point> points, bool closed, std::size_t maximumEdges);
 
     [[nodiscard]] std::size_t maximumEdges() const { return m_maximumEdges; }
-    /// Coordinates of the vertices of a chain of so many edges: as many vertices when closed, one more when
-    /// open. 1 <= edges <= maximumEdges() (3 <= when closed).
+    /// Coordinates of the vertices of a chain with this number of edges: as many vertices when closed, one
+    /// more when open. edges: 1 (open) or 3 (closed) to maximumEdges().
     [[nodiscard]] Eigen::VectorXd vertices(std::size_t edges) const;
 
 private:

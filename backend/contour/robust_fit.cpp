@@ -46,7 +46,7 @@ void descend(const Residuals& evaluate, RobustFit& fit, double scale, double tol
         for (int attempt = 0; attempt < 8 && !improved; ++attempt) {
             Eigen::MatrixXd damped = normal;
             damped.diagonal().array() += damping * normal.diagonal().array() + 1e-9 * damping * strength;
-            damped.diagonal().array() += 1e-14 * strength; // directions that no point determines stay put
+            damped.diagonal().array() += 1e-14 * strength; // undetermined directions stay put
             Eigen::VectorXd step = -damped.ldlt().solve(gradient);
             const double length = step.norm();
             if (!std::isfinite(length))

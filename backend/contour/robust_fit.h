@@ -7,8 +7,8 @@
 
 namespace teleta::contour {
 
-/// Residuals (one a point) and their Jacobian (points x parameters) at the given parameters, in units of the
-/// size of the contour. Both come in with the right number of rows or are resized by the callee.
+/// Computes the residuals (one per point) and their Jacobian (points x parameters) at the given parameters,
+/// in units of the size of the contour. The callee resizes both where needed.
 using Residuals = std::function<void(const Eigen::VectorXd& parameters, Eigen::VectorXd& residuals,
                                      Eigen::MatrixXd& jacobian)>;
 
@@ -19,17 +19,17 @@ struct RobustFit {
     Eigen::MatrixXd jacobian;
 };
 
-/// Fits a model to points of which some are outliers: Levenberg-Marquardt on Tukey's biweight of the
-/// residuals, first with a scale of a quarter of the size so that any sensible start converges, then
-/// with 4.685 times the robust standard deviation (1.4826 MAD, corrected for the parameters), which is never
-/// taken smaller than a hundredth. Without outliers and noise it converges to rounding. Thread: any (pure).
+/// Fits a model to points that contain outliers: Levenberg-Marquardt on Tukey's biweight of the residuals.
+/// The scale is first a quarter of the size, so that any sensible start converges, then 4.685 times the
+/// robust standard deviation (1.4826 MAD, corrected for the number of parameters), but never less than a
+/// hundredth of the size. Without outliers and noise it converges to rounding error. Thread: any (pure).
 [[nodiscard]] RobustFit fitRobustly(const Residuals& residuals, Eigen::VectorXd start);
 
-/// Scale of robustLoss at which starts are compared.
+/// Scale of robustLoss() for comparing starts.
 inline constexpr double kStartScale = 0.1;
 
-/// Mean biweight loss, 0 (all residuals zero) .. 1 (all beyond the scale); compares starts before they are
-/// fitted.
+/// Mean biweight loss, from 0 (all residuals zero) to 1 (all beyond the scale); for comparing starts before
+/// they are fitted.
 [[nodiscard]] double robustLoss(const Eigen::VectorXd& residuals, double scale);
 
 } // namespace teleta::contour

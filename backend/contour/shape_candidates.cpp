@@ -46,7 +46,7 @@ public:
     [[nodiscard]] ShapeCandidates take() { return std::move(m_result); }
 
 private:
-    /// A model that has as many parameters as points fits always and shows nothing.
+    /// A model with as many parameters as points always fits and is no evidence.
     [[nodiscard]] bool testable(std::size_t parameters) const { return m_points.size() > parameters; }
 
     ShapeCandidate& addNamed(Shape shape, RobustFit fit, Explored way) {
@@ -178,7 +178,8 @@ private:
         addNamed(shape, std::move(fit), std::move(way)).vertices = std::move(corners);
     }
 
-    /// What only looks like the best named shape: a curve that follows it roughly, and a random walk.
+    /// Explanations that only resemble the best named shape: a curve that follows it roughly, and a random
+    /// walk.
     void addDepartures() {
         if (m_bestWeight == kImpossibleEvidence)
             return;

@@ -17,17 +17,18 @@ struct ShapeCandidate {
     double logWeight = 0.0; ///< log evidence plus log prior
     RobustFit fit;
     Evidence judged;
-    std::vector<Point> vertices; ///< in units of the size, of shapes that have any
+    std::vector<Point> vertices; ///< in units of the size, of shapes that have vertices
     std::optional<CurvedLine> circle;
 };
 
-/// All explanations that shape_recogniser.h speaks of except the point, at least one (scatter).
+/// All explanations listed in shape_recogniser.h except the point; at least one (scatter).
 struct ShapeCandidates {
     std::vector<ShapeCandidate> all;
-    bool closed = false; ///< the contour comes back to its start, as told or found
+    bool closed = false; ///< the contour returns to its start, as given or as detected
 };
 
-/// contour: at least two different points.
+/// Fits every explanation to a contour. contour: at least two different points. closed: empty to detect it.
+/// Thread: any (pure).
 [[nodiscard]] ShapeCandidates explain(const PreparedContour& contour, std::optional<bool> closed);
 
 } // namespace teleta::contour

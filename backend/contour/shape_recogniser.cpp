@@ -19,7 +19,7 @@ std::size_t index(Shape shape) {
     return static_cast<std::size_t>(shape);
 }
 
-/// Probability that an extent is that of a point.
+/// Probability that a contour of this extent is a point.
 double pointProbability(double extent_m, double resolution_m) {
     if (extent_m == 0.0)
         return 1.0;

@@ -9,7 +9,7 @@
 
 namespace teleta::equilibration {
 
-/// What one press tells.
+/// What is known from one press.
 struct PressFit {
     std::vector<TaxelState> states;
     std::vector<double> response; ///< mean 1 over the good taxels
@@ -19,8 +19,8 @@ struct PressFit {
     double scatter = 0.0;
 };
 
-/// Loads of the frames and responses of the taxels of one press, fitted in turn; see findTaxelGains(). The
-/// press is whole frames of so many taxels. Error: refused. Thread: any (pure).
+/// Fits the loads of the frames and the responses of the taxels of one press in turn; see findTaxelGains().
+/// press: whole frames of `taxels` values. Error: refused, as for findTaxelGains(). Thread: any (pure).
 [[nodiscard]] core::Expected<PressFit> fitPress(std::size_t taxels, const GainPress& press);
 
 } // namespace teleta::equilibration

@@ -35,7 +35,7 @@ Slope robustSlope(std::span<const double> x, std::span<const double> y, std::vec
         largest = std::max(largest, std::abs(y[i]));
     }
     Slope result{.slope = medianOf(buffer)};
-    // Residuals that are rounding errors are none.
+    // Residuals within the rounding error count as zero.
     const double exact = 4.0 * std::numeric_limits<double>::epsilon() * largest;
     double influence = 0.0; // sum of squares of the bounded residuals
     double within = 0.0;    // how many residuals are not bounded
@@ -64,7 +64,7 @@ Slope robustSlope(std::span<const double> x, std::span<const double> y, std::vec
         if (std::abs(result.slope - before) <= 1e-12 * std::abs(before))
             break;
     }
-    // At least half of the residuals are not bounded: the scale is their median's.
+    // At least half of the residuals are unbounded: the scale comes from their median.
     const auto count = static_cast<double>(n);
     if (n > 1)
         result.error = std::sqrt(influence / (count - 1.0) / xx) * count / within;

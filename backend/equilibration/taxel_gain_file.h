@@ -17,14 +17,14 @@ inline constexpr std::array<std::string_view, 6> kTaxelGainColumns{"taxel", "row
 
 /// Reads the gains of an array: CSV with the columns taxel,row,column,gain,gain_se,state, one row a taxel, in
 /// any order; other columns are ignored. row and column count from 0, taxel = row * columns + column. gain:
-/// what the taxel's load is multiplied with, from 1e-3 to 1e3; NA: the taxel is not used. gain_se may be
-/// missing or NA, and so may state ("good", "dead", "weak", "strong", "stuck").
-/// Error: notFound, ioFailed, badInput with line and column: another array, a taxel twice or not at all, a
-/// gain out of range, or one whose state is not good. Thread: any.
+/// factor on the load of the taxel, 1e-3 to 1e3; NA: the taxel is not used. gain_se and state ("good",
+/// "dead", "weak", "strong", "stuck") may be missing or NA. Error: notFound, ioFailed, badInput with line and
+/// column: the file is of another array, a taxel is repeated or missing, a gain is out of range, or a taxel
+/// that is not good has one. Thread: any.
 [[nodiscard]] core::Expected<TaxelGains> readTaxelGains(const std::string& path,
                                                         const core::ArrayLayout& layout);
 
-/// Writes the rows to something with the members of core::CsvWriter.
+/// Writes one row per taxel. Rows: a type with the members of core::CsvWriter.
 template <typename Rows>
 void writeTaxelGainRows(const TaxelGains& gains, Rows& rows) {
     for (std::size_t i = 0; i < gains.taxels.size(); ++i) {
@@ -40,7 +40,7 @@ void writeTaxelGainRows(const TaxelGains& gains, Rows& rows) {
     }
 }
 
-/// The file is whole or as it was; its folder is made.
+/// Writes the file atomically; creates its folder. Error: ioFailed.
 [[nodiscard]] core::Expected<void> writeTaxelGains(const TaxelGains& gains, const std::string& path);
 
 } // namespace teleta::equilibration

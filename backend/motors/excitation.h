@@ -8,7 +8,8 @@
 
 namespace teleta::motors {
 
-/// What a motor is told so that its start, lag and curve can be seen: drives that are held for a while each.
+/// A sequence of drives, each held for a while, from which the start, lag and speed curve of a motor can be
+/// identified.
 struct Excitation {
     struct Step {
         double begin_s = 0.0;
@@ -17,15 +18,17 @@ struct Excitation {
     std::vector<Step> steps; ///< times rise from 0
     double duration_s = 0.0;
 
-    /// 0 outside.
+    /// Drive at a time, 0 .. 1 of the full drive; 0 before the start and after the end.
     [[nodiscard]] double driveAt(double time_s) const;
 };
 
-/// A staircase from rest to the full drive, then pulses of the full and of a medium one. hold_s: of a stair
-/// and of a pulse, > 0; longer ones are for motors that are slower than usual.
+/// A staircase from rest to the full drive, followed by pulses of the full and of a medium drive. hold_s:
+/// duration of a stair and of a pulse, > 0; use a longer one for motors that are slower than usual. Thread:
+/// any (pure).
 [[nodiscard]] Excitation stairsAndPulses(double hold_s = 0.3);
 
-/// Columns time_s,commanded at `rate_Hz`: to be put beside what an own sensor records. Error: ioFailed.
+/// Writes the excitation sampled at rate_Hz as CSV with the columns time_s,commanded, to be combined with the
+/// recording of one's own sensor. Error: ioFailed. Thread: any.
 [[nodiscard]] core::Expected<void> writeExcitation(const Excitation& excitation, double rate_Hz,
                                                    const std::string& path);
 

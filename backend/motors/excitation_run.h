@@ -13,15 +13,15 @@
 
 namespace teleta::motors {
 
-/// Plays drives on one tactor, not mapped by a motor's range; below the player's limits and watchdogs as
-/// everything else. excitation is copied. Thread: any.
+/// A program that plays an excitation on one tactor without mapping it to the range of the motor. The
+/// player's limits and watchdogs apply as to every program. excitation is copied. Thread: any.
 [[nodiscard]] playback::Program programOf(const Excitation& excitation, std::size_t tactor);
 
-/// Plays an excitation on one tactor and records what the bracelet's own sensor tells of the motor, a
-/// thousand times a second, with the drive that was really written. Waits until it is done; its program ends
-/// when a stop is requested, and nothing is played when that was before. progress: 0 .. 1. Error:
-/// unavailable: the bracelet has no sensor; refused: the playing ended early (STOP, unplugged, a command of
-/// somebody else); cancelled. Thread: any but the GUI's; clock is the player's.
+/// Plays an excitation on one tactor and records the motor's speed from the bracelet's own sensor at 1 kHz,
+/// together with the drive that was actually written. Blocks until done. When a stop is requested the program
+/// ends; when it was requested before the call, nothing is played. progress: 0 .. 1. clock: that of the
+/// player. Error: unavailable: the bracelet has no sensor; refused: playing ended early (STOP, unplugged,
+/// another command); cancelled. Thread: any but the GUI's.
 [[nodiscard]] core::Expected<MotorRecording>
 recordExcitation(playback::Player& player, const core::BraceletSource& bracelet, std::size_t tactor,
                  const Excitation& excitation, const std::stop_token& stop, std::atomic<double>& progress,

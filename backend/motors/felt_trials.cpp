@@ -44,7 +44,7 @@ double FeltTrials::progress() const {
                     static_cast<double>(m_presented) / m_rules.mostTrials);
 }
 
-/// From the first answer on, so that an undone one leaves nothing behind.
+/// Recomputes the state from the first answer, so that an undone one leaves no trace.
 void FeltTrials::replay() {
     m_drive = m_rules.first;
     m_step = m_rules.firstStep;

@@ -20,7 +20,7 @@ using Matrix = Eigen::MatrixXd;
 constexpr int kIterations = 60;
 constexpr double kConverged = 1e-10; ///< relative change of the sum of squares
 
-/// The steady speed as a sum of at most two levels.
+/// The steady speed as a weighted sum of at most two levels.
 struct Blend {
     Eigen::Index first = 0;
     double firstShare = 0.0;
@@ -123,7 +123,7 @@ Minimum minimise(const LagProblem& problem, Vector parameters) {
         damped.diagonal() *= 1.0 + damping;
         const Vector step = damped.ldlt().solve(here.gradient);
         Vector there = parameters + step;
-        // A time constant between a tenth of a millisecond and ten seconds.
+        // Time constants are kept between 0.1 ms and 10 s.
         for (const Eigen::Index k : {0, 1})
             there[k] = std::clamp(there[k], std::log(1e-4), std::log(10.0));
         const bool finite = there.allFinite();
@@ -145,7 +145,7 @@ Minimum minimise(const LagProblem& problem, Vector parameters) {
     return {std::move(parameters), std::move(here)};
 }
 
-/// How much wider the standard errors are because neighbouring residuals are alike.
+/// Factor that widens the standard errors because neighbouring residuals are correlated.
 double widening(const MotorRecording& recording, const std::vector<double>& predicted_Hz) {
     double own = 0.0;
     double shared = 0.0;

@@ -25,20 +25,20 @@ struct LagFit {
     double down_s = 0.0;
     double downError_s = 0.0;
     std::vector<SpeedLevel> levels;
-    double residual_Hz = 0.0;         ///< root mean square, of the samples in which the motor turns
+    double residual_Hz = 0.0;         ///< root mean square over the samples in which the motor turns
     double explained = 0.0;           ///< share of the variance of the speed that the model explains
-    std::vector<double> predicted_Hz; ///< one a sample
+    std::vector<double> predicted_Hz; ///< one entry per sample
 };
 
-/// Fits the lag of pattern::MotorModel and the steady speeds to a recording that begins at rest:
+/// Fits the lag of MotorModel and the steady speeds to a recording that begins at rest:
 ///   speed' = (steady(drive) - speed) / tau,   tau = up where the steady speed is above, down where it is
 ///   below
-/// steady: 0 below `start`, else straight lines through the levels. All levels and both time constants are
-/// fitted together (Levenberg-Marquardt; the model is integrated without error between samples), so a level
-/// need not have settled. Standard errors come from the residuals, widened by their autocorrelation.
-/// levels: at least two, rising, with a first guess of the speeds. ignored: samples whose speed is taken as
-/// it was measured; unknown ones count for nothing. Empty: the equations are singular (a time constant that
-/// nothing depends on). Thread: any.
+/// steady: 0 below `start`, otherwise linear between the levels. All levels and both time constants are
+/// fitted together (Levenberg-Marquardt; the model is integrated exactly between samples), so a level need
+/// not have settled. Standard errors come from the residuals, widened by their autocorrelation. levels: at
+/// least two, rising, with first guesses of the speeds. ignored: samples whose measured speed is taken over;
+/// unknown samples are not used. Empty when the equations are singular (nothing depends on a time constant).
+/// Thread: any (pure).
 [[nodiscard]] std::optional<LagFit> fitLag(const MotorRecording& recording, double start,
                                            const std::vector<SpeedLevel>& levels,
                                            const std::vector<bool>& ignored);

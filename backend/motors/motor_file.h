@@ -11,14 +11,14 @@
 
 namespace teleta::motors {
 
-/// What is known of one motor, how well, and from where.
+/// The profile of one motor, its standard errors, and where each value comes from.
 struct CalibratedMotor {
     enum class Origin { assumed, answers, recording };
 
     pattern::MotorProfile profile = pattern::MotorProfile::assumedCoinMotor();
     Origin startFrom = Origin::assumed;
-    Origin lagFrom = Origin::assumed; ///< of rise, fall and curve
-    double startError = 0.0;          ///< standard errors; 0: not known
+    Origin lagFrom = Origin::assumed; ///< origin of rise, fall and curve
+    double startError = 0.0;          ///< standard errors; 0: unknown
     double riseError_s = 0.0;
     double fallError_s = 0.0;
 
@@ -33,30 +33,30 @@ struct MotorCalibration {
     bool operator==(const MotorCalibration&) const = default;
 
     [[nodiscard]] pattern::MotorProfiles profiles() const;
-    /// Something was measured.
+    /// Whether at least one value was measured.
     [[nodiscard]] bool measured() const;
 };
 
-/// A motor with another start; its curve goes on down to it along its first line, and one that begins at rest
-/// begins there. start: 0 < start < full.
+/// The motor with another start drive; its curve is extended down to it along its first segment, and a curve
+/// that begins at rest begins there. start: 0 < start < full drive.
 [[nodiscard]] pattern::MotorProfile withStart(pattern::MotorProfile motor, double start);
 
 /// Reads and writes a profile:
 ///   format = "teleta-motors", version = 1, bracelet = "SERIAL", six times
 ///   [[motor]] start_drive, full_drive, rise_s, fall_s, curve = [{ drive, speed_Hz } ...], overdrive,
 ///   longest_overdrive_s, start_from and lag_from ("assumed", "answers", "recording"), standard errors
-/// Drives are shares of the full one. Error: notFound, ioFailed, badInput with line and column: an unknown or
-/// missing key, values that contradict each other, a newer version. Thread: any.
+/// Drives are shares of the full drive. Error: notFound, ioFailed; badInput with line and column: an unknown
+/// or missing key, inconsistent values, a newer version. Thread: any.
 [[nodiscard]] core::Expected<MotorCalibration> readMotors(const std::string& path);
 [[nodiscard]] core::Expected<MotorCalibration> parseMotors(std::string_view text, const std::string& file);
 [[nodiscard]] std::string motorsText(const MotorCalibration& calibration);
-/// The file is whole or as it was; its folder is made.
+/// Writes the file atomically; creates its folder.
 [[nodiscard]] core::Expected<void> writeMotors(const MotorCalibration& calibration, const std::string& path);
 
-/// Where the profile of a bracelet is kept: "motors/SERIAL.toml" in the user's configuration, the serial
-/// number with what a file name cannot bear as %XX. Empty serial: empty.
+/// Path of the profile of a bracelet: "motors/SERIAL.toml" in the user's configuration folder, with
+/// characters that a file name cannot contain as %XX. Empty when the serial number is empty.
 [[nodiscard]] std::string profilePath(const std::string& serial);
-/// Reads that file. Empty: there is none.
+/// Reads that file; empty when there is none.
 [[nodiscard]] core::Expected<std::optional<MotorCalibration>> findMotors(const std::string& serial);
 
 } // namespace teleta::motors

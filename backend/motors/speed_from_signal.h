@@ -8,19 +8,20 @@
 
 namespace teleta::motors {
 
-/// Speeds that count as those of a vibration motor; what is slower is rest.
+/// Range of speeds of a vibration motor; slower ones count as rest.
 inline constexpr double kSlowestVibration_Hz = 25.0;
 inline constexpr double kFastestVibration_Hz = 500.0;
 
-/// The speed of a motor from what an accelerometer or a microphone picked up: one turn of the eccentric mass
-/// is one period, so that
+/// Computes the speed of a motor from the signal of an accelerometer or a microphone, in which one turn of
+/// the eccentric mass is one period:
 ///   speed = 1 / (time between two crossings of the zero line upwards)
-/// in the middle of the two, straight lines between, and 0 while the signal stays within four times its
-/// noise; unknown shortly before the first turn that is seen and after the last one. Noise and zero are those
-/// of the beginning, during which the drive must be 0 for 0.1 s. Each crossing is found between two samples
-/// by a line, and counts only after the signal was clearly below and is clearly above the noise. Returns a
-/// speed for every sample. Error: refused: it does not begin at rest, fewer than eight samples a turn,
-/// clipped, no vibration. Thread: any (pure).
+/// This is the speed in the middle between the two crossings; in between it is interpolated linearly. It is 0
+/// while the signal stays within four times its noise, and unknown just before the first and just after the
+/// last visible turn. Noise and zero line are measured during the first 0.1 s, in which the drive must be 0.
+/// A crossing is interpolated linearly between two samples and counts only when the signal was clearly below
+/// and is then clearly above the noise. Returns a speed for every sample. Error: refused: the recording does
+/// not begin at rest, has fewer than eight samples per turn, is clipped or shows no vibration. Thread: any
+/// (pure).
 [[nodiscard]] core::Expected<MotorRecording> speedFromSignal(std::span<const double> time_s,
                                                              std::span<const double> drive,
                                                              std::span<const double> signal);

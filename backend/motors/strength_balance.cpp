@@ -16,7 +16,7 @@ void setFullDrive(pattern::MotorProfile& motor, double full) {
     motor.rangeAssumed = false;
 }
 
-/// Drive with this steady speed.
+/// Drive that leads to this steady speed.
 double driveAtSpeed(const pattern::MotorProfile& motor, double speed_Hz) {
     pattern::MotorProfile whole = motor;
     whole.fullDrive = 1.0;

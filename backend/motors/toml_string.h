@@ -5,7 +5,7 @@
 
 namespace teleta::motors {
 
-/// A text as a basic string of TOML, with its quotation marks. Thread: any (pure).
+/// Formats a text as a TOML basic string, including the quotation marks. Thread: any (pure).
 [[nodiscard]] inline std::string quotedToml(const std::string& text) {
     constexpr char kHex[] = "0123456789ABCDEF";
     std::string result = "\"";

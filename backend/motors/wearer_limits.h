@@ -9,8 +9,8 @@
 
 namespace teleta::motors {
 
-/// How strongly somebody wants to feel the motors of one bracelet at most. A choice of the wearer, kept apart
-/// from what was measured of the motors, so that neither overwrites the other.
+/// The strongest vibration that a wearer accepts from each motor of a bracelet. Stored separately from the
+/// calibration of the motors, so that neither overwrites the other.
 struct WearerLimits {
     std::string bracelet;                                      ///< its serial number
     core::Intensities strongest{1.0, 1.0, 1.0, 1.0, 1.0, 1.0}; ///< 0 .. 1
@@ -18,22 +18,23 @@ struct WearerLimits {
     bool operator==(const WearerLimits&) const = default;
 };
 
-/// Strongest of every motor where limits were set but cannot be read: less than may have been wanted.
+/// Limit of every motor when limits were set but cannot be read; deliberately low.
 inline constexpr double kUnknownStrongest = 0.3;
 
 /// Reads and writes limits:
 ///   format = "teleta-limits", version = 1, bracelet = "SERIAL", six times [[motor]] strongest = 0.8
-/// Error: notFound, ioFailed, badInput with line and column: an unknown or missing key, a value beyond
-/// 0 .. 1, another number of motors, a newer version. Thread: any.
+/// Error: notFound, ioFailed, badInput with line and column: an unknown or missing key, a value outside 0 ..
+/// 1, a wrong number of motors, a newer version. Thread: any.
 [[nodiscard]] core::Expected<WearerLimits> readLimits(const std::string& path);
 [[nodiscard]] core::Expected<WearerLimits> parseLimits(std::string_view text, const std::string& file);
 [[nodiscard]] std::string limitsText(const WearerLimits& limits);
-/// The file is whole or as it was; its folder is made.
+/// Writes the file atomically; creates its folder.
 [[nodiscard]] core::Expected<void> writeLimits(const WearerLimits& limits, const std::string& path);
 
-/// Beside the profile of the bracelet: "motors/SERIAL.limits.toml". Empty serial: empty.
+/// Path of the limits, next to the profile of the bracelet: "motors/SERIAL.limits.toml". Empty when the
+/// serial number is empty.
 [[nodiscard]] std::string limitsPath(const std::string& serial);
-/// Reads that file; full strength where there is none.
+/// Reads that file; full strength when there is none.
 [[nodiscard]] core::Expected<WearerLimits> findLimits(const std::string& serial);
 
 } // namespace teleta::motors

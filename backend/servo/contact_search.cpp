@@ -7,13 +7,12 @@ namespace teleta::servo {
 
 namespace {
 
-/// Below this the sensor does not slide, and the direction of the way is the one before.
+/// Below this speed the sensor does not slide, and the previous direction is kept.
 constexpr double kSliding_mPerS = 1e-4;
-/// The sensor is at its target.
+/// Distance within which the sensor has reached its target.
 constexpr double kThere_m = 1e-6;
 constexpr double kTurn_radPerS = 0.2;
-/// A target that is not reached within so many times the time of the way there, and so much longer, is out of
-/// reach.
+/// A target that is not reached within this multiple of the time needed plus this time is out of reach.
 constexpr double kPatience = 2.0;
 constexpr double kPatience_s = 0.5;
 

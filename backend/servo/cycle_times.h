@@ -10,31 +10,31 @@
 
 namespace teleta::servo {
 
-/// What the control cycle of a simulated servo spends its time on.
+/// The parts into which the computing time of a simulated control cycle is divided.
 enum class CyclePart {
     contact,    ///< springs of the array on the object
     kinematics, ///< posture and Jacobian of the arm
     features,   ///< image processing
-    control,    ///< the servo's step
-    dynamics,   ///< what is left: the step of arm and contact, effects of the sensor
+    control,    ///< the step of the servo controller
+    dynamics,   ///< everything else: the step of arm and contact, effects of the sensor
 };
 
 inline constexpr std::size_t kCycleParts = 5;
 inline constexpr std::array<std::string_view, kCycleParts> kCyclePartNames{"contact", "kinematics",
                                                                            "features", "control", "dynamics"};
 
-/// Computing time of the parts of a control cycle, in s, of the cycles that were timed. Only one in kEvery
-/// is, since to read the clock takes longer than some of the parts; kEvery has no divisor in common with the
-/// rates of a servo, so that each of its cycles has its turn.
+/// Computing time of each part, summed over the timed control cycles, in s. Only one cycle in kEvery is
+/// timed, because reading the clock takes longer than some of the parts. kEvery has no divisor in common with
+/// the rates of a servo, so that all kinds of cycle are timed.
 struct CycleTimes {
     static constexpr std::uint64_t kEvery = 17;
 
     std::array<double, kCycleParts> part_s{};
-    std::uint64_t cycles = 0; ///< that were timed
+    std::uint64_t cycles = 0; ///< number of timed cycles
 
     [[nodiscard]] double& of(CyclePart part) { return part_s[static_cast<std::size_t>(part)]; }
-    /// Takes the times of one cycle. Those that took longer than a whole cycle of 1 kHz were interrupted by
-    /// another program and say nothing.
+    /// Adds the times of one cycle. Cycles that took longer than the whole period at 1 kHz were interrupted
+    /// by another program and are ignored.
     void add(const CycleTimes& cycle) {
         if (cycle.sum_s() > 1e-3)
             return;
@@ -50,7 +50,7 @@ struct CycleTimes {
     }
 };
 
-/// Adds the time from its start to its end to a part; nothing without times.
+/// Adds the time between its construction and destruction to a part; does nothing when times is null.
 class CycleTimer {
 public:
     CycleTimer(CycleTimes* times, CyclePart part)

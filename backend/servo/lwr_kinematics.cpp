@@ -17,7 +17,7 @@ constexpr std::array<double, kLwrJoints> kOffset_m = {
     LwrKinematics::kBaseToShoulder_m, 0.0, LwrKinematics::kShoulderToElbow_m, 0.0,
     LwrKinematics::kElbowToWrist_m,   0.0, LwrKinematics::kWristToFlange_m};
 
-/// A frame that moves out along the chain; the columns of the rotation.
+/// A frame that is moved outwards along the chain, as the columns of its rotation and its origin.
 struct Frame {
     Eigen::Vector3d x = Eigen::Vector3d::UnitX();
     Eigen::Vector3d y = Eigen::Vector3d::UnitY();

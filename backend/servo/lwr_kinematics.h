@@ -13,15 +13,15 @@ namespace teleta::servo {
 
 inline constexpr int kLwrJoints = 7;
 
-/// One number a joint, A1 to A7.
+/// One number per joint, A1 to A7.
 using LwrVector = Eigen::Matrix<double, kLwrJoints, 1>;
 
-/// Velocity of a frame over joint rates: rows [v; w] in base axes, v the velocity of the frame's origin;
-/// columns A1 to A7. m and 1. The joint torques of a force and moment [f; m] at that origin are J^T [f; m].
+/// Jacobian of a frame: rows [v; w] in base axes, v being the velocity of the frame's origin; columns A1 to
+/// A7; m and 1. A force and moment [f; m] at that origin cause the joint torques J^T [f; m].
 using LwrJacobian = Eigen::Matrix<double, 6, kLwrJoints>;
 
-/// What the joints may do. Positions, speeds and torques as the public robot description of the University of
-/// Pisa for the KUKA LWR 4+ has them (github.com/CentroEPiaggio/kuka-lwr), in rad, rad/s and Nm.
+/// Limits of the joints: positions, speeds and torques in rad, rad/s and Nm. Source: robot description of the
+/// KUKA LWR 4+ by the University of Pisa (github.com/CentroEPiaggio/kuka-lwr).
 struct LwrLimits {
     LwrVector lowest_rad = -highest();
     LwrVector highest_rad = highest();
@@ -37,7 +37,7 @@ struct LwrLimits {
 struct LwrPosture {
     Eigen::Isometry3d X_Base_Tool = Eigen::Isometry3d::Identity();
     LwrJacobian jacobian = LwrJacobian::Zero(); ///< of the tool's origin
-    /// Axis and a point on it of each joint, in the base; the points are base, shoulder, ..., for drawing.
+    /// Axis of each joint and a point on it, in the base; the points (base, shoulder, ...) are for drawing.
     std::array<Eigen::Vector3d, kLwrJoints> axis;
     std::array<Eigen::Vector3d, kLwrJoints> p_Base_Joint;
 };
@@ -46,9 +46,9 @@ struct LwrPosture {
 ///   i        1     2     3     4     5     6     7
 ///   alpha   90   -90   -90    90    90   -90     0  degrees
 ///   d    0.310     0 0.400     0 0.390     0 0.078  m        a = 0
-/// All angles zero: the arm points up along z, the flange at z = 1.178 m, its axes those of the base.
-/// Base {g}; flange {e}; tool: a frame fixed to the flange, the flange itself by default.
-/// Thread: any (const); nothing allocates.
+/// All angles zero: the arm points up along z, the flange at z = 1.178 m, its axes those of the base. Base
+/// {g}; flange {e}; tool: a frame fixed to the flange, the flange itself by default. Thread: any (const);
+/// allocates nothing.
 class LwrKinematics {
 public:
     static constexpr double kBaseToShoulder_m = 0.310;

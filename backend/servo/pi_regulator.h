@@ -13,23 +13,23 @@ namespace teleta::servo {
 
 /// Proportional-integral law of each component with anti-windup.
 ///   u = K_P e + i,   i += K_I (e - e_P) dt, kept within +-integralLimit
-/// e_P is the error that K_P alone would have left by now of the error at the start: e_P' = -|K_P| e_P, where
-/// the error follows the twist one to one, and 0 elsewhere. So the integral learns what disturbs and not what
-/// is on its way: from rest the error falls as e(0) exp(-K_P t) without overshoot (with e alone it overshoots
-/// by as much area as it had before), and what a slope adds is taken away as with e alone. A start is the
-/// first known error, one after a limit acted, and a change of what is desired.
-/// The integral is kept as its share of u, so new gains change nothing at once. What did not become motion
-/// because of a limit is given back: the last increment of a component whose output was cut is undone when it
-/// pushed further. Thread: one. Source: eq. (13); e_P: the reference model of a law with two degrees of
+/// e_P is what K_P alone would have left by now of the error at the start: e_P' = -|K_P| e_P for components
+/// whose error follows the twist one to one, and 0 for the others. The integral therefore learns
+/// disturbances, not the transient: from rest the error falls as e(0) exp(-K_P t) without overshoot
+/// (integrating e alone would overshoot by the area accumulated before), while the effect of a slope is
+/// removed as by e alone. The start is the first known error, the first one after a limit acted, or a change
+/// of the desired value. The integral is stored as its share of u, so that new gains cause no step.
+/// Anti-windup: when a limit cut the output of a component, its last increment is undone if it pushed
+/// further. Thread: one. Source: eq. (13); e_P: the reference model of a control law with two degrees of
 /// freedom.
 class PiRegulator {
 public:
     struct Rows {
-        /// The integral of the other components, and of those without K_I, is forgotten.
+        /// Components in use. The integral of the others, and of those without K_I, is cleared.
         std::array<bool, 6> takesPart{};
-        /// A component whose error is not known puts out 0 and keeps its integral.
+        /// Components whose error is known. The others output 0 and keep their integral.
         std::array<bool, 6> known{};
-        /// The error changes as fast as the twist moves the sensor.
+        /// Components whose error changes as fast as the twist moves the sensor.
         std::array<bool, 6> oneToOne{};
     };
 
@@ -60,10 +60,10 @@ public:
         return u;
     }
 
-    /// What is desired has changed, and the error with it.
+    /// Tells the regulator that the desired value, and with it the error, has changed by this.
     void expect(const Vector6& change) { m_expected += change; }
 
-    /// cut: wanted minus achieved twist of the last step.
+    /// Anti-windup. cut: wanted minus achieved twist of the last step.
     void giveBack(const Twist& cut) {
         for (int i = 0; i < 6; ++i) {
             if (cut[i] * m_increment[i] > 0.0)
@@ -73,7 +73,7 @@ public:
         }
     }
 
-    /// The integral's share of the output. m/s, rad/s.
+    /// Share of the integral in the output; m/s, rad/s.
     [[nodiscard]] const Vector6& integral() const { return m_integral; }
     void reset() {
         m_integral.setZero();

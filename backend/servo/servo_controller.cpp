@@ -28,7 +28,7 @@ Twist feedForward(const FeedForward& forward, double time_s) {
            std::cos(2.0 * std::numbers::pi * time_s / forward.period_s) * forward.sway_Sensor;
 }
 
-/// The part of a velocity that would lead further away from where it is already too far.
+/// The part of a velocity that would increase a deviation beyond its limit.
 Eigen::Vector3d kept(const Eigen::Vector3d& velocity, const Eigen::Vector3d& away, double bound,
                      double dt_s) {
     const Eigen::Vector3d next = away + dt_s * velocity;
@@ -151,7 +151,7 @@ std::array<bool, 6> ServoController::observe(const ServoInput& input, const Serv
     std::array<bool, 6> known{};
     for (std::size_t row = 0; row < 6; ++row) {
         known[row] = input.features.active > 0 && measured.defined[row];
-        // A point has no direction to control, whatever is wanted of it.
+        // A point has no direction to control, whatever the task asks for.
         if (row == kWz && !output.edge)
             known[row] = false;
         if (!known[row])
@@ -173,7 +173,8 @@ ServoController::Wanted ServoController::law(const ServoInput& input, const Serv
     wanted.regulated = true;
 
     const Projection& P = task.projection;
-    // How a moment changes with a turn depends on the contact; a place, a depth and a direction go with it.
+    // How a moment changes with a turn depends on the contact; place, depth and direction follow the motion
+    // one to one.
     PiRegulator::Rows rows{.takesPart = {P.x || P.com, P.y, P.z, P.wx, P.wy, P.wz},
                            .known = known,
                            .oneToOne = {!P.com, true, true, false, false, true}};
@@ -184,11 +185,11 @@ ServoController::Wanted ServoController::law(const ServoInput& input, const Serv
     m_desired = desired;
     Twist& twist = wanted.twist;
     twist = m_regulator.step(output.error, rows, dt_s, task.gains);
-    // A moment without contact is no reason to slide on.
+    // Do not continue sliding during a momentary loss of contact.
     if (input.features.active > 0 || !task.needsContact)
         twist += feedForward(task.feedForward, m_phases.timeInTask_s());
 
-    // The turn is limited before what holds the contact in its place is computed from it.
+    // The turn is limited first, because the motion that keeps the contact in place is computed from it.
     const double turn_radPerS = twist.tail<3>().norm();
     if (turn_radPerS > task.limits.turnRate_radPerS) {
         output.limits.set(Limit::turnRate);
@@ -215,7 +216,7 @@ Twist ServoController::limited(const Twist& wanted, const ServoInput& input, con
         output.limits.set(Limit::saturation);
         twist[kZ] = 0.0;
     }
-    // Together, so that the screw stays the same and the contact in its place.
+    // Scaled together, so that the screw axis and the place of the contact do not change.
     const double speed_mPerS = twist.head<3>().norm();
     if (speed_mPerS > limits.toolSpeed_mPerS) {
         output.limits.set(Limit::toolSpeed);
@@ -262,7 +263,8 @@ ServoOutput ServoController::step(const ServoInput& input) {
     const bool good = usable(input);
     if (!good)
         output.limits.set(Limit::badInput);
-    // Bad features say nothing against the pose; without one a hold would lead to the base's origin.
+    // The pose may be good even if the features are not; without it a hold would command the origin of the
+    // base.
     const bool poseIsKnown = input.X_Base_Sensor.matrix().array().isFinite().all();
     if (!m_started && poseIsKnown) {
         m_X_Base_Sensor = input.X_Base_Sensor;

@@ -20,36 +20,36 @@ namespace teleta::servo {
 
 struct ServoInput {
     contact::TactileFeatures features;
-    double dt_s = 0.0;                                               ///< since the frame before; > 0
+    double dt_s = 0.0;                                               ///< time since the previous frame; > 0
     Eigen::Isometry3d X_Base_Sensor = Eigen::Isometry3d::Identity(); ///< measured
-    std::optional<LwrVector> q_rad; ///< measured joints; without them joint limits are not looked at
-    bool hold = false;              ///< STOP: the command becomes the measured pose and stays there
+    std::optional<LwrVector> q_rad; ///< measured joint angles; without them the joint limits are not checked
+    bool hold = false;              ///< STOP: the measured pose becomes the command and is held
 };
 
 struct ServoOutput {
     Eigen::Isometry3d X_Base_Sensor = Eigen::Isometry3d::Identity(); ///< desired
     Twist twist_Sensor = Twist::Zero();                              ///< commanded, in {s}
-    Twist twist_Base = Twist::Zero();                                ///< the same by the adjoint (13)
+    Twist twist_Base = Twist::Zero();                                ///< the same in the base, eq. (13)
     std::size_t phase = 0;                                           ///< index of the plan's task
     TaskKind kind = TaskKind::freeMotion;
-    bool phaseBegan = false; ///< this step is the first of its task
-    bool finished = false;   ///< the last task's exit has been reached
+    bool phaseBegan = false; ///< this is the first step of the task
+    bool finished = false;   ///< the exit condition of the last task has been reached
     ContactState contact = ContactState::none;
-    bool edge = false;                             ///< beta of the inverse Jacobian
+    bool edge = false;                             ///< beta = 1 in the inverse Jacobian
     ActiveLimits limits;                           ///< that acted in this step
     FeatureVector desired = FeatureVector::Zero(); ///< s_d
-    FeatureVector actual = FeatureVector::Zero();  ///< J^-1 s; 0 where it is not known
-    std::array<bool, 6> known{};                   ///< which rows of it are defined and count
+    FeatureVector actual = FeatureVector::Zero();  ///< J^-1 s; 0 where unknown
+    std::array<bool, 6> known{};                   ///< which rows of it are defined and in use
     Vector6 error = Vector6::Zero();               ///< P (s_d - J^-1 s)
     Vector6 integral = Vector6::Zero();            ///< share of the integral in the twist
     Matrix6 inverseJacobian = Matrix6::Identity();
     Matrix6 projection = Matrix6::Zero();
 
-    /// Where the contact is wanted along x, as the paper draws it (Fig. 10c): the pseudo-measurement of CoP_x
-    /// that makes the sensor slide, or CoC_x of a point that becomes an edge. Nothing: the task has no such
-    /// wish.
+    /// Desired place of the contact along x, as drawn in the paper (Fig. 10c): the pseudo-measurement of
+    /// CoP_x that makes the sensor slide, or CoC_x of a point that becomes an edge. Empty when the task does
+    /// not control it.
     [[nodiscard]] std::optional<double> desiredCocX_m() const;
-    /// Nothing: the task does not act on the moment.
+    /// Empty when the task does not control the moment.
     [[nodiscard]] std::optional<double> desiredDzmpY_m() const;
 };
 
@@ -59,33 +59,34 @@ struct ArmGuard {
     InverseSettings inverse;
 };
 
-/// Tactile servo controller: features of one frame -> where the sensor shall be.
+/// Tactile servo controller: computes the desired pose of the sensor from the features of one frame.
 ///   ds = s_d - J^-1 s,  ds_task = P ds,  u = K_P ds_task + K_I int ds_task dt        (7)-(10), (13)
-/// (the integral: of what K_P alone does not explain, PiRegulator).
+/// (the integral is that of PiRegulator).
 ///   twist_Base = Ad(X_Base_Sensor) u,   X_Base_Sensor <- exp(twist_Base dt) X_Base_Sensor
-/// The pose is measured once, in the first step; then the commanded pose is taken as current (12), (15). A
-/// feature that is not defined has no error. Turns leave the contact's centre where it is. Limits act after
-/// the law, in the order force, saturation, speed, joints, deviation; each that acted is reported, and takes
-/// its part back from the integrals. Usable at any rate: a step longer than the task's longestStep_s counts
-/// as that. Without contact for lostAfter_s a task that needs it searches (ContactSearch) and in the end
-/// stands still and says "lost"; contact at any moment goes on with the plan. STOP commands the pose that was
-/// measured when it came: the arm's springs let go of what it presses. Thread: one; step() allocates nothing.
+/// The pose is measured once, in the first step; from then on the commanded pose is taken as the current one
+/// (12), (15). An undefined feature has no error. Turns keep the centre of contact in place. Limits act after
+/// the control law in the order force, saturation, speed, joints, deviation; each one that acts is reported
+/// and removes its share from the integrals. Works at any rate: a step longer than the task's longestStep_s
+/// counts as longestStep_s. When a task that needs contact has had none for lostAfter_s, it searches
+/// (ContactSearch) and finally stands still in the state "lost"; as soon as there is contact again the plan
+/// continues. STOP commands the pose measured at that moment, so that the springs of the arm no longer press.
+/// Thread: one; step() allocates nothing.
 class ServoController {
 public:
-    /// plan: must be good for check(). arm: for joint limits and singularities.
+    /// plan: must pass check(). arm: needed for joint limits and singularities only.
     [[nodiscard]] static tl::expected<ServoController, TaskRefusal>
     create(ServoPlan plan, const std::optional<ArmGuard>& arm = {});
 
     ServoOutput step(const ServoInput& input);
 
-    /// A changed task of the plan, used from the next step on; what is not good changes nothing.
+    /// Replaces a task of the plan from the next step on. After an error nothing is changed.
     tl::expected<void, TaskRefusal> setTask(std::size_t index, const ServoTask& task);
-    /// Begins a task of the plan now; a search ends. Error: badReference.
+    /// Starts a task of the plan now and ends a search. Error: badReference.
     tl::expected<void, TaskRefusal> enter(std::size_t index);
     [[nodiscard]] const ServoPlan& plan() const { return m_plan; }
     [[nodiscard]] std::size_t phase() const { return m_phases.index(); }
 
-    /// Forgets the pose, the contact and the integrals and begins the plan anew.
+    /// Forgets the pose, the contact and the integrals, and restarts the plan.
     void reset();
 
 private:
@@ -96,12 +97,12 @@ private:
 
     struct Wanted {
         Twist twist = Twist::Zero();
-        Twist cut = Twist::Zero(); ///< of the turn, by its limit
-        bool regulated = false;    ///< by the law; false: by the search
+        Twist cut = Twist::Zero(); ///< what the turn limit removed
+        bool regulated = false;    ///< true: computed by the control law, false: by the search
     };
 
     void updateContact(const ServoInput& input, double dt_s, ServoOutput& output);
-    /// Features, matrices and errors of a task; returns which rows of the error are known.
+    /// Computes features, matrices and errors of a task; returns which rows of the error are known.
     std::array<bool, 6> observe(const ServoInput& input, const ServoTask& task, ServoOutput& output);
     [[nodiscard]] Wanted law(const ServoInput& input, const ServoTask& task, const std::array<bool, 6>& known,
                              double dt_s, ServoOutput& output);
@@ -114,7 +115,7 @@ private:
     std::optional<ArmGuard> m_arm;
     ServoPhases m_phases;
     PiRegulator m_regulator;
-    std::optional<Vector6> m_desired; ///< of the components, in the last step of the law
+    std::optional<Vector6> m_desired; ///< desired components in the last step of the control law
     EdgeDirection m_direction;
     ContactSearch m_search;
     bool m_started = false;

@@ -16,39 +16,39 @@
 
 namespace teleta::servo {
 
-/// What a running servo says of its newest step.
+/// What a running servo publishes about its newest step.
 struct ServoReport {
     static constexpr std::size_t kLongestPlan = 8;
 
-    double time_s = 0.0; ///< of the source
+    double time_s = 0.0; ///< time of the source
     ServoOutput output;
-    ActiveLimits
-        recentLimits; ///< that acted within the last second: one that acts in a step alone is seen too
+    ActiveLimits recentLimits; ///< limits that acted within the last second, so that one that acts in a
+                               ///< single step is seen
     Eigen::Isometry3d X_Base_Sensor = Eigen::Isometry3d::Identity(); ///< measured
-    /// Of the arm's joints from the base to the flange, and the sensor; m, for drawing.
+    /// Positions of the joints from the base to the flange, and of the sensor; m, for drawing.
     std::array<Eigen::Vector3d, kLwrJoints> p_Base_Joint{};
-    double normalCompliance_mPerN = 1.0;       ///< of the running task: force is d_z over it
+    double normalCompliance_mPerN = 1.0;       ///< of the running task; force is d_z divided by it
     ServoTuning tuning;                        ///< in use
-    TuningBounds bounds;                       ///< of what an operator may wish
+    TuningBounds bounds;                       ///< limits of what an operator can set
     bool stopped = false;                      ///< STOP is engaged
     std::array<TaskKind, kLongestPlan> plan{}; ///< the tasks
     std::size_t tasks = 0;                     ///< how many of them there are
-    CycleTimes times;                          ///< of a simulated servo since its start; no cycles: not known
+    CycleTimes times;                          ///< of a simulated servo since its start; zero cycles: unknown
     double rate_Hz = 0.0;                      ///< of the control cycles
-    std::uint64_t restarts = 0;                ///< of the world; the runs before this one
+    std::uint64_t restarts = 0;                ///< number of restarts of the world, that is, of earlier runs
 };
 
-/// What the servo of a source and its operator tell each other.
-/// Thread: reports.back/publish, steps.push, tuning.take and task.take by the source's worker;
-/// reports.update/front, steps.pop, tuning.post and task.post by one operator (the GUI).
+/// Data exchange between the servo of a source and its operator. Thread: reports.back/publish, steps.push,
+/// tuning.take and task.take by the source's worker; reports.update/front, steps.pop, tuning.post and
+/// task.post by one operator (the GUI).
 struct ServoLink {
     static constexpr std::size_t kSteps = 16384;
 
     core::LatestExchange<ServoReport> reports;
-    /// Every servo step: at 100 Hz those of 160 s; what does not fit is counted.
+    /// Every servo step, room for 160 s at 100 Hz; overflow is counted.
     core::BoundedQueue<ServoStep> steps{kSteps};
     core::Mailbox<ServoTuning> tuning;
-    core::Mailbox<std::size_t> task; ///< begin this task of the plan now
+    core::Mailbox<std::size_t> task; ///< start this task of the plan now
 };
 
 } // namespace teleta::servo

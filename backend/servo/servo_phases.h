@@ -7,29 +7,29 @@
 
 namespace teleta::servo {
 
-/// Which task of a plan runs, decided by what was measured.
-/// An exit condition must hold for its time; a contact that has been a point for pointFor_s sends the tasks
-/// that say so back. Times are sums of steps as long as the controller counts them. Thread: one; nothing
-/// allocates. Source: phases I-IV of section 5.2.
+/// Decides from the measurements which task of a plan runs. An exit condition must hold for its hold_s. A
+/// contact that has been a point for pointFor_s switches to the task's ifPoint, if it has one. Times are sums
+/// of the steps as the controller counts them. Thread: one; allocates nothing. Source: phases I-IV of section
+/// 5.2.
 class ServoPhases {
 public:
     explicit ServoPhases(const ServoPlan& plan)
         : m_index(plan.start) {}
 
-    /// Looks at the next frame. alphaError_rad: desired minus followed direction, 0 when there is none.
-    /// path_m: way of the sensor in this step. True when another task begins.
+    /// Takes the next frame. alphaError_rad: desired minus followed direction, 0 when there is none. path_m:
+    /// distance that the sensor moved in this step. Returns true when another task begins.
     bool update(const ServoPlan& plan, const contact::TactileFeatures& features, double alphaError_rad,
                 double path_m, double dt_s);
 
-    /// The contact was found again by a search. True when another task begins.
+    /// To be called when a search has found the contact again. Returns true when another task begins.
     bool foundAgain(const ServoPlan& plan);
 
-    /// Begins a task now. index: one of the plan's.
+    /// Starts a task now. index: of a task of the plan.
     void enter(std::size_t index);
 
     [[nodiscard]] std::size_t index() const { return m_index; }
     [[nodiscard]] double timeInTask_s() const { return m_time_s; }
-    /// The current task's exit has been reached, and there is no further one.
+    /// The exit condition of the current task has been reached and there is no next task.
     [[nodiscard]] bool finished() const { return m_finished; }
 
 private:

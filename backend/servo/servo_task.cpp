@@ -11,7 +11,7 @@ namespace {
 
 /// The paper's pseudo-measurement of CoP_x that makes the sensor slide.
 constexpr double kSlideCopX_m = -0.025;
-/// Nothing is felt further from the sensor's centre.
+/// Largest distance from the centre of the sensor at which a feature can be.
 constexpr double kFarthestFeature_m = 0.050;
 constexpr double kRadPerDegree = std::numbers::pi / 180.0;
 
@@ -33,7 +33,7 @@ bool notNegative(const std::optional<double>& value) {
     return !value || notNegative(*value);
 }
 
-/// What all tasks with contact have in common: the force, and the contact in the middle of the sensor's y.
+/// Settings common to all tasks with contact: the force, and the contact centred along the sensor's y.
 ServoTask contactTask(TaskKind kind, double force_N) {
     ServoTask task;
     task.kind = kind;
@@ -138,7 +138,7 @@ ServoTask alignTask(double force_N) {
     ServoTask task = contactTask(TaskKind::align, force_N);
     task.jacobian = JacobianRule::point;
     task.projection.wy = true;
-    // A contact at +x turns the sensor about +y: that side recedes, and the other one comes down.
+    // A contact at +x turns the sensor about +y: that side lifts, and the other one comes down.
     task.gains.proportional[kWy] = -2.5;
     task.exit.edge = true;
     task.exit.hold_s = 0.1;
@@ -171,8 +171,8 @@ ServoTask pointFollowingTask(double force_N) {
     ServoTask task = contactTask(TaskKind::pointFollowing, force_N);
     task.jacobian = JacobianRule::point;
     task.projection.x = true;
-    // Sideways nothing but the arm's own springs hold its mass: it follows 0.17 s late (2 zeta / omega), and
-    // a faster loop than this would overshoot a step.
+    // Sideways only the springs of the arm hold its mass. It lags by 0.17 s (2 zeta / omega), and a faster
+    // loop would overshoot a step.
     task.gains.proportional[kX] = task.gains.proportional[kY] = -2.0;
     task.gains.integral[kX] = task.gains.integral[kY];
     return task;

@@ -5,7 +5,7 @@
 
 namespace teleta::servo {
 
-/// What an operator changes while a servo runs.
+/// Settings that an operator can change while a servo runs.
 struct ServoTuning {
     static constexpr double kLeastForce_N = 0.5;
     static constexpr double kHighestForce_N = 15.0;
@@ -14,14 +14,14 @@ struct ServoTuning {
     static constexpr double kHighestGain = 3.0;
 
     double force_N = 5.0;
-    double slide_mPerS = 0.005; ///< along an edge; 0: stands still there
+    double slide_mPerS = 0.005; ///< along an edge; 0: the sensor does not slide
     double gain = 1.0;          ///< factor on all gains of the plan
-    bool moment = true;         ///< DZMP turns the sensor about y; false: as the baseline
+    bool moment = true;         ///< DZMP turns the sensor about y; false: the baseline
 
     bool operator==(const ServoTuning&) const = default;
 };
 
-/// How far an operator may go with a plan: the usual bounds, and what the plan itself wants beyond them.
+/// Bounds of the tuning of a plan: the usual ones, widened to the values of the plan itself.
 struct TuningBounds {
     double leastForce_N = ServoTuning::kLeastForce_N;
     double highestForce_N = ServoTuning::kHighestForce_N;
@@ -31,15 +31,15 @@ struct TuningBounds {
 };
 [[nodiscard]] TuningBounds boundsOf(const ServoPlan& plan);
 
-/// Within the bounds; what is not finite becomes the default.
+/// Clamps a tuning to the bounds; non-finite values become the default.
 [[nodiscard]] ServoTuning clamped(const ServoTuning& tuning, const TuningBounds& bounds = {});
 
-/// What a plan is tuned to as it comes.
+/// The tuning that leaves a plan as it is.
 [[nodiscard]] ServoTuning tuningOf(const ServoPlan& plan);
 
-/// A plan with other forces, sliding speed and gains, within its bounds; it stays good for check() when it
-/// was. The gain of a slide is that of its speed and not multiplied. Gains stop at highestGain(). Tasks
-/// without contact keep everything.
+/// The plan with the force, sliding speed and gains of a tuning, clamped to its bounds; a plan that passes
+/// check() still passes. The gain that sets the sliding speed is not multiplied. Gains are limited to
+/// highestGain(). Tasks without contact are not changed. Thread: any (pure).
 [[nodiscard]] ServoPlan tuned(const ServoPlan& plan, const ServoTuning& tuning);
 
 } // namespace teleta::servo

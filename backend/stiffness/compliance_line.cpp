@@ -9,14 +9,15 @@ namespace teleta::stiffness {
 
 namespace {
 
-/// Slope of the line in units of both spreads, and the slope over the correlation, finite where that is zero.
+/// Slope of the line in units of both spreads, and slope over correlation, which is finite even at zero
+/// correlation.
 struct ScaledSlope {
     double slope = 0.0;
     double slopeOverCorrelation = 1.0;
 };
 
-/// torqueNoise, angleNoise: noise over spread, the larger of them 1. Both forms are the same root of the
-/// quadratic; each is free of cancellation on its side.
+/// torqueNoise, angleNoise: noise over spread, scaled so that the larger is 1. Both forms are the same root
+/// of the quadratic; each avoids cancellation on its side.
 ScaledSlope demingSlope(double correlation, double torqueNoise, double angleNoise) {
     const double t2 = torqueNoise * torqueNoise;
     const double a2 = angleNoise * angleNoise;
@@ -33,7 +34,8 @@ ScaledSlope demingSlope(double correlation, double torqueNoise, double angleNois
 bool isSignificant(double correlation, double unexplained, std::size_t points) {
     if (points < 3)
         return correlation != 0.0;
-    // The widest quantile, of one degree of freedom, spares computing the right one for every clear case.
+    // The widest quantile, that of one degree of freedom, decides clear cases without computing the exact
+    // one.
     constexpr double kWidestQuantile95 = 12.7063;
     const double degreesOfFreedom = static_cast<double>(points) - 2.0;
     const double explained = correlation * correlation * degreesOfFreedom;
@@ -43,7 +45,7 @@ bool isSignificant(double correlation, double unexplained, std::size_t points) {
     return explained > quantile * quantile * unexplained;
 }
 
-/// Share of a point's distance from the line, in angle, that its torque has likely caused.
+/// Share of a point's distance from the line, in angle, that is most likely due to its torque.
 double pullOf(double slope_radPerNm, const ReadingNoise& noise) {
     if (!std::isnormal(slope_radPerNm))
         return 0.0;
@@ -83,7 +85,7 @@ std::optional<ComplianceLine> fitComplianceLine(std::span<const TorqueAngle> poi
     if (farthestTorque_Nm <= 0.0)
         return std::nullopt;
 
-    // Squares are taken of deviations over the farthest one, which neither overflow nor vanish.
+    // Deviations are divided by the largest one before squaring, so that they neither overflow nor underflow.
     double torqueSquares = 0.0;
     double angleSquares = 0.0;
     double products = 0.0;
@@ -109,7 +111,7 @@ std::optional<ComplianceLine> fitComplianceLine(std::span<const TorqueAngle> poi
 
     const double correlation =
         std::clamp(products / std::sqrt(torqueSquares) / std::sqrt(angleSquares), -1.0, 1.0);
-    // Summed from residuals: 1 - r^2 itself would drown in rounding for clean data.
+    // Summed from the residuals: for clean data 1 - r^2 itself would be lost in rounding.
     double unexplained = 0.0;
     for (const TorqueAngle& point : points) {
         const double residual = (point.angle_rad - meanAngle_rad) / angleSpread_rad -

@@ -3,7 +3,7 @@
 
 namespace teleta::stiffness {
 
-/// One reading of the joint that touches: its angle and its torque at the same time.
+/// One reading of the joint that presses: angle and torque at the same time.
 struct JointSample {
     double time_s = 0.0;
     double angle_rad = 0.0;
@@ -12,8 +12,8 @@ struct JointSample {
     bool operator==(const JointSample&) const = default;
 };
 
-/// The range of joint torque over which a touch is evaluated. Valid: 0 <= low < high, finite.
-/// Default: TeleTA, section 2.
+/// The range of joint torque over which a touch is evaluated. Valid: finite, 0 <= low < high. Source of the
+/// defaults: TeleTA, section 2.
 struct TorqueWindow {
     double low_Nm = 0.02;
     double high_Nm = 0.05;

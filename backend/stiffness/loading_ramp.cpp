@@ -25,7 +25,7 @@ std::vector<JointSample> loadingRamp(std::span<const JointSample> samples, const
         std::sort(log.begin(), log.end(), comesBefore);
     log.erase(std::unique(log.begin(), log.end()), log.end());
 
-    // Which way the touch pushes is read where the torque is well above the noise.
+    // The direction of the touch is read where the torque is well above the noise.
     auto touched = std::find_if(log.begin(), log.end(), [&](const JointSample& sample) {
         return std::abs(sample.torque_Nm) >= window.middle_Nm();
     });
@@ -57,7 +57,7 @@ std::vector<JointSample> loadingRamp(std::span<const JointSample> samples, const
     const auto left = std::find_if(reached + 1, log.end(), [&](const JointSample& sample) {
         return sample.torque_Nm < middle_Nm || sample.torque_Nm > window.high_Nm + margin_Nm;
     });
-    // The last of equal summits: a coarse torque reading shows many while the joint holds still.
+    // The last of equal summits: a coarse torque reading has many of them while the joint stands still.
     const auto top =
         std::max_element(std::make_reverse_iterator(left), std::make_reverse_iterator(reached), lessTorque)
             .base();

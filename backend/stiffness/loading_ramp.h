@@ -9,31 +9,32 @@
 
 namespace teleta::stiffness {
 
-/// How far outside the window samples are still looked at, as a share of the window's width: noise carries
-/// samples across its borders.
+/// How far outside the window samples are still used, as a share of its width: noise moves samples across its
+/// borders.
 inline constexpr double kWindowMargin = 0.5;
 
-/// The samples of the first loading of a touch, torque rising through the window. Order: time, then torque,
-/// then angle, so that the order of the input does not matter; a sample that is there twice counts once.
-/// Torques are relative to the reference and positive in the direction of the touch; angles turn with them.
+/// Selects the samples of the first loading of a touch, during which the torque rises through the window.
+/// They are sorted by time, then torque, then angle, so that the order of the input does not matter; repeated
+/// samples count once. Torques are relative to the reference and positive in the direction of the touch; the
+/// sign of the angles is changed with theirs.
 ///   from  after the last sample below max(low - margin, low/2) that precedes the window's upper border
 ///   to    the highest sample before the torque falls below the middle or rises above high + margin
-/// Where the upper border is never reached the highest torque of the log stands for it, also for the middle.
-/// Empty when no sample reaches the window's lower border. samples: finite. Thread: any (pure).
+/// If the upper border is never reached, the highest torque of the log replaces it, also in the definition of
+/// the middle. Empty when no sample reaches the lower border. samples: finite. Thread: any (pure).
 [[nodiscard]] std::vector<JointSample> loadingRamp(std::span<const JointSample> samples,
                                                    const TorqueWindow& window,
                                                    double torqueReference_Nm = 0.0);
 
-/// Noise of both readings, and the degrees of freedom of their variances; 0 when the noise is unknown.
+/// Noise of both readings and the degrees of freedom of their variances, 0 when the noise is unknown.
 struct EstimatedNoise {
     ReadingNoise noise;
     double degreesOfFreedom = 0.0;
 };
 
-/// Noise of both readings from how far each sample lies off the line, over time, between its neighbours; a
-/// steady motion leaves nothing but noise. Degrees of freedom: 18/35 of the number of such triples.
-/// Unknown when there are no three samples at different times. ramp: in order of time. Thread: any (pure).
-/// Source: Gasser, Sroka, Jennen-Steinmetz, Biometrika 73 (1986) 625.
+/// Estimates the noise of both readings from the distance of each sample from the line, over time, between
+/// its neighbours; during a steady motion this distance is pure noise. Degrees of freedom: 18/35 of the
+/// number of such triples. Unknown when there are no three samples at different times. ramp: sorted by time.
+/// Thread: any (pure). Source: Gasser, Sroka, Jennen-Steinmetz, Biometrika 73 (1986) 625.
 [[nodiscard]] EstimatedNoise estimateNoise(std::span<const JointSample> ramp);
 
 } // namespace teleta::stiffness

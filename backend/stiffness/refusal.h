@@ -3,19 +3,19 @@
 
 namespace teleta::stiffness {
 
-/// Why there is no answer. Whoever talks to a person says it in words.
+/// Why there is no answer. The callers that show it to people put it into words.
 enum class Refusal {
     notFinite,           ///< a sample or a setting is NaN or infinite
     notPositive,         ///< contact distance, link stiffness or a divisor is zero or negative
     negativeUncertainty, ///< a noise or a standard error is below zero
-    outOfRange,          ///< numbers so large or small that the result cannot be represented
+    outOfRange,          ///< numbers are so large or small that the result cannot be represented
     badWindow,           ///< not 0 <= low < high
-    noSamples,           ///< nothing to evaluate
-    windowNotReached,    ///< the torque never comes into the window, or (two-point) misses one of its halves
+    noSamples,           ///< there is nothing to evaluate
+    windowNotReached,    ///< the torque never enters the window, or (two-point) misses one of its halves
     tooFewSamples,       ///< fewer than two samples in the window
     torqueUnchanged,     ///< all samples in the window have the same torque
     angleOpposesTorque,  ///< the joint turns against the rising torque by more than the noise explains
-    tooQuick,            ///< the torque rises so quickly that the link's inertia is part of it
+    tooQuick,            ///< the torque rises so quickly that it includes the inertia of the link
 };
 
 /// Name of the code, for logs and tests.

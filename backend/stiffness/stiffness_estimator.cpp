@@ -15,12 +15,13 @@ namespace teleta::stiffness {
 namespace {
 
 constexpr int kSelectionRounds = 20;
-/// Numbers beyond this are refused, so that no product below overflows or vanishes.
+/// Larger numbers are refused, so that no product below overflows or underflows.
 constexpr double kLargest = 1e100;
-/// Samples on the border stay in whatever the rounding of the fit, as a share of the window's width.
+/// Tolerance, as a share of the window's width, that keeps samples on its border inside despite the rounding
+/// of the fit.
 constexpr double kBorderRounding = 1e-9;
 
-/// What either method finds before the contact distance comes in.
+/// Result of either method before the contact distance is applied.
 struct Slope {
     double value_radPerNm = 0.0;
     std::optional<double> se_radPerNm;
@@ -36,7 +37,7 @@ struct Noise {
     bool available = false;        ///< both are known or estimated
     double degreesOfFreedom = 0.0; ///< of an estimate
 
-    /// Spread of a sample about the line, seen along the angle.
+    /// Standard deviation of a sample from the line, in angle.
     [[nodiscard]] double along_rad(double slope_radPerNm) const {
         return std::hypot(reading.angle_rad, slope_radPerNm * reading.torque_Nm);
     }
@@ -117,7 +118,7 @@ tl::expected<Slope, Refusal> twoPointSlope(std::span<const JointSample> ramp, co
 
 tl::expected<Slope, Refusal> regressionSlope(std::span<const JointSample> ramp, const TorqueWindow& window,
                                              const Noise& noise) {
-    // Deviations from the first sample keep their digits where the angle is far from zero.
+    // Relative to the first sample, so that no digits are lost where the angle is far from zero.
     const double origin_rad = ramp.front().angle_rad;
     std::vector<TorqueAngle> points(ramp.size());
     std::transform(ramp.begin(), ramp.end(), points.begin(), [&](const JointSample& sample) {
@@ -169,7 +170,7 @@ tl::expected<Slope, Refusal> regressionSlope(std::span<const JointSample> ramp, 
                                      noise.along_rad(line->slope_radPerNm) / line->torqueSpread_Nm);
         slope.quantile95 = kNormalQuantile95;
     }
-    // A line without correlation says nothing about where a sample belongs along it.
+    // An uncorrelated line does not determine where along it a sample belongs.
     const auto alongLine_Nm = [&](const TorqueAngle& point) {
         return line->correlated ? fittedTorque_Nm(point) : point.torque_Nm;
     };
@@ -181,7 +182,7 @@ tl::expected<Slope, Refusal> regressionSlope(std::span<const JointSample> ramp, 
     return slope;
 }
 
-/// Class of the object, and whether the whole interval agrees with it.
+/// Sets the class of the object and whether the whole interval lies in it.
 void classifyObject(TouchStiffness& touch) {
     const Stiffness& object = touch.object;
     touch.material = object.value_NPerM ? classify(*object.value_NPerM) : Material::metal;

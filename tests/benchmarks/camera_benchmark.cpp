@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Contacts of a camera in a soft tube: each rung of the ladder against the paper's pipeline (resize to 512 x
 // 288, dense inverse search of medium quality against the reference, maximum filter, threshold, contours), on
-// the same rendered frames of 1640 x 1232 and on one core. Counters: frames a second, mean distance from the
-// true contact in mm, contacts that were missed, time of each stage in ms.
+// the same rendered frames of 1640 x 1232 and on one core. Counters: frames per second, mean distance from
+// the true contact in mm, missed contacts, time of each stage in ms.
 #include "backend/simulation/base/random_stream.h"
 #include "backend/simulation/camera/simulated_tube.h"
 #include "backend/vision/finders/contact_ladder.h"
@@ -107,7 +107,7 @@ void findContacts(benchmark::State& state, const std::string& name) {
 int main(int argc, char** argv) {
     for (const vision::ContactRung& rung : vision::contactLadder()) {
         const std::string name(rung.name);
-        // Whole rounds over all frames, so that every rung sees the same ones.
+        // Complete rounds over all frames, so that every rung sees the same ones.
         benchmark::RegisterBenchmark(("contacts/" + name).c_str(),
                                      [name](benchmark::State& state) { findContacts(state, name); })
             ->Unit(benchmark::kMillisecond)

@@ -3,7 +3,7 @@
 // pairs of the same random cameras: 250 pairs with 0.5 px of noise, without wrong ones and with a fifth of
 // them wrong. OpenCV is told what it cannot find itself: which frames are mirrored, and the data sheet's lens
 // as a start. Counters: mean distance of located points from the true ones over the whole surface in mm, and
-// cameras that no calibration was found for.
+// cameras for which no calibration was found.
 #include "tests/backend/vision/simulated_pairs.h"
 
 #include <benchmark/benchmark.h>

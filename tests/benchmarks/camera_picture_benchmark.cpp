@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A picture of the simulated tube in the size of the paper's camera while three fingers press (the shipped
-// scene at its middle): the renderer against the same picture written down plainly, every pixel of what the
-// presses can reach followed through the whole depth of the skin. Further rows: the shipped scene with its
-// effects, and without what each of them does to a frame. One core. Counter: pictures a second.
+// scene at its middle): the renderer against a plain implementation that follows every pixel that the presses
+// can reach through the whole depth of the skin. Further rows: the shipped scene with all its effects, and
+// without each of them. One core. Counter: pictures per second.
 #include "backend/scene/scene_reader.h"
 #include "backend/simulation/camera/simulated_tube.h"
 #include "tests/backend/simulation/camera/plain_skin_renderer.h"
@@ -89,7 +89,7 @@ void draw(benchmark::State& state) {
     countPictures(state);
 }
 
-/// The whole scene from its beginning to its end, a picture an iteration.
+/// The whole scene from beginning to end, one picture per iteration.
 void runScene(benchmark::State& state, bool withNoise) {
     cv::setNumThreads(1);
     scene::Scene scene = shipped();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tactile features of a 6 x 14 frame against OpenCV's moments (twice) and PCACompute, and contacts by
 // watershed on 6 x 14 and 64 x 64 frames against OpenCV's watershed with markers, on the same frames of
-// shipped scenes, one thread. That both give the same answer is checked before anything is timed. A table at
-// the end compares the medians with the ratios that are to be reached.
+// shipped scenes, one thread. Before timing, the answers are checked to be equal. A table at the end compares
+// the medians with the required ratios.
 #include "backend/contact/contact_segmenter.h"
 #include "backend/contact/frame_conditioner.h"
 #include "backend/contact/tactile_features.h"
@@ -71,8 +71,8 @@ constexpr double kFeatureRatio = 20.0;
 constexpr double kWatershedRatio = 5.0;
 /// Largest difference from OpenCV, as a share of the force, the array's length or the eigenvalues.
 constexpr double kFeatureTolerance = 1e-9;
-/// Of the taxels that both put in a region, those in the same one. OpenCV floods in order of the difference
-/// between neighbours, not of the load, so a contact's rim may go to the neighbour's region.
+/// Share of the taxels assigned to a region by both that are in the same one. OpenCV floods in order of the
+/// difference between neighbours, not of the load, so a contact's rim may go to the neighbour's region.
 constexpr double kLeastShare = 0.75;
 
 [[noreturn]] void fail(const std::string& message) {
@@ -188,7 +188,7 @@ double differenceOf(const contact::TactileFeatures& ours, const OpenCvFeatures& 
     add((ours.lambda1_m2.value() - theirs.lambda1_m2) / theirs.lambda1_m2);
     add((ours.lambda2_m2.value() - theirs.lambda2_m2) / theirs.lambda1_m2);
     if (ours.alphaZ_rad) {
-        // The axis of a nearly round blob is the less certain, the closer the eigenvalues are.
+        // The closer the eigenvalues, the less certain is the axis of a nearly round contact.
         const double certainty = (theirs.lambda1_m2 - theirs.lambda2_m2) / theirs.lambda1_m2;
         add(certainty * std::remainder(*ours.alphaZ_rad - theirs.alphaZ_rad, std::numbers::pi));
     }
@@ -240,8 +240,8 @@ double allocationsPerFrame(const Compute& compute) {
     return static_cast<double>(allocations.load() - before) / kFrames;
 }
 
-/// How OpenCV's watershed is fed. It gives the outermost pixels of an image to no region, and those where
-/// two regions meet neither.
+/// How OpenCV's watershed is called. It assigns neither the outermost pixels of an image nor those between
+/// two regions.
 struct Feeding {
     const char* name;
     bool border = false;         ///< one more taxel on each side, so that all taxels can get a region
@@ -413,7 +413,7 @@ public:
         ConsoleReporter::ReportRuns(aggregates);
     }
 
-    /// Of a run in ns a frame; NaN when it did not run.
+    /// Time of a run in ns per frame; NaN when it did not run.
     [[nodiscard]] double quantile_ns(const std::string& run, double share) {
         auto& times_ns = m_frame_ns[run];
         if (times_ns.empty())
@@ -473,7 +473,7 @@ void compareFeatures(std::vector<Comparison>& comparisons) {
                            "features/openCvFromFrame", kFeatureRatio});
 }
 
-/// Everything that the runs of one array need while they go on.
+/// Everything that the runs of one array need.
 struct WatershedRuns {
     FrameSet frames;
     contact::ContactSegmenter segmenter;
@@ -523,7 +523,7 @@ void compareContacts(const std::string& size, WatershedRuns& runs, std::vector<C
 } // namespace
 
 int main(int argc, char** argv) {
-    // Many short repetitions, those of all runs mixed, so that a disturbance of the machine meets all alike.
+    // Many short repetitions, mixed over all runs, so that a disturbance of the machine affects all alike.
     std::vector<std::string> arguments{argv[0], "--benchmark_repetitions=31", "--benchmark_min_time=0.01",
                                        "--benchmark_enable_random_interleaving=true"};
     arguments.insert(arguments.end(), argv + 1, argv + argc);

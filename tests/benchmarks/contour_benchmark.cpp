@@ -2,9 +2,8 @@
 // Curves: both cubic splines through a number of points on a circle, and Eigen's own spline interpolation.
 // error_percent: largest deviation from the circle in the middle of a segment, in percent of its radius.
 // Shapes: the recogniser, and the usual way with OpenCV (approxPolyDP with 4 % of the perimeter: three
-// corners are a triangle, four a rectangle, more a circle). right_percent: share of right answers over 300
-// circles, rectangles and triangles in random poses, explored with the noise that is named in percent of the
-// size.
+// corners are a triangle, four a rectangle, more a circle). right_percent: share of correct answers over 300
+// circles, rectangles and triangles in random poses; the noise is given in percent of the size.
 #include "backend/contour/cubic_spline.h"
 #include "backend/contour/shape_recogniser.h"
 #include "tests/backend/contour/random_shapes.h"
@@ -49,8 +48,8 @@ void splineInterpolating(benchmark::State& state) {
     splineOfAKind(state, SplineKind::interpolating);
 }
 
-/// Eigen knows no closed splines: the first point is given again at the end, and the two segments next to it
-/// are left out of the error.
+/// Eigen has no closed splines: the first point is repeated at the end, and the two segments next to it are
+/// excluded from the error.
 void splineEigen(benchmark::State& state) {
     const auto count = static_cast<int>(state.range(0));
     Eigen::Matrix2Xd points(2, count + 1);

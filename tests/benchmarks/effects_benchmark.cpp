@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A frame of the shipped scenes with a tactile array: without any effect, with those that the scene lists,
-// and with each kind alone, against the same motion, contact, threshold and rounding written out here, where
-// no effect could be. A ratio of 1 for the scene without effects: what a scene does not list costs nothing.
+// and with each kind alone, against the same motion, contact, threshold and rounding written out here without
+// the machinery of effects. A ratio of 1 for the scene without effects means that an effect that is not
+// listed costs nothing.
 #include "backend/scene/scene_reader.h"
 #include "backend/simulation/array/simulated_array.h"
 
@@ -92,7 +93,7 @@ void registerScene(const std::string& name, std::vector<scene::Effect> effects) 
     });
 }
 
-/// Keeps the processor time of every repetition; prints the table alone.
+/// Keeps the processor time of every repetition and prints only the table.
 class KeepingReporter : public benchmark::BenchmarkReporter {
 public:
     bool ReportContext(const Context&) override { return true; }
@@ -155,7 +156,7 @@ void registerRuns() {
 } // namespace
 
 int main(int argc, char** argv) {
-    // Many short repetitions, those of all runs mixed, so that a disturbance of the machine meets all alike.
+    // Many short repetitions, mixed over all runs, so that a disturbance of the machine affects all alike.
     std::vector<std::string> arguments{argv[0], "--benchmark_repetitions=31", "--benchmark_min_time=0.01",
                                        "--benchmark_enable_random_interleaving=true"};
     arguments.insert(arguments.end(), argv + 1, argv + argc);

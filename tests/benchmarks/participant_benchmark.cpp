@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From a participant's key until the participant's window is painted anew, and until the console is quiet
-// again, in a session of the Study page with its store and a simulated bracelet, on Qt's platform without a
-// screen; in comparison with a frame of a screen at 60 Hz, waited for in the same run.
+// Time from a participant's key to the repainted participant's window, and until the console is idle again,
+// in a session of the Study page with its store and a simulated bracelet on Qt's offscreen platform, compared
+// with a frame at 60 Hz timed in the same run.
 #include "tests/app/console/study/study_bench.h"
 
 #include <QApplication>
@@ -39,7 +39,7 @@ void report(benchmark::State& state, const std::string& what, std::vector<double
     state.counters[what + "_frames_max"] = frames(1.0);
 }
 
-/// Tells when the last part of a window was painted.
+/// Records when the last part of a window was painted.
 class Application : public QApplication {
 public:
     using QApplication::QApplication;
@@ -62,7 +62,7 @@ private:
     std::optional<Clock::time_point> m_painted;
 };
 
-/// The paper's six shapes with their pictures, practised without an end.
+/// The paper's six shapes with their pictures, practised without end.
 class Session : public test::StudyBench {
 public:
     Session() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// evaluate of a pattern with 200 breakpoints, which shall take under a microsecond, as it is and compiled, in
-// comparison with a linear search through the same breakpoints.
+// evaluate() of a pattern with 200 breakpoints, which must take less than a microsecond, plain and compiled,
+// compared with a linear search through the same breakpoints.
 #include "backend/pattern/model/pattern.h"
 
 #include <benchmark/benchmark.h>
@@ -27,7 +27,7 @@ Pattern pattern200() {
     return pattern;
 }
 
-/// Times spread over the pattern without an order that a cache could learn.
+/// Times spread over the pattern in an order that a cache cannot learn.
 double timeOf(unsigned call) {
     return kDuration_s * std::fmod(0.618033988749895 * call, 1.0);
 }

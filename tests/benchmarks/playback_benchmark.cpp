@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands between a setpoint and the bracelet.
-//   clampOnly       six values clamped and made integers, nothing else: what the limiter is compared with
+// The steps between a setpoint and the bracelet.
+//   clampOnly       six values clamped and rounded to integers, nothing else: the reference for the limiter
 //   limiter         clamp, user's limit, slew limit, heat budget, integer
 //   encodeFrame     the HID report
 //   liveCycle       a whole cycle of the playback thread: mailbox, limiter, frame, counters, status
-//   handOver        two threads and a condition variable, there: what the next one is compared with
+//   handOver        two threads and a condition variable: the reference for the next one
 //   setpointToFrame post() on this thread until the simulated bracelet has the frame, median and 99 %
 //   play10s         10 s at 200 Hz on the simulated bracelet: deadlines missed, write times
 #include "backend/core/bracelet/bracelet_worker.h"
@@ -27,7 +27,7 @@ using namespace teleta;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Setpoints that differ, so that nothing is computed beforehand.
+/// Different setpoints, so that nothing can be precomputed.
 std::vector<core::Intensities> setpoints() {
     std::vector<core::Intensities> made(1024);
     for (std::size_t k = 0; k < made.size(); ++k)
@@ -85,7 +85,7 @@ private:
 void liveCycle(benchmark::State& state) {
     NoBracelet bracelet;
     core::StopSwitch stop;
-    // So fast that every call has a frame to write.
+    // Fast enough that every call has a frame to write.
     playback::PlaybackCycle cycle(bracelet, stop, {.rate_Hz = 1e8});
     playback::PlayerCommands begin;
     begin.start = playback::LiveRequest{};

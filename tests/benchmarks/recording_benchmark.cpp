@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What recording costs, frames of 84 taxels, against a CSV file as core::CsvWriter writes it.
-//   csvRow         a frame as a row of CSV, on the data thread, the file's buffer included
+// Cost of recording frames of 84 taxels, compared with writing CSV by core::CsvWriter.
+//   csvRow         a frame as a row of CSV, on the data thread, including the buffer of the file
 //   tapAppend      a frame into a StreamTap, on the data thread, while a recorder writes the file
 //   csvFile        20 000 frames until the CSV file is complete on the disk
 //   recordingFile  20 000 frames until the recording is complete on the disk
@@ -29,7 +29,7 @@ constexpr std::size_t kTaxels = 84;
 constexpr std::int64_t kFrames = 20'000;
 constexpr std::int64_t kPeriod_ns = 5'000'000;
 
-/// Loads with noise, as a sensor has them: all digits are needed.
+/// Loads with noise as from a sensor, so that all digits are needed.
 std::vector<std::vector<float>> frames() {
     std::vector<std::vector<float>> made(256, std::vector<float>(kTaxels));
     for (std::size_t i = 0; i < made.size(); ++i) {
@@ -83,7 +83,7 @@ void csvRow(benchmark::State& state) {
 
 void tapAppend(benchmark::State& state) {
     const QTemporaryDir folder;
-    // Room for all that comes between two looks of the writer, so that no frame is dropped.
+    // Large enough for everything between two polls of the writer, so that no frame is dropped.
     const auto recorder = recorderAt(folder.filePath(QStringLiteral("run.teleta")).toStdString(), 1U << 19U);
     if (!recorder) {
         state.SkipWithError("no recording");

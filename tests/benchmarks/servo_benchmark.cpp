@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The control cycle of the servo scenes at 1 kHz against real time, and the shares of its parts: contact,
-// kinematics and inertia, features, control. With --sliding: a table of the highest sliding speeds along the
-// bent bar without loss of contact, for each rate of the servo and each effect.
+// The control cycle of the servo scenes at 1 kHz compared with real time, and the shares of its parts:
+// contact, kinematics and inertia, features, control. With --sliding: a table of the highest sliding speeds
+// along the bent bar without loss of contact, for each rate of the servo and each effect.
 #include "backend/contact/tactile_features.h"
 #include "backend/scene/scene_reader.h"
 #include "backend/scene_run/servo/servo_measures.h"
@@ -30,7 +30,7 @@ scene::Scene shippedScene(const std::string& name) {
     return *scene;
 }
 
-/// The loop after its first seconds: in contact, in its lasting task.
+/// The loop after its first seconds: in contact and in its final task.
 std::unique_ptr<simulation::ServoLoop> runningLoop(const std::string& name) {
     auto loop = simulation::ServoLoop::make(shippedScene(name), 1);
     for (int i = 0; i < 6000; ++i)
@@ -97,8 +97,8 @@ constexpr double kMostForceError_N = 20.0;
 constexpr double kFastest_mPerS = 0.2;
 constexpr std::uint64_t kSlidingSeeds = 3;
 
-/// The exploration pushed on along the array's x at a speed, whatever is felt: the law of the paper slides by
-/// the place of the contact on the array, which holds it back long before the contact is lost.
+/// Exploration at a fixed speed along the array's x regardless of the features: the law of the paper slides
+/// by the place of the contact on the array, which slows it down long before the contact is lost.
 bool pushOn(servo::ServoController& controller, double speed_mPerS) {
     const servo::ServoPlan plan = controller.plan();
     for (std::size_t i = 0; i < plan.tasks.size(); ++i) {
@@ -113,8 +113,8 @@ bool pushOn(servo::ServoController& controller, double speed_mPerS) {
     return false;
 }
 
-/// The bend is slid over at this speed without a moment of lost contact, a force 20 N too high, or a way back
-/// to an earlier task.
+/// Whether the bend is passed at this speed without losing contact, a force 20 N too high, or a return to an
+/// earlier task.
 bool slides(const scene::Scene& scene, std::uint64_t seed, double speed_mPerS) {
     auto loop = simulation::ServoLoop::make(scene, seed);
     if (!loop || !pushOn((*loop)->controller(), speed_mPerS))
@@ -147,8 +147,8 @@ bool allSlide(const scene::Scene& scene, double speed_mPerS) {
     return true;
 }
 
-/// The highest speed at which no seed fails, to a twentieth: steps of a quarter up to the first failure, then
-/// halved.
+/// The highest speed at which no seed fails, to 5 %: steps of a quarter up to the first failure, then
+/// bisection.
 void printHighest(const std::string& what, const scene::Scene& scene) {
     constexpr double kSlowest_mPerS = 0.001;
     double good_mPerS = 0.0;

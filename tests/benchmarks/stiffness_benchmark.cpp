@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Object stiffness of a simulated touch of rubber (7223.9 N/m, 0.5 mNm of torque noise) with a number of
 // samples in the window: the paper's two points, the regression, and total least squares by Eigen's SVD over
-// the window with the noise ratio given. error_mean: mean relative error of k_o over the touches, beside the
+// the window with the noise ratio given. error_mean: mean relative error of k_o over the touches, with the
 // time of the same run.
 #include "backend/stiffness/stiffness_estimator.h"
 #include "tests/backend/stiffness/simulated_touch.h"

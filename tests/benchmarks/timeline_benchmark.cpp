@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An hour of a pattern on the timeline, seen as a whole: by the ranges of its columns of pixels, in
-// comparison with lines through every sample at the rate of the bracelet (200 Hz), painted by the same
-// painter on the same picture. And what an edit costs: the prediction of the motors anew, in comparison with
-// only where it changed.
+// Drawing an hour of a pattern on the timeline: ranges per column of pixels compared with lines through every
+// sample at the rate of the bracelet (200 Hz), by the same painter into the same picture. And the cost of an
+// edit: predicting the whole pattern again compared with only the changed part.
 #include "backend/pattern/motors/motor_prediction.h"
 #include "widgets/pattern/timeline/timeline_painter.h"
 
@@ -24,7 +23,7 @@ constexpr double kHour_s = 3600.0;
 constexpr double kRate_Hz = 200.0;
 const QSize kSize(1400, 600);
 
-/// Bursts of 0.3 s that go round, with 216 000 breakpoints.
+/// Bursts of 0.3 s around the forearm, with 216 000 breakpoints.
 const Pattern& hour() {
     static const Pattern pattern = [] {
         Pattern made;
@@ -64,8 +63,7 @@ void hourByRanges(benchmark::State& state) {
 }
 BENCHMARK(hourByRanges)->Unit(benchmark::kMillisecond);
 
-/// What a person waits for while the ranges are still being made, and when zoomed in as far as single samples
-/// are drawn.
+/// The waiting time while the ranges are still being computed, and when zoomed in to single samples.
 void stretchBySamples(benchmark::State& state) {
     const CompiledPattern compiled(hour());
     const auto span_s = static_cast<double>(state.range(0));

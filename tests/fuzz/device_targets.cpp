@@ -75,7 +75,7 @@ void requireRead(const modbus::RegisterMap& map) {
 
 } // namespace
 
-// In pieces whose sizes the bytes choose.
+// In pieces whose sizes are taken from the bytes.
 bool wtsFrames(Bytes bytes) {
     constexpr std::size_t kLargest = 256;
     wts::MessageDecoder decoder;

@@ -9,7 +9,7 @@
 
 namespace teleta::fuzz {
 
-/// Ends the program, in every build, when something that must hold does not.
+/// Ends the program, in every build, when a condition does not hold.
 inline void require(bool holds, std::string_view what) {
     if (holds)
         return;
@@ -17,10 +17,10 @@ inline void require(bool holds, std::string_view what) {
     std::abort();
 }
 
-/// The name that errors show of an input without a file.
+/// The name in errors for an input without a file.
 inline constexpr const char* kInput = "input";
 
-/// An error of a reader: it says what is wrong, and with which file.
+/// Checks an error of a reader: it must say what is wrong, and in which file.
 inline void requireExplained(const core::Error& error, std::string_view file = kInput) {
     require(!error.message.empty(), "an error has a message");
     require(error.where.file.starts_with(file), "an error names its file");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What fuzzing once found, and the inputs that it starts from, through the same entries in every test run. A
-// contract that is broken ends the program (fuzz_targets.h).
+// Replays inputs that fuzzing has found, and its seeds, through the same functions in every test run. A
+// broken contract ends the program (fuzz_targets.h).
 #include "tests/backend/core/temporary_folder.h"
 #include "tests/fuzz/fuzz_targets.h"
 
@@ -114,7 +114,7 @@ TEST(EveryParser, refusesNothingAtAllAndNoise) {
     for (const auto& [name, target] : kTargets) {
         for (const std::string& bytes : {std::string(), std::string(1, '\0'), noise}) {
             const bool accepted = target({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
-            // One character is the header of a table without rows.
+            // A single character is the header of a table without rows.
             EXPECT_EQ(accepted, name == "csv" && bytes.size() == 1)
                 << name << ", " << bytes.size() << " bytes";
         }

@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
-/// The parsers with everything behind them that a file reaches, as functions of bytes: coverage-guided
-/// fuzzing (packaging/fuzz.sh) and the replay of kept inputs (fuzz_regression_test.cpp) enter here. Each
-/// returns whether the bytes were accepted, and ends the program when an answer breaks its contract: an error
+/// The parsers, and all code that a file reaches behind them, as functions of bytes. Entry points of
+/// coverage-guided fuzzing (packaging/fuzz.sh) and of the replay of stored inputs (fuzz_regression_test.cpp).
+/// Each returns whether the bytes were accepted, and ends the program when a contract is broken: an error
 /// without a text or with a wrong place, a value out of range, something that is not read back as it was
 /// written, an invalid operation or a division by zero in the numerics behind the parser. Thread: one.
 namespace teleta::fuzz {

@@ -23,7 +23,7 @@ namespace {
 
 using namespace pattern;
 
-// Longer patterns only cost time: what depends on their length is tried on shorter ones.
+// Longer patterns only take time: everything that depends on the length is tested with shorter ones.
 constexpr double kChecked_s = 20.0;
 constexpr double kSampled_s = 2.0;
 
@@ -81,7 +81,7 @@ bool isSound(const core::Expected<Pattern>& pattern) {
     return true;
 }
 
-/// What was written is read, and is sound.
+/// Whatever is written can be read and is valid.
 void requireReadable(const core::Expected<Pattern>& pattern) {
     require(pattern.has_value(), pattern ? "" : describe(pattern.error()));
     requireSound(*pattern);
@@ -164,7 +164,7 @@ bool patternMap(Bytes bytes) {
 
 bool patternRecovery(Bytes bytes) {
     static const test::TemporaryFolder folder;
-    const std::string path = folder.write("input.json", textOf(bytes)); // the ending tells the format
+    const std::string path = folder.write("input.json", textOf(bytes)); // the extension determines the format
     const core::Expected<RecoveredPattern> recovered = readRecovery(path);
     if (!recovered) {
         requireExplained(recovered.error(), path);

@@ -25,7 +25,7 @@ bool trialCsv(Bytes bytes) {
         requireExplained(counted.error(), file.path());
         return false;
     }
-    constexpr std::size_t kMostNames = 12; // of patterns, whose matrices the results are
+    constexpr std::size_t kMostNames = 12; // of patterns; the results are matrices of them
     if (tally.names().size() > kMostNames)
         return true;
     const test::FloatingPointTraps traps;
@@ -65,7 +65,7 @@ bool studyScene(Bytes bytes) {
     const std::string text = textOf(bytes);
     const core::Expected<StudyScene> scene = parseStudyScene(text, kInput);
     if (!scene) {
-        // It may name a protocol, and the fault then is that file's.
+        // It may name a protocol; the error is then in that file.
         require(!scene.error().message.empty(), "an error has a message");
         require(!scene.error().where.file.empty(), "an error names a file");
         return false;

@@ -28,7 +28,7 @@ struct RowStart {
     std::vector<std::string> fields;
 };
 
-/// Columns of numbers by their names, row by row; nothing when a reader says no.
+/// Columns of numbers by name, row by row; empty when a reader refuses.
 std::optional<std::vector<std::vector<double>>> readNumbers(const std::string& path,
                                                             std::span<const std::string_view> names) {
     core::Expected<core::CsvReader> csv = core::CsvReader::open(path);

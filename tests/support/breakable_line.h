@@ -16,8 +16,8 @@
 
 namespace teleta::test {
 
-/// A line to a server on this machine that breaks as a network does: the program loses its connections, and
-/// the server keeps them, since it hears nothing of it. Thread: any; the bytes go through one of its own.
+/// A connection to a server on this machine that breaks like a network: the program loses its connections,
+/// while the server keeps them because it is not told. Thread: any; the bytes pass through its own thread.
 class BreakableLine {
 public:
     explicit BreakableLine(int serverPort)
@@ -49,7 +49,7 @@ public:
 
     [[nodiscard]] int port() const { return m_port; }
 
-    /// Breaks what is connected now; connections that come later are whole.
+    /// Breaks the current connections; later ones work.
     void cut() {
         const std::scoped_lock lock(m_mutex);
         for (Pair& pair : m_pairs) {
@@ -93,7 +93,7 @@ private:
                 if (watched[i].revents != 0)
                     pass(watched[i].fd);
             }
-            // Last, since a new connection may get the number of one that was closed.
+            // Last, because a new connection may get the descriptor of a closed one.
             if (watched[0].revents != 0)
                 take();
         }
@@ -114,7 +114,7 @@ private:
         m_pairs.push_back({program, server, false});
     }
 
-    /// Passes on what came from one end of a pair, or its end.
+    /// Forwards bytes from one end of a pair, or its closing.
     void pass(int from) {
         const std::scoped_lock lock(m_mutex);
         for (std::size_t i = 0; i < m_pairs.size(); ++i) {

@@ -5,7 +5,7 @@
 
 namespace teleta::test {
 
-/// While it lives, an invalid operation or a division by zero ends the program with SIGFPE (glibc).
+/// While it exists, an invalid operation or a division by zero ends the program with SIGFPE (glibc).
 class FloatingPointTraps {
 public:
     FloatingPointTraps() {
@@ -24,8 +24,8 @@ private:
     int m_before = 0;
 };
 
-/// Lifts the traps while it lives: a comparison with a number that is none is an invalid operation, and so
-/// feeding one to the code under test would end the program.
+/// Suspends the traps while it exists: comparing with NaN is an invalid operation, so passing one to the code
+/// under test would end the program.
 class WithoutFloatingPointTraps {
 public:
     WithoutFloatingPointTraps()

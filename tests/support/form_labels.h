@@ -8,7 +8,7 @@
 
 namespace teleta::test {
 
-/// Labels of a form that show a & as it is, because nothing gets the keyboard by it.
+/// Labels of a form that show a literal "&" because they have no buddy to focus.
 inline QStringList labelsWithBareMnemonic(const QWidget& form) {
     static const QRegularExpression mnemonic(QStringLiteral("&[^&\\s]"));
     QStringList bare;

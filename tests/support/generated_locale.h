@@ -9,7 +9,7 @@
 
 namespace teleta::test {
 
-/// A locale that need not be installed: compiled into a temporary folder from the sources of the C library.
+/// A locale that need not be installed: compiled from the sources of the C library into a temporary folder.
 class GeneratedLocale {
 public:
     /// language: "de_DE", "tr_TR".
@@ -17,7 +17,7 @@ public:
         : m_name(language + ".UTF-8") {
         const std::string command = "localedef -i " + language + " -f UTF-8 --no-archive '" +
                                     m_folder.path(m_name) + "' > /dev/null 2>&1";
-        // It may warn and still have made the locale.
+        // It may warn although it has created the locale.
         (void)!std::system(command.c_str());
     }
 

@@ -12,7 +12,7 @@
 
 namespace teleta::test {
 
-/// Another program that a test talks with by lines. It is killed with the object. Thread: one.
+/// Another program with which a test exchanges lines. It is killed with the object. Thread: one.
 class PeerProcess {
 public:
     static constexpr int kPatience_ms = 20'000;
@@ -38,7 +38,7 @@ public:
         m_process.waitForBytesWritten(kPatience_ms);
     }
 
-    /// The next line that has this text in it; those before it are kept in lines(). Nothing when the program
+    /// The next line that contains this text; lines before it are kept in lines(). Empty when the program
     /// ends or is silent for too long.
     [[nodiscard]] std::optional<std::string> waitFor(const std::string& text) {
         QDeadlineTimer deadline(kPatience_ms);
@@ -55,7 +55,7 @@ public:
         }
     }
 
-    /// Says a line and waits until the program has answered "done".
+    /// Sends a line and waits until the program answers "done".
     [[nodiscard]] bool command(const std::string& line) {
         say(line);
         return waitFor("done").has_value();
@@ -73,7 +73,7 @@ private:
     std::vector<std::string> m_lines;
 };
 
-/// True when a program runs with these arguments and says that all is well.
+/// Whether a program runs with these arguments and exits successfully.
 [[nodiscard]] inline bool runs(const QString& program, const QStringList& arguments) {
     QProcess process;
     process.start(program, arguments);

@@ -16,8 +16,8 @@
 
 namespace teleta::test {
 
-/// A PostgreSQL server of its own in a temporary folder, with a password, on a free port of this machine.
-/// Root starts it as the user postgres, since it does not run as root.
+/// A private PostgreSQL server in a temporary folder, with a password, on a free port of this machine. Root
+/// starts it as the user postgres, because it does not run as root.
 class PostgresServer {
 public:
     static constexpr const char* kPassword = "se:cret@1";
@@ -50,7 +50,7 @@ public:
         try {
             kill();
         } catch (const std::exception&) {
-            // It was killed before.
+            // It has already been killed.
         }
         std::error_code ignored;
         std::filesystem::remove_all(m_folder, ignored);
@@ -64,7 +64,7 @@ public:
              " -c listen_addresses=127.0.0.1 -c fsync=off' start");
     }
 
-    /// At once, as in a crash: connections break and nothing is written any more.
+    /// Stops it immediately, as in a crash: connections break and nothing more is written.
     void kill() { call("pg_ctl -D '" + m_folder + "/data' -w -m immediate stop"); }
 
     [[nodiscard]] int port() const { return m_port; }
@@ -80,7 +80,7 @@ public:
                "/postgres?study=" + study;
     }
 
-    /// Runs a statement beside the program that is tested.
+    /// Runs a statement independently of the program under test.
     void sql(const std::string& statement) const {
         call("env PGPASSWORD='" + std::string(kPassword) + "' psql -q -h 127.0.0.1 -p " +
              std::to_string(m_port) + " -U console -d postgres -c \"" + statement + "\"");

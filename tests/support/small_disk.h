@@ -10,8 +10,8 @@
 
 namespace teleta::test {
 
-/// A disk of its own in a folder, made of memory, that can be filled to its last byte. Where nothing can be
-/// mounted there is none.
+/// A separate memory disk mounted in a folder that can be filled to its last byte; not available where
+/// mounting is not allowed.
 class SmallDisk {
 public:
     SmallDisk(const std::string& folder, std::size_t size_MB)
@@ -31,7 +31,7 @@ public:
     [[nodiscard]] bool exists() const { return m_exists; }
     [[nodiscard]] std::string path(const std::string& name) const { return m_folder + "/" + name; }
 
-    /// Takes all the room that is left. False: there is some.
+    /// Fills all remaining space. Returns false when some is left.
     [[nodiscard]] bool fill() const {
         std::ofstream ballast(path("ballast"), std::ios::binary | std::ios::app);
         const std::vector<char> block(1 << 16);

@@ -9,10 +9,10 @@
 
 namespace teleta::editor {
 
-/// The unrolled forearm, on which a stroke is drawn with the mouse: it becomes an object of the pattern, at
-/// the playhead, as fast as it was drawn. From left to right once around the arm (the tactors at 0 to 300
-/// degrees), from the row of the even ones at the top to that of the odd ones below. By keys: a cursor that
-/// sets one point after the other, kKeyStep_s apart. Thread: GUI.
+/// The unrolled forearm. A stroke drawn with the mouse becomes an object of the pattern that starts at the
+/// playhead and moves as fast as it was drawn. The width is once around the arm (tactors at 0 to 300
+/// degrees); the row of the even tactors is at the top, that of the odd ones below. With keys a cursor adds
+/// points kKeyStep_s apart. Thread: GUI.
 class StrokePad : public QWidget {
     Q_OBJECT
 public:
@@ -20,9 +20,9 @@ public:
 
     explicit StrokePad(PatternDocument* document, QWidget* parent = nullptr);
 
-    /// Where in the pattern the next stroke begins.
+    /// Sets where the next stroke begins.
     void setStart(double start_s) { m_start_s = start_s; }
-    /// A place of the pad for an angle and a place along the arm, and back.
+    /// Converts angle and place along the arm to a point of the pad, and back.
     [[nodiscard]] QPointF placeOf(double angle_rad, double along) const;
     [[nodiscard]] pattern::StrokePoint pointAt(const QPointF& at) const;
 
@@ -51,7 +51,7 @@ private:
     quint64 m_begin_ms = 0;
     double m_start_s = 0.0;
     bool m_drawing = false;
-    pattern::StrokePoint m_cursor; ///< of the keys
+    pattern::StrokePoint m_cursor; ///< moved by the keys
     bool m_cursorShown = false;
 };
 

@@ -13,8 +13,7 @@
 
 namespace teleta::servo {
 
-/// The force that the array reads and the one that is wanted, over the last 20 s; 0 s is the newest step.
-/// Thread: GUI.
+/// Measured and desired force over the last 20 s; 0 s is the newest step. Thread: GUI.
 class ForceStrip : public QWidget {
     Q_OBJECT
 public:
@@ -22,8 +21,8 @@ public:
 
     explicit ForceStrip(QWidget* parent = nullptr);
 
-    /// Adds the newest step; a report of the same time adds nothing, one of another run begins anew. Nothing:
-    /// forgets all.
+    /// Adds the newest step. A report of the same time adds nothing; one of another run, or an empty one,
+    /// clears the strip.
     void setReport(const std::optional<ServoReport>& report);
 
     [[nodiscard]] std::size_t steps() const { return m_steps.size(); }

@@ -30,7 +30,7 @@ struct Shown {
     QString unit;
 };
 
-/// From the feature's own unit to the one that is shown.
+/// Factor from the unit of a feature to the one shown.
 Shown shownAs(int row, double compliance_mPerN) {
     if (row == kZ)
         return {1.0 / compliance_mPerN, QStringLiteral("N")};
@@ -107,7 +107,7 @@ ServoPicture::Columns ServoPicture::columns(double width_px) const {
     QFont bold = font();
     bold.setBold(true);
     const QFontMetricsF text(bold);
-    // What has to be seen whole: names and numbers. Titles may be cut.
+    // Names and numbers must be fully visible; titles may be shortened.
     std::array<double, 4> least_px{};
     for (int row = 0; row < kRows; ++row)
         for (const bool edge : {true, false})
@@ -116,7 +116,7 @@ ServoPicture::Columns ServoPicture::columns(double width_px) const {
         least_px[i] = text.horizontalAdvance(QStringLiteral("\u2212188.8")) + kGap_em * em;
     Columns columns;
     const std::array<QString, 4> titles = ServoPicture::titles();
-    double more_px = 0.0; // that titles want
+    double more_px = 0.0; // additional width for the titles
     for (std::size_t i = 0; i < 4; ++i) {
         const double gap_px = i == 0 ? 0.0 : kGap_em * em;
         columns.width_px[i] = std::max(least_px[i], std::ceil(small.horizontalAdvance(titles[i])) + gap_px);
@@ -190,7 +190,7 @@ void ServoPicture::paintFeatures(QPainter& painter) const {
     const double em = base::em(this, 1);
     const double line = lineHeight();
     const double margin = kMargin_em * em;
-    const Columns columns = this->columns(width()); // once: it measures all texts
+    const Columns columns = this->columns(width()); // computed once, because it measures all texts
     const auto cell = [&](int row, std::size_t index) {
         return titleRect(columns, index).translated(0.0, row * line);
     };

@@ -11,9 +11,9 @@
 
 namespace teleta::servo {
 
-/// The features with desired and actual values and errors as a table, and below it the inverse tactile
-/// Jacobian and the projection matrix, their nonzero elements filled. Rows whose error acts are bold.
-/// Nothing: an empty table. Thread: GUI.
+/// A table of the features with desired and actual values and errors, and below it the inverse tactile
+/// Jacobian and the projection matrix with their nonzero elements filled. Rows whose error is controlled are
+/// bold. Without a report the table is empty. Thread: GUI.
 class ServoPicture : public QWidget {
     Q_OBJECT
 public:
@@ -21,15 +21,15 @@ public:
 
     void setReport(const std::optional<ServoReport>& report);
 
-    /// What a row of the table says: desired, actual, error; a dash for what is not defined.
+    /// Texts of a row: desired, actual, error; a dash for undefined values.
     [[nodiscard]] std::array<QString, 3> featureTexts(int row) const;
     /// The rows of a matrix as they are drawn.
     [[nodiscard]] static QStringList matrixTexts(const Matrix6& matrix);
 
-    /// The table's titles as they are drawn: cut, with an ellipsis, where the widget is too narrow for them.
+    /// Titles of the table as drawn, shortened with an ellipsis where the widget is too narrow.
     [[nodiscard]] std::array<QString, 4> shownTitles() const;
 
-    /// Wide enough for all titles in the language of the moment.
+    /// Wide enough for all titles in the current language.
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
 
@@ -46,9 +46,9 @@ private:
 
     [[nodiscard]] double lineHeight() const;
     [[nodiscard]] static std::array<QString, 4> titles();
-    /// As wide as their content; what a width leaves over, or lacks, is shared. 0: as they want to be.
+    /// Widths of the columns for a total width; excess or missing width is shared. 0: their preferred widths.
     [[nodiscard]] Columns columns(double width_px) const;
-    /// columns: as wide as the widget shows them.
+    /// columns: widths as shown.
     [[nodiscard]] QRectF titleRect(const Columns& columns, std::size_t index) const;
     [[nodiscard]] std::array<QString, 4> shownTitles(const Columns& columns) const;
     void paintFeatures(QPainter& painter) const;

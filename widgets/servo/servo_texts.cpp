@@ -89,7 +89,7 @@ QString ServoTexts::cost(const CycleTimes& times, double rate_Hz) {
         .arg(base::fixedDigits(1e6 * cycle_s, 1), base::fixedDigits(1.0 / (cycle_s * rate_Hz), 0),
              share(CyclePart::contact), share(CyclePart::kinematics), share(CyclePart::features),
              share(CyclePart::control), share(CyclePart::dynamics))
-        .replace(QStringLiteral(" %"), QStringLiteral("\u00a0%")) // a line does not end between the two
+        .replace(QStringLiteral(" %"), QStringLiteral("\u00a0%")) // no line break between the two
         .replace(QStringLiteral(" \u00b5s"), QStringLiteral("\u00a0\u00b5s"));
 }
 

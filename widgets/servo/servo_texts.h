@@ -9,7 +9,7 @@
 
 namespace teleta::servo {
 
-/// Words for what a servo does, translated when they are asked for.
+/// Translated texts about a servo.
 class ServoTexts {
     Q_DECLARE_TR_FUNCTIONS(ServoTexts)
 
@@ -17,14 +17,14 @@ public:
     [[nodiscard]] static QString task(TaskKind kind);
     [[nodiscard]] static QString contact(ContactState state);
     [[nodiscard]] static QString limit(Limit limit);
-    /// Those that act, separated by commas; empty: none.
+    /// Names of the active limits, separated by commas; empty if there are none.
     [[nodiscard]] static QString limits(const ActiveLimits& limits);
-    /// What a simulated cycle takes and on what it is spent; empty when no cycle was timed.
+    /// Computing time of a simulated cycle and of its parts; empty when no cycle was timed.
     [[nodiscard]] static QString cost(const CycleTimes& times, double rate_Hz);
-    /// Name of a run in a chart. number: among those of the same source. unbalanced, balanced: whether an
+    /// Name of a run in a chart. number: among the runs of the same source. unbalanced, balanced: whether an
     /// edge was explored without and with the moment.
     [[nodiscard]] static QString run(const QString& source, int number, bool unbalanced, bool balanced);
-    /// What row 0..5 of the features is, for an edge or a point.
+    /// Name of row 0..5 of the features, for an edge or a point.
     [[nodiscard]] static QString feature(int row, bool edge);
 };
 

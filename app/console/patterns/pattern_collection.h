@@ -17,36 +17,36 @@
 
 namespace teleta::console {
 
-/// The user's own patterns: reads and watches their folder on a thread of its own, and adds, renames and
-/// deletes there, with undo of the last two. Thread: GUI; no call waits but the destructor, for a file that
+/// The user's own patterns: reads and watches their folder on its own thread, and adds, renames and deletes
+/// patterns there; renaming and deleting can be undone. Thread: GUI. Only the destructor blocks, while a file
 /// is being read or written.
 class PatternCollection : public QObject {
     Q_OBJECT
 
 public:
-    /// folder: empty: there are no own patterns, and none can be kept.
+    /// folder: empty: there are no own patterns and none can be saved.
     explicit PatternCollection(QString folder, QObject* parent = nullptr);
     ~PatternCollection() override;
 
     [[nodiscard]] const std::vector<pattern::StoredPattern>& patterns() const { return m_content->patterns; }
-    /// Null when there is no such file, or it is damaged.
+    /// The pattern of a file; null when it does not exist or is damaged.
     [[nodiscard]] std::shared_ptr<const pattern::Pattern> atPath(const QString& path) const;
-    /// A pattern of this id, own or built-in, ready to be played; without evaluate when there is none.
+    /// The own or built-in pattern with this id, ready to be played; without evaluate when there is none.
     [[nodiscard]] playback::Program program(const std::string& id) const;
     [[nodiscard]] bool isPossible() const { return !m_folder.path().empty(); }
-    /// The folder has been read at least once.
+    /// Whether the folder has been read at least once.
     [[nodiscard]] bool isRead() const { return m_isRead; }
 
     void refresh();
-    /// added() follows, or failed().
+    /// Emits added() or failed() later.
     void add(const pattern::Pattern& pattern);
     void duplicate(const pattern::Pattern& pattern, const QString& name);
     void rename(const QString& path, const QString& name);
     void remove(const QString& path);
-    /// Takes the last deletion or new name back.
+    /// Undoes the last deletion or renaming.
     void undo();
     [[nodiscard]] bool canUndo() const { return !m_done.empty(); }
-    /// What the last deletion or new name was; empty when there is none.
+    /// Text about the last deletion or renaming; empty when there is none.
     [[nodiscard]] QString lastDone() const;
 
 signals:
@@ -64,7 +64,7 @@ private:
     struct Done {
         QString path;
         QString name;    ///< before
-        QString deleted; ///< where the file is; empty: it was renamed
+        QString deleted; ///< new path of the file; empty: it was renamed
     };
 
     [[nodiscard]] QString nameOf(const QString& path) const;
@@ -74,7 +74,7 @@ private:
     void did(Done done);
 
     pattern::PatternFolder m_folder;
-    QThreadPool m_pool; ///< of one thread: what is asked for is done in that order
+    QThreadPool m_pool; ///< one thread, so that requests are carried out in order
     QFileSystemWatcher m_watcher;
     QTimer m_rest;
     std::shared_ptr<const Content> m_content = std::make_shared<Content>();

@@ -16,14 +16,14 @@ class PatternEditor;
 
 namespace teleta::console {
 
-/// Plays what an editor shows: on the bracelet, or, where there is none to feel it on, only on the screen.
-/// Edits, the loop and its range reach what is played while it plays, at most every 50 ms.
-/// What others play on the bracelet does not move the editor's playhead. Thread: GUI.
+/// Plays the pattern of an editor on the bracelet or, without a bracelet, on the screen only. Edits, looping
+/// and its range take effect while playing, at most every 50 ms. Patterns that others play on the bracelet do
+/// not move the editor's playhead. Thread: GUI.
 class PatternPlayback : public QObject {
     Q_OBJECT
 
 public:
-    /// Both outlive it.
+    /// station and editor: must outlive this object.
     PatternPlayback(BraceletStation& station, editor::PatternEditor& editor, QObject* parent = nullptr);
 
     void play();
@@ -31,9 +31,9 @@ public:
     /// Moves the playhead.
     void tick();
 
-    /// What the tactors do; of a bracelet that does nothing, what the pattern does at the playhead.
+    /// Current intensities of the tactors; while nothing plays, those of the pattern at the playhead.
     [[nodiscard]] core::Intensities intensities() const;
-    /// What there is to know of the bracelet, and that nothing is felt of what plays.
+    /// Note about the bracelet, for example that the pattern is only shown.
     [[nodiscard]] QString note() const;
 
 private:
@@ -53,12 +53,12 @@ private:
 
     BraceletStation& m_station;
     editor::PatternEditor& m_editor;
-    QTimer m_rest;          ///< after what was followed
-    bool m_changed = false; ///< since then
+    QTimer m_rest;          ///< delay after an update
+    bool m_changed = false; ///< since the last update
     Way m_way = Way::none;
-    std::uint64_t m_number = 0;  ///< of the program, while it is felt
-    pattern::Span m_range;       ///< of the pattern that plays
-    std::int64_t m_begun_ns = 0; ///< steady time at which what is shown was at the begin of its range
+    std::uint64_t m_number = 0;  ///< number of the program while it plays on the bracelet
+    pattern::Span m_range;       ///< played range of the pattern
+    std::int64_t m_begun_ns = 0; ///< steady time at which the shown pattern was at the begin of its range
 };
 
 } // namespace teleta::console

@@ -29,13 +29,13 @@ class PatternEditor;
 
 namespace teleta::console {
 
-/// The Patterns page: the editor, which plays on the console's bracelet, with the user's own patterns, files
-/// and what was not saved. Files are read and written on pool threads. Thread: GUI.
+/// The Patterns page: the editor, playing on the console's bracelet, the user's own patterns, files, and
+/// recovery of unsaved edits. Files are read and written on pool threads. Thread: GUI.
 class PatternsPage : public QWidget {
     Q_OBJECT
 
 public:
-    /// recoveryFolder: empty: edits are not kept aside.
+    /// recoveryFolder: empty: unsaved edits are not backed up.
     PatternsPage(BraceletStation& station, PatternCollection& collection, const QString& recoveryFolder,
                  QWidget* parent = nullptr);
 
@@ -43,29 +43,29 @@ public:
     [[nodiscard]] chrome::MessageBar& messages() { return *m_messages; }
     [[nodiscard]] RecoveryKeeper& recovery() { return *m_keeper; }
 
-    /// Opens a built-in pattern or a file; asks first when there are edits that are not saved.
+    /// Opens a built-in pattern or a file; asks first when there are unsaved edits.
     void open(const QString& idOrPath);
     void openNew();
-    /// To its file; without one, as one of the user's own.
+    /// Saves to the file of the pattern or, without a file, as one of the user's own.
     void save();
     void saveAs(const QString& path);
     void exportTo(const QString& path, const pattern::SampleOptions& samples = {});
     void compareWith(const QString& idOrPath);
-    /// Shows what the bracelet does.
+    /// Updates the picture of the bracelet.
     void tick();
 
     [[nodiscard]] bool hasUnsaved() const;
-    /// Goes on at once when nothing is unsaved; else asks whether to save, and not at all when the user does
-    /// not want to. The edits may be dropped then.
+    /// Calls goOn at once when nothing is unsaved; otherwise asks whether to save or discard first, and does
+    /// not call it when the user cancels.
     void whenSettled(std::function<void()> goOn);
-    /// Opens the edits that were found; offers the next ones.
+    /// Opens recovered edits and offers the next ones.
     void recover();
     void discardRecovered();
 
 signals:
     /// A file was opened or saved.
     void used(const QString& path);
-    /// Edits were found that a program has left without saving.
+    /// Unsaved edits of a program that ended were found.
     void recoveryOffered(const QString& text);
 
 protected:
@@ -77,9 +77,9 @@ private:
     void connectEditor();
     void connectCollection();
     void connectStrength();
-    /// discarded: revision of the edits that may be lost when it has been read.
+    /// discarded: revision of the edits that may be discarded once the file has been read.
     void openNow(const QString& idOrPath, std::optional<quint64> discarded = std::nullopt);
-    /// discard: what is done when the edits may be dropped, in place of dropping them and going on.
+    /// discard: called instead of goOn when the user discards the edits.
     void settle(std::function<void()> goOn, std::function<void()> discard);
     void showOpened(const pattern::Pattern& pattern, const QString& idOrPath);
     void takeAdded(const QString& path, quint64 revision);
@@ -107,12 +107,12 @@ private:
     PatternPlayback* m_playback;
     bracelet::BraceletView* m_picture;
     bracelet::StrengthPanel* m_strength;
-    QThreadPool m_writing;               ///< of one thread: the last save is the one that stays
-    QMetaObject::Connection m_adding;    ///< to the end of a save as one of the user's own
-    std::function<void()> m_afterSaving; ///< goes on when what is being saved is saved
-    bool m_saveAgain = false;            ///< when the pattern that is being added has its file
-    std::uint64_t m_shown = 0;           ///< counts the patterns that were shown
-    std::uint64_t m_asked = 0;           ///< number of the newest one that was asked for
+    QThreadPool m_writing;               ///< one thread, so that the last save wins
+    QMetaObject::Connection m_adding;    ///< to the end of saving an own pattern
+    std::function<void()> m_afterSaving; ///< called when the running save has finished
+    bool m_saveAgain = false;            ///< save again once the added pattern has its file
+    std::uint64_t m_shown = 0;           ///< number of patterns shown so far
+    std::uint64_t m_asked = 0;           ///< number of the latest request
 };
 
 } // namespace teleta::console

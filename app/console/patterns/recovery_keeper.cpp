@@ -13,7 +13,7 @@ namespace teleta::console {
 
 namespace {
 
-/// Null when a console that still runs has it, this one too, or when it cannot be had.
+/// Null when a running console (including this one) holds the lock, or it cannot be taken.
 std::unique_ptr<study::FileClaim> claimOf(const QString& file) {
     auto claim = study::FileClaim::take((file + QStringLiteral(".lock")).toStdString(), {});
     return claim ? std::move(*claim) : nullptr;
@@ -29,7 +29,7 @@ std::vector<LostEdits> leftIn(const QString& folder, const QString& own) {
         std::shared_ptr<study::FileClaim> claim = claimOf(file);
         if (!claim)
             continue;
-        // What cannot be read stays for a person to look at.
+        // Files that cannot be read are kept for inspection.
         if (core::Expected<pattern::RecoveredPattern> recovered = pattern::readRecovery(file.toStdString()))
             all.push_back({std::move(*recovered), file, std::move(claim)});
     }
@@ -83,7 +83,7 @@ void RecoveryKeeper::write() {
     runInBackground(
         m_pool, this,
         [this, edits = *std::exchange(m_next, std::nullopt)]() -> core::Expected<void> {
-            // Without a claim the edits are kept all the same: they may be offered too early.
+            // Without a lock the edits are still backed up, but may be offered too early.
             if (!m_claim) {
                 QDir().mkpath(m_folder);
                 m_claim = claimOf(m_file);

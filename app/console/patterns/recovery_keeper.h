@@ -14,41 +14,41 @@
 
 namespace teleta::console {
 
-/// Edits that a program which ended without saving has left.
+/// Unsaved edits of a program that has ended.
 struct LostEdits {
     pattern::RecoveredPattern recovered;
     QString file;
-    std::shared_ptr<study::FileClaim> claim; ///< no other console offers them meanwhile
+    std::shared_ptr<study::FileClaim> claim; ///< keeps other consoles from offering them
 };
 
-/// Keeps what is edited and not saved in a file of its own, beside those of other consoles, and finds what
-/// consoles have left that were killed. It writes nowhere else, never to the user's files. A file of a
-/// console that still runs is not offered: the kernel holds its lock, and lets it go with the console.
-/// Thread: GUI; files are read and written on a thread of its own. Only the destructor waits for it.
+/// Backs up unsaved edits in a file of its own, next to those of other consoles, and finds the files of
+/// consoles that were killed. Never writes to the user's files. The file of a running console is not offered:
+/// it is locked, and the kernel releases the lock when the console ends. Thread: GUI; files are read and
+/// written on its own thread, for which only the destructor waits.
 class RecoveryKeeper : public QObject {
     Q_OBJECT
 
 public:
-    /// folder: empty: nothing is kept.
+    /// folder: empty: nothing is backed up.
     explicit RecoveryKeeper(QString folder, QObject* parent = nullptr);
     ~RecoveryKeeper() override;
 
-    /// Looks for what was left; found() follows when there is something.
+    /// Searches for unsaved edits; emits found() if there are any.
     void look();
     [[nodiscard]] const std::vector<LostEdits>& lost() const { return m_lost; }
-    /// The first of lost(), which is then kept no more: it is with the caller.
+    /// Hands over the first of lost() to the caller.
     [[nodiscard]] LostEdits take();
 
-    /// Keeps these edits in place of those before.
+    /// Backs up these edits, replacing the previous ones.
     void keep(const pattern::RecoveredPattern& edits);
-    /// They are saved, or not wanted.
+    /// Removes the backup, because the edits were saved or discarded.
     void forget();
-    /// Removes the file of what was taken: it is open, and kept anew, or not wanted.
+    /// Removes the file of edits that were taken, because they are backed up again or were discarded.
     void discard(const LostEdits& lost);
 
 signals:
     void found();
-    /// Emits once until it works again.
+    /// Emitted once until backing up works again.
     void failed(const teleta::core::Error& error);
 
 private:
@@ -57,7 +57,7 @@ private:
     QString m_folder;
     QString m_file;
     std::unique_ptr<study::FileClaim> m_claim; ///< used on the pool's thread only
-    QThreadPool m_pool;                        ///< of one thread, so that files are written in order
+    QThreadPool m_pool;                        ///< one thread, so that files are written in order
     std::vector<LostEdits> m_lost;
     std::optional<pattern::RecoveredPattern> m_next;
     bool m_writing = false;

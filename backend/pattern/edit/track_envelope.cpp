@@ -42,7 +42,7 @@ void TrackEnvelope::include(ValueRange& range, std::size_t first, std::size_t la
         for (std::size_t i = from; i < to; ++i)
             widen(range, {m_lines[i].intensity, m_lines[i].intensity});
     };
-    // Loose ends on each level, whole blocks on the next one.
+    // Incomplete blocks are searched on this level, complete ones on the next.
     std::size_t level = 0;
     const auto looseEnds = [&](std::size_t from, std::size_t to) {
         if (level == 0) {

@@ -7,7 +7,7 @@
 
 namespace teleta::pattern {
 
-/// Lowest and highest value in a stretch of time.
+/// Lowest and highest value in an interval of time.
 struct ValueRange {
     double low = 0.0;
     double high = 0.0;
@@ -15,16 +15,16 @@ struct ValueRange {
     bool operator==(const ValueRange&) const = default;
 };
 
-/// Lowest and highest intensity of a track in any stretch of time, so that a long pattern is drawn with one
-/// look a column of pixels. Ranges of blocks of breakpoints, and of blocks of those, are made once; a look
-/// takes O(log breakpoints). Thread: any, it does not change after construction.
+/// Lowest and highest intensity of a track in any interval of time, so that drawing a long pattern takes one
+/// query per column of pixels. The ranges of blocks of breakpoints, and of blocks of blocks, are precomputed;
+/// a query takes O(log breakpoints). Thread: any (immutable).
 class TrackEnvelope {
 public:
     TrackEnvelope() = default;
     /// lines: straight lines (linearised()), times never decrease.
     explicit TrackEnvelope(Track lines);
 
-    /// Over [begin, end], steps from both sides, 0 where the track is off. begin_s <= end_s.
+    /// Range over [begin, end] with both sides of steps; 0 where the track is off. begin_s <= end_s.
     [[nodiscard]] ValueRange over(double begin_s, double end_s) const;
 
 private:
@@ -34,7 +34,7 @@ private:
     [[nodiscard]] double valueAt(double t_s) const;
 
     Track m_lines;
-    std::vector<std::vector<ValueRange>> m_levels; ///< each of kBlock of the level below
+    std::vector<std::vector<ValueRange>> m_levels; ///< each entry covers kBlock of the level below
 };
 
 } // namespace teleta::pattern

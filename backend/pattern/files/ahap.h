@@ -13,9 +13,9 @@ namespace teleta::pattern {
 inline constexpr std::size_t kMostCurvePoints = 16;
 inline constexpr double kLongestEvent_s = 30.0;
 
-/// AHAP of one tactor: continuous events of at most kLongestEvent_s where it is on, and curves of the
-/// intensity, which is the square root of the amplitude, of at most kMostCurvePoints; their times count from
-/// the start of the curve. Error: refused when objects have too many corners. Thread: any (pure).
+/// Converts one tactor to AHAP: continuous events of at most kLongestEvent_s while it is on, and curves of
+/// the intensity (the square root of the amplitude) with at most kMostCurvePoints points, whose times count
+/// from the start of the curve. Error: refused when objects have too many corners. Thread: any (pure).
 [[nodiscard]] core::Expected<std::string> tactorToAhap(const Pattern& pattern, std::size_t tactor);
 
 /// "tactor1.ahap" ... "tactor6.ahap".

@@ -10,9 +10,9 @@
 
 namespace teleta::pattern {
 
-/// .haptic 1.0: JSON with one amplitude envelope, so one file a tactor. Frequency follows amplitude with
-/// these motors: its envelope is written equal to it and left out when reading. An emphasis becomes a burst
-/// of kEmphasis_s. Thread: any (pure).
+/// The format .haptic 1.0: JSON with one amplitude envelope, hence one file per tactor. The frequency of
+/// these motors follows the amplitude; its envelope is written equal to it and ignored when read. An emphasis
+/// becomes a burst of kEmphasis_s. Thread: any (pure).
 inline constexpr double kEmphasis_s = 0.05;
 
 /// The file of one tactor. Error: refused when objects have too many corners.
@@ -21,12 +21,12 @@ inline constexpr double kEmphasis_s = 0.05;
 /// "tactor1.haptic" ... "tactor6.haptic".
 [[nodiscard]] core::Expected<std::vector<ZipEntry>> patternToHaptics(const Pattern& pattern);
 
-/// The number 1..6 before the ending of an entry's name tells its tactor. Error: badInput with entry, line
-/// and column. file: of the archive.
+/// The tactor of an entry is the number 1..6 at the end of its base name. file: name of the archive, for
+/// errors. Error: badInput with entry, line and column.
 [[nodiscard]] core::Expected<Pattern> patternFromHaptics(std::vector<ZipEntry> entries,
                                                          const std::string& file);
 
-/// One file, for the first tactor.
+/// Reads a single file as the pattern of the first tactor.
 [[nodiscard]] core::Expected<Pattern> patternFromHaptic(std::string text, const std::string& file);
 
 } // namespace teleta::pattern

@@ -9,17 +9,16 @@
 
 namespace teleta::pattern {
 
-/// Reads a pattern file; the format is told by the end of its name (see pattern_format.h). A file without an
-/// id gets its name without the ending.
-/// Error: notFound, ioFailed, badInput with the place; a format that is written only is refused.
+/// Reads a pattern file in the format of its file name extension (see pattern_format.h). A pattern without an
+/// id gets the base name of the file. Error: notFound, ioFailed; badInput with line and column, also for
+/// formats that are only written. Thread: any.
 [[nodiscard]] core::Expected<Pattern> loadPattern(const std::string& path);
 
-/// A built-in pattern by its id, or a file.
+/// Returns a built-in pattern by its id, or reads a file.
 [[nodiscard]] core::Expected<Pattern> findPattern(const std::string& idOrPath);
 
-/// Writes a pattern file in the format of its name. The file appears when it is complete. samples: of CSV and
-/// WAV files, all others leave them alone.
-/// Error: refused with what the format cannot express; ioFailed.
+/// Writes a pattern file atomically, in the format of its file name extension. samples: for CSV and WAV
+/// files, ignored by all others. Error: refused with what the format cannot express; ioFailed. Thread: any.
 [[nodiscard]] core::Expected<void> savePattern(const Pattern& pattern, const std::string& path,
                                                const SampleOptions& samples = {});
 

@@ -7,25 +7,25 @@
 
 namespace teleta::pattern {
 
-/// Formats of pattern files, told by the end of the file's name.
-///   own         .json         in and out; all others hold only what is played
-///   hjif        .hjif         in and out
-///   hapticZip   .haptic.zip   in and out, a file a tactor
-///   haptic      .haptic       in and out, one tactor
-///   ahapZip     .ahap.zip     out, a file a tactor
-///   ahap        .ahap         out, one tactor
-///   tact        .tact         in and out
-///   csv         .csv          out: commanded or predicted intensities
-///   wav         .wav          out: 6 channels of the same
+/// Formats of pattern files and their file name extensions:
+///   own         .json         read and written; all others contain only what is played
+///   hjif        .hjif         read and written
+///   hapticZip   .haptic.zip   read and written, one file per tactor
+///   haptic      .haptic       read and written, one tactor
+///   ahapZip     .ahap.zip     written, one file per tactor
+///   ahap        .ahap         written, one tactor
+///   tact        .tact         read and written
+///   csv         .csv          written: commanded or predicted intensities
+///   wav         .wav          written: the same as 6 channels
 enum class PatternFormat { own, hjif, hapticZip, haptic, ahapZip, ahap, tact, csv, wav };
 
-/// Upper and lower case count the same. Empty: no format has this ending.
+/// Format by the extension of a path, ignoring case; empty when it is unknown.
 [[nodiscard]] std::optional<PatternFormat> formatOf(std::string_view path);
 
-/// All endings, for messages and file dialogs: ".json, ...".
+/// All extensions, for messages and file dialogs: ".json, ...".
 [[nodiscard]] std::string allEndings();
 
-/// The file's name without folders and ending.
+/// The file name without folders and extension.
 [[nodiscard]] std::string baseName(std::string_view path);
 
 } // namespace teleta::pattern

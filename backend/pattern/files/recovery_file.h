@@ -9,7 +9,7 @@
 
 namespace teleta::pattern {
 
-/// Edits that are in no file of the user.
+/// Edits that the user has not saved.
 struct RecoveredPattern {
     Pattern pattern;
     std::string path;           ///< of the file that was edited; empty: it had none
@@ -18,8 +18,8 @@ struct RecoveredPattern {
 
 /// A recovery file is a pattern file in the program's own format with one more key,
 ///   "recovery": {"path", "edited_ms"}
-/// so that everything that reads patterns reads it. It appears when it is complete and is durable then: a
-/// program that is killed leaves the one before.
+/// so that every reader of patterns can read it. It is written atomically and durably: a program that is
+/// killed leaves the previous file. Error: ioFailed. Thread: any.
 [[nodiscard]] core::Expected<void> writeRecovery(const std::string& file, const RecoveredPattern& recovered);
 /// Error: as loadPattern(); badInput without the key.
 [[nodiscard]] core::Expected<RecoveredPattern> readRecovery(const std::string& file);

@@ -15,15 +15,16 @@ struct ZipEntry {
 };
 
 inline constexpr std::size_t kMostZipEntries = 64;
-inline constexpr std::size_t kMostZipBytes = 64U << 20U; ///< of all entries together, unpacked
+inline constexpr std::size_t kMostZipBytes = 64U << 20U; ///< total unpacked size
 
-/// Reads all files of a zip archive that is in memory, in the archive's order; folders are left out.
-/// file: for errors. Error: badInput: no zip archive, damaged (checksums are checked), encrypted, or larger
-/// than the limits, which a small archive of huge content does not pass either.
+/// Reads all files of a zip archive in memory, in the order of the archive; folders are skipped. file: for
+/// errors. Error: badInput: not a zip archive, damaged (checksums are verified), encrypted, or larger than
+/// the limits, which apply to the unpacked content. Thread: any (pure).
 [[nodiscard]] core::Expected<std::vector<ZipEntry>> readZip(const std::string& bytes,
                                                             const std::string& file);
 
-/// The bytes of a zip archive with these entries; the same entries give the same bytes.
+/// Returns the bytes of a zip archive with these entries; equal entries give equal bytes. Error: ioFailed.
+/// Thread: any (pure).
 [[nodiscard]] core::Expected<std::string> writeZip(const std::vector<ZipEntry>& entries);
 
 } // namespace teleta::pattern

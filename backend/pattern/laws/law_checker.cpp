@@ -63,7 +63,7 @@ private:
         return slowest_s;
     }
 
-    /// turns: what a ring is advised; all others a longer burst.
+    /// turns: the suggestion for a ring; for all other objects it is a longer burst.
     void checkBurst(double burst_s, const std::vector<int>& tactors, std::optional<double> turns = {}) {
         const double rise_s = slowestRise_s(tactors);
         if (!tactors.empty() && burst_s < rise_s - kRounding)
@@ -92,7 +92,7 @@ private:
         if (turn_s < kShortestTurn_s - kRounding) {
             add({Law::ringTooFast, m_object, allTactors(), spanOf(ObjectForm(ring)), turn_s, kShortestTurn_s,
                  possible >= 1.0 ? possible : kShortestTurn_s, possible >= 1.0});
-            return; // what a ring that is too fast does with its bursts follows from that
+            return; // the bursts of a ring that is too fast follow from that
         }
         if (ring.burst_s)
             checkOnset(onsetOf_s(ring), *ring.burst_s, allTactors());
@@ -110,7 +110,7 @@ private:
         checkBurst(phantom.duration_s, {phantom.first, phantom.second});
     }
 
-    /// Each motor that the point passes is on for as long as the point is near it.
+    /// A motor is on for as long as the moving point is near it.
     void checkForm(const Stroke& stroke) {
         const ObjectForm form(stroke);
         const Span span = spanOf(form);
@@ -135,7 +135,7 @@ private:
                 return;
             const double dwell_s = passing.looks * look_s;
             const double rise_s = m_motors[i].riseTime_s;
-            // A motor at the brim of the way is hardly felt anyway.
+            // A motor at the edge of the path is hardly felt anyway.
             if (passing.peak < kFeltShare * stroke.intensity || dwell_s + look_s >= rise_s)
                 return;
             worst.tactors.push_back(static_cast<int>(i));
@@ -199,7 +199,7 @@ private:
         }
     }
 
-    /// Stretches of a track in which the tactor is on.
+    /// Checks the intervals of each track in which the tactor is on.
     void checkTracks() {
         for (std::size_t i = 0; i < core::kTactors; ++i) {
             const Track& track = m_pattern.tracks[i];
@@ -231,8 +231,8 @@ private:
             add({Law::burstTooShort, {}, {tactor}, {begin_s, end_s}, end_s - begin_s, rise_s, rise_s});
     }
 
-    /// Share of its intensity at which the slower motor of two is far enough from the other one; 0: there is
-    /// none.
+    /// Factor on the intensity of the slower motor of a pair at which their speeds are far enough apart; 0:
+    /// there is none.
     double shareOffBeat(std::size_t slower, double intensity, double other_Hz) const {
         const MotorProfile& motor = m_motors[slower];
         const auto speed_Hz = [&](double share) {
@@ -247,7 +247,8 @@ private:
         return low;
     }
 
-    /// Only a track can be made weaker; an object would go on to drive the motor.
+    /// Whether only tracks drive the motor in the span; a weaker track does not help if an object drives it,
+    /// too.
     bool onlyByTracks(std::size_t tactor, const Span& span) const {
         return std::ranges::none_of(m_pattern.objects, [&](const PatternObject& object) {
             const Span theirs = spanOf(object.form);
@@ -268,7 +269,7 @@ private:
         return std::holds_alternative<Ring>(form) ? allTactors() : movedBetween(form);
     }
 
-    /// Counts periods of the beat of each pair, as long as their speeds stay near to each other.
+    /// Counts the periods of the beat of each pair while their speeds stay close together.
     void checkBeats() {
         struct Beat {
             double periods = 0.0;
@@ -311,7 +312,7 @@ private:
                             beat.begin_s = t_s;
                             beat.slower = speeds_Hz[i] < speeds_Hz[j] ? i : j;
                         }
-                        // Most beats are steady ones.
+                        // Most beats are steady, so the factor is computed only when an intensity changes.
                         if (beat.seen[0] != intensities[i] || beat.seen[1] != intensities[j]) {
                             beat.seen[0] = intensities[i];
                             beat.seen[1] = intensities[j];
@@ -365,7 +366,7 @@ void setBurst(ObjectForm& form, double value) {
     }
 }
 
-/// One turn that takes so long.
+/// Makes the ring a single turn of this duration.
 void setTurn(ObjectForm& form, double turn_s) {
     if (auto* ring = std::get_if<Ring>(&form)) {
         ring->turns = 1;
@@ -374,7 +375,7 @@ void setTurn(ObjectForm& form, double turn_s) {
     }
 }
 
-/// Makes what lies in a span so long; what follows stays where it is, or begins when this ends.
+/// Stretches what lies in a span to this length; what follows stays where it is, or begins when this ends.
 void lengthen(Track& track, const Span& span, double length_s) {
     const double factor = length_s / (span.end_s - span.begin_s);
     for (Breakpoint& point : track) {
@@ -385,7 +386,7 @@ void lengthen(Track& track, const Span& span, double length_s) {
     }
 }
 
-/// Makes the segments weaker that lie in a span, or partly so.
+/// Reduces the intensity of all segments that lie at least partly in a span.
 void weaken(Track& track, const Span& span, double share) {
     const auto first = std::ranges::upper_bound(track, span.begin_s, {}, &Breakpoint::time_s);
     const auto last = std::ranges::lower_bound(track, span.end_s, {}, &Breakpoint::time_s);

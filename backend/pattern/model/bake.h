@@ -10,31 +10,33 @@
 
 namespace teleta::pattern {
 
-/// How far straight lines may be from the curve that they stand for.
+/// Largest deviation of the straight lines from the curve that they approximate.
 inline constexpr double kBakeTolerance = 1e-3;
 
-/// Straight lines within kBakeTolerance of f(evaluate(pattern, t)[tactor]) over [0, duration], with steps as
-/// two breakpoints at one time; nothing where the tactor is off for good at begin and end. Lines and holds of
-/// a track on which no object lies stay exact when f is the identity. f: 0 at 0, rising, 0..1 to 0..1.
-/// Error: refused when that takes more than Pattern::kMostBreakpoints.
+/// Approximates f(evaluate(pattern, t)[tactor]) over [0, duration] by straight lines within kBakeTolerance. A
+/// step is two breakpoints at one time. Silence at the beginning and at the end has no breakpoints. Where no
+/// object overlaps them, lines and holds of a track stay exact if f is the identity. f: rising, maps 0..1 to
+/// 0..1 and 0 to 0. Error: refused when more than Pattern::kMostBreakpoints would be needed. Thread: any
+/// (pure).
 [[nodiscard]] core::Expected<Track> linearised(
     const Pattern& pattern, std::size_t tactor,
     const std::function<double(double)>& f = [](double intensity) { return intensity; });
 
-/// All six tactors as straight lines.
+/// The same for all six tactors.
 [[nodiscard]] core::Expected<Tracks> linearised(const Pattern& pattern);
 
-/// Turns objects (by their numbers, others are ignored) into breakpoints of the tracks, where the stronger of
-/// track and object counts. Tracks that they do not touch stay as they are.
+/// Converts the objects with these indices into breakpoints of the tracks; where track and object overlap the
+/// stronger one counts. Unknown indices are ignored. Tracks that no such object uses are not changed. Error:
+/// as linearised().
 [[nodiscard]] core::Expected<Pattern> bake(const Pattern& pattern, const std::vector<std::size_t>& objects);
 
-/// Turns all objects into breakpoints.
+/// Converts all objects into breakpoints.
 [[nodiscard]] core::Expected<Pattern> bake(const Pattern& pattern);
 
-/// Takes out breakpoints on the straight line between their neighbours, and equal ones.
+/// Removes breakpoints on the straight line between their neighbours, and repeated ones.
 [[nodiscard]] Track simplified(const Track& lines);
 
-/// Takes out stretches of zero at begin and end: the tactor is off there without them.
+/// Removes silence at the beginning and at the end, where a tactor is off anyway.
 [[nodiscard]] Track trimmed(const Track& lines);
 
 } // namespace teleta::pattern

@@ -32,7 +32,7 @@ const std::vector<ShapeStimulus>& shapes() {
     return kShapes;
 }
 
-/// The paper gives 0.3 s for the stiffest and 2 s for the sponge; those between have even ratios.
+/// The paper gives 0.3 s for the stiffest and 2 s for the sponge; the levels between have even ratios.
 constexpr std::array<ImpulseStimulus, 5> kStiffness{
     {{"Sponge", 2.0}, {"Rubber sponge", 1.2}, {"Rubber", 0.75}, {"Wood", 0.48}, {"Metal", 0.3}}};
 

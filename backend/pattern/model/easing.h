@@ -8,7 +8,8 @@
 
 namespace teleta::pattern {
 
-/// Share of the way from one breakpoint to the next; u from 0 to 1. See Easing.
+/// Share of the change between two breakpoints that is completed at u (0 to 1); see Easing. Thread: any
+/// (pure).
 [[nodiscard]] inline double eased(Easing easing, double u) {
     switch (easing) {
     case Easing::linear:

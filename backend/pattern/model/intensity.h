@@ -5,7 +5,7 @@
 
 namespace teleta::pattern {
 
-/// An intensity within 0..1; NaN is off.
+/// Clamps an intensity to 0..1; NaN becomes 0.
 [[nodiscard]] inline double limitedIntensity(double intensity) {
     return intensity > 0.0 ? std::min(intensity, 1.0) : 0.0;
 }

@@ -22,7 +22,7 @@ void raise(core::Intensities& intensities, int tactor, double value) {
     intensity = std::max(intensity, limitedIntensity(value));
 }
 
-/// Numbers of the bursts [k onset, k onset + burst) that may hold the time, one too many at either side.
+/// Indices of the bursts [k onset, k onset + burst) that may contain the time, with one extra on either side.
 std::pair<int, int> burstsAround(double time_s, double onset_s, double burst_s, int count) {
     if (!(onset_s > 0.0) || !std::isfinite(onset_s) || !std::isfinite(burst_s))
         return {0, count};

@@ -12,19 +12,19 @@
 
 namespace teleta::pattern {
 
-/// How the intensity goes from one breakpoint to the next, u from 0 to 1:
+/// How the intensity changes from one breakpoint to the next, with u from 0 to 1:
 ///   linear u;  hold 0;  easeIn 1 - cos(pi u / 2);  easeOut sin(pi u / 2);  easeInOut (1 - cos(pi u)) / 2.
 /// Two easeInOut segments up and down are one period of a sine.
 enum class Easing { linear, hold, easeIn, easeOut, easeInOut };
 
-/// Keys of a file that this version does not know, with their values as JSON text: written back unchanged.
+/// Unknown keys of a file with their values as JSON text; written back unchanged.
 using UnknownKeys = std::vector<std::pair<std::string, std::string>>;
 
 // Parametric objects. Times are in s from the start of the pattern, tactors count from 0, intensities are
-// 0..1. All of them are on in half-open stretches of time: [start, end).
+// 0..1. All of them are on in half-open intervals of time [start, end).
 
-/// Bursts on one tactor after another. onset_s: from one burst's start to the next one's; empty: the law of
-/// apparent motion gives it (apparentMotionOnset_s).
+/// Bursts on one tactor after another. onset_s: from the start of one burst to that of the next; empty: by
+/// the law of apparent motion (apparentMotionOnset_s()).
 struct Sweep {
     double start_s = 0.0;
     double burst_s = 0.1;
@@ -35,22 +35,22 @@ struct Sweep {
     bool operator==(const Sweep&) const = default;
 };
 
-/// Apparent motion around the forearm: 6 turns bursts whose onsets fill duration_s exactly; what a burst has
-/// left at the end is cut off. burst_s: empty: the law gives it (ringBurst_s).
+/// Apparent motion around the forearm: 6 * turns bursts whose onsets fill duration_s exactly; the last burst
+/// is cut off at the end. burst_s: empty: by the law (ringBurst_s()).
 struct Ring {
     double start_s = 0.0;
     double duration_s = 2.0;
     int turns = 3; ///< >= 1
     int firstTactor = 0;
-    bool counterClockwise = true; ///< tactors in rising order
+    bool counterClockwise = true; ///< tactors in ascending order
     std::optional<double> burst_s;
     double intensity = 1.0;
 
     bool operator==(const Ring&) const = default;
 };
 
-/// A point felt between two tactors, which may move from one to the other: balance b goes evenly from
-/// balanceFrom to balanceTo; 0 is at the first tactor, 1 at the second (phantomIntensities).
+/// A point felt between two tactors that may move from one to the other: the balance changes linearly from
+/// balanceFrom to balanceTo, with 0 at the first tactor and 1 at the second (phantomIntensities()).
 struct Phantom {
     double start_s = 0.0;
     double duration_s = 1.0;
@@ -63,7 +63,7 @@ struct Phantom {
     bool operator==(const Phantom&) const = default;
 };
 
-/// All its tactors from one intensity to another.
+/// Changes the intensity of all its tactors from one value to another.
 struct Ramp {
     double start_s = 0.0;
     double duration_s = 1.0;
@@ -75,7 +75,7 @@ struct Ramp {
     bool operator==(const Ramp&) const = default;
 };
 
-/// All its tactors on for width_s at the start of every period.
+/// Turns all its tactors on for width_s at the start of every period.
 struct PulseTrain {
     double start_s = 0.0;
     double duration_s = 1.0;
@@ -87,9 +87,9 @@ struct PulseTrain {
     bool operator==(const PulseTrain&) const = default;
 };
 
-/// A place on the unrolled forearm at a time. angle_rad: around the arm, not wrapped, so that a stroke may
-/// go round and round; along: 0 at the row of the even tactors (0, 120, 240 degrees), 1 at that of the odd
-/// ones, which are shifted along the arm.
+/// A place on the unrolled forearm at a time. angle_rad: around the arm, not wrapped, so that a stroke can go
+/// around several times. along: 0 at the row of the even tactors (0, 120, 240 degrees), 1 at the row of the
+/// odd ones, which are shifted along the arm.
 struct StrokePoint {
     double time_s = 0.0; ///< from the start of the stroke
     double angle_rad = 0.0;
@@ -98,8 +98,8 @@ struct StrokePoint {
     bool operator==(const StrokePoint&) const = default;
 };
 
-/// A line drawn on the unrolled forearm, felt as a point that moves along it (strokeIntensities).
-/// points: times never decrease.
+/// A line drawn on the unrolled forearm, felt as a point that moves along it (strokeIntensities()). points:
+/// times never decrease.
 struct Stroke {
     double start_s = 0.0;
     std::vector<StrokePoint> points;
@@ -110,7 +110,7 @@ struct Stroke {
 
 using ObjectForm = std::variant<Sweep, Ring, Phantom, Ramp, PulseTrain, Stroke>;
 
-/// A parametric object of a pattern: it stays editable until it is baked into breakpoints (bake()).
+/// A parametric object of a pattern, editable until it is converted into breakpoints (bake()).
 struct PatternObject {
     std::string name;
     ObjectForm form;
@@ -119,30 +119,31 @@ struct PatternObject {
     bool operator==(const PatternObject&) const = default;
 };
 
-/// A stretch of time [begin, end).
+/// An interval of time [begin, end).
 struct Span {
     double begin_s = 0.0;
     double end_s = 0.0;
 };
 
-/// From the object's start to where it is off for good.
+/// From the start of the object to where it is off for good.
 [[nodiscard]] Span spanOf(const ObjectForm& form);
 
-/// What one object asks of the tactors at a time of the pattern; 0 outside its span. Tactors out of range
-/// count modulo 6; an object with values that are not finite is off. Thread: any (pure).
+/// Intensities of one object at a time of the pattern; 0 outside its span. Tactors out of range are taken
+/// modulo 6; an object with non-finite values is off. Thread: any (pure).
 [[nodiscard]] core::Intensities evaluate(const ObjectForm& form, double t_s);
 
-/// Intensities that make a point felt at a place of the unrolled forearm. Three tactors in a zigzag are a
-/// triangle; with the barycentric weights w_j of the place in its triangle
+/// Intensities with which a point is felt at a place of the unrolled forearm. Three tactors in a zigzag form
+/// a triangle; with the barycentric weights w_j of the place in its triangle
 ///   A_j = sqrt(w_j) A
-/// which keeps the energy (the sum of A_j^2 is A^2) and, on the line between two neighbours, is the phantom
-/// law. along is limited to 0..1.
+/// which preserves the energy (the sum of A_j^2 is A^2) and equals phantomIntensities() on the line between
+/// two neighbours. along: clamped to 0..1. Thread: any (pure).
 [[nodiscard]] core::Intensities strokeIntensities(double angle_rad, double along, double intensity);
 
-/// Onset to onset of the bursts, as the object plays them; 0 for a ring without turns.
+/// Interval between the onsets of the bursts as they are played; 0 for a ring without turns.
 [[nodiscard]] double onsetOf_s(const Sweep& sweep);
 [[nodiscard]] double onsetOf_s(const Ring& ring);
-/// Length of a burst as it is played; with more turns than the law allows one burst follows on the other.
+/// Duration of a burst as it is played; with more turns than the law allows the bursts follow each other
+/// without a gap.
 [[nodiscard]] double burstOf_s(const Ring& ring);
 
 } // namespace teleta::pattern

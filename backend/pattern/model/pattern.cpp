@@ -110,7 +110,7 @@ CompiledPattern::CompiledPattern(const Pattern& pattern)
 
     for (const PatternObject& object : pattern.objects) {
         const Span span = spanOf(object.form);
-        if (span.begin_s < span.end_s) // an object without time is never on
+        if (span.begin_s < span.end_s) // an object of zero duration is never on
             m_objects.push_back({object.form, span.begin_s, span.end_s});
     }
     std::stable_sort(m_objects.begin(), m_objects.end(),

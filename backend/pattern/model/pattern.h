@@ -13,7 +13,7 @@
 
 namespace teleta::pattern {
 
-/// One corner of a track. The easing is that of the segment which begins here.
+/// One corner of a track. easing is that of the segment that begins here.
 struct Breakpoint {
     double time_s = 0.0;
     double intensity = 0.0; ///< 0..1
@@ -22,20 +22,20 @@ struct Breakpoint {
     bool operator==(const Breakpoint&) const = default;
 };
 
-/// Intensity of one tactor over time: times never decrease; two breakpoints at one time are a step. The
+/// Intensity of one tactor over time. Times never decrease; two breakpoints at one time are a step. The
 /// tactor is off before the first breakpoint and from the last one on.
 using Track = std::vector<Breakpoint>;
 using Tracks = std::array<Track, core::kTactors>;
 
-/// What a pattern tells its wearer.
+/// What a pattern tells the wearer.
 enum class Task { shape, stiffness, other };
 enum class Condition { none, constant, dynamic };
 
-/// The arm that wears the bracelet: counter-clockwise is outwards on one and inwards on the other.
+/// The arm with the bracelet: counter-clockwise is outwards on one arm and inwards on the other.
 enum class Arm { right, left };
 
-/// What six tactors do over a time. Tracks and objects play together; where they meet on a tactor the
-/// stronger one counts. Tactor i sits at 60 i degrees, counter-clockwise is the rising order.
+/// A vibration pattern of six tactors. Tracks and objects play together; where they overlap on a tactor the
+/// stronger one counts. Tactor i is at 60 i degrees, counted counter-clockwise.
 struct Pattern {
     static constexpr double kLongest_s = 86400.0;
     static constexpr std::size_t kMostBreakpoints = 2'000'000; ///< of a track or a stroke
@@ -67,14 +67,13 @@ struct Pattern {
 [[nodiscard]] std::optional<Arm> armFrom(std::string_view text);
 [[nodiscard]] std::optional<Easing> easingFrom(std::string_view text);
 
-/// All six intensities at a time: the only source for picture, preview, simulation, file and hardware.
-/// 0 before 0, from the duration on, and at NaN. Values are 0..1 whatever the breakpoints hold.
+/// All six intensities at a time; the single source for drawing, preview, simulation, files and hardware. 0
+/// before time 0, from the duration on, and at NaN. Values are always 0..1, whatever the breakpoints contain.
 /// Takes O(log breakpoints + objects). Thread: any (pure).
 [[nodiscard]] core::Intensities evaluate(const Pattern& pattern, double t_s);
 
-/// The same values from a form made for many calls: one block of memory, and of the objects only those are
-/// looked at that may be on.
-/// Thread: any, it does not change after construction.
+/// The same values, prepared for many calls: one block of memory, and only objects that may be on are
+/// evaluated. Thread: any (immutable).
 class CompiledPattern {
 public:
     CompiledPattern() = default;
@@ -87,14 +86,14 @@ private:
     struct CompiledObject {
         ObjectForm form;
         double begin_s = 0.0;
-        double latestEnd_s = 0.0; ///< of this object and all before it
+        double latestEnd_s = 0.0; ///< latest end of this object and all before it
     };
 
     double m_duration_s = 0.0;
     std::vector<double> m_times_s; ///< of all tracks, one after another
     std::vector<Breakpoint> m_breakpoints;
     std::array<std::size_t, core::kTactors + 1> m_firstOfTrack{};
-    std::vector<CompiledObject> m_objects; ///< by their begin
+    std::vector<CompiledObject> m_objects; ///< sorted by their begin
 };
 
 } // namespace teleta::pattern

@@ -8,22 +8,22 @@
 
 namespace teleta::pattern {
 
-/// Puts stretches in which a tactor is on, in any order, together to tracks. What overlaps with an earlier
-/// stretch on its tactor becomes ramps, so that the stronger one counts and nothing is lost.
+/// Assembles tracks from pieces in which a tactor is on, given in any order. A piece that overlaps an earlier
+/// one on its tactor becomes ramps, so that the stronger one counts and nothing is lost. Thread: one.
 class TrackBuilder {
 public:
-    /// lines: straight segments, times never decrease; fewer than two are ignored.
+    /// lines: straight segments, times never decrease; fewer than two points are ignored.
     void add(std::size_t tactor, Track lines);
 
-    /// Puts tracks and ramps into a pattern and makes it long enough for them.
+    /// Puts tracks and ramps into a pattern and extends it to their length.
     void build(Pattern& pattern);
 
 private:
     std::array<std::vector<Track>, core::kTactors> m_stretches;
 };
 
-/// Stretches of a track that are on, each with its own ends: what lies between them is silent. lines:
-/// straight segments.
+/// Splits a track into the pieces that are on, each with its own end points; it is silent between them.
+/// lines: straight segments. Thread: any (pure).
 [[nodiscard]] std::vector<Track> stretches(const Track& lines);
 
 } // namespace teleta::pattern

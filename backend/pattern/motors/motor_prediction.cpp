@@ -11,7 +11,7 @@ namespace teleta::pattern {
 namespace {
 
 constexpr double kStep_s = 0.002;
-/// So many rise times are so many times ln 10 time constants: e^-46 of the past is left.
+/// After this many rise times, each ln 10 time constants, e^-46 of the past is left.
 constexpr double kForgottenRises = 20.0;
 
 MotorPrediction::Bin joined(const MotorPrediction::Bin& a, const MotorPrediction::Bin& b) {
@@ -22,7 +22,7 @@ void widen(std::optional<Span>& span, double begin_s, double end_s) {
     span = span ? Span{std::min(span->begin_s, begin_s), std::max(span->end_s, end_s)} : Span{begin_s, end_s};
 }
 
-/// From the last breakpoint that both have to the first one that they have again.
+/// From the last common breakpoint before the change to the first common one after it.
 void widenByTrack(std::optional<Span>& span, const Track& a, const Track& b, double end_s) {
     if (a == b)
         return;

@@ -11,16 +11,16 @@
 
 namespace teleta::pattern {
 
-/// Where two patterns may do something else; empty: they do the same. Names and the like do not count.
-/// Thread: any (pure).
+/// The span outside of which two patterns play the same; empty when they play the same everywhere. Names and
+/// other texts are ignored. Thread: any (pure).
 [[nodiscard]] std::optional<Span> changedSpan(const Pattern& before, const Pattern& after);
 
-/// What the motors do with a whole pattern, kept as ranges over even stretches of time, so that hours of it
-/// can be drawn. It is computed once and, after an edit, only from there until the motors have forgotten it.
-/// Thread: any, it does not change after construction.
+/// Predicted behaviour of the motors over a whole pattern, stored as ranges over equal bins of time, so that
+/// hours can be drawn. After an edit only the bins from the edit until the motors have settled again are
+/// recomputed. Thread: any (immutable).
 class MotorPrediction {
 public:
-    /// Longer patterns are not predicted as a whole.
+    /// Longer patterns are not predicted.
     static constexpr double kLongest_s = 4.0 * 3600.0;
     static constexpr double kFinestBin_s = 0.02;
     static constexpr std::size_t kMostBins = 1U << 17U;
@@ -31,15 +31,16 @@ public:
         float apart = 0.0F; ///< largest |commanded - predicted|
     };
 
-    /// Nothing when it was cancelled or the pattern is longer than kLongest_s. motors: valid().
-    /// before, with the span that changed since (changedSpan()): is used as far as it holds.
+    /// Empty when cancelled or when the pattern is longer than kLongest_s. motors: valid(). before: an
+    /// earlier prediction, with the span that has changed since (changedSpan()); its unaffected bins are
+    /// reused.
     [[nodiscard]] static std::optional<MotorPrediction>
     of(const CompiledPattern& pattern, const MotorProfiles& motors, const std::atomic<bool>& cancelled,
        const MotorPrediction* before = nullptr, const Span& changed = {});
 
-    /// Of one tactor over [begin, end]; zeros outside of the pattern.
+    /// Range of one tactor over [begin, end]; zeros outside the pattern.
     [[nodiscard]] Bin over(std::size_t tactor, double begin_s, double end_s) const;
-    /// Bins that the last computation went through; all others were taken over.
+    /// Number of bins that were computed; all others were taken from the earlier prediction.
     [[nodiscard]] std::size_t computedBins() const { return m_computed; }
     [[nodiscard]] std::size_t bins() const { return m_bins[0].size(); }
 
@@ -52,7 +53,7 @@ private:
     double m_bin_s = kFinestBin_s;
     MotorProfiles m_motors;
     std::array<std::vector<Bin>, core::kTactors> m_bins;
-    /// Joined bins: each level of kBlock of the level below.
+    /// Merged bins: each entry of a level covers kBlock of the level below.
     std::array<std::vector<std::vector<Bin>>, core::kTactors> m_levels;
     std::size_t m_computed = 0;
 };

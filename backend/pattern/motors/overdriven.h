@@ -7,13 +7,12 @@
 
 namespace teleta::pattern {
 
-/// The pattern with its motors helped up: while a motor is to speed up its intensity is 1 until its model has
-/// 90 % of the wanted speed, for no longer than Overdrive allows (MotorProfile::longestOverdrive_s). That is
-/// decided every kOverdriveStep_s, as often as frames are sent, and holds until the next; a motor that is to
-/// be off then stays off. Objects become breakpoints; where no motor needs help the pattern stays as it is.
-/// Like any pattern it is played above the safety limits, which hold. profiles: valid().
-/// Error: refused when it is longer than kLongestOverdriven_s or takes too many breakpoints.
-/// Thread: any (pure).
+/// Adds overdrive to a pattern: while a motor speeds up, its intensity is 1 until its model has reached 90 %
+/// of the desired speed, as long as Overdrive allows it (MotorProfile::longestOverdrive_s). This is decided
+/// every kOverdriveStep_s, the period of the frames sent to the bracelet; a motor that must be off stays off.
+/// Objects become breakpoints; where no motor needs overdrive the pattern is not changed. The safety limits
+/// of the player apply as to any pattern. profiles: valid(). Error: refused when the pattern is longer than
+/// kLongestOverdriven_s or needs too many breakpoints. Thread: any (pure).
 [[nodiscard]] core::Expected<Pattern> overdriven(const Pattern& pattern, const MotorProfiles& profiles);
 
 inline constexpr double kOverdriveStep_s = 0.005;

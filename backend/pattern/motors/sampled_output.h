@@ -15,29 +15,29 @@ namespace teleta::pattern {
 inline constexpr double kLowestRate_Hz = 0.001;
 inline constexpr double kHighestRate_Hz = 192'000.0;
 
-/// Rate of the samples in CSV files that are converted, and in WAV files.
+/// Default sample rates of CSV and WAV files.
 inline constexpr double kCsvRate_Hz = 200.0;
 inline constexpr double kWavRate_Hz = 8000.0;
 
-/// Samples k = 0, 1, ... at k / rate that lie in [0, duration).
+/// Number of samples k = 0, 1, ... at k / rate in [0, duration).
 [[nodiscard]] std::uint64_t samplesOf(double duration_s, double rate_Hz);
 
-/// Hands all samples to a function, in their order, until it returns false.
+/// Calls a function with all samples in order until it returns false.
 void forEachSample(const Pattern& pattern, double rate_Hz,
                    const std::function<bool(double t_s, const core::Intensities&)>& visit);
 
-/// What the samples of a CSV or WAV file are.
+/// What is sampled in a CSV or WAV file, and how often.
 struct SampleOptions {
     std::optional<double> rate_Hz;       ///< empty: kCsvRate_Hz, kWavRate_Hz
-    std::optional<MotorProfiles> motors; ///< what these are predicted to do; empty: what is commanded
+    std::optional<MotorProfiles> motors; ///< sample what these are predicted to do; empty: what is commanded
 };
 
-/// CSV time_s,t1..t6.
-/// Error: refused: a rate outside of [kLowestRate_Hz, kHighestRate_Hz], a profile that is not valid().
+/// CSV time_s,t1..t6. Writes CSV with the columns time_s,t1..t6. Error: refused: a rate outside
+/// [kLowestRate_Hz, kHighestRate_Hz], a profile that is not valid(); ioFailed. Thread: any.
 [[nodiscard]] core::Expected<void> writeCsv(const Pattern& pattern, const std::string& path,
                                             const SampleOptions& options = {});
-/// WAV with 6 channels of 16 bit (WAVE_FORMAT_EXTENSIBLE, no speakers assigned): the intensities, 1 is 32767.
-/// Error: as writeCsv(); refused: a rate that is no whole number, a file that would be longer than 4 GiB.
+/// Writes the intensities as WAV with 6 channels of 16 bits (WAVE_FORMAT_EXTENSIBLE, no speakers assigned); 1
+/// is 32767. Error: as writeCsv(); refused: a rate that is not an integer, a file of more than 4 GiB.
 [[nodiscard]] core::Expected<void> writeWav(const Pattern& pattern, const std::string& path,
                                             const SampleOptions& options = {});
 

@@ -5,7 +5,7 @@
 
 namespace teleta::vision {
 
-/// A pixel and the point of the sensor frame that it shows.
+/// A pixel and the point that it shows, in the sensor frame {s}.
 struct CalibrationPair {
     Eigen::Vector2d pixel;
     Eigen::Vector3d p_Sensor_m;

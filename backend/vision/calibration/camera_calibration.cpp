@@ -20,7 +20,7 @@ using Refused = tl::unexpected<CalibrationRefusal>;
 using Pairs = std::span<const CalibrationPair>;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// The length of a residual with normal components has the median 1.1774 and the 99.9 % quantile 3.717.
+/// Median 1.1774 and 99.9 % quantile 3.717 of the length of a residual with standard normal components.
 constexpr double kMedianOfLength = 1.1774100225154747;
 constexpr double kGate = 3.716922188849838;
 constexpr double kTukey = 4.685;
@@ -51,7 +51,8 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
-/// With few pairs fewer distortion parameters are fitted, so that four equations are left to judge the fit.
+/// With few pairs fewer distortion parameters are fitted, so that four redundant equations remain to judge
+/// the fit.
 int freeDistortion(std::size_t pairs) {
     return std::clamp(2 * static_cast<int>(pairs) - kPoseAndFocus - 4, 0, 8);
 }
@@ -67,7 +68,7 @@ double noiseOf(Pairs pairs, const CameraParameters& camera, int freeParameters) 
     return std::max(kSmallestNoise_px, std::sqrt(squares / spareEquations(pairs.size(), freeParameters)));
 }
 
-/// One fit by squares with the prior weighed by the noise that it leaves.
+/// One least squares fit, with the prior weighted by the noise that remains.
 std::optional<CameraParameters> fitSquares(const CameraParameters& start, Pairs pairs,
                                            double monotoneUpTo = 0.0) {
     RefinementSettings settings;
@@ -95,7 +96,7 @@ struct RobustFit {
     double spread_px = kInfinity; ///< median of all residuals
 };
 
-/// From a start to the camera that most pairs agree with.
+/// Converges from a start to the camera that most pairs agree with.
 std::optional<RobustFit> descend(const CameraParameters& start, Pairs pairs) {
     CameraParameters camera = start;
     camera.skew_px = 0.0;
@@ -123,7 +124,7 @@ std::optional<RobustFit> descend(const CameraParameters& start, Pairs pairs) {
     return RobustFit{camera, {}, spread_px};
 }
 
-/// Fits the pairs within the noise by squares until they stay the same.
+/// Repeats least squares over the pairs within the noise until these no longer change.
 void settle(RobustFit& fit, Pairs pairs) {
     double noise_px = std::max(kSmallestNoise_px, fit.spread_px / kMedianOfLength);
     constexpr int kMostRounds = 15;
@@ -145,11 +146,12 @@ void settle(RobustFit& fit, Pairs pairs) {
     }
 }
 
-/// A ring of right pairs that the descent has lost is taken back: from the same camera once more with a loss
-/// that reaches so far at first, when that keeps more pairs at the same noise.
+/// Recovers a ring of correct pairs that the descent has lost: fits once more from the same camera, with a
+/// loss that initially reaches further, and accepts the result if it keeps more pairs at the same noise.
 void takeBack(RobustFit& fit, Pairs pairs) {
-    constexpr double kReach = 64.0;     // deviations of the noise
-    constexpr double kLeastNear = 0.02; // of the pairs; gross outliers are anywhere, few of them so near
+    constexpr double kReach = 64.0; // in standard deviations of the noise
+    constexpr double kLeastNear =
+        0.02; // share of the pairs; gross outliers are spread everywhere, so few are this near
     constexpr double kSameNoise = 1.1;
     const auto noiseOfKept_px = [&](const RobustFit& one) {
         const std::vector<CalibrationPair> inliers = chosen(pairs, one.kept);
@@ -163,7 +165,7 @@ void takeBack(RobustFit& fit, Pairs pairs) {
     if (static_cast<double>(near) < std::max(3.0, kLeastNear * static_cast<double>(pairs.size())))
         return;
     RobustFit other = fit;
-    // A lens with a pole before the ring does not find its way back.
+    // A lens with a pole in front of the ring cannot converge back.
     other.camera.distortion = equidistantLens();
     for (double reach = kReach; reach >= 1.0; reach *= 0.5) {
         RefinementSettings settings;
@@ -196,7 +198,7 @@ tl::expected<RobustFit, CalibrationRefusal> fitRobust(Pairs pairs, const Calibra
     }
     if (!best)
         return Refused(CalibrationRefusal::noAgreement);
-    // Among fewer a wrong pair cannot be told: those that are left fit some camera by chance.
+    // With fewer pairs a wrong one cannot be recognised: the remaining ones fit some camera by chance.
     if (pairs.size() < kFewestAgreeing) {
         const std::optional<CameraParameters> all = fitSquares(best->camera, pairs);
         if (!all)
@@ -234,7 +236,7 @@ double widestRadius(Pairs pairs, const CylinderSurface& surface, const CameraPar
     return std::min(widest, CameraModel::kLargestRadius);
 }
 
-/// Makes the lens model increasing as far as the fit allows it.
+/// Makes the lens model monotone as far as the fit allows.
 std::optional<CameraParameters> unfold(const CameraParameters& camera, Pairs kept,
                                        const CylinderSurface& surface) {
     constexpr double kFieldOfView = 5.671281819617709; // tan of 80 degrees
@@ -244,7 +246,7 @@ std::optional<CameraParameters> unfold(const CameraParameters& camera, Pairs kep
     if (valid >= kFieldOfView)
         return camera;
     const double before_px = noiseOf(kept, camera, kPoseAndFocus);
-    // From a lens that does not fold: a solver does not find its way across a pole.
+    // Starts from a lens that does not fold, because the solver cannot cross a pole.
     CameraParameters start = camera;
     start.distortion = equidistantLens();
     const auto unfolded = [&](double upTo, double dearest) -> std::optional<CameraParameters> {
@@ -254,11 +256,11 @@ std::optional<CameraParameters> unfold(const CameraParameters& camera, Pairs kep
             return found;
         return std::nullopt;
     };
-    // As much as one parameter gains by noise alone with a probability of 1 %.
+    // The improvement that one parameter brings by chance with a probability of 1 %.
     constexpr double kByChance = 6.63;
     const double forNothing = std::sqrt(1.0 + kByChance / spareEquations(kept.size(), kPoseAndFocus));
     for (const double upTo : {kFieldOfView, 3.0, 2.0, 1.2 * needed}) {
-        // The last one may be wider than those before it.
+        // The last radius may be larger than the previous ones.
         if (upTo <= std::max(valid, needed))
             continue;
         if (const std::optional<CameraParameters> found = unfolded(upTo, forNothing))
@@ -268,7 +270,7 @@ std::optional<CameraParameters> unfold(const CameraParameters& camera, Pairs kep
     return valid >= needed ? std::optional(camera) : unfolded(needed, kForTheSurface);
 }
 
-/// Covariance of the fitted parameters.
+/// Computes the covariance of the fitted parameters.
 CameraCovariance covarianceOf(Pairs kept, const CameraParameters& camera, bool linear, double noise_px) {
     const int freed = linear ? 0 : freeDistortion(kept.size());
     CameraCovariance information = CameraCovariance::Zero();
@@ -297,7 +299,7 @@ CameraCovariance covarianceOf(Pairs kept, const CameraParameters& camera, bool l
             reduced(i, j) = scale[i] * information(free[i], free[j]) * scale[j];
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(reduced);
-    // Rounding hides eigenvalues that are smaller; what they belong to is at least so uncertain.
+    // Smaller eigenvalues are lost in rounding; their directions are at least this uncertain.
     const double least = 1e-15 * static_cast<double>(count);
     const Eigen::VectorXd inverse = solver.eigenvalues().cwiseMax(least).cwiseInverse();
     const Eigen::MatrixXd spread =
@@ -312,8 +314,8 @@ CameraCovariance covarianceOf(Pairs kept, const CameraParameters& camera, bool l
     return covariance;
 }
 
-/// Quadratic mean over the surface of the standard deviation by the camera alone; points that the camera
-/// cannot see count as infinitely uncertain.
+/// Root mean square over the surface of the standard deviation due to the camera alone; points that the
+/// camera cannot see count as infinitely uncertain.
 double uncertaintyOf_m(const CameraModel& model, const CylinderSurface& surface,
                        const CameraCovariance& covariance) {
     const CylinderCamera camera(model, surface, covariance, 0.0);
@@ -335,7 +337,7 @@ double uncertaintyOf_m(const CameraModel& model, const CylinderSurface& surface,
     return std::sqrt(squares / (kAround * kAlong));
 }
 
-/// How alike neighbouring residuals are.
+/// Correlation of neighbouring residuals; see Calibration::structure.
 double structureOf(Pairs pairs, const std::vector<PairResidual>& residuals) {
     double sum = 0.0;
     int count = 0;
@@ -359,7 +361,7 @@ double structureOf(Pairs pairs, const std::vector<PairResidual>& residuals) {
         sum += residuals[i].error_px->dot(*residuals[nearest].error_px) / lengths;
         ++count;
     }
-    // The cosine of independent directions in the plane has the variance 1/2; most pairs of neighbours
+    // The cosine between independent directions in the plane has the variance 1/2; most pairs of neighbours
     // are counted twice.
     return count > 0 ? sum / std::sqrt(static_cast<double>(count)) : 0.0;
 }
@@ -415,7 +417,7 @@ tl::expected<Calibration, CalibrationRefusal> conclude(Pairs pairs, const Calibr
     result.mean_error_m /= static_cast<double>(located);
     result.structure = structureOf(pairs, result.residuals);
     result.uncertainty_m = uncertaintyOf_m(*model, settings.surface, covariance);
-    // The linear rungs are there to be compared; what they leave out they show in their numbers.
+    // The linear methods exist for comparison and are not refused: their errors show what they neglect.
     const bool exact = !linear;
     if (exact && !(result.mean_error_m <= kLargestMeanError * settings.surface.radius_m))
         return Refused(CalibrationRefusal::noAgreement);
@@ -424,7 +426,7 @@ tl::expected<Calibration, CalibrationRefusal> conclude(Pairs pairs, const Calibr
     return result;
 }
 
-/// The paper's procedure: back projection onto the cylinder decides which pairs stay.
+/// The paper's procedure: the error after back projection onto the cylinder decides which pairs are kept.
 tl::expected<Calibration, CalibrationRefusal> calibrateAsPaper(Pairs pairs,
                                                                const CalibrationSettings& settings) {
     const std::optional<CameraParameters> first = directLinearCamera(pairs);
@@ -433,7 +435,7 @@ tl::expected<Calibration, CalibrationRefusal> calibrateAsPaper(Pairs pairs,
     const auto model = CameraModel::create(*first);
     if (!model)
         return Refused(CalibrationRefusal::noAgreement);
-    // A point near the end may come back a little beyond it.
+    // A point near the end may be located slightly beyond it.
     CylinderSurface longer = settings.surface;
     longer.lowest_z_m -= settings.surface.radius_m;
     longer.highest_z_m += settings.surface.radius_m;

@@ -12,41 +12,41 @@
 
 namespace teleta::vision {
 
-/// Ways to find a camera from pairs, from cheap to exact.
+/// Methods to find a camera from pairs, from cheap to exact.
 enum class CalibrationMethod {
-    dlt,          ///< direct linear transformation of all pairs: no distortion
-    paper,        ///< the paper's: DLT, drop pairs that are off by more than 2 mm on the surface, DLT again
-    leastSquares, ///< all parameters, squares of all pairs
-    robust,       ///< all parameters; wrong pairs are found and left out
+    dlt,   ///< direct linear transformation (DLT) of all pairs, without distortion
+    paper, ///< the paper's method: DLT, drop pairs that are off by more than 2 mm on the surface, DLT again
+    leastSquares, ///< all parameters, least squares over all pairs
+    robust,       ///< all parameters; wrong pairs are detected and left out
 };
 inline constexpr std::array kCalibrationMethods{CalibrationMethod::dlt, CalibrationMethod::paper,
                                                 CalibrationMethod::leastSquares, CalibrationMethod::robust};
-/// "dlt", "paper", "least_squares", "robust".
+/// Name in files and on the command line: "dlt", "paper", "least_squares", "robust".
 [[nodiscard]] const char* toString(CalibrationMethod method);
 [[nodiscard]] std::optional<CalibrationMethod> calibrationMethod(std::string_view name);
 
-/// Why pairs make no camera.
+/// Why no camera can be found from pairs.
 enum class CalibrationRefusal {
-    notFinite,      ///< a coordinate is NaN, infinite or beyond all measure
-    badSettings,    ///< the image or the surface has no extent
+    notFinite,      ///< a coordinate is NaN, infinite or implausibly large
+    badSettings,    ///< the image or the surface has zero size
     tooFewPairs,    ///< fewer than six
     repeatedPoints, ///< fewer than six different points or pixels
-    onOneLine,      ///< all points on one line of the cylinder
-    onOneRing,      ///< all points on one ring of the cylinder
-    inOnePlane,     ///< all points in a plane
-    noAgreement,    ///< no camera fits half of the pairs, or kFewestAgreeing of them
-    notDetermined,  ///< the pairs leave the camera open: kLargestUncertainty_m is exceeded
+    onOneLine,      ///< all points are on one line of the cylinder
+    onOneRing,      ///< all points are on one ring of the cylinder
+    inOnePlane,     ///< all points are in one plane
+    noAgreement,    ///< no camera fits half of the pairs or at least kFewestAgreeing of them
+    notDetermined,  ///< the pairs do not determine the camera: kLargestUncertainty_m is exceeded
     folds,          ///< the lens model folds where the pairs are
 };
 [[nodiscard]] const char* toString(CalibrationRefusal refusal);
 
-/// A camera that leaves points on the surface more uncertain than this on average is no calibration.
+/// Calibrations that locate points on the surface with a larger mean uncertainty are refused.
 inline constexpr double kLargestUncertainty_m = 0.002;
-/// Pairs that are kept and yet off by more than this share of the radius do not show a camera.
+/// Calibrations whose kept pairs are off by more than this share of the radius on average are refused.
 inline constexpr double kLargestMeanError = 0.1;
-/// With fewer pairs none is left out as wrong, and no fewer may be left.
+/// With fewer pairs none is left out as wrong, and at least this many must be kept.
 inline constexpr std::size_t kFewestAgreeing = 12;
-/// The paper keeps pairs within this distance on the surface.
+/// Distance on the surface within which the paper keeps a pair.
 inline constexpr double kPaperLimit_m = 0.002;
 
 struct CalibrationSettings {
@@ -57,43 +57,45 @@ struct CalibrationSettings {
     [[nodiscard]] bool operator==(const CalibrationSettings&) const = default;
 };
 
-/// What the camera makes of one pair.
+/// Errors of the camera for one pair.
 struct PairResidual {
     bool kept = false;
-    std::optional<Eigen::Vector2d> error_px;  ///< projected point minus pixel; empty: not before the lens
-    std::optional<Eigen::Vector3d> located_m; ///< where the pixel is on the surface; empty: no hit
-    std::optional<double> error_m;            ///< distance of that from the point
+    std::optional<Eigen::Vector2d>
+        error_px; ///< projected point minus pixel; empty: the point is not in front of the lens
+    std::optional<Eigen::Vector3d> located_m; ///< the point of the surface that the pixel shows; empty: none
+    std::optional<double> error_m;            ///< distance of located_m from the point
 };
 
-/// Not kept. Thread: any (pure).
+/// Errors of a camera for one pair, with kept = false. Thread: any (pure).
 [[nodiscard]] PairResidual residualOf(const CylinderCamera& camera, const CalibrationPair& pair);
 
 struct Calibration {
     CylinderCamera camera;
     CalibrationMethod method = CalibrationMethod::robust;
-    std::vector<PairResidual> residuals{}; ///< one a pair
+    std::vector<PairResidual> residuals{}; ///< one entry per pair
     std::size_t kept = 0;
     double rms_px = 0.0;       ///< 3D -> 2D, kept pairs
     double mean_px = 0.0;      ///< 3D -> 2D, kept pairs
     double mean_error_m = 0.0; ///< 2D -> 3D, kept pairs that hit the surface
-    /// Standard deviation of a point on the surface by the camera alone, quadratic mean over the surface.
+    /// Standard deviation of a located point due to the camera alone; root mean square over the surface.
     double uncertainty_m = 0.0;
-    /// How alike the residuals of neighbouring kept pairs are: mean cosine over its standard deviation for
-    /// independent ones. Beyond kStructured the pairs hold something that the camera model does not.
+    /// Correlation of the residuals of neighbouring kept pairs: their mean cosine divided by its standard
+    /// deviation for independent residuals. Above kStructured the pairs contain something that the camera
+    /// model does not describe.
     double structure = 0.0;
     static constexpr double kStructured = 5.0;
     [[nodiscard]] bool isStructured() const { return structure > kStructured; }
 };
 
-/// Finds camera, lens and handedness from pairs.
-/// robust: starts by radial alignment (camera_start.h) and by DLT; fits with Tukey's biweight, whose scale
-/// follows the residuals' median down; then keeps the pairs within the 99.9 % circle of the noise and fits
-/// those by squares, until the same pairs are kept; pairs near by that were lost are tried once more. The
-/// lens model is made increasing up to 80 degrees, or as far as the image reaches, when that costs the fit
-/// nothing, at least over all kept pairs. The covariance is that of the fitted parameters for the noise that
-/// the kept pairs show (with fewer spare equations it is wider). Pairs in any order give the same answer up
-/// to rounding. Thread: any (pure); some 0.1 s for 250 pairs. Source: VTacArm, sections III-B and IV-A; the
-/// erratum of eq. (3).
+/// Finds camera pose, lens and handedness from pairs. The robust method starts from radial alignment
+/// (camera_start.h) and from DLT, fits with Tukey's biweight whose scale decreases with the median residual,
+/// then alternates between keeping the pairs within the 99.9 % circle of the noise and least squares over
+/// these until the kept pairs no longer change; nearby pairs that were lost are tried once more. The lens
+/// model is made monotone up to 80 degrees, or as far as the image reaches, if this does not worsen the fit,
+/// and at least over all kept pairs. The covariance is that of the fitted parameters for the noise of the
+/// kept pairs (wider when there are few redundant equations). The order of the pairs changes the result only
+/// by rounding. Thread: any (pure); takes about 0.1 s for 250 pairs. Source: VTacArm, sections III-B and
+/// IV-A; erratum of eq. (3).
 [[nodiscard]] tl::expected<Calibration, CalibrationRefusal> calibrate(std::span<const CalibrationPair> pairs,
                                                                       const CalibrationSettings& settings,
                                                                       CalibrationMethod method);

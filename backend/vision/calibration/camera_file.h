@@ -10,9 +10,9 @@
 
 namespace teleta::vision {
 
-/// How a camera was calibrated, as its file tells.
+/// How a camera was calibrated, as stored in its file.
 struct CalibrationSummary {
-    std::string method; ///< empty: not known
+    std::string method; ///< empty: unknown
     std::size_t pairs = 0;
     std::size_t kept = 0;
     double rms_px = 0.0;
@@ -21,38 +21,38 @@ struct CalibrationSummary {
 };
 [[nodiscard]] CalibrationSummary summaryOf(const Calibration& calibration);
 
-/// What a camera file holds.
+/// Content of a camera file.
 struct CameraFile {
     CylinderCamera camera;
     CalibrationSummary summary;
     nlohmann::ordered_json others =
-        nlohmann::ordered_json::object(); ///< keys that this version does not know
+        nlohmann::ordered_json::object(); ///< unknown keys, written back unchanged
 };
 
-/// JSON document of format "teleta-camera", version 1: image size, K, R, C, mirrored, distortion, valid
-/// radius (told, not read: it follows from the distortion), cylinder, noise and covariance of the
-/// parameters, how it was calibrated, then the keys that are not known.
+/// JSON document in the format "teleta-camera", version 1: image size, K, R, C, mirrored, distortion, valid
+/// radius (written for information, not read: it follows from the distortion), cylinder, noise and covariance
+/// of the parameters, how it was calibrated, then the unknown keys.
 [[nodiscard]] nlohmann::ordered_json cameraJson(const CameraFile& file);
 
 /// Reads a camera file. file: for errors. Error: badInput with line and column: not JSON, another format or
-/// version, a key that is missing, a value out of range, parameters that make no camera.
+/// version, a missing key, a value out of range, parameters that are not a valid camera. Thread: any.
 [[nodiscard]] core::Expected<CameraFile> parseCamera(std::string text, const std::string& file);
 [[nodiscard]] core::Expected<CameraFile> readCamera(const std::string& path);
 [[nodiscard]] core::Expected<void> writeCamera(const CameraFile& camera, const std::string& path);
 
-/// Reads pairs from a CSV file with the columns u_px,v_px,x_m,y_m,z_m (and any others). Error: badInput with
-/// line and column. cancelled: looked at between rows.
+/// Reads pairs from a CSV file with the columns u_px,v_px,x_m,y_m,z_m; other columns are ignored. cancelled:
+/// polled between rows. Error: notFound, ioFailed, cancelled, badInput with line and column. Thread: any.
 [[nodiscard]] core::Expected<std::vector<CalibrationPair>> readPairs(const std::string& path,
                                                                      bool (*cancelled)() = nullptr);
-/// Writes pairs as readPairs reads them.
+/// Writes pairs as readPairs() reads them.
 [[nodiscard]] core::Expected<void> writePairs(const std::vector<CalibrationPair>& pairs,
                                               const std::string& path);
-/// Writes a row for each pair: u_px,v_px,x_m,y_m,z_m, kept (1 or 0), what the camera makes of it:
-/// du_px,dv_px (projected minus pixel), x_located_m,y_located_m,z_located_m,error_m; NA where there is none.
+/// Writes one row per pair: u_px,v_px,x_m,y_m,z_m,kept (1 or 0), then the errors of the camera: du_px,dv_px
+/// (projected minus pixel), x_located_m,y_located_m,z_located_m,error_m; NA where undefined.
 [[nodiscard]] core::Expected<void> writeResiduals(const std::vector<CalibrationPair>& pairs,
                                                   const Calibration& calibration, const std::string& path);
 
-/// A sentence for people: why pairs make no camera, and what to do about it.
+/// Error for people: why no camera can be found from so many pairs, and what to do about it. Translated.
 [[nodiscard]] core::Error describe(CalibrationRefusal refusal, std::size_t pairs);
 
 } // namespace teleta::vision

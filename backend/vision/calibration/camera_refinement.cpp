@@ -27,7 +27,7 @@ std::array<double, 8> lensBlock(const RationalDistortion& k) {
     return {k.k1, k.k2, k.k3, k.k4, k.k5, k.k6, k.p1, k.p2};
 }
 
-/// A camera as the blocks that the solver changes.
+/// A camera as parameter blocks of the solver.
 struct Blocks {
     std::array<double, 4> focus{}; ///< fx, fy, cx, cy
     Eigen::Quaterniond turn;
@@ -53,7 +53,7 @@ void assign(CameraParameters& camera, const double* focus, const double* turn, c
     camera.distortion = {lens[0], lens[1], lens[2], lens[3], lens[4], lens[5], lens[6], lens[7]};
 }
 
-/// Distance of a pixel from its projected point.
+/// Residual between a pixel and its projected point.
 class PixelError : public ceres::SizedCostFunction<2, 4, 4, 3, 8> {
 public:
     PixelError(const CalibrationPair& pair, const CameraParameters& fixed)
@@ -99,7 +99,7 @@ private:
     CameraParameters m_fixed;
 };
 
-/// How far the lens model is from increasing at one radius.
+/// Violation of monotonicity of the lens model at one radius.
 struct FoldError {
     double r;
     double weight;
@@ -120,7 +120,7 @@ struct FoldError {
             residuals[1] = T(weight);
             return true;
         }
-        // Root of a number above zero, which has a derivative where there is no decentring.
+        // Root of a positive number, so that the derivative exists without decentring, too.
         const T decentring = 6.0 * r * sqrt(k[6] * k[6] + k[7] * k[7] + 1e-16);
         const T slope = n / d + 2.0 * s * (nSlope * d - n * dSlope) / (d * d) - decentring;
         residuals[0] = T(0.0);
@@ -151,7 +151,7 @@ bool isFreeDistortion(int parameter, int freeDistortion) {
 std::optional<CameraParameters> refineCamera(const CameraParameters& start,
                                              std::span<const CalibrationPair> pairs,
                                              const RefinementSettings& settings) {
-    // A start that the solver gives up is an answer, not a message on standard error.
+    // A failed start is a valid result; the solver must not print to standard error.
     [[maybe_unused]] static const bool silenced = [] {
         FLAGS_minloglevel = google::GLOG_FATAL;
         return true;

@@ -15,7 +15,8 @@ namespace teleta::vision {
 
 namespace {
 
-/// Similarity that moves vectors to their centroid and the root of their dimension as mean distance.
+/// Similarity that moves the centroid of vectors to the origin and scales their mean distance to the root of
+/// their dimension.
 template <int Dimension>
 struct Normalisation {
     Eigen::Matrix<double, Dimension, 1> centre;
@@ -47,9 +48,9 @@ struct Normalisation {
     }
 };
 
-/// M = K R with an upper triangular K of positive diagonal, for a determinant above zero.
+/// M = K R with an upper triangular K with positive diagonal, for det M > 0.
 void decompose(const Eigen::Matrix3d& m, Eigen::Matrix3d& k, Eigen::Matrix3d& r) {
-    // Rows from below: the last one of K R is that of R.
+    // From the last row upwards: that of K R is proportional to that of R.
     r.row(2) = m.row(2).normalized();
     k.setZero();
     k(2, 2) = m.row(2).norm();
@@ -72,8 +73,8 @@ Eigen::Matrix3d orthonormal(Eigen::Matrix3d r) {
     return r;
 }
 
-/// The unit vector that the symmetric matrix shrinks most; condition: the ratio of the second least
-/// eigenvalue to the largest.
+/// Eigenvector of the least eigenvalue of a symmetric matrix; condition: ratio of the second least eigenvalue
+/// to the largest.
 Eigen::VectorXd leastEigenvector(const Eigen::MatrixXd& squares, double* condition = nullptr) {
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(squares);
     if (condition != nullptr)
@@ -101,7 +102,7 @@ public:
         }
     }
 
-    /// Least squares over the pairs of these numbers.
+    /// Least squares over the pairs with these indices.
     [[nodiscard]] Alignment fit(const std::vector<Eigen::Index>& which) const {
         Eigen::MatrixXd squares = Eigen::MatrixXd::Zero(8, 8);
         for (const Eigen::Index i : which)
@@ -115,7 +116,7 @@ public:
         return sign < 0.0 ? Alignment(-alignment) : alignment;
     }
 
-    /// Distance of a pixel from the half line on which its point lies.
+    /// Distance of a pixel from the half line on which its point is projected.
     [[nodiscard]] double distance_px(const Alignment& alignment, Eigen::Index i) const {
         const Eigen::Vector2d d = direction(alignment, i);
         const Eigen::Vector2d& m = m_pixels[static_cast<std::size_t>(i)];
@@ -139,7 +140,7 @@ private:
     std::vector<Eigen::RowVector4d> m_points;
 };
 
-/// The alignment with the most support, refined on it, and the pairs that support it.
+/// The alignment with the most support, refined on the supporting pairs, and these pairs.
 std::optional<Alignment> consensus(const AlignmentSearch& search, double tolerance_px,
                                    std::vector<Eigen::Index>& supporters) {
     constexpr int kSamples = 1000;
@@ -196,7 +197,7 @@ double medianOf(std::vector<double>& values) {
     return *middle;
 }
 
-/// The depth and focal length with which distances from the middle of the image fit best to one kind of lens.
+/// Depth and focal length that best fit the distances from the middle of the image for one kind of lens.
 Candidate searchDepth(std::span<const CalibrationPair> pairs, const std::vector<Eigen::Index>& which,
                       const Eigen::Matrix3d& r, const Eigen::Vector2d& shift, bool equidistant,
                       const Eigen::Vector2d& middle_px) {
@@ -221,7 +222,7 @@ Candidate searchDepth(std::span<const CalibrationPair> pairs, const std::vector<
     std::vector<double> focal(turned.size());
     std::vector<double> errors(turned.size());
     for (int step = 0; step < kDepths; ++step) {
-        // The nearest point is between 1/30 and 30 times the extent of the points away.
+        // The nearest point is assumed at 1/30 to 30 times the extent of the points.
         const double shift_z = extent * std::pow(30.0, 2.0 * step / (kDepths - 1.0) - 1.0) - lowest;
         std::vector<double> seen(turned.size());
         for (std::size_t i = 0; i < turned.size(); ++i) {
@@ -314,7 +315,7 @@ std::vector<CameraParameters> alignedCameras(std::span<const CalibrationPair> pa
         return {};
     const Eigen::Vector2d middle_px(0.5 * (width_px - 1), 0.5 * (height_px - 1));
     const AlignmentSearch search(pairs, middle_px);
-    // The principal point is off the middle by as much, which moves the pixels off their half lines.
+    // The principal point may be this far from the middle, which moves the pixels off their half lines.
     const double tolerance_px = 0.015 * std::max(width_px, height_px);
     std::vector<Eigen::Index> supporters;
     const std::optional<Alignment> alignment = consensus(search, tolerance_px, supporters);
@@ -356,7 +357,7 @@ std::vector<CameraParameters> alignedCameras(std::span<const CalibrationPair> pa
     std::sort(candidates.begin(), candidates.end(),
               [](const Candidate& a, const Candidate& b) { return a.error_px < b.error_px; });
     std::vector<CameraParameters> cameras;
-    // The wrong handedness is off by a hundred pixels.
+    // With the wrong handedness the error is about a hundred pixels.
     constexpr double kHopeless = 5.0;
     for (const Candidate& candidate : candidates) {
         if (candidate.error_px <= kHopeless * candidates.front().error_px)

@@ -10,7 +10,7 @@ namespace teleta::vision {
 
 namespace {
 
-/// Pixels and metres beyond this are no coordinates.
+/// Larger pixels and metres are not plausible coordinates.
 constexpr double kFarthest = 1e9;
 constexpr std::size_t kFewest = 6;
 
@@ -49,7 +49,7 @@ std::optional<CalibrationRefusal> degeneracy(std::span<const CalibrationPair> pa
         scatter += (p - middle) * (p - middle).transpose();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
     const Eigen::Vector3d extents = solver.eigenvalues().cwiseMax(0.0).cwiseSqrt();
-    constexpr double kFlat = 1e-6; // eigenvalues are known to a relative 1e-16, their roots to 1e-8
+    constexpr double kFlat = 1e-6; // eigenvalues have a relative accuracy of 1e-16, their roots of 1e-8
     if (extents[1] <= kFlat * extents[2])
         return CalibrationRefusal::onOneLine;
     if (extents[0] <= kFlat * extents[2]) {

@@ -5,7 +5,7 @@
 
 namespace teleta::vision {
 
-/// What is wrong with pairs before anything is fitted; empty: nothing.
+/// Checks pairs before fitting; empty when they can determine a camera. Thread: any (pure).
 [[nodiscard]] std::optional<CalibrationRefusal> degeneracy(std::span<const CalibrationPair> pairs);
 
 } // namespace teleta::vision

@@ -12,9 +12,9 @@ namespace teleta::vision {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-/// Pixels and metres beyond this are refused like NaN, so that no square overflows.
+/// Larger pixels and metres are refused like NaN, so that no square overflows.
 constexpr double kBeyondMeasure = 1e100;
-/// The edge of the valid circle belongs to it, however the radius was rounded.
+/// Tolerance that includes the edge of the valid circle despite rounding.
 constexpr double kEdge = 1.0 + 1e-12;
 
 template <typename Vector>
@@ -95,7 +95,7 @@ CameraModel::project(const Eigen::Vector3d& p_Sensor_m) const {
     const Eigen::Vector3d p_Camera_m = m_linear * (p_Sensor_m - centre_m());
     if (!(p_Camera_m.z() > 0.0))
         return tl::unexpected(ProjectionFailure::behindCamera);
-    // Multiplied, not divided: the quotient of a point beside the camera overflows.
+    // Multiplied instead of divided: for a point beside the camera the quotient would overflow.
     if (!(p_Camera_m.head<2>().norm() <= kEdge * m_validRadius * p_Camera_m.z()))
         return tl::unexpected(ProjectionFailure::outsideValidRadius);
     return toPixel(m_parameters.distortion.apply(p_Camera_m.head<2>() / p_Camera_m.z()));
@@ -144,8 +144,7 @@ tl::expected<Projection, ProjectionFailure> projectFreely(const CameraParameters
     return result;
 }
 
-/// Radius before the lens of a radius behind it, of the radial part alone; the valid radius when it is
-/// farther out.
+/// Inverts the radial part: undistorted radius of a distorted one, at most the valid radius.
 double CameraModel::radiusOf(double distorted) const {
     const RationalDistortion& lens = m_parameters.distortion;
     double low = 0.0;
@@ -194,7 +193,7 @@ tl::expected<Eigen::Vector2d, ProjectionFailure> CameraModel::undistort(const Ei
         const Eigen::Vector2d step = lens.slope(point).inverse() * (target - lens.apply(point));
         const double length = step.norm();
         if (length == 0.0)
-            break; // what is left is the rounding of pixels
+            break; // the rest is rounding of the pixels
         double share = std::min(1.0, 0.5 * (1.0 + point.norm()) / length);
         bool better = false;
         for (int halving = 0; halving < kMostHalvings && !better; ++halving, share *= 0.5) {

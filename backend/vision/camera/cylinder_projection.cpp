@@ -11,8 +11,8 @@ namespace teleta::vision {
 
 namespace {
 
-/// Squared sine of the angle to the axis, or to a tangent plane, below which rounding decides where the ray
-/// meets the surface.
+/// Squared sine of the angle to the axis, or to a tangent plane, below which the intersection is determined
+/// by rounding.
 constexpr double kParallel = 1e-24;
 
 NoHit noHit(ProjectionFailure failure) {
@@ -67,7 +67,7 @@ tl::expected<double, NoHit> distanceToSurface_m(const CylinderSurface& surface,
         return tl::unexpected(NoHit::alongAxis);
     const double across = o.x() * d.y() - o.y() * d.x();
     const double reach = std::sqrt(a) * surface.radius_m;
-    // A ray that is tangent up to rounding has no stable point.
+    // A ray that is tangent up to rounding has no stable intersection.
     constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon();
     if (!(reach - std::abs(across) > kRounding * (reach + std::sqrt(a) * o.norm())))
         return tl::unexpected(NoHit::tangent);
@@ -137,7 +137,7 @@ CylinderCamera::covariance_m2(const Eigen::Vector3d& p_Sensor_m) const {
     const auto projection = m_camera.projectWithDerivatives(p_Sensor_m);
     if (!projection)
         return tl::unexpected(projection.error());
-    // On the surface a point moves around and along the axis only.
+    // A point of the surface can move only around and along the axis.
     Eigen::Matrix<double, 3, 2> tangents;
     tangents.col(0) = Eigen::Vector3d(-p_Sensor_m.y(), p_Sensor_m.x(), 0.0).normalized();
     tangents.col(1) = Eigen::Vector3d::UnitZ();

@@ -5,11 +5,11 @@
 
 namespace teleta::vision {
 
-/// The camera as the arm is designed, before any calibration: on the axis 20 mm before the sensor frame,
-/// looking along it through a lens that is equidistant near its axis (Padé approximant of the arctangent) and
-/// shows 146 degrees over the width of the image, y flipped. With it contacts can be found in the image while
-/// their true places are still to be learnt.
-/// width_px, height_px: > 0. Source: VTacArm, section III-A and III-B.
+/// The camera as designed, before any calibration: on the axis, 20 mm in front of the sensor frame and
+/// looking along it, with a lens that is equidistant near its axis (Padé approximant of the arctangent) and
+/// covers 146 degrees over the width of the image, y flipped. It is good enough to find contacts in the image
+/// during calibration. width_px, height_px: > 0. Thread: any (pure). Source: VTacArm, sections III-A and
+/// III-B.
 [[nodiscard]] CylinderCamera nominalCamera(int width_px, int height_px, const CylinderSurface& surface = {});
 
 } // namespace teleta::vision

@@ -9,7 +9,7 @@ namespace teleta::vision {
 
 namespace {
 
-/// Coefficients by rising power.
+/// Coefficients in order of rising power.
 using Polynomial = std::vector<double>;
 
 Polynomial product(const Polynomial& a, const Polynomial& b) {
@@ -30,8 +30,8 @@ Polynomial sum(const Polynomial& a, const Polynomial& b, double factorOfB = 1.0)
     return result;
 }
 
-/// The polynomial of r on 0..upTo in Bernstein's basis, in which a positive polynomial is recognised by
-/// positive coefficients.
+/// The polynomial of r on 0..upTo in the Bernstein basis, where positive coefficients prove that it is
+/// positive.
 Polynomial bernstein(const Polynomial& a, double upTo) {
     const std::size_t n = a.size() - 1;
     Polynomial scaled(a);
@@ -54,8 +54,8 @@ Polynomial bernstein(const Polynomial& a, double upTo) {
 
 constexpr int kDeepestDivision = 50;
 
-/// Where the polynomial may first stop to be positive, as a share of its interval; 1 when it is positive
-/// all over.
+/// Where the polynomial may first cease to be positive, as a share of its interval; 1 when it is positive
+/// everywhere.
 double positiveShare(Polynomial coefficients, int depth = 0) {
     const double least = *std::min_element(coefficients.begin(), coefficients.end());
     if (least > 0.0)
@@ -139,11 +139,11 @@ double monotoneRadius(const RationalDistortion& distortion, double upTo) {
     const auto& [k1, k2, k3, k4, k5, k6, p1, p2] = distortion;
     const Polynomial n{1.0, 0.0, k1, 0.0, k2, 0.0, k3};
     const Polynomial d{1.0, 0.0, k4, 0.0, k5, 0.0, k6};
-    // r times the derivatives by r.
+    // r times the derivatives with respect to r.
     const Polynomial nSlope{0.0, 0.0, 2.0 * k1, 0.0, 4.0 * k2, 0.0, 6.0 * k3};
     const Polynomial dSlope{0.0, 0.0, 2.0 * k4, 0.0, 4.0 * k5, 0.0, 6.0 * k6};
     const Polynomial nd = product(n, d);
-    // The decentring part's derivative is symmetric with eigenvalues of at most six times |p| r.
+    // The derivative of the decentring part is symmetric with eigenvalues of at most 6 |p| r.
     const Polynomial asked = product({kLeastSlope, 6.0 * std::hypot(p1, p2)}, product(d, d));
     const Polynomial across = sum(nd, asked, -1.0);
     const Polynomial along = sum(sum(across, product(nSlope, d)), product(n, dSlope), -1.0);

@@ -5,11 +5,11 @@
 
 namespace teleta::vision {
 
-/// Rational lens distortion with eight parameters, on the plane at unit distance before the camera:
+/// Rational lens distortion with eight parameters, on the plane at unit distance in front of the camera:
 ///   s = x^2 + y^2,  q = (1 + k1 s + k2 s^2 + k3 s^3) / (1 + k4 s + k5 s^2 + k6 s^3)
 ///   x'' = q x + 2 p1 x y + p2 (s + 2 x^2),  y'' = q y + p1 (s + 2 y^2) + 2 p2 x y
-/// All zero: no distortion. Source: VTacArm, eq. (5); the same as OpenCV's rational model, whose order of
-/// parameters is k1, k2, p1, p2, k3, k4, k5, k6.
+/// All zero: no distortion. Source: VTacArm, eq. (5). Same as OpenCV's rational model, whose order is k1, k2,
+/// p1, p2, k3, k4, k5, k6.
 struct RationalDistortion {
     double k1 = 0.0;
     double k2 = 0.0;
@@ -22,13 +22,13 @@ struct RationalDistortion {
 
     [[nodiscard]] double numerator(double s) const { return 1.0 + s * (k1 + s * (k2 + s * k3)); }
     [[nodiscard]] double denominator(double s) const { return 1.0 + s * (k4 + s * (k5 + s * k6)); }
-    /// Distance from the axis after the radial part. r: tangent of the angle to the axis, >= 0.
+    /// Distance from the axis after radial distortion. r: tangent of the angle to the axis, >= 0.
     [[nodiscard]] double radial(double r) const { return r * numerator(r * r) / denominator(r * r); }
     /// Derivative of radial().
     [[nodiscard]] double radialSlope(double r) const;
 
     [[nodiscard]] Eigen::Vector2d apply(const Eigen::Vector2d& point) const;
-    /// Derivative of apply() by the point, which is a symmetric matrix.
+    /// Derivative of apply() by the point; a symmetric matrix.
     [[nodiscard]] Eigen::Matrix2d slope(const Eigen::Vector2d& point) const;
     /// Derivative of apply() by k1, k2, k3, k4, k5, k6, p1, p2.
     [[nodiscard]] Eigen::Matrix<double, 2, 8> byParameters(const Eigen::Vector2d& point) const;
@@ -36,14 +36,15 @@ struct RationalDistortion {
     [[nodiscard]] bool isFinite() const;
 };
 
-/// Largest r <= upTo for which the distortion certainly does not fold anywhere within the circle of radius r:
-/// its derivative is positive definite there, with eigenvalues of at least kLeastSlope, so that no two points
-/// of the circle come to the same place. Without decentring (p1, p2) that is exactly where the radial
-/// map is increasing; with it the bound is somewhat smaller than need be. upTo: > 0. 0 when a parameter
-/// is not finite. Thread: any (pure).
+/// Largest r <= upTo for which the distortion provably does not fold within the circle of radius r: its
+/// derivative is positive definite there, with eigenvalues of at least kLeastSlope, so that no two points of
+/// the circle have the same image. Without decentring (p1, p2) this is exactly where the radial map
+/// increases; with decentring the bound is slightly conservative. upTo: > 0. 0 when a parameter is not
+/// finite. Thread: any (pure).
 [[nodiscard]] double monotoneRadius(const RationalDistortion& distortion, double upTo);
 
-/// The radial map of a lens of 160 degrees is steeper than 0.01 everywhere.
+/// Least slope of a lens that does not fold. The radial map of a lens of 160 degrees is steeper than 0.01
+/// everywhere.
 inline constexpr double kLeastSlope = 1e-4;
 
 } // namespace teleta::vision

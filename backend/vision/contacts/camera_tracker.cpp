@@ -63,7 +63,7 @@ core::Expected<void> CameraTracker::changeFinder(std::unique_ptr<ContactFinder> 
     }
     m_finder = std::move(finder);
     if (m_hasReference)
-        m_finder->forget(); // it has not seen the frames since the reference
+        m_finder->forget(); // it has not seen the frames since the reference was taken
     return {};
 }
 

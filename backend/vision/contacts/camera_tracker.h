@@ -14,40 +14,40 @@
 
 namespace teleta::vision {
 
-/// From frames to followed contacts and bumps. The first frame is the reference. A frame that cannot be used
-/// (none, wrong size, the skin not to be seen) is counted; contacts then stay as they were for a while.
-/// Thread: one.
+/// Turns frames into tracked contacts and bumps. The first frame is the reference. Unusable frames (empty,
+/// wrong size, skin not visible) are counted; the contacts are then kept for a while. Thread: one.
 class CameraTracker {
 public:
     struct Settings {
         ContactIdentities::Settings identities;
         BumpDetector::Settings bump;
-        double longestGap_s = 0.5; ///< after a longer gap all contacts are new
+        double longestGap_s = 0.5; ///< after a longer gap all contacts count as new
     };
     CameraTracker(std::unique_ptr<ContactFinder> finder, const Settings& settings);
 
-    /// Takes the next frame; time_s: of its capture, rising. frame: may be empty. Returns the contacts that
-    /// are there or end with this frame. Error: that of the finder when the first frame is no reference; the
+    /// Processes the next frame; it may be empty. time_s: time of capture, rising. Returns the contacts that
+    /// exist or end in this frame. Error: that of the finder when the first frame cannot be a reference; the
     /// tracker then waits for another one.
     [[nodiscard]] core::Expected<std::vector<FollowedContact>> next(const cv::Mat1b& frame, double time_s);
-    /// The next frame is a new reference.
+    /// Makes the next frame a new reference.
     void renewReference();
-    /// The stream has jumped: all contacts of the next frame are new, the reference stays.
+    /// To be called when the stream has jumped: all contacts of the next frame are new; the reference is
+    /// kept.
     void forget();
-    /// Goes on with another finder, which takes over the reference unless it has taken it already; contacts
-    /// keep their identities. Error: that of the finder; the former one then stays. finder: not null, for
-    /// images of the same size. taken: the frame that the finder has as its reference, from reference().
+    /// Replaces the finder. It takes over the reference unless it already has it; contacts keep their
+    /// identities. finder: not null, for images of the same size. taken: the frame from reference() that the
+    /// finder already has as its reference. Error: that of the new finder; the old one is then kept.
     [[nodiscard]] core::Expected<void> changeFinder(std::unique_ptr<ContactFinder> finder,
                                                     const cv::Mat1b& taken = {});
 
     [[nodiscard]] bool hasReference() const { return m_hasReference; }
-    /// The frame that is the reference; empty without one. Nobody writes to its pixels.
+    /// The reference frame, or empty. Its pixels must not be changed.
     [[nodiscard]] cv::Mat1b reference() const { return m_hasReference ? m_reference : cv::Mat1b(); }
-    /// The bump of the newest frame.
+    /// The bump detected in the newest frame.
     [[nodiscard]] const std::optional<BumpDetector::Bump>& bump() const { return m_bump; }
     [[nodiscard]] std::uint64_t frames() const { return m_frames; }
     [[nodiscard]] std::uint64_t unusableFrames() const { return m_unusable; }
-    /// Why the newest unusable frame was that; empty without any.
+    /// Why the newest unusable frame was unusable; empty if there was none.
     [[nodiscard]] const std::string& whyUnusable() const { return m_whyUnusable; }
     [[nodiscard]] const ContactFinder& finder() const { return *m_finder; }
 

@@ -11,9 +11,8 @@
 
 namespace teleta::vision {
 
-/// Sees when something bumps against the skin: a contact that deepens faster than a threshold, beyond what
-/// the noise of its depth could make of it, or is deeper than another. Thread: one. Source: VTacArm, section
-/// IV-C.
+/// Detects bumps against the skin: contacts that certainly deepen faster than one threshold (beyond the noise
+/// of their depth), or are deeper than another one. Thread: one. Source: VTacArm, section IV-C.
 class BumpDetector {
 public:
     struct Settings {
@@ -21,24 +20,23 @@ public:
         double depth_m = 0.0015;   ///< > 0
     };
     struct Bump {
-        int contact = 0;                                   ///< its identity
-        Eigen::Vector3d retreat = Eigen::Vector3d::Zero(); ///< unit vector through the axis, frame {s}
+        int contact = 0;                                   ///< identity of the contact
+        Eigen::Vector3d retreat = Eigen::Vector3d::Zero(); ///< unit vector towards the axis, in {s}
     };
     BumpDetector() = default;
     explicit BumpDetector(const Settings& settings)
         : m_settings(settings) {}
 
-    /// The bump of the newest frame; one a contact. The deepest when there are several.
+    /// The bump in the newest frame, or the deepest of several; each contact bumps at most once.
     [[nodiscard]] std::optional<Bump> update(std::span<const FollowedContact> contacts);
 
 private:
     Settings m_settings;
-    std::vector<int> m_bumped; ///< contacts that are still there and have bumped
+    std::vector<int> m_bumped; ///< identities of the present contacts that have bumped
 };
 
-/// How a contact has moved on the tube since its start: the turn about the axis and the way along it that
-/// bring the tube after it. Both components of a mixed motion. Thread: any (pure). Source: VTacArm, section
-/// IV-C.
+/// Motion of the tube that follows a contact: the turn about the axis and the displacement along it since the
+/// start of the contact. Thread: any (pure). Source: VTacArm, section IV-C.
 struct FollowMotion {
     double turn_rad = 0.0;
     double along_m = 0.0;

@@ -9,14 +9,14 @@
 
 namespace teleta::vision {
 
-/// Columns of tracked contacts in files.
+/// Columns of tracked contacts in CSV files.
 inline constexpr std::array<std::string_view, 13> kContactColumns{
     "frame", "time_s", "contact_id", "u_px", "v_px",    "x_m",  "y_m",
     "z_m",   "dx_m",   "dy_m",       "dz_m", "area_px", "event"};
 
-/// Writes one contact of a frame. Rows: a writer with number, integer, text and endRow. bumped: identity of
-/// the contact that bumps in this frame, 0 without. Event: begin, bump (also in the frame in which it
-/// begins), end (with the place where it was last seen), otherwise not available.
+/// Writes one contact of a frame. Rows: a type with the members of core::CsvWriter. bumped: identity of the
+/// contact that bumps in this frame, or 0. Column event: "begin", "bump" (also in the frame in which it
+/// begins), "end" (with the place where it was last seen), otherwise NA.
 template <typename Rows>
 void writeContact(Rows& rows, long long frame, double time_s, const FollowedContact& followed, int bumped) {
     const CameraContact& contact = followed.contact;

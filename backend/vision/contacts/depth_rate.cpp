@@ -57,7 +57,8 @@ DepthRate::Slope DepthRate::slope(std::size_t sightings) const {
 double DepthRate::atLeast_mPerS() const {
     std::optional<double> best_mPerS;
     for (std::size_t count = 2; count <= m_sightings.size(); ++count) {
-        // One place that was seen wrong is no noise: of two frames of a fast camera it makes any speed.
+        // A place that was measured wrongly once is not noise: over two frames of a fast camera it would give
+        // any speed.
         const double span_s =
             m_sightings.back().time_s - (m_sightings.end() - static_cast<std::ptrdiff_t>(count))->time_s;
         if (span_s < kShortest_s)

@@ -59,7 +59,7 @@ double PairCollector::progress() const {
         return 1.0;
     if (m_touch.empty())
         return 0.0;
-    // A frame's time may be rounded.
+    // The time of a frame may be rounded.
     return std::min(1.0, (m_touch.back().time_s - m_touch.front().time_s) / m_settings.steady_s + 1e-9);
 }
 

@@ -18,33 +18,33 @@
 
 namespace teleta::vision {
 
-/// Watches a camera that is not calibrated yet while a probe touches the skin hole by hole: contacts are
-/// found with the camera as the arm is designed, one pixel a steady touch. Thread: one. Source: VTacArm,
-/// section III-B.
+/// Watches an uncalibrated camera while a probe touches the skin hole by hole, and gives one pixel per steady
+/// touch. Contacts are found with nominalCamera(). Thread: one. Source: VTacArm, section III-B.
 class ProbeWatcher {
 public:
-    /// settings: of the image and the cylinder. stop: ends the work on the lens in setReference().
-    /// Error: refused when no contacts can be found in images of this size.
+    /// settings: size of the image and the cylinder. stop: cancels the inversion of the lens in
+    /// setReference(). Error: refused when contacts cannot be found in images of this size.
     [[nodiscard]] static core::Expected<std::unique_ptr<ProbeWatcher>>
     make(const CalibrationSettings& settings, const std::stop_token& stop = {});
 
-    /// A frame in which nothing touches the skin. Error: it shows no dots; the former one is lost.
+    /// Sets the frame in which nothing touches the skin. Error: it shows no dots; the previous reference is
+    /// then lost.
     [[nodiscard]] core::Expected<void> setReference(const cv::Mat1b& frame);
     [[nodiscard]] bool hasReference() const { return m_hasReference; }
-    /// The pixel in the frame in which it is taken. time_s: of its capture, rising. A frame that cannot be
-    /// used is counted, and what was steady until then does not count.
+    /// Processes the next frame. time_s: time of capture, rising. Returns the pixel in the frame in which it
+    /// is taken. An unusable frame is counted, and the contact must be steady anew.
     [[nodiscard]] std::optional<Eigen::Vector2d> next(const cv::Mat1b& frame, double time_s);
-    /// The stream has jumped, or frames were lost.
+    /// To be called when the stream has jumped or frames were lost.
     void skip() { m_collector.skip(); }
-    /// A touch that goes on now does not count: the probe has to be lifted first.
+    /// The current touch does not count; the probe has to be lifted first.
     void awaitLift() { m_collector.awaitLift(); }
 
-    /// Of the newest frame.
+    /// Contacts in the newest frame.
     [[nodiscard]] const std::vector<CameraContact>& contacts() const { return m_contacts; }
     [[nodiscard]] PairCollector::Phase phase() const { return m_collector.phase(); }
     [[nodiscard]] double progress() const { return m_collector.progress(); }
     [[nodiscard]] std::uint64_t unusable() const { return m_unusable; }
-    /// Why the newest frame could not be used; translated; empty when it could.
+    /// Why the newest frame was unusable, translated; empty if it was usable.
     [[nodiscard]] const std::string& problem() const { return m_problem; }
 
 private:

@@ -13,12 +13,12 @@
 
 namespace teleta::vision {
 
-/// What a frame's time goes into.
+/// Stages of processing a frame, for timing.
 enum class FinderStage { prepare, displacement, segment, locate };
 inline constexpr std::size_t kFinderStages = 4;
 
-/// Finds contacts in a frame by how the pattern on the skin has moved since the reference. What the rungs of
-/// the ladder have in common; see contact_ladder.h. Thread: one.
+/// Finds contacts in a frame from the displacement of the pattern on the skin since the reference. Common
+/// interface of the methods in contact_ladder.h. Thread: one.
 class ContactFinder {
 public:
     virtual ~ContactFinder() = default;
@@ -26,32 +26,31 @@ public:
     ContactFinder(const ContactFinder&) = delete;
     ContactFinder& operator=(const ContactFinder&) = delete;
 
-    /// Takes the frame in which nothing touches the skin.
-    /// Error: refused (wrong size, no pattern to be seen, no memory), cancelled by the token that it was made
-    /// with.
+    /// Sets the reference frame, in which nothing touches the skin. Error: refused (wrong size, no visible
+    /// pattern, no memory); cancelled by the stop token of the constructor.
     [[nodiscard]] core::Expected<void> setReference(const cv::Mat1b& frame);
 
-    /// Contacts of a frame, the strongest first. Before a reference was set: refused. frame: as large as the
-    /// camera's image, otherwise refused, as when there is no memory.
+    /// Finds the contacts in a frame, the strongest first. Error: refused: there is no reference, the frame
+    /// does not have the size of the camera's image, or there is no memory.
     [[nodiscard]] core::Expected<std::vector<CameraContact>> find(const cv::Mat1b& frame);
 
-    /// The stream has jumped: nothing of the frames before may help. Contacts of the next frame do not know
-    /// how much they have deepened.
+    /// To be called when the stream has jumped: forgets earlier frames. CameraContact::deepened_m is unknown
+    /// in the next frame.
     virtual void forget() {}
 
-    /// Time of each stage in the newest frame.
+    /// Computing time of each stage for the newest frame.
     [[nodiscard]] const std::array<std::int64_t, kFinderStages>& stageTimes_ns() const { return m_stage_ns; }
 
-    /// What moved in the newest frame, for views: pixels at rest and their displacement.
+    /// A displacement in the newest frame, for views: pixel at rest and how far it moved.
     struct Arrow {
         cv::Point2f at_px;
         cv::Point2f moved_px;
     };
-    /// About so many of them, evenly over the skin.
+    /// About this many displacements, evenly spread over the skin.
     [[nodiscard]] virtual std::vector<Arrow> arrows(std::size_t about) const = 0;
 
 protected:
-    /// setReference() and find(); what OpenCV throws in them becomes an error.
+    /// Implement setReference() and find(), which convert exceptions of OpenCV to errors.
     [[nodiscard]] virtual core::Expected<void> takeReference(const cv::Mat1b& frame) = 0;
     [[nodiscard]] virtual core::Expected<std::vector<CameraContact>> findIn(const cv::Mat1b& frame) = 0;
 

@@ -12,41 +12,43 @@
 
 namespace teleta::vision {
 
-/// How the displacement of the skin's pattern is found.
+/// How the displacement of the pattern on the skin is measured.
 enum class FlowMethod {
-    dots,         ///< the printed dots alone, in the full image
-    disUltrafast, ///< dense inverse search, OpenCV's presets
+    dots,         ///< the printed dots only, in the full image
+    disUltrafast, ///< dense inverse search with OpenCV's presets
     disFast,
     disMedium,
 };
 
-/// One way to find contacts: more exact ones take more time.
+/// One method ("rung") to find contacts; more accurate ones take more time.
 struct ContactRung {
     std::string_view name;
     FlowMethod method = FlowMethod::dots;
-    double scale = 1.0;       ///< of the image that the flow is found in
-    bool paper = false;       ///< the paper's: 512 x 288, threshold in pixels, mean of the patch in the image
-    bool changedOnly = false; ///< flow only around what differs from the reference
-    bool warmStart = false;   ///< from the flow of the frame before
+    double scale = 1.0; ///< scale of the image in which the flow is computed
+    bool paper =
+        false; ///< the paper's method: 512 x 288, threshold in pixels, mean of the patch in the image
+    bool changedOnly = false; ///< compute the flow only where the image differs from the reference
+    bool warmStart = false;   ///< start from the flow of the previous frame
 };
 
-/// All rungs; the first is the default.
+/// All methods; the first is the default.
 [[nodiscard]] std::span<const ContactRung> contactLadder();
 
-/// Null for an unknown name.
+/// The method with this name, or null.
 [[nodiscard]] const ContactRung* contactRung(std::string_view name);
 
-/// What of the skin counts as touched. Lengths on the skin, at any distance from the lens.
+/// What counts as a contact. Lengths are on the skin, at any distance from the lens.
 struct ContactSettings {
-    double threshold_m = 0.00012; ///< of the displacement; > 0
-    double prominence = 0.4; ///< two summits are two contacts when the lower one rises by so much of itself
-    double dotDiameter_m = 0.0015;  ///< about; > 0
-    double paperThreshold_px = 0.3; ///< of the paper's rung, in its small image
+    double threshold_m = 0.00012; ///< least displacement; > 0
+    double prominence = 0.4; ///< two summits are two contacts when the lower one rises above its saddle by
+                             ///< this share of itself
+    double dotDiameter_m = 0.0015;  ///< approximate; > 0
+    double paperThreshold_px = 0.3; ///< of the paper's method, in its small image
 };
 
-/// stop: ends the making and the first setReference() before the lens was inverted for each pixel.
-/// Error: refused when the camera's image is too small for the rung or too large for the memory, or shows
-/// none of the skin; cancelled.
+/// Creates a contact finder. stop: cancels the creation and the first setReference(), which invert the lens
+/// for each pixel. Error: refused when the image of the camera is too small for the method, too large for the
+/// memory, or does not show the skin; cancelled. Thread: any.
 [[nodiscard]] core::Expected<std::unique_ptr<ContactFinder>>
 makeContactFinder(const ContactRung& rung, const CylinderCamera& camera, const ContactSettings& settings = {},
                   std::stop_token stop = {});

@@ -13,18 +13,18 @@
 
 namespace teleta::vision {
 
-/// Contacts from the displacements of the printed dots. The reference is unrolled to find the dots, which
-/// then are tracked in the image itself. Thread: one.
+/// Finds contacts from the displacements of the printed dots. The reference is unrolled to find the dots,
+/// which are then tracked in the image itself. Thread: one.
 class DotContactFinder : public ContactFinder {
 public:
-    /// stop: ends the work on the lens in the first setReference().
+    /// stop: cancels the inversion of the lens in the first setReference().
     DotContactFinder(const CylinderCamera& camera, const ContactSettings& settings,
                      std::stop_token stop = {});
 
     void forget() override;
     [[nodiscard]] std::vector<Arrow> arrows(std::size_t about) const override;
 
-    /// Dots that were found in the newest frame.
+    /// Number of dots found in the newest frame.
     [[nodiscard]] std::size_t dotsFound() const { return m_found; }
     [[nodiscard]] const std::optional<DotTracker>& tracker() const { return m_tracker; }
 
@@ -36,15 +36,15 @@ private:
         cv::Mat2f toImage;
         cv::Mat1b mask;
         double step_m = 0.0;
-        int wrap = 0; ///< columns that are repeated on each side
+        int wrap = 0; ///< columns repeated on each side
     };
     [[nodiscard]] Unrolled unrolled() const;
     [[nodiscard]] cv::Mat1b skinMask() const;
-    /// What depends on the camera alone, once: the lens is inverted for each pixel. False when it was
+    /// Computes once what depends on the camera only: the lens is inverted for each pixel. Returns false when
     /// stopped.
     [[nodiscard]] bool prepareMaps();
-    /// Without dots of neighbouring rings that the image cannot tell apart, as at the far end of few pixels:
-    /// there noise alone would look like a contact.
+    /// Removes dots of neighbouring rings that the image cannot resolve, such as those at the far end of a
+    /// small image, where noise alone would look like a contact.
     void dropUnresolved(std::vector<TrackedDot>& dots, std::vector<SkinSample>& samples) const;
     void findNeighbours(const std::vector<SkinSample>& samples);
     [[nodiscard]] CameraContact contactOf(const SkinPatch& patch) const;
@@ -58,12 +58,12 @@ private:
     Unrolled m_unrolled;
     cv::Mat1b m_skinMask;
     std::optional<DotTracker> m_tracker;
-    std::vector<SkinSample> m_samples; ///< of each dot
+    std::vector<SkinSample> m_samples; ///< one per dot
     std::vector<SkinNode> m_nodes;
     std::vector<std::vector<std::size_t>> m_neighbours;
-    double m_pitch_m = 0.0; ///< median distance of the nearest dot
+    double m_pitch_m = 0.0; ///< median distance to the nearest dot
     std::size_t m_found = 0;
-    bool m_beforeKnown = false; ///< m_nodes are those of the frame before
+    bool m_beforeKnown = false; ///< m_nodes are those of the previous frame
 };
 
 } // namespace teleta::vision

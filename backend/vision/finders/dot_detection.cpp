@@ -14,7 +14,7 @@ int odd(double size) {
     return 2 * std::max(1, static_cast<int>(std::lround(0.5 * size))) + 1;
 }
 
-/// Vertex of the parabola through three neighbours, -0.5 .. 0.5.
+/// Vertex of the parabola through three neighbouring values, -0.5 .. 0.5.
 float peakOffset(float before, float here, float after) {
     const float curvature = before - 2.0F * here + after;
     return curvature < 0.0F ? std::clamp(0.5F * (before - after) / curvature, -0.5F, 0.5F) : 0.0F;
@@ -47,7 +47,7 @@ std::vector<cv::Point2f> detectDots(const cv::Mat1f& image, const cv::Mat1b& mas
             if (here < static_cast<float>(leastDarkness) || here < highest(v, u) ||
                 (!mask.empty() && mask(v, u) == 0))
                 continue;
-            // Of a plateau only its first pixel.
+            // Only the first pixel of a plateau counts.
             if (here == darkness(v, u - 1) || here == darkness(v - 1, u - 1) || here == darkness(v - 1, u) ||
                 here == darkness(v - 1, u + 1))
                 continue;

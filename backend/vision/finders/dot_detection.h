@@ -7,12 +7,12 @@
 
 namespace teleta::vision {
 
-/// Dark dots on a brighter ground, in an image in which they all have about the same size.
+/// Detects dark dots on a brighter background in an image in which all have about the same size:
 ///   darkness = 1 - I / ground, ground: closing with a square of three diameters, smoothed
 /// A dot is a local maximum of the smoothed darkness above leastDarkness; of two that are less than one
-/// diameter apart the darker one is kept. image: grey levels >= 0; mask: 0 where nothing is looked for, as
-/// large as the image or empty. diameter_px: > 0. Returns centres in pixels, top to bottom. Empty for an
-/// image without texture. Thread: any (pure).
+/// diameter apart the darker one is kept. image: grey levels >= 0. mask: 0 where dots are ignored, of the
+/// size of the image, or empty. diameter_px: > 0. Returns the centres in pixels from top to bottom; empty for
+/// an image without texture. Thread: any (pure).
 [[nodiscard]] std::vector<cv::Point2f> detectDots(const cv::Mat1f& image, const cv::Mat1b& mask,
                                                   double diameter_px, double leastDarkness = 0.2);
 

@@ -16,7 +16,7 @@ constexpr int kSteps = 3;
 constexpr float kLeastGain = 0.3F;
 constexpr float kMostGain = 1.6F;
 constexpr double kConverged_px = 0.02;
-// Share of a dot's darkness in the reference that it must show: on the far side of a press it is
+// Share of its darkness in the reference that a dot must have: on the far side of a press it is
 // foreshortened.
 constexpr double kLeastMass = 0.15;
 constexpr double kMostMass = 3.0;
@@ -40,8 +40,8 @@ DotTracker::DotTracker(std::vector<TrackedDot> dots, const cv::Mat1b& mask, doub
     : m_dots(std::move(dots))
     , m_mask(mask)
     , m_windows(m_dots.size())
-    // The window pulls the centroid toward its middle: variance of the window over that of window and dot,
-    // with 1/10 for (1 - q)^2 in a unit circle and 1/16 of its diameter squared for a disc.
+    // The window biases the centroid towards its middle, by the variance of the window over that of window
+    // and dot together: 1/10 for (1 - q)^2 in a unit circle, and 1/16 of its squared diameter for a disc.
     , m_centroidGain(1.0 + dotDiameterShare * dotDiameterShare / 4.0 * 10.0 / 4.0) {
     for (std::size_t i = 0; i < m_dots.size(); ++i) {
         TrackedDot& dot = m_dots[i];
@@ -51,7 +51,7 @@ DotTracker::DotTracker(std::vector<TrackedDot> dots, const cv::Mat1b& mask, doub
         const Eigen::Matrix2d cover = dot.metric.inverse();
         window.halfWidth = static_cast<int>(std::ceil(std::sqrt(cover(0, 0))));
         window.halfHeight = static_cast<int>(std::ceil(std::sqrt(cover(1, 1))));
-        // Smaller half axis of the window.
+        // Minor half axis of the window.
         const double mean = 0.5 * (cover(0, 0) + cover(1, 1));
         const double spread = std::hypot(0.5 * (cover(0, 0) - cover(1, 1)), cover(0, 1));
         const double narrow_px = std::sqrt(std::max(mean - spread, 0.0));
@@ -71,7 +71,8 @@ DotTracker::Found DotTracker::centroid(const cv::Mat1b& frame, std::size_t dot,
     const float scale = ground > 0.0F ? 1.0F / ground : 0.0F;
     Found found{.place_px = start_px};
     for (int step = 0; step < steps; ++step) {
-        // Strides on one lattice for all frames, so that a dot that rests gives the same samples.
+        // The sampled pixels lie on the same lattice in all frames, so that a dot at rest gives the same
+        // samples.
         const int middle = static_cast<int>(std::lround(found.place_px.x()));
         const int v0 = std::max(0, static_cast<int>(std::lround(found.place_px.y())) - window.halfHeight) /
                        window.stride * window.stride;
@@ -116,7 +117,7 @@ DotTracker::Found DotTracker::centroid(const cv::Mat1b& frame, std::size_t dot,
 }
 
 float DotTracker::brightness(const cv::Mat1b& frame) const {
-    // Mean over some pixels around each dot: it follows lamps and exposure, not what single dots do.
+    // Mean over some pixels around each dot: follows lighting and exposure, but not single dots.
     double sum = 0.0;
     std::size_t count = 0;
     for (std::size_t i = 0; i < m_dots.size(); i += 3) {
@@ -232,7 +233,7 @@ void DotTracker::dropDoubles() {
 std::size_t DotTracker::track(const cv::Mat1b& frame) {
     const float gain = brightness(frame) / static_cast<float>(m_referenceBrightness);
     if (!(gain > kLeastGain && gain < kMostGain)) {
-        // A lamp that changes so much leaves nothing to be seen.
+        // After such a change in lighting nothing can be recognised.
         for (TrackedDot& dot : m_dots)
             dot.found = false;
         return 0;
@@ -253,7 +254,7 @@ std::size_t DotTracker::track(const cv::Mat1b& frame) {
         if (!m_dots[i].found && m_windows[i].mass > 0.0)
             m_lost.push_back(i);
     }
-    // From the rim of what is lost inward, a ring of neighbours a round.
+    // From the border of the lost dots inwards, one ring of neighbours per round.
     for (int round = 0; round < kRounds && !m_lost.empty(); ++round) {
         std::erase_if(m_lost, [&](std::size_t i) {
             Eigen::Vector2d around_px;

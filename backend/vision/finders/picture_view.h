@@ -9,8 +9,8 @@
 
 namespace teleta::vision {
 
-/// The pixels of a picture themselves, to which nobody may write; empty without a picture. Valid while the
-/// picture, or a copy of it, is kept. Thread: any (pure).
+/// A view of the pixels of a picture without copying; empty when there is none. The pixels must not be
+/// changed. Valid while the picture, or a copy of it, exists. Thread: any (pure).
 [[nodiscard]] inline cv::Mat1b viewOf(const core::GreyImage& image) {
     if (image.isEmpty())
         return {};

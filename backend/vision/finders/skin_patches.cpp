@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::size_t kLeastAround = 3; ///< known neighbours that tell of a point that is not known
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-// A small press is narrower than the points are apart, so few of them carry its centre. Less than 1 spreads
-// the weight over more of them; the less, the more its rim counts, which noise and a contact beside it move.
+// A small press covers only a few points. An exponent below 1 spreads the weight of its centre over more of
+// them; the smaller it is, the more the border counts, which noise and a neighbouring contact displace.
 constexpr double kWeightPower = 0.75;
 
 double turn(double to_rad, double from_rad) {
@@ -44,7 +44,7 @@ std::vector<SkinPatch> SkinPatches::find(std::span<const SkinNode> nodes,
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         if (nodes[i].known)
             continue;
-        // A hole in a patch would push its centre away.
+        // A hole in a patch would displace its centre.
         double sum_m = 0.0;
         std::size_t count = 0;
         for (const std::size_t k : neighbours[i]) {
@@ -61,7 +61,7 @@ std::vector<SkinPatch> SkinPatches::find(std::span<const SkinNode> nodes,
     std::ranges::sort(m_order, [&](std::size_t a, std::size_t b) {
         return m_moved_m[a] != m_moved_m[b] ? m_moved_m[a] > m_moved_m[b] : a < b;
     });
-    // Roots are summits, since a node joins what is higher than itself.
+    // Roots are summits, because a node joins a higher neighbour.
     for (const std::size_t i : m_order) {
         std::size_t own = kNone;
         for (const std::size_t k : neighbours[i]) {
@@ -95,10 +95,11 @@ std::vector<SkinPatch> SkinPatches::find(std::span<const SkinNode> nodes,
         double along = 0.0;
         patch.peak_m = m_moved_m[root];
         for (const std::size_t i : patch.nodes) {
-            // From zero on: a point that is hardly over the floor must not pull the centre to its side.
+            // The weight starts at zero, so that a point just above the floor does not pull the centre
+            // towards itself.
             const double weight = std::pow(m_moved_m[i] - floor_m, kWeightPower);
             sum += weight;
-            // The skin's displacement around the tube is known, that along it cannot be told from depth.
+            // The displacement around the tube is known; that along it cannot be distinguished from depth.
             angle += weight * (turn(nodes[i].angle_rad, nodes[root].angle_rad) +
                                (nodes[i].known ? nodes[i].around_m : 0.0) / m_settings.radius_m);
             along += weight * nodes[i].z_m;

@@ -29,7 +29,7 @@ void forEach(const PointRefs& points, const Tracks& tracks, Each each) {
             each(point);
 }
 
-/// Sorts tracks whose breakpoints have moved, and says where these are now.
+/// Sorts tracks whose breakpoints have moved and returns the new references of these.
 Edited sorted(Pattern pattern, const PointRefs& moved) {
     Edited edited;
     for (std::size_t t = 0; t < core::kTactors; ++t) {

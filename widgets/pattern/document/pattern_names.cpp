@@ -9,7 +9,7 @@ namespace teleta::editor {
 
 namespace {
 
-/// As backend/pattern/built_in_patterns names them; files of them stay English.
+/// Names as in built_in_patterns.cpp; in files they stay English.
 [[maybe_unused]] constexpr const char* kBuiltInNames[] = {
     QT_TRANSLATE_NOOP("PatternNames", "Circle, static"),
     QT_TRANSLATE_NOOP("PatternNames", "Rectangle, static"),
@@ -38,7 +38,7 @@ namespace {
 } // namespace
 
 QString displayName(const pattern::Pattern& pattern) {
-    // A copy keeps the id for a while, and a file may carry any; the name decides with it.
+    // A copy may keep the id, and a file may contain any id, so the name has to match, too.
     const pattern::Pattern* builtIn = pattern::findBuiltIn(pattern.id);
     return builtIn != nullptr && builtIn->name == pattern.name
                ? QCoreApplication::translate("PatternNames", pattern.name.c_str())

@@ -7,8 +7,7 @@
 
 namespace teleta::editor {
 
-/// The name to show: of a built-in pattern in the language of the program, else the pattern's own. Thread:
-/// any (pure).
+/// Name to show: translated for a built-in pattern, otherwise the pattern's own. Thread: any (pure).
 [[nodiscard]] QString displayName(const pattern::Pattern& pattern);
 
 } // namespace teleta::editor

@@ -24,7 +24,7 @@ PatternOverview::PatternOverview(PatternDocument* document, QObject* parent)
     : QObject(parent)
     , m_document(document) {
     connect(m_document, &PatternDocument::patternOpened, this, [this] {
-        // What was before says nothing about another pattern.
+        // Results of another pattern cannot be reused.
         m_commanded.reset();
         m_predicted.reset();
         m_predictedPattern.reset();
@@ -48,7 +48,7 @@ bool PatternOverview::outdated(quint64 revision) {
 
 void PatternOverview::look() {
     if (m_cancelled) {
-        m_cancelled->store(true); // its end begins the next one
+        m_cancelled->store(true); // the next run starts when this one ends
         return;
     }
     if (m_document->pattern().duration_s <= kShortest_s) {

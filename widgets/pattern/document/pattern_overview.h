@@ -14,29 +14,29 @@
 
 namespace teleta::editor {
 
-/// Ranges of the tracks of a pattern, one a tactor; empty when the pattern is too rich for straight lines.
+/// Envelopes of a pattern, one per tactor.
 using TrackEnvelopes = std::array<pattern::TrackEnvelope, core::kTactors>;
 [[nodiscard]] std::shared_ptr<const TrackEnvelopes> envelopesOf(const pattern::Pattern& pattern);
 
-/// What a long pattern does as a whole, for pictures in which a pixel is many breakpoints. Made on a pool
-/// thread: first what is commanded, then what the motors do with it; after an edit only what changed is
-/// predicted anew. Until then the answers are those of the pattern before. Thread: GUI.
+/// Envelopes and predictions of a long pattern, for drawing when a pixel covers many breakpoints. Computed on
+/// a pool thread: first the commanded envelope, then the prediction; after an edit only the changed part is
+/// predicted again. Until then the previous results remain. Thread: GUI.
 class PatternOverview : public QObject {
     Q_OBJECT
 public:
-    /// Shorter patterns are sampled when they are drawn.
+    /// Shorter patterns are sampled while drawing.
     static constexpr double kShortest_s = 15.0;
 
     explicit PatternOverview(PatternDocument* document, QObject* parent = nullptr);
     ~PatternOverview() override;
 
-    /// Null: not yet, or the pattern is shorter than kShortest_s.
+    /// Null: not yet computed, or the pattern is shorter than kShortest_s.
     [[nodiscard]] const std::shared_ptr<const TrackEnvelopes>& commanded() const { return m_commanded; }
-    /// Null also when the pattern is too long (MotorPrediction::kLongest_s).
+    /// Also null when the pattern is longer than MotorPrediction::kLongest_s.
     [[nodiscard]] const std::shared_ptr<const pattern::MotorPrediction>& predicted() const {
         return m_predicted;
     }
-    /// All of it is of the pattern as it is now.
+    /// Whether all results are up to date with the pattern.
     [[nodiscard]] bool isCurrent() const { return !m_cancelled && m_revision == m_document->revision(); }
 
 signals:
@@ -45,14 +45,14 @@ signals:
 private:
     void look();
     void predict(const std::shared_ptr<const pattern::Pattern>& pattern, quint64 revision);
-    /// True when the pattern has changed meanwhile, and the work has begun again.
+    /// Returns true when the pattern has changed meanwhile; the work then restarts.
     bool outdated(quint64 revision);
 
     PatternDocument* m_document;
     std::shared_ptr<const TrackEnvelopes> m_commanded;
     std::shared_ptr<const pattern::MotorPrediction> m_predicted;
     std::shared_ptr<const pattern::Pattern> m_predictedPattern;
-    std::shared_ptr<std::atomic<bool>> m_cancelled; ///< of the work under way; null: none is
+    std::shared_ptr<std::atomic<bool>> m_cancelled; ///< cancels the running work; null: none is running
     quint64 m_revision = 0;
 };
 

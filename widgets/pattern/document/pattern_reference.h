@@ -12,19 +12,19 @@
 
 namespace teleta::editor {
 
-/// The pattern with which a document is compared, and how far they are apart; looked at again on a pool
-/// thread when the document has rested for a moment. Thread: GUI.
+/// The pattern with which a document is compared, and their difference; recomputed on a pool thread when the
+/// document has not changed for a moment. Thread: GUI.
 class PatternReference : public QObject {
     Q_OBJECT
 public:
     explicit PatternReference(PatternDocument* document, QObject* parent = nullptr);
 
-    /// Null: compares no more.
+    /// Null ends the comparison.
     void setPattern(std::shared_ptr<const pattern::Pattern> pattern);
     [[nodiscard]] const std::shared_ptr<const pattern::Pattern>& pattern() const { return m_pattern; }
-    /// Of a long one; null otherwise.
+    /// Envelopes of a long pattern; otherwise null.
     [[nodiscard]] const std::shared_ptr<const TrackEnvelopes>& envelopes() const { return m_envelopes; }
-    /// Empty: not known yet, or the patterns are too rich.
+    /// Empty: not yet known, or the patterns have too many corners.
     [[nodiscard]] const std::optional<pattern::Comparison>& comparison() const { return m_comparison; }
 
 signals:

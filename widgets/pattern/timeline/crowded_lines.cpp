@@ -15,7 +15,7 @@ constexpr qsizetype kCrowded = 300;
 constexpr double kPiece_px = 64.0;
 constexpr qsizetype kPieceCorners = 128;
 
-/// What a line with rising x does in [from, to].
+/// The part of a line with rising x in [from, to].
 QPolygonF stretchOf(const QPolygonF& line, double from, double to) {
     const auto crossing = [](const QPointF& a, const QPointF& b, double x) {
         return QPointF(x, a.y() + (b.y() - a.y()) * (x - a.x()) / (b.x() - a.x()));

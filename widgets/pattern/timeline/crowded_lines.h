@@ -7,15 +7,15 @@ class QPolygonF;
 
 namespace teleta::editor {
 
-/// Fills what lies between two lines with rising x that begin and end together, with the painter's brush and
-/// without a pen; where they cross, on both sides. Qt's rasteriser takes time with the square of the edges
-/// that cross a row of pixels: a shape with many corners is filled piece by piece, a slice of its width at a
-/// time. Neither line is empty. Thread: that of the painter.
+/// Fills the area between two lines with rising x and common ends, also where they cross, with the painter's
+/// brush and without a pen. The time of Qt's rasteriser grows with the square of the edges that cross a row
+/// of pixels, so a shape with many corners is filled in slices of its width. one, other: not empty. Thread:
+/// that of the painter.
 void fillBetween(QPainter& painter, const QPolygonF& one, const QPolygonF& other);
 
-/// Strokes a line, piece by piece for the same reason when it has many corners; its dashes then begin anew
-/// with each piece. The pen must be opaque. Leaves the painter with this pen and without a brush. Thread:
-/// that of the painter.
+/// Strokes a line. For the same reason a line with many corners is stroked in pieces, and its dashes restart
+/// with each piece. pen: opaque. Leaves the painter with this pen and without a brush. Thread: that of the
+/// painter.
 void strokeLine(QPainter& painter, const QPolygonF& line, const QPen& pen);
 
 } // namespace teleta::editor

@@ -16,7 +16,7 @@ using namespace pattern;
 namespace {
 
 constexpr double kModelStep_s = 0.002;
-/// Rises and falls end within e^-1 per time constant; so many rise times are e^-46.
+/// A motor settles by e^-1 per time constant; after this many rise times e^-46 is left.
 constexpr double kWarmUpRises = 20.0;
 constexpr std::size_t kBreakpointsPerSample = 2;
 

@@ -10,12 +10,12 @@
 
 namespace teleta::editor {
 
-/// A motor that is further from what is asked of it than this does not follow.
+/// A motor whose predicted intensity differs more than this from the commanded one cannot follow.
 inline constexpr double kFollowTolerance = 0.1;
-/// Longer stretches are drawn by their ranges (TimelineBands).
+/// Longer spans are drawn as ranges (TimelineBands).
 inline constexpr double kLongestPrediction_s = PatternOverview::kShortest_s;
 
-/// Samples of a stretch of a pattern, ready to be drawn.
+/// Samples of a span of a pattern, ready for drawing.
 struct TimelineCurves {
     std::vector<double> times_s;
     std::array<std::vector<double>, core::kTactors> commanded;
@@ -24,16 +24,15 @@ struct TimelineCurves {
     [[nodiscard]] bool hasPrediction() const { return !predicted[0].empty(); }
 };
 
-/// Samples [begin_s, end_s] at least so many times, and on both sides of each breakpoint unless these are too
-/// many to be told apart. What is predicted (unless it is not wanted) begins long enough before begin_s to
-/// have forgotten its start. Takes time in proportion to what is visible, whatever the length of the pattern.
-/// Thread: any (pure).
+/// Samples a span at `samples` times or more, and on both sides of each breakpoint unless there are too many
+/// to distinguish. The prediction (if `predicts`) starts early enough before the span for the motors to have
+/// settled. The time depends on the visible part only, not on the length of the pattern. Thread: any (pure).
 [[nodiscard]] TimelineCurves sampleCurves(const pattern::Pattern& pattern,
                                           const pattern::CompiledPattern& compiled,
                                           const pattern::MotorProfiles& motors, pattern::Span span,
                                           int samples, bool predicts = true);
 
-/// A stretch of a long pattern as one range a column of pixels.
+/// A span of a long pattern as one range per column of pixels.
 struct TimelineBands {
     struct Band {
         std::vector<pattern::ValueRange> commanded;
@@ -52,11 +51,11 @@ struct TimelineBands {
                                     const pattern::MotorPrediction* predicted, pattern::Span span,
                                     int columns);
 
-/// The ranges of samples; a column without one has the value of the sample before it. curves: sampled over
+/// Ranges from samples; a column without a sample has the value of the previous one. curves: sampled over
 /// span, not empty. columns: >= 1. Thread: any (pure).
 [[nodiscard]] TimelineBands bandsOf(const TimelineCurves& curves, pattern::Span span, int columns);
 
-/// Tactors that an object may use, in rising order.
+/// Tactors that an object can use, in ascending order.
 [[nodiscard]] std::vector<std::size_t> tactorsOf(const pattern::ObjectForm& form);
 
 } // namespace teleta::editor

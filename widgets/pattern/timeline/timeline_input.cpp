@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the mouse and the keys do on the timeline.
+// Mouse and keyboard input of the timeline.
 #include "widgets/base/controls/inline_edit.h"
 #include "widgets/base/redo_keys.h"
 #include "widgets/pattern/timeline/timeline_menu.h"
@@ -61,7 +61,7 @@ std::optional<std::size_t> TimelineView::objectAt(const QPointF& at) const {
         return std::nullopt;
     const double time_s = geometry.timeAt(at.x());
     const auto& objects = m_document->pattern().objects;
-    for (std::size_t k = objects.size(); k-- > 0;) { // the last one lies on top
+    for (std::size_t k = objects.size(); k-- > 0;) { // the last one is on top
         const Span span = spanOf(objects[k].form);
         if (time_s < span.begin_s || time_s > span.end_s)
             continue;
@@ -456,7 +456,7 @@ bool TimelineView::event(QEvent* event) {
         QToolTip::showText(help->globalPos(), describe(help->pos()), this);
         return true;
     }
-    // Space and the like belong to the timeline while it has the focus, whatever the window does with them.
+    // While the timeline has the focus it handles Space and similar keys, not the window.
     if (event->type() == QEvent::ShortcutOverride) {
         const auto* key = static_cast<QKeyEvent*>(event);
         if (key->matches(QKeySequence::Copy) || key->matches(QKeySequence::Cut) ||

@@ -11,12 +11,12 @@ class QMenu;
 
 namespace teleta::editor {
 
-/// Appends what can be done with the selection of a document.
+/// Appends the actions for the selection of a document.
 void fillTimelineMenu(QMenu& menu, PatternDocument& document, double playhead_s);
 
 /// "linear", "hold", ...; translated.
 [[nodiscard]] QString easingName(pattern::Easing easing);
-/// What a motor is asked at a time, with its speed: lines for a tool tip.
+/// Tool tip with the commanded intensity of a motor at a time, and its speed.
 [[nodiscard]] QString valueText(std::size_t track, double time_s, double intensity,
                                 const pattern::MotorProfile& motor);
 [[nodiscard]] QString pointText(std::size_t track, const pattern::Breakpoint& point,
@@ -24,8 +24,7 @@ void fillTimelineMenu(QMenu& menu, PatternDocument& document, double playhead_s)
 /// Title and span of an object.
 [[nodiscard]] QString objectText(const pattern::PatternObject& object);
 
-/// Numbers as a person types them in a line, with their units, separated by semicolons; empty when one of
-/// them is none.
+/// Parses numbers typed with their units and separated by semicolons; empty when one is not a number.
 [[nodiscard]] std::vector<double> numbersIn(const QString& text);
 
 } // namespace teleta::editor

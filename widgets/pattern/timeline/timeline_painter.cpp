@@ -23,9 +23,9 @@ using namespace pattern;
 namespace {
 
 constexpr double kDegreesApart = 360.0 / static_cast<double>(core::kTactors);
-/// Handles nearer than this (in radii, on average) are left out.
+/// Handles closer together than this (in radii, on average) are left out.
 constexpr double kHandlesApart = 1.6;
-/// Corners nearer than this are one.
+/// Corners closer together than this are merged.
 constexpr double kSeen_px = 0.5;
 
 QString text(const char* source) {
@@ -205,7 +205,7 @@ private:
             const QColor colour = formColour(object.form, m_palette);
             QColor wash = colour;
             wash.setAlphaF(selected ? 0.30F : 0.16F);
-            // Far outside of the picture, coordinates would lose their meaning.
+            // Far outside the picture the coordinates would overflow.
             const double from = std::max(m_g.xOf(span.begin_s), m_g.plot.left() - 100.0);
             const double to = std::min(std::max(m_g.xOf(span.end_s), m_g.xOf(span.begin_s) + 2.0),
                                        m_g.plot.right() + 100.0);
@@ -213,7 +213,7 @@ private:
             for (const std::size_t tactor : tactorsOf(object.form)) {
                 const QRectF& lane = m_g.lane[tactor];
                 if (!selected && to - from < kNarrow_px) {
-                    // Thousands of them may lie on a few pixels: each pixel once, without a frame.
+                    // Thousands of them may cover a few pixels: each pixel is drawn once, without a frame.
                     if (std::floor(from) > drawnTo[tactor])
                         m_painter.fillRect(QRectF(QPointF(std::floor(from), lane.top() + 1.0),
                                                   QPointF(std::ceil(to), lane.bottom() - 1.0)),
@@ -248,7 +248,7 @@ private:
         for (std::size_t k = 0; k < values.size(); ++k) {
             const QPointF point(m_g.xOf(curves.times_s[k]), m_g.yOf(track, values[k]));
             const qsizetype n = line.size();
-            // A run of equal values is one line, and so are steps too small to be seen.
+            // A run of equal values is a single line, and so are steps too small to see.
             const bool level = n >= 2 && line[n - 1].y() == point.y() && line[n - 2].y() == point.y();
             const bool near = n >= 2 && point.x() - line[n - 2].x() < kSeen_px &&
                               std::abs(point.y() - line[n - 2].y()) < kSeen_px &&
@@ -303,7 +303,7 @@ private:
         return hasBands() ? m_content.bands->hasPrediction() : m_content.curves->hasPrediction();
     }
 
-    /// A line through one value of each column.
+    /// Draws a line through one value of each column.
     template <typename Values, typename Value>
     [[nodiscard]] QPolygonF lineOf(const TimelineBands& bands, const Values& values, std::size_t track,
                                    Value value) const {
@@ -315,7 +315,7 @@ private:
         return line;
     }
 
-    /// A long stretch: from the lowest to the highest value of each column of pixels.
+    /// Draws a long span: from the lowest to the highest value of each column of pixels.
     void bands(std::size_t track) {
         const TimelineBands& all = *m_content.bands;
         const TimelineBands::Band& band = all.tracks[track];
@@ -338,7 +338,7 @@ private:
             strokeLine(m_painter, lineOf(all, band.predicted, track, high), predictedPen(1.0));
     }
 
-    /// Faint below the lowest value of each column, strong up to its highest.
+    /// Draws faintly below the lowest value of each column and strongly up to its highest.
     void fillColumns(std::size_t track) {
         const TimelineBands& all = *m_content.bands;
         const auto& ranges = all.tracks[track].commanded;
@@ -358,7 +358,7 @@ private:
         m_painter.setRenderHint(QPainter::Antialiasing);
     }
 
-    /// A strip along the floor of the lane where somewhere in the column the motor cannot follow.
+    /// Draws a strip along the bottom of the lane where the motor cannot follow somewhere in the column.
     void hatchColumns(std::size_t track) {
         const TimelineBands& all = *m_content.bands;
         const auto& columns = all.tracks[track].predicted;
@@ -382,7 +382,7 @@ private:
         }
     }
 
-    /// How far the two patterns are apart on a tactor, in its lane.
+    /// Writes the difference of the two patterns on a tactor into its lane.
     void differences(std::size_t track) {
         const TactorDifference& apart = m_content.comparison->tactors[track];
         const QLocale locale;
@@ -403,14 +403,14 @@ private:
         m_painter.setFont(m_font);
     }
 
-    /// Between what is asked and what the motor does, where these are too far apart.
+    /// Hatches the area between the commanded and the predicted intensity where they differ too much.
     void hatch(std::size_t track) {
         const TimelineCurves& curves = *m_content.curves;
         const auto& asked = curves.commanded[track];
         const auto& done = curves.predicted[track];
         m_painter.setPen(Qt::NoPen);
         m_painter.setBrush(QBrush(base::statusColours(m_palette).stale, Qt::BDiagPattern));
-        // The lines hide its edges, and smoothing hundreds of them would take long.
+        // The lines hide its edges, and antialiasing hundreds of them would be slow.
         m_painter.setRenderHint(QPainter::Antialiasing, false);
         const auto apart = [&](std::size_t k) { return std::abs(asked[k] - done[k]) > kFollowTolerance; };
         for (std::size_t k = 0; k < asked.size();) {
@@ -466,7 +466,7 @@ private:
         const int before = drawn;
         for (; at != end; ++at)
             draw(at->index, true);
-        return crowded ? drawn : before; // a selected one was counted already
+        return crowded ? drawn : before; // a selected one has already been counted
     }
 
     void legend() {

@@ -13,36 +13,36 @@ class QPainter;
 
 namespace teleta::editor {
 
-/// What the timeline shows at rest; the playhead and what the mouse draws go on top of it.
+/// Static content of the timeline; playhead and selection box are drawn on top of it.
 struct TimelineContent {
     const pattern::Pattern* pattern = nullptr;
     const TimelineCurves* curves = nullptr;
-    const TimelineBands* bands = nullptr;      ///< of a long stretch, in place of the curves; may be null
-    const TimelineCurves* reference = nullptr; ///< another pattern to compare with; may be null
+    const TimelineBands* bands = nullptr;      ///< for a long span, instead of the curves; may be null
+    const TimelineCurves* reference = nullptr; ///< pattern of the comparison; may be null
     const TimelineBands* referenceBands = nullptr;
     QString referenceName;
     const pattern::Comparison* comparison = nullptr; ///< with the other pattern; may be null
     const Selection* selection = nullptr;
     std::optional<pattern::Span> loop;
-    std::optional<std::size_t> currentLane; ///< where the keyboard is
+    std::optional<std::size_t> currentLane; ///< lane with the keyboard focus
     bool assumedMotors = true;
     bool handles = true;
 };
 
-/// Draws the timeline; returns how many handles of breakpoints it drew. Handles of a lane are left out where
-/// they would lie on each other, except those that are selected.
+/// Draws the timeline and returns the number of handles of breakpoints drawn. The handles of a lane are left
+/// out where they would overlap, except for selected ones.
 int paintTimeline(QPainter& painter, const TimelineGeometry& geometry, const TimelineContent& content,
                   const QPalette& palette, const QFont& font);
 
-/// The vertical line of the playhead with its flag on the ruler.
+/// Draws the line of the playhead with its flag on the ruler.
 void paintPlayhead(QPainter& painter, const TimelineGeometry& geometry, double time_s,
                    const QPalette& palette);
 
-/// "Ring, 3 turns" when it has no name of its own; translated.
+/// The name of an object or, without a name, a description such as "Ring, 3 turns"; translated.
 [[nodiscard]] QString objectTitle(const pattern::PatternObject& object);
 /// "Ring", "Sweep" ...; translated.
 [[nodiscard]] QString formName(const pattern::ObjectForm& form);
-/// Same colour for the same kind of object.
+/// Colour of a kind of object.
 [[nodiscard]] QColor formColour(const pattern::ObjectForm& form, const QPalette& palette);
 
 } // namespace teleta::editor

@@ -17,8 +17,8 @@ class QScrollBar;
 
 namespace teleta::editor {
 
-/// The six tracks of a document over time: commanded and predicted curves in one lane, breakpoints as
-/// handles, objects as blocks. Mouse and keys as in its What's This. Thread: GUI.
+/// The six tracks of a document over time, with commanded and predicted curves in one lane each, breakpoints
+/// as handles and objects as blocks. Mouse and keys are described in its What's This. Thread: GUI.
 class TimelineView : public QWidget {
     Q_OBJECT
 public:
@@ -27,36 +27,36 @@ public:
 
     /// Shows the whole pattern.
     void zoomToFit();
-    /// Shows [begin, begin + span], limited to what makes sense for the pattern.
+    /// Shows [begin, begin + span], limited to a useful range for the pattern.
     void showSpan(double begin_s, double span_s);
     [[nodiscard]] double begin_s() const { return m_begin_s; }
     [[nodiscard]] double span_s() const { return m_span_s; }
 
-    /// Where the pattern plays or would begin to; limited to the pattern. Emits nothing.
+    /// Moves the playhead, clamped to the pattern. Emits nothing.
     void setPlayhead(double time_s);
     [[nodiscard]] double playhead_s() const { return m_playhead_s; }
-    /// Follow a playhead that leaves the picture.
+    /// Whether the view scrolls with a playhead that leaves it.
     void setFollowing(bool following) { m_following = following; }
 
     void setLoop(std::optional<pattern::Span> loop);
     [[nodiscard]] const std::optional<pattern::Span>& loop() const { return m_loop; }
-    /// A click adds a breakpoint.
+    /// With the pen each click adds a breakpoint.
     void setPen(bool pen);
     [[nodiscard]] bool pen() const { return m_pen; }
-    /// Another pattern, drawn behind this one to compare them; null: none.
+    /// The pattern drawn behind this one for comparison.
     [[nodiscard]] PatternReference* reference() const { return m_reference; }
     [[nodiscard]] PatternOverview* overview() const { return m_overview; }
-    /// Scrolls, and zooms out when it must, so that a stretch of time can be seen.
+    /// Scrolls, and zooms out if necessary, to show a span.
     void reveal(pattern::Span span);
 
     [[nodiscard]] TimelineGeometry geometryNow() const;
-    /// Handles that the last painting drew.
+    /// Number of handles drawn by the last paint event.
     [[nodiscard]] int drawnHandles() const { return m_drawnHandles; }
     [[nodiscard]] std::size_t currentLane() const { return m_lane; }
     [[nodiscard]] base::Figure figure() const;
     [[nodiscard]] base::FigureExport* figureExport() const { return m_export; }
     void populateMenu(QMenu& menu, std::optional<QPointF> at = std::nullopt);
-    /// Opens a line to type time and intensity of a breakpoint.
+    /// Opens a field for typing time and intensity of a breakpoint.
     void editPoint(PointRef point);
 
     [[nodiscard]] QSize sizeHint() const override;
@@ -67,9 +67,9 @@ signals:
     void playheadMoved(double time_s);
     void loopChanged();
     void penChanged(bool pen);
-    /// Space.
+    /// The user has pressed Space.
     void playToggled();
-    /// An object is to be shown with its numbers.
+    /// Show an object in the inspector.
     void objectActivated(std::size_t object);
 
 protected:
@@ -116,7 +116,7 @@ private:
     pattern::CompiledPattern m_compiledReference;
     TimelineCurves m_referenceCurves;
     TimelineBands m_referenceBands;
-    QPixmap m_layer; ///< all but the playhead and the box
+    QPixmap m_layer; ///< everything except the playhead and the selection box
     bool m_layerValid = false;
     int m_drawnHandles = 0;
 
