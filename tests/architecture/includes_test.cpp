@@ -100,7 +100,7 @@ TEST(IncludesTest, findsAnEdgeThatNothingUses) {
 
 TEST(IncludesTest, reportsThePlaceOfAPlantedViolation) {
     const std::vector<Violation> violations =
-        check("backend/contact/planted.cpp", "#include \"backend/core/error.h\"\n"
+        check("backend/contact/planted.cpp", "#include \"backend/core/data/a.h\"\n"
                                              "\n"
                                              "#include <vector>\n"
                                              "  #  include <QString> // text\n"
