@@ -83,7 +83,7 @@ public:
         }
         if (good() == 0 || 2 * good() < wanted)
             return pressRefused(PressText::tr("Only %1 of %2 taxels feel the load.").arg(good()).arg(wanted),
-                                PressText::tr("a load on the whole array, and a tare without any"));
+                                PressText::tr("a load on the whole array, and a tare taken without load"));
         return result();
     }
 
@@ -96,7 +96,7 @@ private:
         return static_cast<std::size_t>(std::ranges::count(m_states, TaxelState::good));
     }
 
-    /// What the good taxels read in a frame above a value, in m_x.
+    /// Puts the readings of the good taxels in a frame, minus a value, into m_x.
     void collectFrame(std::size_t frame, double above) {
         m_x.clear();
         for (std::size_t taxel = 0; taxel < m_taxels; ++taxel) {
@@ -116,7 +116,7 @@ private:
         }
     }
 
-    /// Of levels in rising order. A single frame in which all taxels spark is not the highest load.
+    /// levels: in rising order. A single frame in which all taxels spark is not the highest load.
     [[nodiscard]] static double peakOf(const std::vector<double>& sorted) {
         for (std::size_t i = sorted.size(); i-- > 0 && sorted[i] > 0.0;) {
             const auto half = std::lower_bound(sorted.begin(), sorted.end(), kLoaded * sorted[i]);
@@ -127,7 +127,8 @@ private:
         return sorted.empty() ? 0.0 : sorted.back();
     }
 
-    /// The frames of at least half the highest load, by the median of the taxels, which is the first level.
+    /// Selects the frames with at least half the highest load. The median of the taxels is the first estimate
+    /// of the level.
     [[nodiscard]] core::Expected<void> findLoadedFrames() {
         std::vector<double> levels(m_frames, -std::numeric_limits<double>::infinity());
         for (std::size_t frame = 0; frame < m_frames; ++frame) {
@@ -151,8 +152,7 @@ private:
         return {};
     }
 
-    /// A taxel that reads one value although the others' change makes it expect several steps of the
-    /// readings.
+    /// A taxel that reads one value although the change of the others implies several steps of the readings.
     [[nodiscard]] core::Expected<void> leaveOutStuck() {
         struct Constant {
             std::size_t taxel;
@@ -216,7 +216,7 @@ private:
         return {};
     }
 
-    /// As the array gave it in a loaded frame. Empty when there is no such frame.
+    /// The reading as the array gave it in a loaded frame. Empty when there is no such frame.
     [[nodiscard]] std::optional<double> rawOf(std::size_t taxel, double wanted) const {
         for (const std::size_t frame : m_loaded) {
             if (reading(frame, taxel) == wanted)
@@ -225,8 +225,8 @@ private:
         return std::nullopt;
     }
 
-    /// What the weaker taxels read in each loaded frame: they are clipped last. Those that feel nothing tell
-    /// nothing.
+    /// The reading of the weaker taxels in each loaded frame: they are the last to be clipped. Taxels that
+    /// feel nothing are not used.
     [[nodiscard]] std::vector<double> lowLevels() {
         std::vector<double> levels;
         levels.reserve(m_loaded.size());
@@ -238,8 +238,8 @@ private:
         return levels;
     }
 
-    /// Where many taxels are clipped, the level of the others' readings is too low. A taxel is clipped in the
-    /// frames of its highest reading when the load changes there by several steps of its readings.
+    /// Where many taxels are clipped, the level that the others read is too low. A taxel is clipped in the
+    /// frames of its highest reading when the load changes by several steps of its readings during them.
     [[nodiscard]] core::Expected<void> leaveOutClippedFrames() {
         const std::vector<double> low = lowLevels();
         std::vector<std::size_t> clipped(m_loaded.size(), 0);
@@ -282,16 +282,16 @@ private:
             }
         }
         if (loaded.size() < kFewestPressFrames)
-            return pressRefused(
-                PressText::tr("In all but %1 frames under load the taxels are at the end of their range.")
-                    .arg(loaded.size()),
-                PressText::tr("at least %1, under a smaller load").arg(kFewestPressFrames));
+            return pressRefused(PressText::tr("Only %1 frames under load are within the range of the taxels.")
+                                    .arg(loaded.size()),
+                                PressText::tr("at least %1, under a smaller load").arg(kFewestPressFrames));
         m_loaded = std::move(loaded);
         m_level = std::move(level);
         return {};
     }
 
-    /// Frames of a taxel and their levels, in m_x and m_y; those in which it reads its highest value apart.
+    /// Puts the frames of a taxel and their levels into m_x and m_y, with the frames of its highest reading
+    /// set apart.
     void collect(std::size_t taxel) {
         m_x.clear();
         m_y.clear();
@@ -315,7 +315,7 @@ private:
         }
     }
 
-    /// Empty when no frame tells it. A taxel that is clipped in too many frames is stuck.
+    /// Empty when no frame determines it. A taxel that is clipped in too many frames is stuck.
     [[nodiscard]] std::optional<Slope> responseOf(std::size_t taxel, int round) {
         collect(taxel);
         m_clip[taxel] = std::numeric_limits<double>::infinity();
@@ -328,7 +328,7 @@ private:
                 excess += below.slope * level - m_top;
             excess /= static_cast<double>(m_topX.size());
             const bool judged = m_x.size() >= kFewestBelow;
-            // A few frames do not tell their own noise; that of the others is known after a round.
+            // A few frames do not determine their own noise; that of the others is known after one round.
             const double noise = judged ? below.noise : std::max(below.noise, m_usualNoise);
             if (excess > std::max(kClipped * noise, 1e-9 * m_top)) {
                 if (judged) {

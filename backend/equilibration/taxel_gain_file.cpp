@@ -33,7 +33,7 @@ constexpr double kLeast = 1e-3;
 constexpr double kMost = 1e3;
 constexpr double kNA = std::numeric_limits<double>::quiet_NaN();
 
-/// A table of gains while it is read.
+/// Reads a table of gains row by row.
 class GainTable {
 public:
     GainTable(core::CsvReader csv, const core::ArrayLayout& layout)
@@ -72,7 +72,7 @@ public:
     }
 
 private:
-    /// Index of a column that may be missing; as many as there are when it is.
+    /// Index of an optional column; the number of columns when it is missing.
     [[nodiscard]] std::size_t optional(std::string_view name) const {
         const std::vector<std::string>& header = m_csv.header();
         return static_cast<std::size_t>(std::find(header.begin(), header.end(), name) - header.begin());
@@ -113,7 +113,7 @@ private:
         const std::size_t expected = *row * static_cast<std::size_t>(layout.columns) + *column;
         if (*taxel != expected)
             return bad(m_columns[0],
-                       GainFileText::tr("taxel %1 is said to be in row %2, column %3")
+                       GainFileText::tr("taxel %1 is listed in row %2, column %3")
                            .arg(*taxel)
                            .arg(*row)
                            .arg(*column),
@@ -122,14 +122,14 @@ private:
                            .arg(layout.rows)
                            .arg(layout.columns));
         if (m_seen[*taxel])
-            return bad(m_columns[0], GainFileText::tr("taxel %1 is there twice").arg(*taxel),
+            return bad(m_columns[0], GainFileText::tr("taxel %1 is listed twice").arg(*taxel),
                        GainFileText::tr("each taxel once"));
         m_seen[*taxel] = true;
 
         const std::size_t gainColumn = m_columns[3];
         const std::optional<double> gain = core::numberOrNA(fields[gainColumn]);
         if (!gain || (!std::isnan(*gain) && !(*gain >= kLeast && *gain <= kMost)))
-            return bad(gainColumn, GainFileText::tr("the gain is out of range or no number"),
+            return bad(gainColumn, GainFileText::tr("the gain is not a number or out of range"),
                        GainFileText::tr("a number from %1 to %2, or NA").arg(kLeast).arg(kMost));
         TaxelGain& taken = m_gains.taxels[*taxel];
         taken.gain = *gain;
@@ -138,8 +138,8 @@ private:
         if (m_error < fields.size()) {
             const std::optional<double> error = core::numberOrNA(fields[m_error]);
             if (!error || (!std::isnan(*error) && *error < 0.0))
-                return bad(m_error, GainFileText::tr("the standard error is out of range or no number"),
-                           GainFileText::tr("a number from 0 on, or NA"));
+                return bad(m_error, GainFileText::tr("the standard error is not a number or out of range"),
+                           GainFileText::tr("a number of at least 0, or NA"));
             if (taken.isGood() && !std::isnan(*error))
                 taken.error = *error;
         }

@@ -29,8 +29,8 @@ core::Unexpected refused(const QString& message, const QString& expected,
     return core::Unexpected(core::Error{kind, message.toStdString(), expected.toStdString(), {}});
 }
 
-/// Logarithms of the responses of all presses, each press shifted so that the taxels that are good in all of
-/// them have the mean 0; NaN where a taxel is not good. Empty when there is no such taxel.
+/// Logarithms of the responses of all presses, each shifted so that the taxels that are good in all presses
+/// have the mean 0; NaN where a taxel is not good. Empty when no taxel is good in all presses.
 std::vector<std::vector<double>> alignedLogarithms(std::span<const PressFit> fits) {
     std::vector<std::vector<double>> logarithms;
     for (const PressFit& fit : fits) {
@@ -88,11 +88,11 @@ void findTilt(TaxelGains& gains, std::span<const double> logarithms) {
     const Eigen::VectorXd plane = qr.solve(b);
     const double variance = (b - a * plane).squaredNorm() / static_cast<double>(n - unknowns);
     const Eigen::MatrixXd covariance = variance * (a.transpose() * a).inverse();
-    // Of a normal variable, once in 2150 by chance; of Student's with the 81 degrees of a 6 x 14 array, in
-    // 1300.
+    // Exceeded by chance once in 2150 for a normal variable, once in 1300 for Student's t with the 81 degrees
+    // of freedom of a 6 x 14 array.
     constexpr double kNotByChance = 3.5;
     const auto take = [&](Eigen::Index k, double& tilt) {
-        // Over the array by the factor exp(slope): (e^s - 1) over the mean of both ends.
+        // The response changes over the array by the factor exp(slope): (e^s - 1) over the mean of both ends.
         tilt = 2.0 * std::tanh(0.5 * plane(k));
         if (std::abs(tilt) > kTilt && std::abs(plane(k)) > kNotByChance * std::sqrt(covariance(k, k)))
             gains.isTilted = true;
@@ -103,7 +103,7 @@ void findTilt(TaxelGains& gains, std::span<const double> logarithms) {
         take(unknowns - 1, gains.tilt_y);
 }
 
-/// Of all presses, which agree on some taxels.
+/// presses: some taxels are good in all of them.
 TaxelGains combined(const core::ArrayLayout& layout, std::span<const PressFit> fits,
                     const std::vector<std::vector<double>>& logarithms) {
     TaxelGains gains;
@@ -153,7 +153,7 @@ TaxelGains combined(const core::ArrayLayout& layout, std::span<const PressFit> f
                 within += std::pow(fits[press].error[i] / fits[press].response[i] / count, 2);
         }
         taxel.gain = response / std::exp(mean[i]);
-        // What differs from press to press contains their noise.
+        // The differences between presses include the noise within them.
         taxel.error = taxel.gain * std::sqrt(std::max(within, betweenVariance / count));
     }
     double weight = 0.0;
@@ -216,7 +216,7 @@ core::Expected<TaxelGains> findTaxelGains(const core::ArrayLayout& layout,
     std::vector<PressFit> fits;
     for (const GainPress& press : presses) {
         if (press.frames.size() % layout.taxels() != 0)
-            return refused(GainText::tr("The frames have %1 values in all.").arg(press.frames.size()),
+            return refused(GainText::tr("The frames have %1 values in total.").arg(press.frames.size()),
                            GainText::tr("a multiple of %1").arg(layout.taxels()), core::ErrorKind::badInput);
         auto fit = fitPress(layout.taxels(), press);
         if (!fit)

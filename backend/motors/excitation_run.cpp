@@ -17,7 +17,7 @@ struct RunText {
 };
 
 constexpr std::int64_t kPeriod_ns = 1'000'000;
-/// For the player to take up the program.
+/// Time allowed for the player to start the program.
 constexpr std::int64_t kLongestBegin_ns = 1'000'000'000;
 
 core::Unexpected failed(core::ErrorKind kind, const QString& message, const QString& expected = {}) {
@@ -33,10 +33,10 @@ core::Unexpected endedEarly(const playback::PlayerStatus& status) {
         return failed(core::ErrorKind::refused, RunText::tr("The bracelet was lost during the measurement."),
                       RunText::tr("connect it and measure again"));
     case playback::PlayerEnding::stalled:
-        return failed(core::ErrorKind::refused,
-                      RunText::tr("The computer was too slow for the measurement: the bracelet stood still "
-                                  "meanwhile."),
-                      RunText::tr("measure again with less other work"));
+        return failed(
+            core::ErrorKind::refused,
+            RunText::tr("The computer was too slow for the measurement: the bracelet paused in between."),
+            RunText::tr("measure again with fewer programs running"));
     case playback::PlayerEnding::tooHot:
         return failed(core::ErrorKind::refused, RunText::tr("The bracelet is too hot to be measured."),
                       RunText::tr("let it cool down and measure again"));
@@ -95,14 +95,14 @@ core::Expected<MotorRecording> recordExcitation(playback::Player& player,
             if (isProgram && status.program == number) {
                 begun_ns = status.begun_ns;
             } else if (clock.now_ns() - begin_ns > kLongestBegin_ns) {
-                // A player that is late must not begin when nobody looks any more.
+                // A late player must not start after this function has given up.
                 player.stop(number);
                 return endedEarly(status);
             } else {
                 continue;
             }
         }
-        // Another program has taken its place.
+        // Another program has replaced it.
         if (status.begun_ns != begun_ns)
             return endedEarly({});
         const auto reading = bracelet.motorSpeeds();

@@ -59,16 +59,16 @@ core::Expected<void> checkAnswers(std::span<const FeltTrial> trials) {
         return refused(FeltText::tr("There are too few answers: %1.").arg(answers),
                        FeltText::tr("at least %1").arg(kFewestAnswers));
     if (falseAlarms >= 2 && 2 * falseAlarms >= catches)
-        return refused(FeltText::tr("Yes was answered although nothing was presented, %1 of %2 times.")
+        return refused(FeltText::tr("The answer was yes in %1 of %2 cases in which nothing was presented.")
                            .arg(falseAlarms)
                            .arg(catches),
                        FeltText::tr("yes only when something was clearly felt"));
     if (yes == 0)
         return refused(FeltText::tr("Nothing was felt, not even at the highest drive."),
-                       FeltText::tr("a connected motor that lies on the skin"));
+                       FeltText::tr("a connected motor in contact with the skin"));
     if (yes == answers)
         return refused(FeltText::tr("Everything was felt, even at the lowest drive."),
-                       FeltText::tr("no where nothing was felt"));
+                       FeltText::tr("no when nothing was felt"));
     return {};
 }
 
@@ -86,7 +86,8 @@ core::Expected<FeltThreshold> estimateThreshold(std::span<const FeltTrial> trial
             best = std::max(best, value);
         }
     }
-    // Over all spreads: the likeliest one alone would make few answers look surer than they are.
+    // Averaged over all spreads: the most likely one alone would make few answers look more certain than they
+    // are.
     std::array<double, kThresholds + 1> sums{};
     double sum = 0.0;
     double spreads = 0.0;
@@ -111,7 +112,7 @@ core::Expected<FeltThreshold> estimateThreshold(std::span<const FeltTrial> trial
     if (result.spread > kMostSpread || result.upper - result.lower > 0.5)
         return refused(FeltText::tr("The answers contradict each other: stronger was felt less often than "
                                     "weaker, or as often."),
-                       FeltText::tr("answers to what was felt; undo the wrong ones or begin anew"));
+                       FeltText::tr("consistent answers; undo the wrong ones or start again"));
     return result;
 }
 

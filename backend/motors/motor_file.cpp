@@ -65,9 +65,9 @@ CalibratedMotor readMotor(TomlTable table) {
     table.finish();
     if (!profile.valid())
         table.fail(
-            "curve", FileText::tr("these values contradict each other").toStdString(),
-            FileText::tr("0 < start_drive < full_drive, a curve that rises from the start or before it "
-                         "to the drive 1")
+            "curve", FileText::tr("these values are inconsistent").toStdString(),
+            FileText::tr(
+                "0 < start_drive < full_drive, and a curve that rises from the start or below it to drive 1")
                 .toStdString());
     return motor;
 }
@@ -76,7 +76,7 @@ core::Expected<MotorCalibration> readDocument(const TomlDocument& document) {
     TomlTable root = document.root();
     (void)root.choice("format", {kFormat});
     if (root.integer("version", 1, 1'000'000) > kVersion)
-        root.fail("version", FileText::tr("the file is of a newer version").toStdString(),
+        root.fail("version", FileText::tr("the file was written by a newer version").toStdString(),
                   std::to_string(kVersion));
     MotorCalibration calibration;
     calibration.bracelet = root.text("bracelet");
@@ -117,7 +117,7 @@ pattern::MotorProfile withStart(pattern::MotorProfile motor, double start) {
     if (motor.curve.front().drive <= start)
         return motor;
     const pattern::SpeedPoint a = motor.curve[0];
-    // A curve that ends at rest cannot fall any further.
+    // A curve that ends at rest cannot fall further.
     if (a.speed_Hz <= 0.0) {
         motor.curve[0].drive = start;
         return motor;
@@ -207,7 +207,7 @@ core::Expected<std::optional<MotorCalibration>> findMotors(const std::string& se
         return core::Unexpected(std::move(read.error()));
     if (read->bracelet != serial)
         return core::Unexpected(core::Error{core::ErrorKind::badInput,
-                                            FileText::tr("the profile is of the bracelet \"%1\"")
+                                            FileText::tr("the profile belongs to the bracelet \"%1\"")
                                                 .arg(QString::fromStdString(read->bracelet))
                                                 .toStdString(),
                                             serial,

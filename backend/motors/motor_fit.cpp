@@ -86,7 +86,7 @@ std::vector<Plateau> plateausOf(const MotorRecording& recording) {
     return plateaus;
 }
 
-/// Marks the plateaus at which the motor turns. False: at none.
+/// Marks the plateaus on which the motor turns. Returns false when there are none.
 bool markTurning(std::vector<Plateau>& plateaus) {
     double highest_Hz = 0.0;
     for (const Plateau& plateau : plateaus)
@@ -101,8 +101,8 @@ bool markTurning(std::vector<Plateau>& plateaus) {
     return std::ranges::any_of(plateaus, &Plateau::turns);
 }
 
-/// A sensor at the end of its range gives the very same number again and again although there is noise, or
-/// for different drives.
+/// A sensor at the end of its range repeats exactly the same value although there is noise, or for different
+/// drives.
 bool isClipped(const MotorRecording& recording, const std::vector<Plateau>& plateaus) {
     const double highest_Hz = *std::ranges::max_element(recording.speed_Hz);
     const auto atEnd = [&](const Plateau& plateau) {
@@ -146,7 +146,7 @@ core::Expected<StartInterval> startOf(const std::vector<Plateau>& plateaus) {
     }
     if (stood - started > kContradiction)
         return refused(
-            FitText::tr("The motor started at %1 of the full drive but stood at %2.")
+            FitText::tr("The motor started at %1 of the full drive but stood still at %2.")
                 .arg(percent(started), percent(stood)),
             FitText::tr("a motor that starts at the same drive each time; look for a loose contact"));
     return StartInterval{std::min(stood, started), std::max(stood, started)};
@@ -170,7 +170,7 @@ std::vector<SpeedLevel> levelsOf(const std::vector<Plateau>& plateaus, double st
     return levels;
 }
 
-/// Where the motor turns although the drive is below its start.
+/// Samples in which the motor turns although the drive is below its start.
 std::vector<bool> hysteresis(const MotorRecording& recording, const std::vector<Plateau>& plateaus,
                              double start) {
     std::vector<bool> ignored(recording.size(), false);
@@ -188,7 +188,7 @@ bool falls(const MotorRecording& recording, const std::vector<Plateau>& plateaus
     });
 }
 
-/// The lowest drive from which on more drive brings no more speed; empty: it does.
+/// The lowest drive above which the speed no longer rises; empty when it always rises.
 std::optional<double> flatFrom(const std::vector<SpeedLevel>& levels) {
     const SpeedLevel& full = levels.back();
     for (const SpeedLevel& level : levels) {
@@ -200,7 +200,8 @@ std::optional<double> flatFrom(const std::vector<SpeedLevel>& levels) {
     return std::nullopt;
 }
 
-/// Speeds that rise: neighbours that noise has turned round are taken as one (pool adjacent violators).
+/// Makes the speeds rise: neighbours in the wrong order because of noise are pooled (pool adjacent
+/// violators).
 std::vector<pattern::SpeedPoint> risingCurve(const std::vector<SpeedLevel>& levels, double start) {
     struct Pool {
         double drive, speed_Hz, weight;
@@ -232,7 +233,7 @@ std::vector<pattern::SpeedPoint> risingCurve(const std::vector<SpeedLevel>& leve
     }
     for (const Pool& pool : pools)
         curve.push_back({pool.drive, pool.speed_Hz});
-    // The last one may have been pooled, or written as 4094 of 4095.
+    // The last level may have been pooled, or its drive written as 4094 of 4095.
     const pattern::SpeedPoint a = curve[curve.size() - 2];
     pattern::SpeedPoint& last = curve.back();
     last.speed_Hz += (last.speed_Hz - a.speed_Hz) / (last.drive - a.drive) * (1.0 - last.drive);
@@ -251,7 +252,7 @@ core::Expected<void> checkExtent(const MotorRecording& recording, const std::vec
             FitText::tr("a staircase of drives from 0 to the full one"));
     if (recording.drive.front() > 0.0)
         return refused(FitText::tr("The recording does not begin at rest."),
-                       FitText::tr("a commanded drive of 0 at its begin"));
+                       FitText::tr("a commanded drive of 0 at the beginning"));
     if (plateaus.empty())
         return refused(FitText::tr("The recording is too short: no drive was held for %1 s.").arg(kPlateau_s),
                        FitText::tr("a drive that is held until the motor has followed, 0.3 s"));
@@ -261,20 +262,21 @@ core::Expected<void> checkExtent(const MotorRecording& recording, const std::vec
 core::Expected<void> checkTimes(const LagFit& lag) {
     const auto unsure = [](double value, double error) { return !(error < kLargestError * value); };
     if (unsure(lag.up_s, lag.upError_s))
-        return refused(FitText::tr("The rise time cannot be told: %1 s with a standard error of %2 s.")
+        return refused(FitText::tr("The rise time cannot be determined: %1 s with a standard error of %2 s.")
                            .arg(lag.up_s * std::numbers::ln10, 0, 'g', 2)
                            .arg(lag.upError_s * std::numbers::ln10, 0, 'g', 2),
-                       FitText::tr("more samples a second, or less noise"));
+                       FitText::tr("more samples per second, or less noise"));
     if (unsure(lag.down_s, lag.downError_s))
-        return refused(FitText::tr("The fall time cannot be told: %1 s with a standard error of %2 s.")
+        return refused(FitText::tr("The fall time cannot be determined: %1 s with a standard error of %2 s.")
                            .arg(lag.down_s * std::numbers::ln10, 0, 'g', 2)
                            .arg(lag.downError_s * std::numbers::ln10, 0, 'g', 2),
-                       FitText::tr("more samples a second, or less noise"));
+                       FitText::tr("more samples per second, or less noise"));
     if (lag.explained < kLeastExplained)
-        return refused(FitText::tr("The motor does not follow the drive as a motor with a lag: the model "
-                                   "explains %1 of the speed.")
-                           .arg(percent(std::max(lag.explained, 0.0))),
-                       FitText::tr("a recording of one motor, with the drive of the same time"));
+        return refused(
+            FitText::tr(
+                "The motor does not behave like a motor with a lag: the model explains %1 of the speed.")
+                .arg(percent(std::max(lag.explained, 0.0))),
+            FitText::tr("a recording of one motor with the drive at the same times"));
     return {};
 }
 
@@ -295,7 +297,7 @@ core::Expected<MotorFit> fitMotor(const MotorRecording& recording) {
     if (plateaus.front().drive == 0.0 && plateaus.front().turns)
         return refused(FitText::tr("The speed is not 0 although nothing is commanded: %1 Hz.")
                            .arg(plateaus.front().speed_Hz, 0, 'f', 1),
-                       FitText::tr("a sensor without an offset, and a motor at rest at the begin"));
+                       FitText::tr("a sensor without an offset, and a motor at rest at the beginning"));
     if (isClipped(recording, plateaus))
         return refused(FitText::tr("The speed is clipped: it stays at the end of the sensor's range."),
                        FitText::tr("a sensor with a larger range"));
@@ -305,20 +307,19 @@ core::Expected<MotorFit> fitMotor(const MotorRecording& recording) {
     const double startDrive = 0.5 * (start->low + start->high);
     const std::vector<SpeedLevel> levels = levelsOf(plateaus, startDrive);
     if (levels.size() < 2)
-        return refused(
-            FitText::tr("The motor turned at one level of the drive only: neither its start nor its "
-                        "curve can be told."),
-            FitText::tr("a staircase of drives from 0 to the full one"));
+        return refused(FitText::tr("The motor turned at one level of the drive only: neither its start nor "
+                                   "its curve can be determined."),
+                       FitText::tr("a staircase of drives from 0 to the full one"));
     if (!falls(recording, plateaus))
         return refused(
-            FitText::tr("The drive never falls while the motor turns: the fall time cannot be told."),
+            FitText::tr("The drive never falls while the motor turns: the fall time cannot be determined."),
             FitText::tr("a step down at the end"));
     auto lag = fitLag(recording, startDrive, levels, hysteresis(recording, plateaus, startDrive));
     if (!lag)
-        return refused(FitText::tr("The samples do not tell the motor's lag."),
-                       FitText::tr("more samples a second during the steps"));
+        return refused(FitText::tr("The samples do not determine the motor's lag."),
+                       FitText::tr("more samples per second during the steps"));
     if (const auto flat = flatFrom(lag->levels))
-        return refused(FitText::tr("The speed is saturated: from %1 of the drive on it does not rise.")
+        return refused(FitText::tr("The speed is saturated: it does not rise above %1 of the drive.")
                            .arg(percent(*flat)),
                        FitText::tr("a supply and a sensor that reach the full drive"));
     if (auto checked = checkTimes(*lag); !checked)
@@ -342,8 +343,8 @@ core::Expected<MotorFit> fitMotor(const MotorRecording& recording) {
     fit.explained = lag->explained;
     fit.predicted_Hz = std::move(lag->predicted_Hz);
     if (!fit.profile.valid())
-        return refused(
-            FitText::tr("What was measured makes no motor: its speed does not rise with the drive."));
+        return refused(FitText::tr(
+            "The measurement does not describe a motor: the speed does not rise with the drive."));
     return fit;
 }
 

@@ -2,7 +2,6 @@
 #include "backend/motors/motor_recording.h"
 
 #include "backend/core/data/csv_reader.h"
-#include "backend/core/data/csv_writer.h"
 #include "backend/motors/speed_from_signal.h"
 
 #include <QCoreApplication>
@@ -79,24 +78,10 @@ core::Expected<MotorRecording> readMotorRecording(const std::string& path) {
     return speeds;
 }
 
-core::Expected<void> writeMotorRecording(const MotorRecording& recording, const std::string& path) {
-    constexpr std::array<std::string_view, 3> kColumns{"time_s", "commanded", "speed_hz"};
-    auto writer = core::CsvWriter::create(path, kColumns);
-    if (!writer)
-        return core::Unexpected(writer.error());
-    for (std::size_t i = 0; i < recording.size() && !writer->failed(); ++i) {
-        writer->number(recording.time_s[i]);
-        writer->number(recording.drive[i]);
-        writer->number(recording.speed_Hz[i]);
-        writer->endRow();
-    }
-    return writer->finish();
-}
-
 core::Expected<void> checkMotorRecording(const MotorRecording& recording) {
     if (recording.drive.size() != recording.size() || recording.speed_Hz.size() != recording.size() ||
         (!recording.unknown.empty() && recording.unknown.size() != recording.size()))
-        return bad(RecordingText::tr("times, drives and speeds are not equally many"), {}, {});
+        return bad(RecordingText::tr("the numbers of times, drives and speeds differ"), {}, {});
     for (std::size_t i = 0; i < recording.size(); ++i) {
         const core::SourcePlace where{{}, static_cast<long long>(i) + 1, 0};
         if (!std::isfinite(recording.time_s[i]) || !std::isfinite(recording.speed_Hz[i]))

@@ -7,7 +7,7 @@
 
 namespace teleta::motors {
 
-/// What a measurement of motors does not show, in words, and what would show it.
+/// The error for a measurement that is not good enough: what is missing, and what would help.
 [[nodiscard]] inline core::Unexpected refused(const QString& message, const QString& expected = {}) {
     return core::Unexpected(
         core::Error{core::ErrorKind::refused, message.toStdString(), expected.toStdString(), {}});

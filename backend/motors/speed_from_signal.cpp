@@ -21,11 +21,11 @@ constexpr double kNoiseFactor = 4.0;
 constexpr double kSamplesPerTurn = 8.0;
 constexpr double kFarOutShare = 0.02; ///< of the samples that are further out than half the largest one
 constexpr int kClippedInARow = 3;
-/// So long a motor may turn unseen: below its slowest vibration, or within the noise.
+/// How long a motor may turn without being seen: below the slowest vibration, or within the noise.
 constexpr double kUnseenBefore_s = 1.0 / kSlowestVibration_Hz;
 constexpr double kUnseenAfter_s = 3.0 / kSlowestVibration_Hz;
 
-/// Samples of one value in a row at an end of the range: a converter that is full.
+/// Consecutive samples with the same extreme value mean that the converter is clipped.
 bool isClipped(std::span<const double> signal, double zero) {
     for (const double side : {1.0, -1.0}) {
         double end = 0.0;
@@ -46,7 +46,7 @@ bool isClipped(std::span<const double> signal, double zero) {
     return false;
 }
 
-/// Times at which the signal crosses the zero line upwards, one a turn.
+/// Times of the upward zero crossings, one per turn.
 std::vector<double> crossings(std::span<const double> time_s, std::span<const double> signal, double zero,
                               double threshold) {
     std::vector<double> times_s;
@@ -82,7 +82,7 @@ core::Expected<MotorRecording> speedFromSignal(std::span<const double> time_s, s
     const double quiet_s = quiet > 0 ? time_s[quiet - 1] - time_s[0] : 0.0;
     if (quiet < 10 || quiet_s < kQuiet_s)
         return refused(SignalText::tr("The recording does not begin at rest."),
-                       SignalText::tr("at least %1 s with the commanded drive 0").arg(kQuiet_s));
+                       SignalText::tr("at least %1 s with a commanded drive of 0").arg(kQuiet_s));
     double zero = 0.0;
     for (std::size_t i = 0; i < quiet; ++i)
         zero += signal[i] / static_cast<double>(quiet);
@@ -95,7 +95,7 @@ core::Expected<MotorRecording> speedFromSignal(std::span<const double> time_s, s
     double largest = 0.0;
     for (const double value : signal)
         largest = std::max(largest, std::abs(value - zero));
-    // A signal without any noise still needs a line between rest and vibration.
+    // Even without noise a threshold between rest and vibration is needed.
     const double threshold = std::max(kNoiseFactor * std::sqrt(variance), 1e-3 * largest);
     const std::vector<double> times_s = crossings(time_s, signal, zero, threshold);
     if (times_s.size() < 10)
@@ -113,7 +113,7 @@ core::Expected<MotorRecording> speedFromSignal(std::span<const double> time_s, s
         const double speed_Hz = 1.0 / (times_s[i] - times_s[i - 1]);
         if (speed_Hz > kFastestVibration_Hz)
             continue;
-        // A turn that took longer is a rest between two turns.
+        // A longer turn is a rest between two turns.
         if (speed_Hz < kSlowestVibration_Hz)
             continue;
         middles_s.push_back(0.5 * (times_s[i] + times_s[i - 1]));
@@ -122,10 +122,10 @@ core::Expected<MotorRecording> speedFromSignal(std::span<const double> time_s, s
     }
     const double rate_Hz = static_cast<double>(time_s.size() - 1) / (time_s.back() - time_s.front());
     if (rate_Hz < kSamplesPerTurn * fastest_Hz)
-        return refused(SignalText::tr("%1 samples a second are too few for %2 turns a second.")
+        return refused(SignalText::tr("%1 samples per second are too few for %2 turns per second.")
                            .arg(rate_Hz, 0, 'f', 0)
                            .arg(fastest_Hz, 0, 'f', 0),
-                       SignalText::tr("at least %1 samples a turn").arg(kSamplesPerTurn));
+                       SignalText::tr("at least %1 samples per turn").arg(kSamplesPerTurn));
     std::size_t next = 0;
     for (std::size_t i = 0; i < recording.size(); ++i) {
         while (next < middles_s.size() && middles_s[next] <= time_s[i])

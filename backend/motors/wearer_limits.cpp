@@ -34,7 +34,7 @@ core::Expected<WearerLimits> readLimitsDocument(const TomlDocument& document) {
     TomlTable root = document.root();
     (void)root.choice("format", {kLimitsFormat});
     if (root.integer("version", 1, 1'000'000) > kLimitsVersion)
-        root.fail("version", LimitsText::tr("the file is of a newer version").toStdString(),
+        root.fail("version", LimitsText::tr("the file was written by a newer version").toStdString(),
                   std::to_string(kLimitsVersion));
     WearerLimits limits;
     limits.bracelet = root.text("bracelet");
@@ -97,7 +97,7 @@ core::Expected<WearerLimits> findLimits(const std::string& serial) {
     auto read = readLimits(path);
     if (read && read->bracelet != serial)
         return core::Unexpected(core::Error{core::ErrorKind::badInput,
-                                            LimitsText::tr("the limits are of the bracelet \"%1\"")
+                                            LimitsText::tr("the limits belong to the bracelet \"%1\"")
                                                 .arg(QString::fromStdString(read->bracelet))
                                                 .toStdString(),
                                             serial,

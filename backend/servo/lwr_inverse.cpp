@@ -61,7 +61,7 @@ JointMotion solveRates(const LwrVector& q_rad, const LwrJacobian& jacobian, cons
         motion.damping = dampingOf(manipulability, settings);
         if (round == 0)
             motion.manipulability = manipulability;
-        // Rounding leaves an exactly singular matrix a hair short of positive definite.
+        // Rounding can make an exactly singular matrix slightly indefinite.
         JJt.diagonal().array() += std::max(motion.damping * motion.damping, 1e-14);
 
         const double fade = 1.0 - motion.damping / settings.highestDamping;
@@ -100,35 +100,6 @@ JointMotion solveRates(const LwrVector& q_rad, const LwrJacobian& jacobian, cons
     }
     motion.achieved = jacobian * motion.rate_radPerS;
     return motion;
-}
-
-tl::expected<LwrVector, InverseRefusal> solvePose(const LwrKinematics& kinematics,
-                                                  const Eigen::Isometry3d& X_Base_Tool,
-                                                  const LwrVector& start_rad,
-                                                  const InverseSettings& settings) {
-    constexpr int kSteps = 500;
-    constexpr double kTolerance = 1e-9;
-    constexpr double kLongestStep_rad = 0.3;
-    if (!X_Base_Tool.matrix().array().isFinite().all() || !start_rad.array().isFinite().all())
-        return tl::unexpected(InverseRefusal::notFinite);
-
-    // One step is one second: ends and speeds of the joints are limits of the step.
-    InverseSettings stepwise = settings;
-    stepwise.brakingTime_s = 1.0;
-    LwrVector q_rad = start_rad.cwiseMax(settings.limits.lowest_rad).cwiseMin(settings.limits.highest_rad);
-    for (int step = 0; step < kSteps; ++step) {
-        const LwrPosture posture = kinematics.forward(q_rad);
-        const Twist error_Tool = poseDifference(posture.X_Base_Tool, X_Base_Tool);
-        if (error_Tool.head<3>().norm() <= kTolerance && error_Tool.tail<3>().norm() <= kTolerance)
-            return q_rad;
-        Twist error_Base;
-        error_Base << posture.X_Base_Tool.linear() * error_Tool.head<3>(),
-            posture.X_Base_Tool.linear() * error_Tool.tail<3>();
-        const JointMotion motion = solveRates(q_rad, posture.jacobian, error_Base, stepwise);
-        const double longest = motion.rate_radPerS.cwiseAbs().maxCoeff();
-        q_rad += motion.rate_radPerS * std::min(1.0, kLongestStep_rad / std::max(longest, 1e-300));
-    }
-    return tl::unexpected(InverseRefusal::unreachable);
 }
 
 } // namespace teleta::servo

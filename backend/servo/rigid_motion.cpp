@@ -7,7 +7,7 @@ namespace teleta::servo {
 
 namespace {
 
-/// Below this angle the closed forms lose digits and the series have all of them.
+/// Below this angle the closed forms lose digits and the series are used.
 constexpr double kSeriesAngle_rad = 0.25;
 
 /// (t - sin t)/t^3.
@@ -41,7 +41,7 @@ HalfAngle halfAngleOf(const Eigen::Matrix3d& R) {
     if (q.w() < 0.0)
         q.coeffs() = -q.coeffs();
     Eigen::Vector3d v = q.vec();
-    // A half turn to rounding: both axes describe it, and the sign of w says nothing.
+    // A half turn up to rounding: both signs of the axis describe it, and the sign of w has no meaning.
     if (q.w() < 1e-15) {
         Eigen::Index first = 0;
         while (first < 2 && std::abs(v[first]) < 1e-15)
@@ -98,26 +98,11 @@ Twist logSE3(const Eigen::Isometry3d& X) {
     return xi;
 }
 
-Matrix6 adjoint(const Eigen::Isometry3d& X_A_B) {
-    Matrix6 Ad = Matrix6::Zero();
-    Ad.topLeftCorner<3, 3>() = X_A_B.linear();
-    Ad.bottomRightCorner<3, 3>() = X_A_B.linear();
-    Ad.topRightCorner<3, 3>() = skew(X_A_B.translation()) * X_A_B.linear();
-    return Ad;
-}
-
 Twist twistTo(const Eigen::Isometry3d& X_A_B, const Twist& twist_B) {
     const Eigen::Vector3d w = X_A_B.linear() * twist_B.tail<3>();
     Twist twist_A;
     twist_A << X_A_B.linear() * twist_B.head<3>() + X_A_B.translation().cross(w), w;
     return twist_A;
-}
-
-Wrench wrenchTo(const Eigen::Isometry3d& X_A_B, const Wrench& wrench_B) {
-    const Eigen::Vector3d f = X_A_B.linear() * wrench_B.head<3>();
-    Wrench wrench_A;
-    wrench_A << f, X_A_B.translation().cross(f) + X_A_B.linear() * wrench_B.tail<3>();
-    return wrench_A;
 }
 
 Twist poseDifference(const Eigen::Isometry3d& X_A_From, const Eigen::Isometry3d& X_A_To) {

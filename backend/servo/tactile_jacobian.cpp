@@ -42,18 +42,6 @@ Matrix6 projectionMatrix(const Projection& projection) {
     return P;
 }
 
-NaturalConstraints naturalConstraints(contact::ContactType type) {
-    switch (type) {
-    case contact::ContactType::point:
-        return {{true, true, false, true, true, true}, {false, false, true, false, false, true}};
-    case contact::ContactType::edge:
-        return {{true, true, false, true, false, true}, {false, false, true, false, true, false}};
-    case contact::ContactType::none:
-        break;
-    }
-    return {{true, true, true, true, true, true}, {}};
-}
-
 double EdgeDirection::follow(double alpha_rad, double desired_rad) {
     constexpr double kPi = std::numbers::pi;
     const double near_rad = m_known ? m_alpha_rad : desired_rad;

@@ -49,13 +49,13 @@ constexpr std::array<std::string_view, 15> kNames{"time_s",
                                                   "contact"};
 constexpr std::size_t kNumbers = 13;
 
-/// Columns that files of older versions lack.
+/// Columns that are missing in files of older versions.
 constexpr std::array<std::string_view, 11> kLaterNumbers{
     "coc_x_desired_m", "dzmp_y_desired_m", "mass_x_true_m", "qw",          "qx", "qy", "qz",
     "qw_commanded",    "qx_commanded",     "qy_commanded",  "qz_commanded"};
 constexpr std::string_view kLimitsName = "limits";
 
-/// Beyond this, SI units, nothing is a place, a force or a time of a run.
+/// Largest plausible place, force or time of a run, in SI units.
 constexpr double kLargest = 1e12;
 
 /// Neither NaN nor of another length than 1.
@@ -95,7 +95,7 @@ void ServoCurves::note(const ServoStep& step) {
     m_noted_s = step.time_s;
 }
 
-/// The z component of the rotation vector that leads from the start to it.
+/// The z component of the rotation vector from the start to this orientation.
 double ServoCurves::turnSinceStart_rad(const Eigen::Quaterniond& q_Base_Sensor) const {
     if (!m_start_m || !isRotation(m_q_Base_Start) || !isRotation(q_Base_Sensor))
         return ServoStep::kNone;
@@ -178,12 +178,12 @@ core::Expected<ServoCurves> readServoCurves(const std::string& path) {
         for (std::size_t i = 0; i < kNumbers; ++i) {
             const std::optional<double> value = core::numberOrNA(fields[(*columns)[i]]);
             if (!value || (std::isfinite(*value) && std::abs(*value) > kLargest))
-                return badField(*csv, (*columns)[i], CurvesText::tr("this is no number of a run"),
+                return badField(*csv, (*columns)[i], CurvesText::tr("this is not a plausible number"),
                                 CurvesText::tr("a number from -1e12 to 1e12, or NA"));
             row[i] = *value;
         }
         if (!std::isfinite(row[0]) || row[0] < before_s)
-            return badField(*csv, (*columns)[0], CurvesText::tr("the time falls, or there is none"),
+            return badField(*csv, (*columns)[0], CurvesText::tr("the time decreases or is missing"),
                             CurvesText::tr("times in order"));
         before_s = row[0];
         ServoStep step;
@@ -197,14 +197,14 @@ core::Expected<ServoCurves> readServoCurves(const std::string& path) {
                 continue;
             const std::optional<double> value = core::numberOrNA(fields[laterColumns[i]]);
             if (!value || (std::isfinite(*value) && std::abs(*value) > kLargest))
-                return badField(*csv, laterColumns[i], CurvesText::tr("this is no number of a run"),
+                return badField(*csv, laterColumns[i], CurvesText::tr("this is not a plausible number"),
                                 CurvesText::tr("a number from -1e12 to 1e12, or NA"));
             *laterValues[i] = *value;
         }
         if (limitsColumn < fields.size()) {
             const std::optional<ActiveLimits> limits = ActiveLimits::fromNames(fields[limitsColumn]);
             if (!limits)
-                return badField(*csv, limitsColumn, CurvesText::tr("this is no limit of a servo"),
+                return badField(*csv, limitsColumn, CurvesText::tr("this is not a limit of a servo"),
                                 CurvesText::tr("names such as force+tool_speed, or nothing"));
             step.limits = *limits;
         }

@@ -14,7 +14,7 @@
 
 namespace teleta::servo {
 
-/// What a figure shows of a servo run, one entry a step. What is not defined is NaN. Thread: one.
+/// The curves of a servo run that a figure shows, one entry per step. Undefined values are NaN. Thread: one.
 struct ServoCurves {
     std::string name;
     bool simulated = true;
@@ -30,27 +30,28 @@ struct ServoCurves {
     std::vector<double> dzmpYTrue_m;
     std::vector<double> alphaZ_rad;
     std::vector<double> alphaZDesired_rad;
-    /// Of the array in the base, from where it was first in contact; NaN before.
+    /// Position of the array in the base, relative to where it was first in contact; NaN before.
     std::vector<double> x_m, y_m, z_m;
-    std::vector<double> way_m; ///< the length of that
-    /// Turn of the array about its own z since the same moment, and where it was commanded to be.
+    std::vector<double> way_m; ///< length of the path since then
+    /// Turn of the array about its own z since the same moment, measured and commanded.
     std::vector<double> turnZ_rad, turnZCommanded_rad;
-    std::vector<std::pair<double, std::string>> phases; ///< when each one began
+    std::vector<std::pair<double, std::string>> phases; ///< start of each phase and its name
 
     struct Span {
         double begin_s;
         double end_s;
-        ActiveLimits limits; ///< that acted in it
+        ActiveLimits limits; ///< limits that acted in the span
     };
-    static constexpr std::size_t kMostSpans = 4096; ///< of each kind; further ones lengthen the last
-    std::vector<Span> contacts;                     ///< while the servo takes itself to be in contact
-    std::vector<Span> limits;                       ///< while the same ones act
-    std::optional<double> massMoves_s;              ///< when a weight on the tray is moved first
+    static constexpr std::size_t kMostSpans =
+        4096;                          ///< largest number of spans of each kind; further ones extend the last
+    std::vector<Span> contacts;        ///< while the servo reports contact
+    std::vector<Span> limits;          ///< each while the same limits act
+    std::optional<double> massMoves_s; ///< when a weight on the tray is first moved
 
     void add(const ServoStep& step, std::string_view phase);
-    /// The events of a step whose curves are left out.
+    /// Takes the events of a step without adding to the curves.
     void note(const ServoStep& step);
-    /// Keeps every second entry; the phases stay.
+    /// Keeps every second entry of the curves and all phases.
     void thin();
 
 private:
@@ -66,8 +67,8 @@ private:
     double m_noted_s = 0.0;
 };
 
-/// Reads a run that `teleta simulate --out` has written. path: its folder or its servo.csv; the folder names
-/// the run. Error: badInput with line and column, notFound.
+/// Reads a run written by `teleta simulate --out`. path: its folder or its servo.csv; the run is named after
+/// the folder. Error: badInput with line and column, notFound. Thread: any.
 [[nodiscard]] core::Expected<ServoCurves> readServoCurves(const std::string& path);
 
 } // namespace teleta::servo

@@ -31,7 +31,7 @@ constexpr double kSwatch = 22.0; ///< length of a line in the legend
 constexpr double kPxPerTick = 22.0; ///< about so far apart are those of a lane
 constexpr double kPxPerTimeTick = 90.0;
 
-/// Of small text; signs of Chinese and Japanese are as wide as high.
+/// Estimated width of small text; Chinese and Japanese characters are as wide as high.
 double lengthOf(const QString& text) {
     double length = 0.0;
     for (const QChar letter : text)
@@ -45,7 +45,7 @@ struct FigureText {
 
 using Values = std::vector<double> ServoCurves::*;
 
-/// A weight's moment is gone when |DZMP_y| stays below; m.
+/// The moment of a weight is gone when |DZMP_y| stays below this; m.
 constexpr double kSettledDzmp_m = 0.0005;
 constexpr double kStripRow = 10.0; ///< of contacts and limits of a run
 constexpr double kStripGap = 6.0;
@@ -102,7 +102,7 @@ std::vector<Lane> lanesFor(bool alone) {
     return lanes;
 }
 
-/// Beyond this there is no axis for it.
+/// Larger values get no axis.
 bool isShown(double value) {
     constexpr double kLargestShown = 1e100;
     return std::isfinite(value) && std::abs(value) < kLargestShown;
@@ -117,7 +117,7 @@ struct Axis {
 Axis axisOf(double low, double high, double leastSpan, double ticks) {
     if (!(low <= high))
         low = high = 0.0;
-    // Values that differ by no more than their own rounding are one.
+    // Values that differ only by rounding count as equal.
     const double least = std::max(leastSpan, 1e-9 * std::max(std::abs(low), std::abs(high)));
     const double missing = std::max(0.0, least - (high - low));
     Axis axis{low - 0.5 * missing, high + 0.5 * missing, 0.0};
@@ -147,7 +147,7 @@ QString dots() {
 
 enum class Sample { line, contact, limit, cross };
 
-/// A word of the legend and what stands before it.
+/// A text of the legend and the mark in front of it.
 struct Entry {
     QString name;
     QString line;
@@ -204,7 +204,7 @@ private:
     [[nodiscard]] double bottom() const { return top(m_rows - 1) + m_laneHeight; }
     [[nodiscard]] double x(double time_s) const { return m_left + plotWidth() * time_s / m_time_s; }
 
-    /// Entries in as many rows as they need.
+    /// Draws the entries in as many rows as needed.
     [[nodiscard]] std::vector<Entry> legend() const {
         std::vector<Entry> entries;
         for (std::size_t i = 0; i < m_runs.size(); ++i)
@@ -253,7 +253,7 @@ private:
         }
     }
 
-    /// The last phases take the longest, so names are placed from the end; one without room is left out.
+    /// The last phases are the longest, so names are placed from the end; a name without room is left out.
     void drawPhases() {
         if (m_runs.empty())
             return;
@@ -275,7 +275,7 @@ private:
             m_runs, [](const ServoCurves& run) { return !run.contacts.empty() || !run.limits.empty(); });
     }
 
-    /// Which limits acted in any run.
+    /// The limits that acted in any run.
     [[nodiscard]] QString limitsName() const {
         ActiveLimits all;
         for (const ServoCurves& run : m_runs)
@@ -289,7 +289,7 @@ private:
                      .replace(QLatin1Char('+'), QLatin1String(", ")));
     }
 
-    /// A bar of a run: thin, or thick where a limit acts.
+    /// Draws a bar of a run: thin, or thick where a limit acts.
     void bar(double from, double to, double y, std::size_t series, bool limit) {
         const QString colour = QStringLiteral("series%1").arg(series);
         if (limit)
@@ -299,7 +299,7 @@ private:
             m_canvas.line(from, y, to, y, colour + QStringLiteral(" bar"));
     }
 
-    /// A row for each run: thin where it is in contact, thick where a limit acts.
+    /// Draws a row for each run: thin where it is in contact, thick where a limit acts.
     void drawStrip() {
         for (std::size_t i = 0; i < m_runs.size(); ++i) {
             const double middle = m_stripTop + (static_cast<double>(i) + 0.5) * kStripRow;
@@ -308,7 +308,7 @@ private:
         }
     }
 
-    /// Spans that follow each other within a px are one.
+    /// Joins spans that are less than one px apart.
     void spans(const std::vector<ServoCurves::Span>& spans, double y, std::size_t series, bool limit) {
         std::optional<std::pair<double, double>> open;
         const auto close = [&] {
@@ -335,7 +335,8 @@ private:
                           QStringLiteral("class=\"hollow series1\""));
     }
 
-    /// When the weight is moved, and when the moment that it causes is gone for good; the paper's crosses.
+    /// Draws the paper's crosses: when the weight is moved, and when the moment that it causes is gone for
+    /// good.
     template <typename Y>
     void drawMarks(const ServoCurves& run, const Y& y) {
         if (!run.massMoves_s)
@@ -379,7 +380,7 @@ private:
         return axisOf(low, high, lane.leastSpan, m_laneHeight / kPxPerTick);
     }
 
-    /// Beside the axis, or all in their lanes where those are lower than a name is long.
+    /// Beside the axis, or inside the lanes when these are lower than a name is long.
     void nameLane(const QString& name, double upper) {
         constexpr double kApart = 8.0;
         const bool tooLong = std::ranges::any_of(m_lanes, [this](const Lane& lane) {
@@ -441,7 +442,8 @@ private:
                       QStringLiteral("ink small middle"));
     }
 
-    /// As many points as the picture can show: the lowest and the highest of each px, in their order.
+    /// Reduces a curve to what the figure can show: the lowest and the highest point of each px, in their
+    /// order.
     template <typename Y>
     void curve(const ServoCurves& run, const std::vector<double>& values, const Y& y,
                const QString& attributes) {

@@ -48,11 +48,4 @@ const char* toString(Material material) {
     return "";
 }
 
-std::optional<Material> materialFromString(std::string_view text) {
-    for (const MaterialBand& band : materialBands())
-        if (text == toString(band.material))
-            return band.material;
-    return std::nullopt;
-}
-
 } // namespace teleta::stiffness

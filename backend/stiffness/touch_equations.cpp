@@ -6,18 +6,6 @@
 
 namespace teleta::stiffness {
 
-tl::expected<double, Refusal> totalStiffness_NPerM(double torqueRise_Nm, double contactDistance_m,
-                                                   double rotation_rad) {
-    if (!std::isfinite(torqueRise_Nm) || !std::isfinite(contactDistance_m) || !std::isfinite(rotation_rad))
-        return tl::unexpected(Refusal::notFinite);
-    if (torqueRise_Nm <= 0.0 || contactDistance_m <= 0.0 || rotation_rad <= 0.0)
-        return tl::unexpected(Refusal::notPositive);
-    const double divisor = contactDistance_m * contactDistance_m * rotation_rad;
-    if (divisor <= 0.0)
-        return tl::unexpected(Refusal::notPositive);
-    return torqueRise_Nm / divisor;
-}
-
 tl::expected<Compliance, Refusal> objectCompliance(const Compliance& total, double link_NPerM,
                                                    double linkSe_NPerM) {
     if (!std::isfinite(total.value_mPerN) || !std::isfinite(total.se_mPerN.value_or(0.0)) ||
@@ -60,21 +48,6 @@ Stiffness stiffnessFromCompliance(const Compliance& compliance, double link_NPer
         stiffness.lower95_NPerM = 1.0 / most_mPerN;
     }
     return stiffness;
-}
-
-tl::expected<Stiffness, Refusal> objectStiffness(double total_NPerM, std::optional<double> totalSe_NPerM,
-                                                 double link_NPerM, double linkSe_NPerM) {
-    if (!std::isfinite(total_NPerM))
-        return tl::unexpected(Refusal::notFinite);
-    if (total_NPerM <= 0.0)
-        return tl::unexpected(Refusal::notPositive);
-    Compliance total;
-    total.value_mPerN = 1.0 / total_NPerM;
-    if (totalSe_NPerM)
-        total.se_mPerN = *totalSe_NPerM / total_NPerM / total_NPerM;
-    return objectCompliance(total, link_NPerM, linkSe_NPerM).map([&](const Compliance& object) {
-        return stiffnessFromCompliance(object, link_NPerM);
-    });
 }
 
 } // namespace teleta::stiffness

@@ -18,7 +18,7 @@ namespace teleta::fuzz {
 
 namespace {
 
-/// A picture has numbers and an end.
+/// A picture contains only finite numbers and is complete.
 void requirePicture(const std::string& svg) {
     constexpr std::size_t kMostBytes = 50'000'000;
     require(svg.ends_with("</svg>\n") || svg.ends_with("</svg>"), "a picture is complete");

@@ -27,7 +27,7 @@ double lengthOf_s(const Stroke& stroke) {
     return stroke.points.empty() ? 0.0 : stroke.points.back().time_s;
 }
 
-/// The same line, drawn in another time.
+/// Rescales the times of a stroke to another length.
 void setLength(Stroke& stroke, double length_s) {
     const double now_s = lengthOf_s(stroke);
     if (!(now_s > 0.0))
@@ -70,6 +70,15 @@ void PatternInspector::field(const char* name, const QString& label, const QStri
         [this, set = std::move(set), key = QString::fromLatin1(name)](double value) {
             change<Form>([&](Form& form) { set(form, value); }, key);
         });
+}
+
+template <typename Form>
+void PatternInspector::field(const char* name, const QString& label, const QString& unit, double low,
+                             double high, int decimals, double Form::*value) {
+    const double scale = unit == QLatin1String("%") ? kPercent : 1.0;
+    field<Form>(
+        name, label, unit, low, high, decimals, [value, scale](const Form& f) { return scale * (f.*value); },
+        [value, scale](Form& f, double v) { f.*value = v / scale; });
 }
 
 template <typename Form>
@@ -125,9 +134,7 @@ void PatternInspector::check(const char* name, const QString& label, std::functi
 
 void PatternInspector::buildSweep() {
     const auto byLaw = [](const Sweep& f) { return !f.onset_s; };
-    field<Sweep>(
-        "burst", tr("Burst:"), QStringLiteral("s"), 0.001, Pattern::kLongest_s, 3,
-        [](const Sweep& f) { return f.burst_s; }, [](Sweep& f, double v) { f.burst_s = v; });
+    field("burst", tr("Burst:"), QStringLiteral("s"), 0.001, Pattern::kLongest_s, 3, &Sweep::burst_s);
     field<Sweep>(
         "onset", tr("Onset to onset:"), QStringLiteral("s"), 0.001, Pattern::kLongest_s, 4,
         [](const Sweep& f) { return onsetOf_s(f); }, [](Sweep& f, double v) { f.onset_s = v; });
@@ -157,23 +164,14 @@ void PatternInspector::buildPhantom() {
     const QString percent = QStringLiteral("%");
     motor<Phantom>("first", tr("First motor:"), &Phantom::first);
     motor<Phantom>("second", tr("Second motor:"), &Phantom::second);
-    field<Phantom>(
-        "from", tr("From:"), percent, 0.0, kPercent, 0,
-        [](const Phantom& f) { return kPercent * f.balanceFrom; },
-        [](Phantom& f, double v) { f.balanceFrom = v / kPercent; });
-    field<Phantom>(
-        "to", tr("To:"), percent, 0.0, kPercent, 0, [](const Phantom& f) { return kPercent * f.balanceTo; },
-        [](Phantom& f, double v) { f.balanceTo = v / kPercent; });
+    field("from", tr("From:"), percent, 0.0, kPercent, 0, &Phantom::balanceFrom);
+    field("to", tr("To:"), percent, 0.0, kPercent, 0, &Phantom::balanceTo);
 }
 
 void PatternInspector::buildRamp() {
     const QString percent = QStringLiteral("%");
-    field<Ramp>(
-        "from", tr("From:"), percent, 0.0, kPercent, 1, [](const Ramp& f) { return kPercent * f.from; },
-        [](Ramp& f, double v) { f.from = v / kPercent; });
-    field<Ramp>(
-        "to", tr("To:"), percent, 0.0, kPercent, 1, [](const Ramp& f) { return kPercent * f.to; },
-        [](Ramp& f, double v) { f.to = v / kPercent; });
+    field("from", tr("From:"), percent, 0.0, kPercent, 1, &Ramp::from);
+    field("to", tr("To:"), percent, 0.0, kPercent, 1, &Ramp::to);
     auto* easing = easingBox("easing");
     m_refresh.push_back([this, easing] {
         if (const Ramp* ramp = selectedForm<Ramp>())
@@ -187,12 +185,8 @@ void PatternInspector::buildRamp() {
 
 void PatternInspector::buildPulseTrain() {
     const QString s = QStringLiteral("s");
-    field<PulseTrain>(
-        "period", tr("Period:"), s, 0.001, Pattern::kLongest_s, 3,
-        [](const PulseTrain& f) { return f.period_s; }, [](PulseTrain& f, double v) { f.period_s = v; });
-    field<PulseTrain>(
-        "width", tr("Width:"), s, 0.001, Pattern::kLongest_s, 3,
-        [](const PulseTrain& f) { return f.width_s; }, [](PulseTrain& f, double v) { f.width_s = v; });
+    field("period", tr("Period:"), s, 0.001, Pattern::kLongest_s, 3, &PulseTrain::period_s);
+    field("width", tr("Width:"), s, 0.001, Pattern::kLongest_s, 3, &PulseTrain::width_s);
     tactors<PulseTrain>();
 }
 
@@ -207,7 +201,7 @@ void PatternInspector::buildStroke() {
             if (!f.points.empty())
                 turnTo(f, v / kDegrees);
         });
-    // Its points, one at a time.
+    // Its points are shown one at a time.
     const auto at = [this](const Stroke& f) {
         return std::min(m_strokePoint, f.points.empty() ? 0 : f.points.size() - 1);
     };
@@ -257,20 +251,13 @@ void PatternInspector::buildStroke() {
 void PatternInspector::buildObject() {
     const QString s = QStringLiteral("s");
     const auto start = [&]<typename Form>(Form*) {
-        field<Form>(
-            "start", tr("Start:"), s, 0.0, Pattern::kLongest_s, 3, [](const Form& f) { return f.start_s; },
-            [](Form& f, double v) { f.start_s = v; });
+        field("start", tr("Start:"), s, 0.0, Pattern::kLongest_s, 3, &Form::start_s);
         if constexpr (requires(Form f) { f.duration_s; })
-            field<Form>(
-                "length", tr("Length:"), s, 0.01, Pattern::kLongest_s, 3,
-                [](const Form& f) { return f.duration_s; }, [](Form& f, double v) { f.duration_s = v; });
+            field("length", tr("Length:"), s, 0.01, Pattern::kLongest_s, 3, &Form::duration_s);
     };
     const auto strength = [&]<typename Form>(Form*) {
         if constexpr (requires(Form f) { f.intensity; })
-            field<Form>(
-                "intensity", tr("Intensity:"), QStringLiteral("%"), 0.0, kPercent, 1,
-                [](const Form& f) { return kPercent * f.intensity; },
-                [](Form& f, double v) { f.intensity = v / kPercent; });
+            field("intensity", tr("Intensity:"), QStringLiteral("%"), 0.0, kPercent, 1, &Form::intensity);
     };
     auto* name = new QLineEdit(m_rows);
     name->setObjectName(QStringLiteral("objectName"));

@@ -31,6 +31,8 @@ LawList::LawList(PatternDocument* document, QWidget* parent)
     , m_checkedRevision(document->revision() - 1) {
     m_list->setWordWrap(true);
     m_list->setAlternatingRowColors(true);
+    m_headline->setObjectName(QStringLiteral("headline"));
+    m_fix->setObjectName(QStringLiteral("fix"));
     m_fix->setAutoDefault(false);
     auto* top = new QHBoxLayout;
     top->addWidget(m_headline, 1);
@@ -66,13 +68,13 @@ void LawList::checkLater() {
     if (m_cancelled)
         m_cancelled->store(true);
     m_rest.start();
-    showFindings(); // those of the pattern that is no more are greyed
+    showFindings(); // outdated findings are greyed
 }
 
 void LawList::check() {
     m_rest.stop();
     if (m_cancelled) {
-        m_cancelled->store(true); // its end begins the next one
+        m_cancelled->store(true); // the next check starts when this one ends
         return;
     }
     m_cancelled = std::make_shared<std::atomic<bool>>(false);
@@ -90,13 +92,8 @@ void LawList::check() {
             m_findings = std::move(findings);
             m_checkedRevision = revision;
             showFindings();
-            emit checked();
         });
     showFindings();
-}
-
-QString LawList::headline() const {
-    return m_headline->text();
 }
 
 void LawList::showFindings() {
@@ -105,14 +102,14 @@ void LawList::showFindings() {
     m_fix->setText(tr("&Fix"));
     m_list->setEnabled(isChecked());
     if (!isChecked()) {
-        m_headline->setText(tr("Laws: looking\u2026"));
+        m_headline->setText(tr("Laws: checking\u2026"));
         m_fix->setEnabled(false);
         return;
     }
     const int row = m_list->currentRow();
     m_list->clear();
     m_headline->setText(m_findings.empty() ? tr("Laws: no warning")
-                                           : tr("Laws: %1 to look at").arg(m_findings.size()));
+                                           : tr("Laws: %1 to review").arg(m_findings.size()));
     for (const Finding& finding : m_findings) {
         const QString what = QString::fromStdString(describe(finding));
         const QString how = QString::fromStdString(describeFix(finding));
@@ -132,9 +129,9 @@ void LawList::takeCurrent() {
         return;
     }
     const Finding& finding = m_findings[static_cast<std::size_t>(row)];
-    // A fix copies the pattern: whether there is one is told by the suggestion.
+    // fixed() copies the pattern; the suggestion already tells whether there is a fix.
     m_fix->setEnabled(finding.suggestion.has_value());
-    if (m_list->hasFocus()) // chosen by the user, not by a new look
+    if (m_list->hasFocus()) // chosen by the user, not by a new check
         emit shown(row);
 }
 

@@ -16,8 +16,8 @@ class QPushButton;
 
 namespace teleta::editor {
 
-/// Where the pattern breaks the laws of the display, each with what to do about it; one edit does it. Looks
-/// again, on a thread of its own, when the pattern has rested for a moment. Thread: GUI.
+/// Lists where the pattern breaks the laws of perception, each with a fix that is one edit. Checks again in
+/// the background when the pattern has not changed for a moment. Thread: GUI.
 class LawList : public QWidget {
     Q_OBJECT
 public:
@@ -25,19 +25,15 @@ public:
     ~LawList() override;
 
     [[nodiscard]] const std::vector<pattern::Finding>& findings() const { return m_findings; }
-    /// Whether the findings are those of the pattern as it is now.
+    /// Whether the findings are up to date with the pattern.
     [[nodiscard]] bool isChecked() const { return m_checkedRevision == m_document->revision(); }
     [[nodiscard]] QListWidget* list() const { return m_list; }
-    [[nodiscard]] QPushButton* fixButton() const { return m_fix; }
-    [[nodiscard]] QString headline() const;
-    /// Looks now, without waiting for the pattern to rest; checked() tells the end.
+    /// Checks now, without waiting for the pattern to rest.
     void check();
 
 signals:
     /// The user has chosen a finding.
     void shown(int finding);
-    /// The findings are those of the pattern as it is now.
-    void checked();
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -53,7 +49,7 @@ private:
     QPushButton* m_fix;
     QTimer m_rest;
     std::vector<pattern::Finding> m_findings;
-    std::shared_ptr<std::atomic<bool>> m_cancelled; ///< of the check that is under way; null: none is
+    std::shared_ptr<std::atomic<bool>> m_cancelled; ///< cancels the running check; null: none is running
     quint64 m_checkedRevision;
 };
 

@@ -276,7 +276,7 @@ void PatternEditor::updateComparison() {
                                     .arg(name, percent(largest.largest))
                                     .arg(apart.largestTactor + 1)
                                     .arg(locale.toString(largest.largestAt_s, 'f', 3), percent(apart.rms))
-                              : tr("Compared with %1: the motors do the same").arg(name));
+                              : tr("Compared with %1: no difference").arg(name));
 }
 
 void PatternEditor::setRecent(const QStringList& paths) {
@@ -293,7 +293,7 @@ void PatternEditor::showFinding(int index) {
 }
 
 void PatternEditor::retranslate() {
-    setAccessibleName(tr("Editor of patterns"));
+    setAccessibleName(tr("Pattern editor"));
     const auto name = [](QAction* action, const QString& text, const QString& help) {
         action->setText(text);
         const QString keys = action->shortcut().toString(QKeySequence::NativeText);
@@ -303,16 +303,16 @@ void PatternEditor::retranslate() {
     name(m_file, tr("File"), tr("New, open, recent, save, export"));
     name(m_new, tr("New"), tr("An empty pattern"));
     name(m_open, tr("Open\u2026"), tr("Open a pattern file"));
-    name(m_save, tr("Save"), tr("Save the pattern; one without a file goes to one's own patterns"));
+    name(m_save, tr("Save"), tr("Save the pattern; a new one is added to your own patterns"));
     name(m_saveAs, tr("Save as\u2026"), tr("Save the pattern under another name"));
     name(m_exportTo, tr("Export\u2026"), tr("Write HJIF, .haptic, AHAP, .tact, CSV or WAV"));
     name(m_play, m_playing ? tr("Pause") : tr("Play"), tr("Play from the playhead, or pause (Space)"));
     name(m_stop, tr("Stop"), tr("Stop playing"));
-    name(m_loop, tr("Loop"), tr("Begin again at the end; Shift and a drag on the ruler set the range"));
+    name(m_loop, tr("Loop"), tr("Repeat from the beginning; Shift and dragging on the ruler set the range"));
     name(m_undo, tr("Undo"), tr("Undo the last edit"));
     name(m_redo, tr("Redo"), tr("Redo what was undone"));
     name(m_pen, tr("Pen"), tr("Every click adds a breakpoint (P)"));
-    name(m_snap, tr("Snap"), tr("Times on a grid; Alt while dragging leaves it"));
+    name(m_snap, tr("Snap"), tr("Snap times to a grid; hold Alt while dragging to ignore it"));
     m_snapStep->setToolTip(tr("Step of the grid, and of the arrow keys"));
     m_snapStep->setAccessibleName(tr("Step of the grid"));
     name(m_add, tr("Add"), tr("Add an object at the playhead"));
@@ -320,10 +320,10 @@ void PatternEditor::retranslate() {
          tr("Rotate around the ring: every motor does what the next one did"));
     name(m_rotate, tr("\u21bb 60\u00b0"),
          tr("Rotate around the ring: every motor does what the one before did"));
-    name(m_mirror, tr("Mirror"), tr("The order of the motors the other way round"));
+    name(m_mirror, tr("Mirror"), tr("Reverse the order of the motors"));
     name(m_swap, tr("Other arm"), tr("The pattern for the other arm"));
     name(m_fit, tr("Fit"), tr("Show the whole pattern (Ctrl+0 on the timeline)"));
-    m_endComparison->setText(tr("Compare no more"));
+    m_endComparison->setText(tr("Stop comparing"));
     fillAddMenu();
     updateTitle();
     updateComparison();
@@ -360,7 +360,7 @@ void PatternEditor::updateTitle() {
     text +=
         QStringLiteral(" · ") + (m_document->pattern().arm == Arm::left ? tr("left arm") : tr("right arm"));
     if (m_document->isBuiltIn())
-        text += QStringLiteral(" · ") + tr("built-in, edits make a copy");
+        text += QStringLiteral(" · ") + tr("built-in, edits create a copy");
     else if (m_document->isDirty())
         text += QStringLiteral(" · ") + tr("not saved");
     m_title->setText(text);

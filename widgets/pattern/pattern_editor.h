@@ -22,8 +22,8 @@ class PatternLibrary;
 class StrokePad;
 class TimelineView;
 
-/// The editor of patterns: library, timeline, unrolled forearm, laws and numbers, with a tool bar. It plays
-/// nothing and does no file I/O: it asks for both. Thread: GUI.
+/// The pattern editor: library, timeline, unrolled forearm, laws and inspector, with a tool bar. It neither
+/// plays nor does file I/O, but emits requests. Thread: GUI.
 class PatternEditor : public QWidget {
     Q_OBJECT
 public:
@@ -32,37 +32,34 @@ public:
     [[nodiscard]] PatternDocument* document() const { return m_document; }
     [[nodiscard]] TimelineView* timeline() const { return m_timeline; }
     [[nodiscard]] PatternLibrary* library() const { return m_library; }
-    [[nodiscard]] LawList* laws() const { return m_laws; }
-    [[nodiscard]] StrokePad* strokePad() const { return m_stroke; }
-    [[nodiscard]] PatternInspector* inspector() const { return m_inspector; }
-    /// Beside the forearm there is room for a picture of the bracelet; takes ownership.
+    /// Shows a picture of the bracelet next to the forearm; takes ownership.
     void setBraceletPicture(QWidget* picture);
 
-    /// Where the pattern plays. Emits nothing.
+    /// Moves the playhead. Emits nothing.
     void setPlayhead(double time_s);
     void setPlaying(bool playing);
     [[nodiscard]] bool isPlaying() const { return m_playing; }
-    /// Whether play is to begin again at the end; the range is timeline()->loop() or, without it, all.
+    /// Whether playing repeats; the range is timeline()->loop(), or the whole pattern without it.
     [[nodiscard]] bool looping() const;
-    /// Files for the menu, the newest first.
+    /// Recent files for the menu, newest first.
     void setRecent(const QStringList& paths);
-    /// Shows another pattern behind this one, and how far they are apart; null: no more.
+    /// Shows another pattern behind this one and their difference; null: ends the comparison.
     void compareWith(std::shared_ptr<const pattern::Pattern> other);
-    /// The difference as it is told above the timeline; empty while nothing is compared.
+    /// The difference as shown above the timeline; empty without a comparison.
     [[nodiscard]] QString comparisonText() const;
 
 signals:
     void playRequested(const teleta::pattern::Pattern& pattern);
     void stopRequested();
     void playheadMoved(double t_s);
-    /// Whether it is to loop, or the range of the loop.
+    /// Looping was switched or its range changed.
     void loopingChanged();
     void newRequested();
-    /// A built-in id or a path from the library; empty: the user is to be asked for a file.
+    /// idOrPath: a built-in id or a path from the library; empty: ask the user for a file.
     void openRequested(const QString& idOrPath);
-    /// Where it comes from; a pattern without a file of its own gets one.
+    /// Save to the file of the pattern; a pattern without a file gets one.
     void saveRequested();
-    /// The user is to be asked for a name.
+    /// Ask the user for a file name and save.
     void saveAsRequested();
     void exportRequested();
     void duplicateRequested(const QString& idOrPath);

@@ -109,7 +109,7 @@ PatternInspector::PatternInspector(PatternDocument* document, QWidget* parent)
     layout->addStretch(1);
     auto* scroll = new QScrollArea(this);
     scroll->setWidgetResizable(true);
-    scroll->setFocusPolicy(Qt::NoFocus); // its fields are what Tab goes to
+    scroll->setFocusPolicy(Qt::NoFocus); // Tab goes to its fields instead
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setWidget(inside);
@@ -150,7 +150,7 @@ void PatternInspector::showPattern() {
     m_loopEnd->setAccessibleName(tr("End of the loop"));
     for (QDoubleSpinBox* box : {m_loopBegin, m_loopEnd}) {
         box->setSuffix(QStringLiteral(" s"));
-        box->setToolTip(tr("What is played again and again; the whole pattern when both are the same"));
+        box->setToolTip(tr("The range that is repeated; the whole pattern when both times are equal"));
     }
     describe(m_taskLabel, m_task, tr("T&ells:"));
     m_condition->setAccessibleName(tr("Condition"));
@@ -165,7 +165,7 @@ void PatternInspector::showPattern() {
     m_duration->setSuffix(QStringLiteral(" s"));
     const Pattern& pattern = m_document->pattern();
     const auto show = [](auto* box, const QString& now, const QString& wanted, auto set) {
-        if (now != wanted) // keeps the place of the cursor
+        if (now != wanted) // keeps the cursor in place
             set(box, wanted);
     };
     const auto setText = [](QLineEdit* box, const QString& text) { box->setText(text); };
@@ -191,12 +191,7 @@ void PatternInspector::setLoop(const std::optional<Span>& loop) {
 
 void PatternInspector::showSelection() {
     const Selection& selection = m_document->selection();
-    QString kind;
-    if (selection.object)
-        kind = QStringLiteral("object %1").arg(m_document->pattern().objects[*selection.object].form.index());
-    else if (!selection.points.empty())
-        kind = selection.points.size() == 1 ? QStringLiteral("point") : QStringLiteral("points");
-    if (kind != m_kind)
+    if (kindOfSelection() != m_kind)
         rebuild();
     m_showing = true;
     if (selection.object)
@@ -212,21 +207,25 @@ void PatternInspector::showSelection() {
     m_showing = false;
 }
 
+QString PatternInspector::kindOfSelection() const {
+    const Selection& selection = m_document->selection();
+    if (selection.object)
+        return QStringLiteral("object %1").arg(m_document->pattern().objects[*selection.object].form.index());
+    if (selection.points.empty())
+        return {};
+    return selection.points.size() == 1 ? QStringLiteral("point") : QStringLiteral("points");
+}
+
 void PatternInspector::rebuild() {
     const Selection& selection = m_document->selection();
-    m_kind =
-        selection.object
-            ? QStringLiteral("object %1").arg(m_document->pattern().objects[*selection.object].form.index())
-        : selection.points.empty()     ? QString()
-        : selection.points.size() == 1 ? QStringLiteral("point")
-                                       : QStringLiteral("points");
+    m_kind = kindOfSelection();
     m_refresh.clear();
     auto* rows = new QWidget(m_rows->parentWidget());
     m_form = new QFormLayout(rows);
     m_form->setContentsMargins(0, 0, 0, 0);
     m_rows->parentWidget()->layout()->replaceWidget(m_rows, rows);
     m_rows->hide();
-    m_rows->deleteLater(); // it may be one of its boxes that has led here
+    m_rows->deleteLater(); // the caller may be one of its boxes
     m_rows = rows;
     if (selection.object)
         buildObject();

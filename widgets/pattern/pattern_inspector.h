@@ -22,18 +22,18 @@ namespace teleta::editor {
 /// Intensities are shown in percent.
 inline constexpr double kPercent = 100.0;
 
-/// The numbers of a document: name, length, tags and notes of the pattern, and below them what is selected,
-/// one breakpoint, several of them, or an object with all its parameters. Thread: GUI.
+/// Fields of a document: name, length, tags and notes of the pattern, and below them the selection: one
+/// breakpoint, several, or an object with all its parameters. Thread: GUI.
 class PatternInspector : public QWidget {
     Q_OBJECT
 public:
     explicit PatternInspector(PatternDocument* document, QWidget* parent = nullptr);
 
-    /// Shows which part is played again and again; emits nothing.
+    /// Shows the range of the loop; emits nothing.
     void setLoop(const std::optional<pattern::Span>& loop);
 
 signals:
-    /// The user has typed another loop; begin and end the same: none.
+    /// The user has typed another loop; equal begin and end mean none.
     void loopEdited(double begin_s, double end_s);
 
 protected:
@@ -43,9 +43,11 @@ private:
     void showPattern();
     void showSelection();
     void rebuild();
+    /// What the rows are for: nothing, a breakpoint, several of them, or an object of one form.
+    [[nodiscard]] QString kindOfSelection() const;
     void buildPoints();
     void buildObject();
-    /// A row whose number follows the document; set is called when the user changes it.
+    /// Adds a row with a number from the document; set is called when the user changes it.
     QDoubleSpinBox* number(const char* name, const QString& label, const QString& unit, double low,
                            double high, int decimals, std::function<double()> get,
                            std::function<void(double)> set);
@@ -70,6 +72,10 @@ private:
     template <typename Form>
     void field(const char* name, const QString& label, const QString& unit, double low, double high,
                int decimals, std::function<double(const Form&)> get, std::function<void(Form&, double)> set);
+    /// The same for a member; with the unit % in percent.
+    template <typename Form>
+    void field(const char* name, const QString& label, const QString& unit, double low, double high,
+               int decimals, double Form::*value);
     template <typename Form>
     void tactors();
 
@@ -92,8 +98,8 @@ private:
     QWidget* m_rows = nullptr;
     QFormLayout* m_form = nullptr;
     std::vector<std::function<void()>> m_refresh;
-    QString m_kind;                ///< what the rows are for
-    std::size_t m_strokePoint = 0; ///< of a stroke, the one whose numbers are shown
+    QString m_kind;                ///< kindOfSelection() of the rows
+    std::size_t m_strokePoint = 0; ///< index of the shown point of a stroke
     bool m_showing = false;
 };
 

@@ -44,6 +44,8 @@ PatternLibrary::PatternLibrary(QWidget* parent)
     , m_tree(new QTreeWidget(this))
     , m_notice(new QLabel(this))
     , m_undo(new QPushButton(this)) {
+    m_filter->setObjectName(QStringLiteral("filter"));
+    m_undo->setObjectName(QStringLiteral("undo"));
     m_filter->setClearButtonEnabled(true);
     m_tree->setColumnCount(2);
     m_tree->setHeaderHidden(true);
@@ -124,15 +126,14 @@ void PatternLibrary::fill() {
     m_filter->setPlaceholderText(tr("Filter: name, tag"));
     m_filter->setAccessibleName(tr("Filter the patterns"));
     m_undo->setText(tr("Undo"));
-    m_undo->setToolTip(tr("Undo what was done to the library last (Ctrl+Z in the list)"));
+    m_undo->setToolTip(tr("Undo the last change to the library (Ctrl+Z in the list)"));
     m_tree->setAccessibleName(tr("Patterns"));
-    const QString keys = tr(
-        "<p>Double-click or <b>Enter</b> opens a pattern. Built-in patterns stay as they are: the first edit "
-        "makes a copy. In one's own: <b>F2</b> renames, <b>Ctrl+D</b> duplicates, <b>Delete</b> deletes, "
-        "<b>Ctrl+Z</b> takes that back.</p>");
-    m_tree->setWhatsThis(
-        keys + tr("<p>The pattern in bold, with a sign before it, is open in the editor; the keys are "
-                  "for the highlighted one.</p>"));
+    const QString keys =
+        tr("<p>Double-click or <b>Enter</b> opens a pattern. Built-in patterns cannot be changed: the first "
+           "edit creates a copy. Your own patterns: <b>F2</b> renames, <b>Ctrl+D</b> duplicates, "
+           "<b>Delete</b> deletes, <b>Ctrl+Z</b> undoes that.</p>");
+    m_tree->setWhatsThis(keys + tr("<p>The pattern in bold, with a sign in front of it, is open in the "
+                                   "editor; keys act on the highlighted one.</p>"));
     const QSignalBlocker quiet(m_tree);
     const QString selected = currentKey();
     const int scrolled = m_tree->verticalScrollBar()->value();
@@ -175,7 +176,7 @@ void PatternLibrary::fill() {
             QFont font = m_tree->font();
             font.setBold(true);
             (*at)->setFont(0, font);
-            if ((*at)->icon(0).isNull()) // a damaged one has a sign already
+            if ((*at)->icon(0).isNull()) // a damaged one already has a sign
                 (*at)->setIcon(0, base::themeIcon(base::Icon::patterns));
             (*at)->setToolTip(1, tr("Open in the editor"));
             (*at)->setData(0, Qt::AccessibleDescriptionRole, tr("Open in the editor"));
@@ -255,7 +256,7 @@ void PatternLibrary::showMenu(const QPoint& at) {
     menu->setAttribute(Qt::WA_DeleteOnClose);
     const auto add = [menu, this](const QString& text, const QKeySequence& keys, bool enabled, auto act) {
         QAction* action = menu->addAction(text, this, act);
-        action->setShortcut(keys); // shown only: the list takes the keys itself
+        action->setShortcut(keys); // for display only: the list handles the keys itself
         action->setShortcutContext(Qt::WidgetShortcut);
         action->setEnabled(enabled);
     };
@@ -276,7 +277,7 @@ bool PatternLibrary::eventFilter(QObject* watched, QEvent* event) {
     const auto* key = static_cast<QKeyEvent*>(event);
     const QString chosen = currentKey();
     const bool own = ownOf(chosen) != nullptr;
-    // The editor has Ctrl+Z and Ctrl+D for itself: in the list they are the list's.
+    // The editor uses Ctrl+Z and Ctrl+D as well; in the list they act on the list.
     const auto take = [&](auto act) {
         if (override)
             event->accept();

@@ -17,34 +17,31 @@ class QTreeWidgetItem;
 
 namespace teleta::editor {
 
-/// A pattern of one's own, by its file.
+/// One of the user's own patterns, by its file.
 struct OwnPattern {
     QString path;
     QString name;
     double duration_s = 0.0;
     QStringList tags;
     QString notes;
-    QString problem; ///< why the file cannot be read; empty: it can
+    QString problem; ///< why the file cannot be read; empty if it can
     bool renamable = true;
 };
 
-/// The built-in patterns by what they tell, and one's own: a filter over names, tags and ids; keys and a menu
-/// to open, rename, duplicate, compare and delete. It asks for all of that; it does no file I/O. Thread: GUI.
+/// List of the built-in patterns by task and of the user's own ones, with a filter over names, tags and ids,
+/// and keys and a menu to open, rename, duplicate, compare and delete. Does no file I/O but emits requests.
+/// Thread: GUI.
 class PatternLibrary : public QWidget {
     Q_OBJECT
 public:
     explicit PatternLibrary(QWidget* parent = nullptr);
 
     void setOwn(std::vector<OwnPattern> own);
-    /// Marks what is open by a sign and bold letters, and selects it, now or as soon as it is in the list: an
-    /// id of a built-in pattern or a path.
+    /// Marks the open pattern by a sign and bold letters, and selects it as soon as it is in the list.
+    /// idOrPath: id of a built-in pattern, or a path.
     void setCurrent(const QString& idOrPath);
-    /// A line below the list on what was done last; with a button that undoes it.
+    /// Shows a line below the list about the last change, with a button that undoes it.
     void setNotice(const QString& text, bool undoable);
-    [[nodiscard]] QTreeWidget* tree() const { return m_tree; }
-    [[nodiscard]] QLineEdit* filter() const { return m_filter; }
-    [[nodiscard]] QPushButton* undoButton() const { return m_undo; }
-
 signals:
     /// Id of a built-in pattern, or a path.
     void openRequested(const QString& idOrPath);
@@ -52,7 +49,7 @@ signals:
     void compareRequested(const QString& idOrPath);
     void renameRequested(const QString& path, const QString& name);
     void deleteRequested(const QString& path);
-    /// The last deletion or new name is to be taken back.
+    /// Undo the last deletion or renaming.
     void undoRequested();
 
 protected:
@@ -74,7 +71,7 @@ private:
     QPushButton* m_undo;
     std::vector<OwnPattern> m_own;
     QString m_current;
-    QString m_wanted; ///< to be selected; empty: what is selected stays
+    QString m_wanted; ///< to be selected; empty: keep the selection
 };
 
 } // namespace teleta::editor

@@ -40,12 +40,10 @@ StrokePad::StrokePad(PatternDocument* document, QWidget* parent)
 void StrokePad::retranslate() {
     setAccessibleName(tr("Unrolled forearm"));
     setToolTip(tr("Draw a stroke: it is felt as a point that moves along it"));
-    setWhatsThis(
-        tr("<p>The forearm, unrolled: from left to right once around it. What is drawn here with the "
-           "mouse becomes a stroke of the pattern, from the playhead on, as fast as it was drawn. "
-           "<b>Esc</b> gives it up.</p><p>By keys: the arrows move a cursor, <b>Space</b> sets a point a "
-           "quarter of a second after the last one, <b>Backspace</b> takes it back, <b>Enter</b> "
-           "finishes.</p>"));
+    setWhatsThis(tr("<p>The unrolled forearm: from left to right once around it. Draw with the mouse to add "
+                    "a stroke that starts at the playhead and moves as fast as you draw. <b>Esc</b> cancels "
+                    "it.</p><p>With keys: the arrows move a cursor, <b>Space</b> adds a point a quarter of a "
+                    "second after the last one, <b>Backspace</b> removes it, <b>Enter</b> finishes.</p>"));
 }
 
 QRectF StrokePad::arm() const {
@@ -55,7 +53,8 @@ QRectF StrokePad::arm() const {
 
 QPointF StrokePad::placeOf(double angle_rad, double along) const {
     const QRectF room = arm();
-    // Half a tactor of room at either side of the six; the rows at a quarter and three quarters.
+    // Half a tactor of space on either side of the six; the rows are at a quarter and three quarters of the
+    // height.
     return {room.left() +
                 (angle_rad / kTactor_rad + 0.5) / static_cast<double>(core::kTactors) * room.width(),
             room.top() + (0.25 + 0.5 * along) * room.height()};
@@ -208,7 +207,7 @@ void StrokePad::paintEvent(QPaintEvent*) {
             return;
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-        // A stroke that goes on around the arm comes in again at the other side.
+        // A stroke that continues around the arm re-enters on the other side.
         for (const double turns : {-1.0, 0.0, 1.0})
             painter.drawPolyline(line.translated(turns * arm().width(), 0.0));
         painter.setPen(Qt::NoPen);

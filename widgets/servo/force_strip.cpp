@@ -28,7 +28,7 @@ ForceStrip::ForceStrip(QWidget* parent)
 
 void ForceStrip::describe() {
     setAccessibleName(tr("Force over time"));
-    setToolTip(tr("Force that the array reads (line) and that is wanted (dashes), over the last 20 s"));
+    setToolTip(tr("Measured force (line) and desired force (dashes) over the last 20 s"));
 }
 
 void ForceStrip::changeEvent(QEvent* event) {
@@ -76,7 +76,7 @@ void ForceStrip::paintEvent(QPaintEvent*) {
     painter.setPen(text);
     painter.drawText(QRectF(0.5 * em, 0.0, 0.5 * width(), 1.4 * em), Qt::AlignLeft | Qt::AlignVCenter,
                      tr("Force, N"));
-    // Beside the title what the lines are.
+    // The legend is next to the title.
     const double legend = width() - 0.5 * em;
     const QFontMetricsF metrics(painter.font());
     const QPen wanted(quiet, 1.2, Qt::DashLine);

@@ -29,7 +29,7 @@ QDoubleSpinBox* spinBox(QWidget* parent, double lowest, double highest, double s
     box->setRange(lowest, highest);
     box->setSingleStep(step);
     box->setDecimals(decimals);
-    // A number that is being typed is not yet a wish.
+    // A number that is still being typed is not emitted.
     box->setKeyboardTracking(false);
     return box;
 }
@@ -65,6 +65,9 @@ ServoPanel::ServoPanel(QWidget* parent)
     m_limits->setWordWrap(true);
     m_cost->setWordWrap(true);
     m_cost->setFont(base::sized(font(), base::kSmallText));
+    m_state->setObjectName(QStringLiteral("servoState"));
+    m_limits->setObjectName(QStringLiteral("servoLimits"));
+    m_cost->setObjectName(QStringLiteral("servoCost"));
     m_force->setObjectName(QStringLiteral("servoForce"));
     m_slide->setObjectName(QStringLiteral("servoSlide"));
     m_gain->setObjectName(QStringLiteral("servoGain"));
@@ -99,7 +102,7 @@ ServoPanel::ServoPanel(QWidget* parent)
     layout->addWidget(m_cost);
     layout->addStretch(1);
 
-    // Only what was touched: the fields show the rest rounded.
+    // Changes only the edited value, because the fields show the others rounded.
     const auto wishes = [this](auto signalOf, auto* field, auto change) {
         connect(field, signalOf, this, [this, change](auto value) {
             if (!m_report)
@@ -135,22 +138,6 @@ ServoTuning ServoPanel::tuning() const {
 void ServoPanel::setProvenance(base::Provenance provenance) {
     m_shownProvenance = provenance;
     showTexts();
-}
-
-QString ServoPanel::taskText() const {
-    return m_tasks->currentText();
-}
-
-QString ServoPanel::stateText() const {
-    return m_state->text();
-}
-
-QString ServoPanel::limitText() const {
-    return m_limits->text();
-}
-
-QString ServoPanel::costText() const {
-    return m_cost->text();
 }
 
 void ServoPanel::setReport(const std::optional<ServoReport>& report) {
@@ -235,7 +222,7 @@ void ServoPanel::showTuning(const ServoTuning& tuning, const TuningBounds& bound
     const QSignalBlocker moment(m_moment);
     m_force->setRange(bounds.leastForce_N, bounds.highestForce_N);
     m_slide->setRange(0.0, 1e3 * bounds.highestSlide_mPerS);
-    // Setting a value would take away what is being typed.
+    // Setting a value would overwrite what is being typed.
     if (!m_force->hasFocus())
         m_force->setValue(tuning.force_N);
     if (!m_slide->hasFocus())
@@ -262,11 +249,11 @@ void ServoPanel::retranslate() {
     };
     const QString task = tr("&Task");
     m_tasksName->setText(task);
-    m_tasks->setToolTip(tr("The running task; choose one to begin it now"));
+    m_tasks->setToolTip(tr("The running task; choose one to start it now"));
     m_tasks->setAccessibleName(QString(task).remove(QLatin1Char('&')));
     label(m_force, tr("&Force"), tr("Force with which the array presses"));
     label(m_slide, tr("&Sliding speed"), tr("Along the edge, while it is explored"));
-    label(m_gain, tr("&Gains"), tr("All gains of the regulators, in percent of the scene's"));
+    label(m_gain, tr("&Gains"), tr("All controller gains, in percent of those in the scene"));
     m_moment->setText(tr("Balance the &moment (DZMP)"));
     m_moment->setToolTip(tr("Off: the controller without the distance to the zero-moment point"));
     showTexts();

@@ -20,30 +20,24 @@ namespace teleta::servo {
 class ForceStrip;
 class ServoPicture;
 
-/// A running servo: its task, its contact, the limits that act, its features and matrices, and what of it can
-/// be changed while it runs. Knows no source: wishes go out as signals, what is in use comes back with the
-/// report. Thread: GUI.
+/// Shows a running servo: task, contact, active limits, features and matrices, and the settings that can be
+/// changed while it runs. Knows no source: changes are emitted as signals, and the settings in use come back
+/// with the report. Thread: GUI.
 class ServoPanel : public QWidget {
     Q_OBJECT
 public:
     explicit ServoPanel(QWidget* parent = nullptr);
 
-    /// Nothing: no servo; the panel is disabled.
+    /// Empty: there is no servo and the panel is disabled.
     void setReport(const std::optional<ServoReport>& report);
 
-    /// Tells what is held by STOP from a scene that somebody holds.
+    /// Distinguishes a servo held by STOP from a scene that the user holds.
     void setStopEngaged(bool engaged);
 
-    /// Marks a servo that is not real in violet.
+    /// Marks a simulated servo in violet.
     void setProvenance(base::Provenance provenance);
 
     [[nodiscard]] ServoTuning tuning() const;
-    /// The texts, for tests: the task that runs, whether it does, the limits, what a cycle takes.
-    [[nodiscard]] QString taskText() const;
-    [[nodiscard]] QString stateText() const;
-    [[nodiscard]] QString limitText() const;
-    [[nodiscard]] QString costText() const;
-
 signals:
     void tuningChanged(const teleta::servo::ServoTuning& tuning);
     void taskRequested(std::size_t index);
@@ -73,7 +67,7 @@ private:
     bool m_stopEngaged = true;
     base::Provenance m_shownProvenance = base::Provenance::live;
     std::optional<ServoReport> m_report;
-    std::optional<ServoTuning> m_wish; ///< posted, and not yet in use
+    std::optional<ServoTuning> m_wish; ///< emitted, but not yet in use
 };
 
 } // namespace teleta::servo

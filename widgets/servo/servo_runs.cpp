@@ -13,7 +13,7 @@ namespace teleta::servo {
 void ServoRuns::setSource(std::string name, const void* source) {
     m_name = std::move(name);
     m_source = source;
-    // Back at a source that was left: its newest run may go on.
+    // When a source is shown again, its newest run may continue.
     const auto last = std::find_if(m_origins.rbegin(), m_origins.rend(), [&](const Origin& origin) {
         return origin.source != nullptr && origin.source == source;
     });

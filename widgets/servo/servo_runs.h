@@ -14,27 +14,26 @@
 
 namespace teleta::servo {
 
-/// The servo runs that are compared: those that were watched, each from its start to a restart of its source,
-/// and recorded ones. The newest kMost are kept, in the order in which they came. Thread: one.
+/// The servo runs that are compared: live ones, each from its start to a restart of its source, and recorded
+/// ones. The newest kMost are kept in order of arrival. Thread: one.
 class ServoRuns {
 public:
     static constexpr std::size_t kMost = figure::kSvgSeries;
-    /// A run with more entries keeps every second one, and takes every second step from then on.
+    /// Above this number of entries a run keeps every second one, and from then on takes every second step.
     static constexpr std::size_t kLongest = 20000;
-    /// A longer time without a step is a gap in the curves.
+    /// A longer time without a step becomes a gap in the curves.
     static constexpr double kGap_s = 0.5;
 
-    /// The steps that come now are of this source. source: tells apart those of the same name.
+    /// Sets the source of the following steps. source: distinguishes sources of the same name.
     void setSource(std::string name, const void* source);
-    /// Begins a run when the source was restarted or its time went back.
+    /// Adds a step; starts a new run when the source was restarted or its time went back.
     void add(const ServoStep& step);
     void addRecorded(ServoCurves run);
-    /// Keeps the run that goes on.
+    /// Keeps only the current run.
     void forgetOthers();
 
     [[nodiscard]] std::span<const ServoCurves> runs() const { return m_curves; }
-    /// The runs as a table, C locale: run, time_s and the columns of servo.csv that are drawn; NA: not
-    /// defined.
+    /// The runs as CSV in the C locale: run, time_s and the drawn columns of servo.csv; NA: undefined.
     [[nodiscard]] QString csv() const;
 
 private:
@@ -46,7 +45,7 @@ private:
         bool balanced = false;
         bool unbalanced = false;
         std::size_t stride = 1;
-        std::size_t passed = 0; ///< steps since the last one that was taken
+        std::size_t passed = 0; ///< number of steps since the last one taken
     };
 
     void push(Origin origin, ServoCurves curves);
@@ -56,7 +55,7 @@ private:
     const void* m_source = nullptr;
     std::vector<ServoCurves> m_curves;
     std::vector<Origin> m_origins; ///< of each
-    std::size_t m_current = 0;     ///< where the steps go; none when it is no index
+    std::size_t m_current = 0;     ///< index of the run to which steps are added; not an index: none
 };
 
 } // namespace teleta::servo

@@ -25,7 +25,7 @@ namespace teleta::servo {
 
 namespace {
 
-/// Text of a figure is made for a line of so many px.
+/// Text of a figure is laid out for lines of this height, px.
 constexpr double kFigureEm_px = 16.0;
 constexpr double kLeastFigure_px = 400.0;
 
@@ -80,16 +80,15 @@ ServoRunsView::ServoRunsView(QWidget* parent)
 
 void ServoRunsView::retranslate() {
     m_add->setText(tr("&Add recorded run…"));
-    m_add->setToolTip(tr("A run that teleta simulate --out has written: its servo.csv"));
+    m_add->setToolTip(tr("A run written by teleta simulate --out: its servo.csv"));
     m_forget->setText(tr("&Forget other runs"));
-    m_forget->setToolTip(tr("Keeps only the run that goes on"));
+    m_forget->setToolTip(tr("Keeps only the current run"));
     m_menu->setText(tr("&Picture"));
     m_menu->setToolTip(tr("Copies or saves the chart or its data"));
     setAccessibleName(tr("Servo runs"));
-    setWhatsThis(
-        tr("<p>Servo runs in one chart: the running one, those before its source was restarted or another "
-           "source was shown, and recorded ones.</p>"
-           "<p>To see what the moment is for, restart the scene with and without “Balance the moment”.</p>"));
+    setWhatsThis(tr("<p>Servo runs in one chart: the current one, earlier ones from before a restart or a "
+                    "change of the source, and recorded ones.</p><p>To see the effect of the moment, restart "
+                    "the scene with and without “Balance the moment”.</p>"));
     m_dirty = true;
 }
 
@@ -105,7 +104,7 @@ void ServoRunsView::append(const ServoStep& step) {
 void ServoRunsView::addRecorded(const QString& path) {
     base::runInBackground(
         this, [file = path.toStdString()] { return readServoCurves(file); },
-        [this, path](core::Expected<ServoCurves> run) {
+        [this](core::Expected<ServoCurves> run) {
             if (!run) {
                 emit failed(QString::fromStdString(core::describe(run.error())));
                 return;
@@ -113,7 +112,6 @@ void ServoRunsView::addRecorded(const QString& path) {
             m_runs.addRecorded(std::move(*run));
             m_dirty = true;
             m_drawn.invalidate();
-            emit added(path);
         });
 }
 
@@ -153,7 +151,7 @@ void ServoRunsView::draw() {
         m_chart = {};
         return;
     }
-    // What is too small for its text is drawn larger and shrunk.
+    // A chart too small for its text is drawn larger and scaled down.
     const double scale = std::min(
         {base::em(this, 1) / kFigureEm_px, size.width() / kLeastFigure_px, size.height() / kLeastFigure_px});
     const std::string svg = servoFigure(m_runs.runs(), size.width() / scale, size.height() / scale)
@@ -202,7 +200,7 @@ void ServoRunsView::paintEvent(QPaintEvent*) {
     if (m_runs.runs().empty()) {
         painter.setPen(palette().color(QPalette::PlaceholderText));
         painter.drawText(chart, Qt::AlignCenter | Qt::TextWordWrap,
-                         tr("No run yet. Runs of servos are drawn here, one over the other."));
+                         tr("No runs yet. Servo runs are drawn here on top of each other."));
     } else {
         painter.drawPixmap(chart.topLeft(), m_chart);
     }

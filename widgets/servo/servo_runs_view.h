@@ -15,13 +15,13 @@ class QToolButton;
 
 namespace teleta::servo {
 
-/// Runs of servos in one chart: the running one, those before it, and recorded ones, as `teleta simulate
-/// --figures` draws them. Saves and copies the chart from its context menu and its button. Ctrl+C copies the
+/// Servo runs in one chart, the current one, earlier ones and recorded ones, drawn as by `teleta simulate
+/// --figures`. The chart can be saved and copied from its context menu and its button; Ctrl+C copies the
 /// picture. Thread: GUI; recordings are read in the background.
 class ServoRunsView : public QWidget {
     Q_OBJECT
 public:
-    /// The chart is drawn anew at most so often.
+    /// Least time between two drawings of the chart.
     static constexpr qint64 kBetweenDrawings_ms = 500;
 
     explicit ServoRunsView(QWidget* parent = nullptr);
@@ -29,10 +29,10 @@ public:
     /// See ServoRuns.
     void setSource(std::string name, const void* source);
     void append(const ServoStep& step);
-    /// Reads a run that `teleta simulate --out` has written and adds it. path: its folder or its servo.csv.
+    /// Reads a run written by `teleta simulate --out` and adds it. path: its folder or its servo.csv.
     void addRecorded(const QString& path);
 
-    /// Draws what is new; from a timer.
+    /// Redraws if necessary; called by a timer.
     void refresh();
 
     [[nodiscard]] const ServoRuns& runs() const { return m_runs; }
@@ -45,8 +45,6 @@ public:
 signals:
     void exported(const QString& path);
     void failed(const QString& message);
-    /// A recording is there.
-    void added(const QString& path);
 
 protected:
     void paintEvent(QPaintEvent* event) override;

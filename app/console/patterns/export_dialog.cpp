@@ -30,19 +30,18 @@ struct Format {
 constexpr std::array kFormats{
     Format{PatternFormat::hjif, ".hjif", QT_TRANSLATE_NOOP("ExportDialog", "HJIF (ISO/IEC 23090-31)"),
            QT_TRANSLATE_NOOP("ExportDialog",
-                             "One channel a motor, with its place on the forearm. Can be read "
-                             "back.")},
+                             "One channel per motor, with its place on the forearm. Can be read back.")},
     Format{PatternFormat::hapticZip, ".haptic.zip",
            QT_TRANSLATE_NOOP("ExportDialog", "Haptic clips (.haptic in a zip)"),
-           QT_TRANSLATE_NOOP("ExportDialog", "One clip a motor. Can be read back.")},
+           QT_TRANSLATE_NOOP("ExportDialog", "One clip per motor. Can be read back.")},
     Format{PatternFormat::ahapZip, ".ahap.zip", QT_TRANSLATE_NOOP("ExportDialog", "AHAP (in a zip)"),
-           QT_TRANSLATE_NOOP("ExportDialog", "One file a motor, for Core Haptics.")},
+           QT_TRANSLATE_NOOP("ExportDialog", "One file per motor, for Core Haptics.")},
     Format{PatternFormat::tact, ".tact", QT_TRANSLATE_NOOP("ExportDialog", "tact"),
            QT_TRANSLATE_NOOP("ExportDialog",
                              "Layout of six motors on the forearm, whole milliseconds. Can be "
                              "read back.")},
     Format{PatternFormat::csv, ".csv", QT_TRANSLATE_NOOP("ExportDialog", "CSV table"),
-           QT_TRANSLATE_NOOP("ExportDialog", "Columns time_s, t1 to t6: a sample a row.")},
+           QT_TRANSLATE_NOOP("ExportDialog", "Columns time_s, t1 to t6: one sample per row.")},
     Format{PatternFormat::wav, ".wav", QT_TRANSLATE_NOOP("ExportDialog", "WAV, six channels"),
            QT_TRANSLATE_NOOP("ExportDialog", "The intensities as 16-bit samples, 1 is full scale.")}};
 
@@ -61,12 +60,13 @@ ExportDialog::ExportDialog(pattern::MotorProfiles motors, QString suggested, QWi
     for (const Format& format : kFormats)
         m_format->addItem(tr(format.name), static_cast<int>(format.format));
     m_format->setObjectName(QStringLiteral("format"));
+    m_content->setObjectName(QStringLiteral("content"));
     m_about->setWordWrap(true);
     m_about->setMinimumWidth(base::em(this, 24));
     m_rate->setRange(pattern::kLowestRate_Hz, pattern::kHighestRate_Hz);
     m_rate->setSuffix(QStringLiteral(" Hz"));
     m_content->addItem(tr("commanded intensities"));
-    m_content->addItem(tr("what the motors are predicted to do"));
+    m_content->addItem(tr("predicted intensities"));
     auto* where = m_buttons->addButton(tr("Choose file\u2026"), QDialogButtonBox::AcceptRole);
     where->setDefault(true);
     auto* form = new QFormLayout(this);

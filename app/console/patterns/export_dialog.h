@@ -14,21 +14,19 @@ class QLabel;
 
 namespace teleta::console {
 
-/// Asks in which format a pattern is to be written, and for samples at which rate and of what; then where.
-/// Writes nothing. Thread: GUI.
+/// Asks for the format of an exported pattern, the rate and content of samples, and the file. Writes nothing.
+/// Thread: GUI.
 class ExportDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// motors: of predicted samples. suggested: path without an ending.
+    /// motors: for predicted samples. suggested: path without extension.
     ExportDialog(pattern::MotorProfiles motors, QString suggested, QWidget* parent = nullptr);
 
-    /// As in the list of formats.
+    /// Selects a format in the list.
     void choose(pattern::PatternFormat format);
     [[nodiscard]] pattern::SampleOptions samples() const;
     [[nodiscard]] QString ending() const;
-    [[nodiscard]] QDoubleSpinBox* rateBox() const { return m_rate; }
-    [[nodiscard]] QComboBox* contentBox() const { return m_content; }
 
 signals:
     void chosen(const QString& path, const teleta::pattern::SampleOptions& samples);

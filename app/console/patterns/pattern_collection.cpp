@@ -18,10 +18,10 @@ using pattern::StoredPattern;
 
 namespace {
 
-/// Files often change several times in a row.
+/// Waits, because files often change several times in a row.
 constexpr int kRest_ms = 100;
 constexpr std::size_t kMostDone = 100;
-/// A watched file takes a handle of the system; of a larger folder only the coming and going is watched.
+/// Each watched file takes a system handle; in a larger folder only creation and deletion are watched.
 constexpr int kMostWatched = 500;
 
 } // namespace
@@ -70,7 +70,7 @@ void PatternCollection::refresh() {
     runInBackground(
         m_pool, this,
         [folder = m_folder, before = m_content] {
-            QDir().mkpath(QString::fromStdString(folder.path())); // only what is there can be watched
+            QDir().mkpath(QString::fromStdString(folder.path())); // only existing folders can be watched
             return contentOf(folder, *before);
         },
         [this](std::shared_ptr<const Content> content) {
@@ -202,7 +202,7 @@ void PatternCollection::undo() {
     runInBackground(m_pool, this, work, [this, name = last.name](core::Expected<void> done) {
         refresh();
         if (!done)
-            emit failed(tr("%1 could not be brought back.", "a pattern").arg(name), done.error());
+            emit failed(tr("%1 could not be restored.", "a pattern").arg(name), done.error());
     });
 }
 

@@ -73,7 +73,7 @@ void PatternPlayback::play() {
 }
 
 void PatternPlayback::stop() {
-    // Also what others play: who asks for it wants the bracelet to be still.
+    // Also stops what others play: whoever presses Stop wants the bracelet to be still.
     m_station.stopPlaying();
     end();
 }
@@ -147,7 +147,7 @@ QString PatternPlayback::note() const {
     const QString note = m_station.note();
     if (m_way != Way::shown)
         return note;
-    const QString shown = tr("What plays is only shown, not felt.");
+    const QString shown = tr("The pattern is shown on the screen but not felt.");
     return note.isEmpty() ? shown : shown + QLatin1Char(' ') + note;
 }
 

@@ -50,7 +50,7 @@ bool isReadable(const QString& path) {
            format == pattern::PatternFormat::tact;
 }
 
-/// The first file of a drag that is a pattern.
+/// The first pattern file of a drag.
 QString patternIn(const QMimeData& data) {
     for (const QUrl& url : data.urls())
         if (url.isLocalFile() && isReadable(url.toLocalFile()))
@@ -115,7 +115,7 @@ PatternsPage::PatternsPage(BraceletStation& station, PatternCollection& collecti
         emit recoveryOffered(m_recoveryText->text());
     });
     connect(m_keeper, &RecoveryKeeper::failed, this, [this](const core::Error& error) {
-        report(tr("The edits that are not saved could not be kept aside: a crash would lose them."), error);
+        report(tr("Unsaved edits could not be backed up: a crash would lose them."), error);
     });
     connect(m_picture, &bracelet::BraceletView::held, &m_station, &BraceletStation::hold);
     showPattern(pattern::builtInPatterns().front(), {});
@@ -170,8 +170,9 @@ void PatternsPage::connectStrength() {
     connect(&m_station, &BraceletStation::strongestChanged, this, show);
     connect(&m_station, &BraceletStation::sessionChanged, this, show);
     connect(&m_station, &BraceletStation::strongestFailed, this, [this](const core::Error& error) {
-        report(tr("How strong the bracelet may be could not be read or kept: look at the slider Strongest."),
-               error);
+        report(
+            tr("The strength limit of the bracelet could not be read or saved: check the slider Strongest."),
+            error);
     });
     show();
 }
@@ -192,7 +193,7 @@ void PatternsPage::connectCollection() {
         report(what, error);
     });
     connect(&m_collection, &PatternCollection::removed, this, [this](const QString& path) {
-        // What is open lives on; its file is gone.
+        // The open pattern remains; its file is gone.
         if (path == m_editor->document()->path())
             showPattern(m_editor->document()->pattern(), {}, true);
     });
@@ -246,7 +247,7 @@ void PatternsPage::load(const QString& idOrPath, std::function<void(std::shared_
             if (!pattern)
                 return core::Unexpected(pattern.error());
             if (own)
-                pattern->id = own->id; // which no other own pattern has
+                pattern->id = own->id; // unique among the own patterns
             return std::make_shared<const Pattern>(std::move(*pattern));
         },
         [this, idOrPath, use = std::move(use)](core::Expected<std::shared_ptr<const Pattern>> pattern) {
@@ -258,13 +259,13 @@ void PatternsPage::load(const QString& idOrPath, std::function<void(std::shared_
 }
 
 void PatternsPage::open(const QString& idOrPath) {
-    // Until it is read the edits stay what they are: it may turn out that there is nothing to show.
+    // The current edits remain until the file has been read: reading may fail.
     settle([this, idOrPath] { openNow(idOrPath); },
            [this, idOrPath] { openNow(idOrPath, m_editor->document()->revision()); });
 }
 
 void PatternsPage::openNow(const QString& idOrPath, std::optional<quint64> discarded) {
-    // A file takes its time: only what was asked for last is shown, and not over edits made meanwhile.
+    // Reading takes time: only the last request is shown, and not over edits made meanwhile.
     load(idOrPath,
          [this, idOrPath, discarded, number = ++m_asked](const std::shared_ptr<const Pattern>& pattern) {
              if (number != m_asked)
@@ -285,7 +286,7 @@ void PatternsPage::showOpened(const Pattern& pattern, const QString& idOrPath) {
         showPattern(pattern, {});
         return;
     }
-    // Another format holds less than a pattern has: what is edited does not go back into its file.
+    // Other formats cannot hold everything, so an edited pattern is not saved back to such a file.
     showPattern(pattern, isOwnFormat(idOrPath) ? idOrPath : QString());
     emit used(idOrPath);
 }
@@ -305,7 +306,7 @@ void PatternsPage::save() {
     } else if (!m_collection.isPossible()) {
         askForFile(true);
     } else {
-        // Until its file is known, once more would make a second one.
+        // Saving again before the file is known would create a second one.
         m_saveAgain = static_cast<bool>(m_adding);
         if (m_saveAgain)
             return;
@@ -402,7 +403,7 @@ void PatternsPage::settle(std::function<void()> goOn, std::function<void()> disc
     }
     const QString name = QString::fromStdString(m_editor->document()->pattern().name);
     auto* ask = new QMessageBox(QMessageBox::Question, tr("Unsaved edits"),
-                                tr("%1 has edits that are not saved.", "a pattern").arg(name),
+                                tr("%1 has unsaved edits.", "a pattern").arg(name),
                                 QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
     ask->setAttribute(Qt::WA_DeleteOnClose);
     ask->setDefaultButton(QMessageBox::Save);
@@ -431,7 +432,7 @@ void PatternsPage::showRecovery() {
     const pattern::RecoveredPattern& lost = m_keeper->lost().front().recovered;
     const QString when =
         QLocale().toString(QDateTime::fromMSecsSinceEpoch(lost.edited_ms), QLocale::ShortFormat);
-    QString text = tr("The program ended without saving %1, edited %2. The file on disk is as it was.",
+    QString text = tr("The program ended before %1, edited %2, was saved. The file on disk is unchanged.",
                       "a pattern, a time")
                        .arg(editor::displayName(lost.pattern), when);
     if (m_keeper->lost().size() > 1)
@@ -448,7 +449,8 @@ void PatternsPage::recover() {
     whenSettled([this] {
         const LostEdits lost = m_keeper->take();
         showPattern(lost.recovered.pattern, QString::fromStdString(lost.recovered.path), true);
-        m_keeper->discard(lost); // after showPattern(): the edits are kept anew before the old file goes
+        m_keeper->discard(lost); // after showPattern(), so that the edits are backed up again before the old
+                                 // file is removed
         showRecovery();
     });
 }
@@ -478,7 +480,7 @@ void PatternsPage::askForFile(bool save) {
                                 tr("Patterns (*.json)"), tr("HJIF (*.hjif)"),
                                 tr("Haptic clips (*.haptic *.haptic.zip)"), tr("tact (*.tact)")});
     }
-    // Who gives up saving does not want what was to come after it.
+    // Cancelling the save also cancels what was to follow it.
     if (save)
         connect(dialog, &QDialog::rejected, this, [this] { m_afterSaving = nullptr; });
     connect(dialog, &QFileDialog::fileSelected, this, [this, save](const QString& path) {

@@ -11,13 +11,13 @@ namespace teleta::pattern {
 
 namespace {
 
-/// Walks along straight lines; asked for stretches in their order, none of which holds a breakpoint inside.
+/// Walks along straight lines. It is asked for consecutive intervals with no breakpoint inside.
 class Walker {
 public:
     explicit Walker(const Track& lines)
         : m_lines(lines) {}
 
-    /// Values at the inner sides of both ends.
+    /// Values at both ends, taken from inside the interval.
     std::pair<double, double> over(double begin_s, double end_s) {
         while (m_at < m_lines.size() && m_lines[m_at].time_s <= begin_s)
             ++m_at;

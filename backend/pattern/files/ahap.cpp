@@ -31,7 +31,7 @@ ordered_json event(double begin_s, double end_s) {
     return {{"Event", std::move(event)}};
 }
 
-/// points: [first, last].
+/// Uses points [first, last].
 ordered_json curve(const Track& points, std::size_t first, std::size_t last) {
     ordered_json control = ordered_json::array();
     for (std::size_t k = first; k <= last; ++k)
@@ -56,7 +56,7 @@ core::Expected<std::string> tactorToAhap(const Pattern& pattern, std::size_t tac
         const double end_s = stretch.back().time_s;
         for (double from_s = begin_s; from_s < end_s; from_s += kLongestEvent_s)
             parts.push_back(event(from_s, std::min(from_s + kLongestEvent_s, end_s)));
-        // A curve begins where the one before it ends.
+        // A curve begins where the previous one ends.
         for (std::size_t first = 0; first + 1 < stretch.size(); first += kMostCurvePoints - 1)
             parts.push_back(
                 curve(stretch, first, std::min(first + kMostCurvePoints - 1, stretch.size() - 1)));

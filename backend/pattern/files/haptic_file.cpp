@@ -26,7 +26,7 @@ struct HapticText {
 
 constexpr std::string_view kEnding = ".haptic";
 
-/// Over the whole pattern, silence included: a file has no other length than that of its envelope.
+/// The envelope over the whole pattern including silence: the length of a file is that of its envelope.
 Track wholeEnvelope(const Track& lines, double duration_s) {
     Track whole;
     if (lines.empty() || lines.front().time_s > 0.0)
@@ -51,7 +51,7 @@ std::optional<std::size_t> tactorOfName(std::string_view name) {
     return static_cast<std::size_t>(name[digits] - '1');
 }
 
-/// Adds the envelope of one file; the pattern gets as long as it.
+/// Adds the envelope of one file and extends the pattern to its length.
 core::Expected<void> addEnvelope(std::string text, const std::string& file, std::size_t tactor,
                                  Pattern& pattern) {
     const core::Expected<JsonDocument> document = JsonDocument::parse(std::move(text), file);
@@ -77,8 +77,8 @@ core::Expected<void> addEnvelope(std::string text, const std::string& file, std:
         const ordered_json& amplitude = reader.member(point, "amplitude");
         lines.push_back({reader.number(time, 0.0, Pattern::kLongest_s), reader.number(amplitude, 0.0, 1.0)});
         if (lines.size() > 1 && lines.back().time_s < lines[lines.size() - 2].time_s)
-            reader.fail(time, HapticText::tr("the times go back").toStdString(),
-                        HapticText::tr("a time that is not before the one in front of it").toStdString());
+            reader.fail(time, HapticText::tr("the times decrease").toStdString(),
+                        HapticText::tr("a time that is not before the previous one").toStdString());
         if (const ordered_json* emphasis = reader.find(point, "emphasis")) {
             const double strength =
                 reader.number(reader.member(*emphasis, "amplitude"), lines.back().intensity, 1.0);

@@ -38,7 +38,7 @@ long long toTicks(double time_s) {
 
 ordered_json direction(std::size_t tactor) {
     const double angle_rad = core::kTactorAngle_rad * static_cast<double>(tactor);
-    // 63.5 comes out a little above or below; it shall be 64 on both sides of the ring.
+    // 63.5 is computed slightly too large or too small; it must round to 64 on both sides of the ring.
     const auto whole = [](double value) { return std::lround(std::round(1e6 * value) / 1e6); };
     return {{"X", whole(kDirectionLength * std::cos(angle_rad))},
             {"Y", whole(kDirectionLength * std::sin(angle_rad))},
@@ -64,7 +64,7 @@ ordered_json effect(int id, const Track& stretch, const MotorProfile& motor) {
                 before["relative_position"] = relative - 1;
                 break;
             }
-            keyframes.erase(keyframes.size() - 1); // two within a millisecond: the later one counts
+            keyframes.erase(keyframes.size() - 1); // of two within a millisecond the later one counts
         }
         const double speed_Hz = steadySpeed_Hz(motor, driveOf(motor, std::max(point.intensity, 1e-9)));
         keyframes.push_back({{"relative_position", relative},
@@ -75,7 +75,7 @@ ordered_json effect(int id, const Track& stretch, const MotorProfile& motor) {
             {"phase", 0.0}, {"base_signal", "Sine"},  {"keyframes", std::move(keyframes)}};
 }
 
-/// Time at which the last tactor goes off.
+/// Time at which the last tactor turns off.
 double lastOn_s(const Tracks& tracks) {
     double end_s = 0.0;
     for (const Track& track : tracks)
@@ -100,7 +100,7 @@ std::size_t tactorOf(JsonReader& reader, const ordered_json& channel, std::size_
 void expectText(JsonReader& reader, const ordered_json& object, const char* key, const char* expected) {
     const ordered_json& value = reader.member(object, key);
     if (reader.text(value) != expected)
-        reader.fail(value, HjifText::tr("a pattern cannot hold this").toStdString(), expected);
+        reader.fail(value, HjifText::tr("a pattern cannot represent this").toStdString(), expected);
 }
 
 Track stretchOf(JsonReader& reader, const ordered_json& effect, double timescale, double gain) {
@@ -114,12 +114,13 @@ Track stretchOf(JsonReader& reader, const ordered_json& effect, double timescale
          reader.array(reader.member(effect, "keyframes"), 0, Pattern::kMostBreakpoints)) {
         const ordered_json* const amplitude = reader.find(keyframe, "amplitude_modulation");
         if (amplitude == nullptr)
-            continue; // a keyframe of the frequency only
+            continue; // a keyframe for the frequency only
         const ordered_json& relative = reader.member(keyframe, "relative_position");
         const double time_s = (position + ticks(relative)) / timescale;
         if (time_s > Pattern::kLongest_s || (!lines.empty() && time_s < lines.back().time_s)) {
-            reader.fail(relative, HjifText::tr("the times go back or on for too long").toStdString(),
-                        HjifText::tr("a time that is not before the one in front of it").toStdString());
+            reader.fail(relative,
+                        HjifText::tr("the times decrease or exceed the longest pattern").toStdString(),
+                        HjifText::tr("a time that is not before the previous one").toStdString());
             break;
         }
         lines.push_back({time_s, std::min(1.0, gain * reader.number(*amplitude, 0.0, 1.0))});
@@ -127,7 +128,7 @@ Track stretchOf(JsonReader& reader, const ordered_json& effect, double timescale
     return lines;
 }
 
-/// The arm of a channel; one that tells none is on the right one.
+/// The arm of a channel; the right one when it does not say.
 Arm armOf(JsonReader& reader, const ordered_json& channel) {
     const ordered_json* const mask = reader.find(channel, "body_part_mask");
     const long long bits = mask == nullptr ? 0 : reader.integer(*mask, 0, 0xFFFF'FFFFLL);
@@ -164,7 +165,7 @@ core::Expected<std::string> patternToHjif(const Pattern& pattern, const std::str
         ordered_json effects = ordered_json::array();
         for (const Track& stretch : stretches((*tracks)[i]))
             effects.push_back(effect(static_cast<int>(effects.size()), stretch, motor));
-        // The format has no length: silence at the end is an effect that does nothing.
+        // The format has no duration: silence at the end is written as an effect that does nothing.
         if (i == 0 && toTicks(pattern.duration_s) > toTicks(end_s))
             effects.push_back(
                 effect(static_cast<int>(effects.size()), {{end_s, 0.0}, {pattern.duration_s, 0.0}}, motor));

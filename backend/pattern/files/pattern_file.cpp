@@ -36,12 +36,12 @@ core::Error failure(core::ErrorKind kind, const std::string& path, const QString
 core::Expected<std::string> readBytes(const std::string& path) {
     QFile file(QString::fromStdString(path));
     if (!file.exists())
-        return core::Unexpected(failure(core::ErrorKind::notFound, path,
-                                        FileText::tr("there is no such file or built-in pattern"),
-                                        FileText::tr("a pattern file, or an id of teleta pattern list")));
+        return core::Unexpected(failure(
+            core::ErrorKind::notFound, path, FileText::tr("there is no such file or built-in pattern"),
+            FileText::tr("a pattern file, or an id listed by teleta pattern list")));
     if (!file.open(QIODevice::ReadOnly))
         return core::Unexpected(failure(core::ErrorKind::ioFailed, path, file.errorString(), {}));
-    // One byte more shows that the limit is passed, also with a pipe, whose size is not known.
+    // One byte more than the limit shows that it is exceeded, even for a pipe, whose size is unknown.
     const QByteArray bytes = file.read(static_cast<qint64>(core::JsonDocument::kMostBytes) + 1);
     if (file.error() != QFileDevice::NoError)
         return core::Unexpected(failure(core::ErrorKind::ioFailed, path, file.errorString(), {}));
@@ -61,7 +61,7 @@ core::Expected<void> writeBytes(const std::string& path, const std::string& byte
 }
 
 core::Error unknownEnding(const std::string& path) {
-    return failure(core::ErrorKind::badInput, path, FileText::tr("the ending of the name tells no format"),
+    return failure(core::ErrorKind::badInput, path, FileText::tr("the file name extension is unknown"),
                    FileText::tr("one of %1").arg(QString::fromStdString(allEndings())));
 }
 
@@ -71,7 +71,7 @@ core::Expected<void> orWithPath(core::Expected<void> done, const std::string& pa
     return done;
 }
 
-/// The file of the only tactor that does anything, for formats with one tactor a file.
+/// Writes the only active tactor, for formats with one tactor per file.
 core::Expected<std::string>
 onlyTactor(const Pattern& pattern, const std::string& path, const std::string& zipEnding,
            core::Expected<std::string> (*text)(const Pattern& pattern, std::size_t tactor)) {
@@ -154,7 +154,7 @@ core::Expected<Pattern> read(std::string bytes, PatternFormat format, const std:
         break;
     }
     return core::Unexpected(failure(core::ErrorKind::badInput, path,
-                                    FileText::tr("patterns are written in this format, but not read"),
+                                    FileText::tr("this format can be written but not read"),
                                     ".json, .hjif, .haptic.zip, .haptic, .tact"));
 }
 

@@ -39,7 +39,7 @@ bool isRead(const QString& name) {
            format == PatternFormat::hapticZip || format == PatternFormat::tact;
 }
 
-/// A name of a file that every system takes.
+/// A file name that is valid on every system.
 QString fileNameOf(const QString& name) {
     QString plain;
     for (const QChar c : name.simplified().left(kLongestName))
@@ -138,7 +138,7 @@ std::string PatternFolder::freePath(const std::string& name) const {
 core::Expected<std::string> PatternFolder::add(const Pattern& pattern) const {
     const QString folder = QString::fromStdString(m_path);
     if (!QDir().mkpath(folder))
-        return failure(core::ErrorKind::ioFailed, folder, FolderText::tr("the folder cannot be made"));
+        return failure(core::ErrorKind::ioFailed, folder, FolderText::tr("the folder cannot be created"));
     const std::string path = freePath(pattern.name);
     if (const core::Expected<void> saved = savePattern(pattern, path); !saved)
         return core::Unexpected(saved.error());
@@ -156,7 +156,7 @@ core::Expected<std::string> PatternFolder::duplicate(const Pattern& pattern, con
 core::Expected<void> PatternFolder::rename(const std::string& path, const std::string& name) const {
     if (formatOf(path) != PatternFormat::own)
         return failure(core::ErrorKind::refused, QString::fromStdString(path),
-                       FolderText::tr("this format cannot hold another name"),
+                       FolderText::tr("this format cannot store another name"),
                        FolderText::tr("a pattern file that ends with .json"));
     core::Expected<Pattern> pattern = loadPattern(path);
     if (!pattern)
@@ -170,7 +170,7 @@ core::Expected<std::string> PatternFolder::remove(const std::string& path) const
     const QDir deleted(QDir(QString::fromStdString(m_path)).filePath(QLatin1String(kDeleted)));
     if (!deleted.mkpath(QStringLiteral(".")))
         return failure(core::ErrorKind::ioFailed, deleted.path(),
-                       FolderText::tr("the folder cannot be made"));
+                       FolderText::tr("the folder cannot be created"));
     const QString name = QString::fromStdString(baseName(path));
     const core::Expected<QString> to =
         moved(info.filePath(), freeIn(deleted, name, info.fileName().mid(name.size())));

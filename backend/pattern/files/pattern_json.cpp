@@ -44,12 +44,12 @@ void addUnknown(ordered_json& object, const UnknownKeys& unknown) {
         object[key] = ordered_json::parse(value);
 }
 
-/// Reads a value with a name out of an enumeration.
+/// Reads the name of an enumerator.
 template <typename Value, typename From>
 Value named(JsonReader& reader, const ordered_json& value, From from, Value missing, const char* expected) {
     const std::optional<Value> found = from(reader.text(value));
     if (!found)
-        reader.fail(value, PatternText::tr("this name is not known").toStdString(), expected);
+        reader.fail(value, PatternText::tr("this name is unknown").toStdString(), expected);
     return found.value_or(missing);
 }
 
@@ -60,10 +60,10 @@ Easing easing(JsonReader& reader, const ordered_json& value) {
 void checkFormat(JsonReader& reader, const char* format) {
     const ordered_json& name = reader.member(reader.root(), "format");
     if (reader.text(name) != format)
-        reader.fail(name, PatternText::tr("this is another format").toStdString(), format);
+        reader.fail(name, PatternText::tr("this is a different format").toStdString(), format);
     const ordered_json& version = reader.member(reader.root(), "version");
     if (reader.integer(version, 1, 1'000'000) > kVersion)
-        reader.fail(version, PatternText::tr("the file is of a newer version").toStdString(),
+        reader.fail(version, PatternText::tr("the file was written by a newer version").toStdString(),
                     std::to_string(kVersion));
 }
 
@@ -78,13 +78,13 @@ Track track(JsonReader& reader, const ordered_json& value) {
         track.push_back({reader.number(point[0], 0.0, Pattern::kLongest_s), reader.number(point[1], 0.0, 1.0),
                          point.size() > 2 ? easing(reader, point[2]) : Easing::linear});
         if (track.size() > 1 && track.back().time_s < track[track.size() - 2].time_s)
-            reader.fail(point[0], PatternText::tr("the times go back").toStdString(),
-                        PatternText::tr("a time that is not before the one in front of it").toStdString());
+            reader.fail(point[0], PatternText::tr("the times decrease").toStdString(),
+                        PatternText::tr("a time that is not before the previous one").toStdString());
     }
     return track;
 }
 
-// Objects, out of their JSON form.
+// Reading objects.
 
 double time_s(JsonReader& reader, const ordered_json& object, const char* key) {
     return reader.number(reader.member(object, key), 0.0, Pattern::kLongest_s);
@@ -169,8 +169,8 @@ ObjectForm stroke(JsonReader& reader, const ordered_json& object) {
                                  reader.number(point[2], 0.0, 1.0)});
         if (stroke.points.size() > 1 &&
             stroke.points.back().time_s < stroke.points[stroke.points.size() - 2].time_s)
-            reader.fail(point[0], PatternText::tr("the times go back").toStdString(),
-                        PatternText::tr("a time that is not before the one in front of it").toStdString());
+            reader.fail(point[0], PatternText::tr("the times decrease").toStdString(),
+                        PatternText::tr("a time that is not before the previous one").toStdString());
     }
     return stroke;
 }
@@ -215,12 +215,12 @@ PatternObject object(JsonReader& reader, const ordered_json& value) {
         object.unknown = unknownKeys(value, candidate.keys);
         return object;
     }
-    reader.fail(type, PatternText::tr("this name is not known").toStdString(),
+    reader.fail(type, PatternText::tr("this name is unknown").toStdString(),
                 "sweep, ring, phantom, ramp, pulses, stroke");
     return object;
 }
 
-// Objects, into their JSON form.
+// Writing objects.
 
 ordered_json numbered(const std::vector<int>& tactors) {
     ordered_json numbers = ordered_json::array();
@@ -289,7 +289,7 @@ std::string line(const ordered_json& value) {
     return value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }
 
-/// One line a member, and one a track and an object, so that versions of a file can be compared.
+/// Writes one line per member, track and object, so that versions of a file can be compared.
 std::string lines(const ordered_json& root) {
     std::string text = "{";
     const char* separator = "\n";
@@ -410,7 +410,7 @@ core::Expected<PatternMap> patternMapFromJson(std::string text, const std::strin
     if (shape.is_object()) {
         for (const auto& [key, value] : shape.items()) {
             if (std::find(kRecognisedShapes.begin(), kRecognisedShapes.end(), key) == kRecognisedShapes.end())
-                reader.fail(value, PatternText::tr("this name is not known").toStdString(),
+                reader.fail(value, PatternText::tr("this name is unknown").toStdString(),
                             "circle, rectangle, triangle, arc, line, point, unknown");
         }
     }

@@ -42,7 +42,7 @@ core::Expected<RecoveredPattern> readRecovery(const std::string& file) {
     const auto found = std::find_if(pattern->unknown.begin(), pattern->unknown.end(), isRecovery);
     if (found == pattern->unknown.end())
         return core::Unexpected(core::Error{core::ErrorKind::badInput,
-                                            RecoveryText::tr("this is no recovery file").toStdString(),
+                                            RecoveryText::tr("this is not a recovery file").toStdString(),
                                             RecoveryText::tr("the key \"recovery\"").toStdString(),
                                             {file, 0, 0}});
     const core::Expected<core::JsonDocument> about = core::JsonDocument::parse(found->second, file);
@@ -54,7 +54,7 @@ core::Expected<RecoveredPattern> readRecovery(const std::string& file) {
     recovered.edited_ms = reader.integer(reader.member(reader.root(), "edited_ms"), 0, kLatest_ms);
     if (reader.error()) {
         core::Error error = *reader.error();
-        error.where = {file, 0, 0}; // lines of the key's value are not those of the file
+        error.where = {file, 0, 0}; // lines within the value are not lines of the file
         return core::Unexpected(std::move(error));
     }
     pattern->unknown.erase(found);

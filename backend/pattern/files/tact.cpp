@@ -29,7 +29,7 @@ constexpr const char* kRight = "ForearmR";
 constexpr double kIntensityStep = 1e-4;
 constexpr long long kMost_ms = static_cast<long long>(Pattern::kLongest_s * 1000.0);
 
-/// Milliseconds at which something may change: corners, and cuts of slopes between them.
+/// Milliseconds at which an intensity may change: corners, and the pieces of the slopes between them.
 std::set<long long> cuts(const Tracks& tracks, long long duration_ms) {
     std::set<long long> all{0, duration_ms};
     for (const Track& track : tracks) {
@@ -50,7 +50,7 @@ std::set<long long> cuts(const Tracks& tracks, long long duration_ms) {
 ordered_json dots(const core::Intensities& intensities) {
     ordered_json points = ordered_json::array();
     for (std::size_t i = 0; i < core::kTactors; ++i) {
-        // Rounded by a division: 0.75 stays 0.75.
+        // Rounded by a division, so that 0.75 stays 0.75.
         const double intensity =
             std::round(intensities[i] / kIntensityStep) / std::round(1.0 / kIntensityStep);
         if (intensity > 0.0)
@@ -59,7 +59,7 @@ ordered_json dots(const core::Intensities& intensities) {
     return points;
 }
 
-/// One dot over one piece of feedback, times in s.
+/// The track of one dot during one piece of feedback; times in s.
 Track stretch(JsonReader& reader, const ordered_json& type, double begin_s, double end_s, double intensity) {
     const std::string name = reader.text(type);
     const double middle_s = 0.5 * (begin_s + end_s);
@@ -71,7 +71,7 @@ Track stretch(JsonReader& reader, const ordered_json& type, double begin_s, doub
         return {{begin_s, intensity}, {end_s, 0.0}};
     if (name == "FADE_IN_OUT")
         return {{begin_s, 0.0}, {middle_s, intensity}, {end_s, 0.0}};
-    reader.fail(type, TactText::tr("this name is not known").toStdString(),
+    reader.fail(type, TactText::tr("this name is unknown").toStdString(),
                 "NONE, FADE_IN, FADE_OUT, FADE_IN_OUT");
     return {};
 }
@@ -82,7 +82,7 @@ void readFeedback(JsonReader& reader, const ordered_json& feedback, long long of
     const long long begin_ms = offset_ms + reader.integer(reader.member(feedback, "startTime"), 0, kMost_ms);
     const long long end_ms = offset_ms + reader.integer(end, 0, kMost_ms);
     if (end_ms < begin_ms || end_ms > kMost_ms)
-        reader.fail(end, TactText::tr("the times go back or on for too long").toStdString(),
+        reader.fail(end, TactText::tr("the times decrease or exceed the longest pattern").toStdString(),
                     TactText::tr("a time that is not before the start").toStdString());
     const ordered_json& type = reader.member(feedback, "playbackType");
     for (const ordered_json& point : reader.array(reader.member(feedback, "pointList"), 0, 1000)) {
@@ -115,7 +115,7 @@ void readEffect(JsonReader& reader, const ordered_json& effect, Pattern& pattern
     }
     if (const ordered_json* mode = reader.find(*forearm, "mode")) {
         if (reader.text(*mode) != "DOT_MODE") {
-            reader.fail(*mode, TactText::tr("a pattern cannot hold this").toStdString(), "DOT_MODE");
+            reader.fail(*mode, TactText::tr("a pattern cannot represent this").toStdString(), "DOT_MODE");
             return;
         }
     }

@@ -27,7 +27,8 @@ struct FreeSource {
 using Archive = std::unique_ptr<zip_t, DiscardArchive>;
 using Source = std::unique_ptr<zip_source_t, FreeSource>;
 
-constexpr zip_uint16_t kDosDate = (46U << 9U) | (1U << 5U) | 1U; // 2026-01-01, for the same bytes every time
+constexpr zip_uint16_t kDosDate =
+    (46U << 9U) | (1U << 5U) | 1U; // 2026-01-01, so that equal entries give equal bytes
 
 core::Unexpected bad(const std::string& file, const QString& message, const QString& expected) {
     return core::Unexpected(
@@ -40,11 +41,13 @@ core::Unexpected damaged(const std::string& file) {
 }
 
 core::Unexpected failed() {
-    return core::Unexpected(core::Error{
-        core::ErrorKind::ioFailed, ZipText::tr("the zip archive could not be made").toStdString(), {}, {}});
+    return core::Unexpected(core::Error{core::ErrorKind::ioFailed,
+                                        ZipText::tr("the zip archive could not be created").toStdString(),
+                                        {},
+                                        {}});
 }
 
-/// The archive takes the source over when it opens.
+/// The archive takes ownership of the source when it opens.
 Archive openArchive(Source& source, int flags) {
     zip_error_t error;
     zip_error_init(&error);
@@ -64,7 +67,7 @@ core::Expected<std::vector<ZipEntry>> readZip(const std::string& bytes, const st
         return damaged(file);
     const zip_int64_t count = zip_get_num_entries(archive.get(), 0);
     if (count <= 0)
-        return damaged(file); // no bytes at all are an empty archive to the library
+        return damaged(file); // the library takes zero bytes for an empty archive
     if (count > static_cast<zip_int64_t>(kMostZipEntries))
         return bad(file, ZipText::tr("the zip archive has too many files"),
                    ZipText::tr("at most %1").arg(kMostZipEntries));
@@ -100,7 +103,7 @@ core::Expected<std::string> writeZip(const std::vector<ZipEntry>& entries) {
     Source buffer(zip_source_buffer_create(nullptr, 0, 0, nullptr));
     if (!buffer)
         return failed();
-    zip_source_keep(buffer.get()); // read below, after the archive has let go of it
+    zip_source_keep(buffer.get()); // read below, after the archive has released it
     const Source kept(buffer.get());
     Archive archive = openArchive(buffer, ZIP_TRUNCATE);
     if (!archive)

@@ -32,10 +32,11 @@ QString tactorList(const std::vector<int>& tactors) {
 QString describeLaw(const Finding& finding) {
     switch (finding.law) {
     case Law::burstTooShort:
-        return LawText::tr("A burst of %1 is too short for the motor, which needs %2 to rise.")
+        return LawText::tr("A burst of %1 is too short for the motor, which needs %2 to speed up.")
             .arg(ms(finding.value), ms(finding.limit));
     case Law::ringTooFast:
-        return LawText::tr("A turn of the ring takes %1; its direction is felt reliably from %2 on.")
+        return LawText::tr("A turn of the ring takes %1; its direction is felt reliably only if a turn takes "
+                           "at least %2.")
             .arg(ms(finding.value), ms(finding.limit));
     case Law::onsetOffLaw:
         return LawText::tr("The bursts begin %1 apart; they are felt as one motion with %2.")
@@ -66,7 +67,7 @@ QString describeAdvice(const Finding& finding) {
     case Law::onsetOffLaw:
         return LawText::tr("Let the law of apparent motion set them %1 apart.").arg(ms(suggestion));
     case Law::sharedPhantoms:
-        return LawText::tr("Let it begin at %1 s, when the other one is over.").arg(number(suggestion));
+        return LawText::tr("Let it begin at %1 s, when the other one has ended.").arg(number(suggestion));
     case Law::beating:
         return finding.suggestion
                    ? LawText::tr("Make motor %1 weaker there, by %2 %, so that they are %3 Hz apart.")

@@ -20,13 +20,13 @@ struct BakeText {
 };
 
 constexpr double kShortestLine_s = 2e-4;
-/// Distance from a corner at which its left and right side are looked at: corners are computed with rounding,
-/// at most 1.5e-11 s at the end of the longest pattern.
+/// Distance from a corner at which its left and right side are evaluated: the times of corners have rounding
+/// errors, at most 1.5e-11 s at the end of the longest pattern.
 constexpr double kBeside_s = 1e-9;
 constexpr double kStep = 1e-6; ///< values are rounded to it, since they are read beside the corners
 constexpr std::size_t kFirstParts = 4;
 
-/// Times at which an object may have a corner on a tactor; false when there are too many.
+/// Adds the times at which an object may have a corner on a tactor. Returns false when there are too many.
 class Corners {
 public:
     Corners(std::vector<double>& times_s, std::size_t tactor)
@@ -94,7 +94,7 @@ double rounded(double value) {
     return std::round(value / kStep) * kStep;
 }
 
-/// Follows a function between two corners with straight lines.
+/// Approximates a function between two corners by straight lines.
 class Follower {
 public:
     Follower(const std::function<double(double)>& value, Track& lines)
@@ -163,7 +163,7 @@ bool touches(const ObjectForm& form, double duration_s, std::size_t tactor) {
     return true;
 }
 
-/// Steps where the track is cut off by the pattern's end are corners as well.
+/// A track that the end of the pattern cuts off has a corner there, too.
 core::Expected<Track> follow(const Pattern& pattern, std::size_t tactor,
                              const std::function<double(double)>& f) {
     std::vector<double> times_s{0.0, pattern.duration_s};
@@ -200,7 +200,8 @@ bool straight(const Track& track) {
     });
 }
 
-/// Holds as two points; values limited. What lies behind the end of the pattern is left out by the caller.
+/// Replaces holds by two points and limits the values. The caller removes what lies after the end of the
+/// pattern.
 Track withoutHolds(const Track& track) {
     Track lines;
     for (std::size_t i = 0; i < track.size(); ++i) {

@@ -83,11 +83,6 @@ double intensityOfSpeed(const MotorProfile& profile, double speed_Hz) {
     return std::clamp((drive - profile.startDrive) / (profile.fullDrive - profile.startDrive), 0.0, 1.0);
 }
 
-double forceShare(const MotorProfile& profile, double speed_Hz) {
-    const double share = speed_Hz / profile.curve.back().speed_Hz;
-    return share * share;
-}
-
 double MotorModel::step(double drive, double step_s) {
     const double steady_Hz = steadySpeed_Hz(m_profile, drive);
     const double change_s = steady_Hz > m_speed_Hz ? m_profile.riseTime_s : m_profile.fallTime_s;

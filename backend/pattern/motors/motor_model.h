@@ -15,7 +15,7 @@ namespace teleta::pattern {
 /// Speeds of the paper's levels 1..5 of vibration (TeleTA, 5.3).
 inline constexpr std::array<double, 5> kLevelSpeeds_Hz{167.0, 188.0, 208.0, 229.0, 250.0};
 
-/// A steady state of a motor. drive: voltage as a share of the full one.
+/// Steady speed of a motor at a drive. drive: voltage as a share of the full voltage.
 struct SpeedPoint {
     double drive = 0.0;
     double speed_Hz = 0.0;
@@ -23,53 +23,53 @@ struct SpeedPoint {
     bool operator==(const SpeedPoint&) const = default;
 };
 
-/// What a calibration knows of one motor. Above zero, intensity i is the drive start + i (full - start).
-/// valid(): 0 < startDrive < fullDrive <= 1; times > 0; at least two points of the curve, rising in both, the
-/// first not above the start, the last at drive 1; overdrive >= 1; finite all.
+/// Calibration of one motor. An intensity i > 0 is the drive start + i (full - start). valid(): all finite; 0
+/// < startDrive < fullDrive <= 1; times > 0; at least two points of the curve, rising in drive and speed, the
+/// first not above the start, the last at drive 1; overdrive >= 1.
 struct MotorProfile {
     std::string name;
-    bool assumed = true;             ///< lag and curve: nobody has measured them
-    bool rangeAssumed = true;        ///< start and full drive: nobody has measured them
-    double startDrive = 0.0;         ///< below it the motor stands
-    double fullDrive = 1.0;          ///< of intensity 1, so that all motors of a bracelet are equally strong
-    double riseTime_s = 0.0;         ///< from rest to 90 % of a speed
-    double fallTime_s = 0.0;         ///< from a speed to 10 % of it
-    std::vector<SpeedPoint> curve;   ///< straight lines between its points
-    double overdrive = 1.0;          ///< largest drive while speeding up
-    double longestOverdrive_s = 0.0; ///< at once; it comes back at a tenth of the time without overdrive
+    bool assumed = true;      ///< lag and curve are assumed, not measured
+    bool rangeAssumed = true; ///< start and full drive are assumed, not measured
+    double startDrive = 0.0;  ///< below this drive the motor stands still
+    double fullDrive =
+        1.0; ///< drive at intensity 1, chosen so that all motors of a bracelet are equally strong
+    double riseTime_s = 0.0;       ///< from rest to 90 % of a speed
+    double fallTime_s = 0.0;       ///< from a speed to 10 % of it
+    std::vector<SpeedPoint> curve; ///< linear between its points
+    double overdrive = 1.0;        ///< largest drive while speeding up
+    double longestOverdrive_s =
+        0.0; ///< longest overdrive at a time; recovers at a tenth of the rate while not overdriven
 
     bool operator==(const MotorProfile&) const = default;
 
     [[nodiscard]] bool valid() const;
 
-    /// A coin motor as nobody measured it, to be replaced by a calibration: starts at a third of the full
-    /// voltage, 250 Hz at the full one and speed in proportion (TeleTA, 4 and 5.3); rise and fall as is
-    /// usual for motors of this size.
+    /// Default coin motor until a calibration replaces it: starts at a third of the full voltage, 250 Hz at
+    /// full voltage with proportional speed (TeleTA, 4 and 5.3), rise and fall times typical of motors of
+    /// this size.
     [[nodiscard]] static MotorProfile assumedCoinMotor();
 };
 
 using MotorProfiles = std::array<MotorProfile, core::kTactors>;
 [[nodiscard]] MotorProfiles assumedMotors();
 
-/// 0 for an intensity of 0 and for NaN; limited to 1.
+/// Drive for an intensity, clamped to 0..1; 0 for an intensity of 0 and for NaN.
 [[nodiscard]] double driveOf(const MotorProfile& profile, double intensity);
-/// Speed to which a drive leads in the end; 0 below the start. Above 1 the last line goes on.
+/// Steady speed at a drive; 0 below the start. Above drive 1 the last segment is extrapolated.
 [[nodiscard]] double steadySpeed_Hz(const MotorProfile& profile, double drive);
-/// The intensity with this steady speed; 0 below the speed at the start, 1 above that of the full drive.
+/// Intensity with this steady speed; 0 below the speed at the start, 1 above the speed at the full drive.
 [[nodiscard]] double intensityOfSpeed(const MotorProfile& profile, double speed_Hz);
-/// Force of the eccentric mass as a share of that at full speed: it goes with the square of speed.
-[[nodiscard]] double forceShare(const MotorProfile& profile, double speed_Hz);
 
-/// How a motor follows: its speed goes to the steady one with one time constant up and one down,
+/// Lag of a motor: its speed approaches the steady speed with one time constant upwards and one downwards,
 ///   speed' = (steady - speed) / tau,   tau_up = rise / ln 10,   tau_down = fall / ln 10
-/// integrated without error while the drive stays. Thread: one.
+/// integrated exactly while the drive is constant. Thread: one.
 class MotorModel {
 public:
     /// profile: valid().
     explicit MotorModel(const MotorProfile& profile)
         : m_profile(profile) {}
 
-    /// Goes on by a time with this drive; returns the speed at its end. step_s: > 0.
+    /// Advances by step_s > 0 with this drive; returns the speed at the end.
     double step(double drive, double step_s);
     [[nodiscard]] double speed_Hz() const { return m_speed_Hz; }
     void reset() { m_speed_Hz = 0.0; }
@@ -79,8 +79,8 @@ private:
     double m_speed_Hz = 0.0;
 };
 
-/// Makes a motor start faster: gives the largest allowed drive until the model has reached the wanted speed,
-/// at most longestOverdrive_s of a budget. Thread: one.
+/// Makes a motor start faster: gives the largest allowed drive until the model reaches the desired speed,
+/// limited by a budget of longestOverdrive_s. Thread: one.
 class Overdrive {
 public:
     explicit Overdrive(const MotorProfile& profile);
@@ -94,8 +94,9 @@ private:
     double m_budget_s;
 };
 
-/// What the motors will do with a pattern, sampled at k / rate in [0, duration): predicted intensities
-/// (intensityOfSpeed) and speeds. The motors stand at 0 s. profiles: valid().
+/// Predicts how the motors follow a pattern, sampled at k / rate in [0, duration): intensities
+/// (intensityOfSpeed()) and speeds. The motors stand still at 0 s. Ends when visit returns false. profiles:
+/// valid(). Thread: any (pure).
 void forEachPredictedSample(const Pattern& pattern, const MotorProfiles& profiles, double rate_Hz,
                             const std::function<bool(double t_s, const core::Intensities& intensities,
                                                      const core::Intensities& speeds_Hz)>& visit);

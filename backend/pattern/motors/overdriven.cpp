@@ -22,12 +22,12 @@ struct OverdrivenText {
 
 using Boosts = std::array<std::vector<Span>, core::kTactors>;
 
-/// Where each motor is helped; spans that meet are one.
+/// Where each motor is overdriven; adjacent spans are merged.
 Boosts boostsOf(const Pattern& pattern, const MotorProfiles& profiles) {
     const CompiledPattern compiled(pattern);
     std::vector<Overdrive> motors;
     for (MotorProfile profile : profiles) {
-        // An intensity of 1 gives the full drive, and the player nothing above it.
+        // An intensity of 1 is the full drive, and the player never exceeds it.
         profile.overdrive = std::min(profile.overdrive, profile.fullDrive);
         motors.emplace_back(profile);
     }
@@ -51,7 +51,7 @@ Boosts boostsOf(const Pattern& pattern, const MotorProfiles& profiles) {
     return boosts;
 }
 
-/// On the line that leads to or from a time; a tactor is off outside of its breakpoints.
+/// Value just before or just after a time; a tactor is off outside its breakpoints.
 double between(Track::const_iterator first, Track::const_iterator second, const Track& lines, double t_s) {
     if (first == lines.end() || second == lines.end())
         return 0.0;

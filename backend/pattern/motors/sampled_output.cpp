@@ -19,7 +19,7 @@ struct SampledText {
     Q_DECLARE_TR_FUNCTIONS(PatternFile)
 };
 
-/// Little-endian, whatever the machine is.
+/// Little-endian on every machine.
 void put(std::string& bytes, std::uint64_t value, int count) {
     for (int i = 0; i < count; ++i)
         bytes += static_cast<char>((value >> (8 * i)) & 0xFFU);
@@ -60,11 +60,11 @@ core::Unexpected refused(const std::string& path, const QString& message, const 
 
 core::Expected<void> checked(const SampleOptions& options, double rate_Hz, const std::string& path) {
     if (!(rate_Hz >= kLowestRate_Hz && rate_Hz <= kHighestRate_Hz))
-        return refused(path, SampledText::tr("the rate of the samples is out of range"),
-                       SampledText::tr("%1 to %2 a second").arg(kLowestRate_Hz).arg(kHighestRate_Hz));
+        return refused(path, SampledText::tr("the sample rate is out of range"),
+                       SampledText::tr("%1 to %2 per second").arg(kLowestRate_Hz).arg(kHighestRate_Hz));
     if (options.motors && !std::all_of(options.motors->begin(), options.motors->end(),
                                        [](const MotorProfile& motor) { return motor.valid(); }))
-        return refused(path, SampledText::tr("the values of a motor contradict each other"), {});
+        return refused(path, SampledText::tr("the values of a motor are inconsistent"), {});
     return {};
 }
 
@@ -85,7 +85,7 @@ std::uint64_t samplesOf(double duration_s, double rate_Hz) {
     if (!(duration_s > 0.0 && rate_Hz > 0.0))
         return 0;
     auto samples = static_cast<std::uint64_t>(std::ceil(duration_s * rate_Hz));
-    // The product is rounded; what counts is where the samples lie.
+    // The product is rounded; the times of the samples decide.
     while (samples > 0 && static_cast<double>(samples - 1) / rate_Hz >= duration_s)
         --samples;
     while (static_cast<double>(samples) / rate_Hz < duration_s)
@@ -128,7 +128,7 @@ core::Expected<void> writeWav(const Pattern& pattern, const std::string& path, c
         return possible;
     if (rate_Hz != std::floor(rate_Hz))
         return refused(path, SampledText::tr("a WAV file cannot have this rate"),
-                       SampledText::tr("a whole number of samples a second"));
+                       SampledText::tr("a whole number of samples per second"));
     const std::uint64_t frames = samplesOf(pattern.duration_s, rate_Hz);
     if (frames > (std::numeric_limits<std::uint32_t>::max() - kHeaderBytes) / kBytesPerFrame)
         return refused(path, SampledText::tr("the pattern is too long for a WAV file"),

@@ -66,7 +66,7 @@ void readFocus(JsonReader& reader, CameraParameters& camera) {
     const ordered_json& value = reader.member(reader.root(), "K");
     readRows(reader, value, k);
     if (!reader.error() && (k(1, 0) != 0.0 || k(2, 0) != 0.0 || k(2, 1) != 0.0 || k(2, 2) != 1.0))
-        reader.fail(value, CameraText::tr("this is no camera matrix").toStdString(),
+        reader.fail(value, CameraText::tr("this is not a camera matrix").toStdString(),
                     "[[fx, s, cx], [0, fy, cy], [0, 0, 1]]");
     camera.fx_px = k(0, 0);
     camera.skew_px = k(0, 1);
@@ -83,9 +83,9 @@ std::string wordsFor(CameraModel::Refusal refusal) {
     case CameraModel::Refusal::noFocus:
         return CameraText::tr("the focal lengths in K are not positive").toStdString();
     case CameraModel::Refusal::notRotation:
-        return CameraText::tr("R is no rotation").toStdString();
+        return CameraText::tr("R is not a rotation").toStdString();
     case CameraModel::Refusal::folds:
-        return CameraText::tr("the distortion folds on the axis already").toStdString();
+        return CameraText::tr("the distortion folds on the axis").toStdString();
     }
     return {};
 }
@@ -142,10 +142,11 @@ core::Expected<CameraFile> parseCamera(std::string text, const std::string& file
     if (const ordered_json* format = reader.find(root, "format");
         !reader.error() && (format == nullptr || *format != kFormat))
         reader.fail(format == nullptr ? root : *format,
-                    CameraText::tr("this is no camera file").toStdString(), "\"format\": \"teleta-camera\"");
+                    CameraText::tr("this is not a camera file").toStdString(),
+                    "\"format\": \"teleta-camera\"");
     if (const ordered_json& version = reader.member(root, "version");
         !reader.error() && reader.integer(version, 1, 1'000'000) > kVersion)
-        reader.fail(version, CameraText::tr("the file is of a newer version").toStdString(),
+        reader.fail(version, CameraText::tr("the file was written by a newer version").toStdString(),
                     std::to_string(kVersion));
 
     CameraParameters camera;

@@ -27,7 +27,7 @@ core::Expected<std::vector<CalibrationPair>> readPairs(const std::string& path, 
     const core::Expected<std::vector<std::size_t>> columns = reader->columns(kPairColumns);
     if (!columns)
         return core::Unexpected(columns.error());
-    // A fit of more would take minutes.
+    // Fitting more would take minutes.
     constexpr std::size_t kMostPairs = 100'000;
     std::vector<CalibrationPair> pairs;
     std::vector<double> row;
@@ -105,7 +105,7 @@ core::Error describe(CalibrationRefusal refusal, std::size_t pairs) {
             PairText::tr("finite pixels and metres"));
         break;
     case CalibrationRefusal::badSettings:
-        say(PairText::tr("the image or the cylinder has no size that can be used"),
+        say(PairText::tr("the size of the image or of the cylinder is invalid"),
             PairText::tr("a positive radius, width and height of 1 to %1 pixels").arg(kLargestSide_px));
         break;
     case CalibrationRefusal::tooFewPairs:
@@ -113,28 +113,28 @@ core::Error describe(CalibrationRefusal refusal, std::size_t pairs) {
             PairText::tr("at least 6, better 50 or more"));
         break;
     case CalibrationRefusal::repeatedPoints:
-        say(PairText::tr("the pairs repeat fewer than six different points"),
+        say(PairText::tr("the pairs contain fewer than six different points"),
             PairText::tr("at least 6 different points, each with its own pixel"));
         break;
     case CalibrationRefusal::onOneLine:
-        say(PairText::tr("all points are on one line of the cylinder: the camera may turn about that line "
-                         "without a change in the image"),
+        say(PairText::tr("all points are on one line of the cylinder: the camera could turn about that line "
+                         "without changing the image"),
             spread);
         break;
     case CalibrationRefusal::onOneRing:
         say(PairText::tr("all points are on one ring of the cylinder: the camera's distance and its focal "
-                         "length cannot be told apart"),
+                         "length cannot be distinguished"),
             spread);
         break;
     case CalibrationRefusal::inOnePlane:
         say(PairText::tr("all points are in one plane: the camera's distance and its focal length cannot be "
-                         "told apart"),
+                         "distinguished"),
             spread);
         break;
     case CalibrationRefusal::noAgreement:
         say(PairText::tr("no camera agrees with enough of the pairs"),
-            PairText::tr("half of the pairs and at least %1 in agreement: pixels in the order of their "
-                         "points, the right image size and cylinder radius")
+            PairText::tr("at least half of the pairs and at least %1 in agreement: check that pixels and "
+                         "points match, the image size and the cylinder radius")
                 .arg(kFewestAgreeing));
         break;
     case CalibrationRefusal::notDetermined:
@@ -144,7 +144,7 @@ core::Error describe(CalibrationRefusal refusal, std::size_t pairs) {
             PairText::tr("more pairs, spread over the whole surface"));
         break;
     case CalibrationRefusal::folds:
-        say(PairText::tr("the lens model folds over within the pairs"),
+        say(PairText::tr("the lens model folds in the region of the pairs"),
             PairText::tr("more pairs near the lens, where the distortion is strongest"));
         break;
     }

@@ -28,8 +28,8 @@ core::Expected<void> ProbeWatcher::setReference(const cv::Mat1b& frame) {
 }
 
 std::optional<Eigen::Vector2d> ProbeWatcher::next(const cv::Mat1b& frame, double time_s) {
-    // Each frame by itself: with a camera that is only about right some dots at the far end are taken for
-    // others, and would wander off from frame to frame.
+    // Each frame is processed independently: with an inaccurate camera some dots at the far end are taken for
+    // others and would drift from frame to frame.
     m_finder->forget();
     auto contacts = m_finder->find(frame);
     if (!contacts) {

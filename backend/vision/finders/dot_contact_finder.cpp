@@ -23,7 +23,7 @@ constexpr double kTurn_rad = 2.0 * std::numbers::pi;
 constexpr double kCellsPerDot = 6.0;    ///< resolution of the unrolled reference
 constexpr std::size_t kFewestDots = 20; ///< of a pattern
 constexpr double kWindowShare = 0.62;   ///< radius of a dot's window, as a share of the pitch
-// That neighbours may have moved apart, less than what leads to another dot.
+// How far neighbours may have moved apart; less than the distance to another dot.
 constexpr double kToleranceAround_m = 0.0012;
 constexpr double kToleranceInward_m = 0.0017;
 constexpr double kNarrowest_px = 2.5;  ///< half axis of a window
@@ -41,7 +41,7 @@ void eachPair(const std::vector<SkinSample>& samples, const auto& look) {
     }
 }
 
-/// Median distance of the nearest other dot; 1 m without any.
+/// Median distance to the nearest other dot; 1 m if there is none.
 double pitchOf_m(const std::vector<SkinSample>& samples) {
     if (samples.empty())
         return 1.0;
@@ -150,8 +150,8 @@ core::Expected<void> DotContactFinder::takeReference(const cv::Mat1b& frame) {
     findNeighbours(samples);
     const double window_m = kWindowShare * m_pitch_m;
     for (std::size_t i = 0; i < dots.size(); ++i) {
-        // Ellipse in the image of a circle on the skin, not narrower than two pixels: for a dot that the
-        // camera hardly resolves.
+        // Image of a circle on the skin, an ellipse at least two pixels wide for dots that the camera hardly
+        // resolves.
         const Eigen::Matrix2d onSkin = samples[i].surfacePerPixel / window_m;
         const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(onSkin.transpose() * onSkin);
         const Eigen::Vector2d limited = axes.eigenvalues().cwiseMin(1.0 / (kNarrowest_px * kNarrowest_px));
@@ -173,7 +173,7 @@ core::Expected<void> DotContactFinder::takeReference(const cv::Mat1b& frame) {
         m_nodes[i].z_m = m_samples[i].p_Sensor_m.z();
         m_nodes[i].known = tracker.dots()[i].found;
     }
-    m_beforeKnown = true; // in the reference nothing has moved
+    m_beforeKnown = true; // nothing has moved in the reference
     m_patches.forget();
     m_tracker = std::move(tracker);
     return {};
@@ -182,7 +182,7 @@ core::Expected<void> DotContactFinder::takeReference(const cv::Mat1b& frame) {
 void DotContactFinder::dropUnresolved(std::vector<TrackedDot>& dots, std::vector<SkinSample>& samples) const {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < dots.size(); ++i) {
-        // The pitch is shortest in the image across the direction in which a pixel covers most of the skin.
+        // The pitch is shortest in the image in the direction in which a pixel covers most of the skin.
         const Eigen::JacobiSVD<Eigen::Matrix2d> covers(samples[i].surfacePerPixel);
         if (!(m_pitch_m >= kLeastPitch_px * covers.singularValues().x()))
             continue;
@@ -263,7 +263,7 @@ CameraContact DotContactFinder::contactOf(const SkinPatch& patch) const {
 }
 
 void DotContactFinder::outline(const SkinPatch& patch, CameraContact& contact) const {
-    // Where the displacement, smoothed over the dots, falls to a third of its peak.
+    // The outline is where the displacement, smoothed over the dots, falls to a third of its peak.
     const double step_m = 0.25 * m_pitch_m;
     const double width_m = 0.5 * m_pitch_m;
     const double level_m = std::max(m_settings.threshold_m, patch.peak_m / 3.0);

@@ -23,7 +23,8 @@ constexpr double kLeastArea_m2 = 4e-6; ///< of a contact
 constexpr double kSmoothing_px = 2.0;  ///< at full scale, against noise
 constexpr int kDiffers = 4;            ///< grey levels that are more than noise after that smoothing
 constexpr double kFounded_px = 20.0;   ///< at full scale: from a change to what it tells of
-/// Of a contact's flow from frame to frame, in the image made small: an upper bound, as that of the dots.
+/// Noise of the flow of a contact from frame to frame, in the small image; an upper bound, like that of the
+/// dots.
 constexpr double kFlowNoise_px = 0.3;
 constexpr double kDeep = 0.9; ///< quantile of the inward displacement that is a contact's depth
 
@@ -57,7 +58,7 @@ core::Expected<std::unique_ptr<ContactFinder>> FlowContactFinder::make(const Con
     if (stop.stop_requested())
         return core::Unexpected(cancelledMaking());
     if (finder->m_samples.empty())
-        return refused(VisionText::tr("The camera sees none of the skin."));
+        return refused(VisionText::tr("The camera does not see the skin."));
     if (std::min(finder->m_sampleOf.rows, finder->m_sampleOf.cols) < kSmallestSide_px)
         return refused(VisionText::tr("The image is too small for optical flow: %1 x %2 pixels.")
                            .arg(finder->m_sampleOf.cols)
@@ -134,7 +135,7 @@ void FlowContactFinder::prepare(const cv::Mat1b& frame, cv::Mat1b& small) const 
 }
 
 void FlowContactFinder::flow(const cv::Mat1b& reference, const cv::Mat1b& small, cv::Mat2f& flow) {
-    // For an image that is too small for them it takes others, and keeps those.
+    // OpenCV changes its scales for images that are too small, and keeps the changed values.
     m_dis->setFinestScale(m_finestScale);
     m_dis->setPatchSize(m_patchSize_px);
     m_dis->calc(reference, small, flow);
@@ -154,12 +155,12 @@ core::Expected<void> FlowContactFinder::takeReference(const cv::Mat1b& frame) {
     cv::Scalar deviation;
     cv::meanStdDev(laplacian, mean, deviation, inner);
     if (deviation[0] < kLeastTexture)
-        return refused(VisionText::tr("The image shows no pattern on the skin whose movement could be seen."),
+        return refused(VisionText::tr("The image shows no pattern on the skin that could be tracked."),
                        VisionText::tr("a frame in focus, in which nothing touches the skin"));
     m_reference = m_small.clone();
     cv::GaussianBlur(m_reference, m_smoothReference, {}, kSmoothing_px * m_rung.scale);
     m_flow = cv::Mat2f(m_small.size(), cv::Vec2f(0.0F, 0.0F));
-    m_beforeKnown = true; // in the reference nothing has moved
+    m_beforeKnown = true; // nothing has moved in the reference
     return {};
 }
 
@@ -177,7 +178,7 @@ core::Expected<std::vector<CameraContact>> FlowContactFinder::findIn(const cv::M
     const cv::Rect part = m_rung.changedOnly ? aroundChange() : whole;
     std::swap(m_flow, m_flowBefore);
     if (part == whole) {
-        // It starts from the matrix that it is given when that has the right size.
+        // OpenCV starts from the given matrix when it has the right size.
         if (m_rung.warmStart && m_beforeKnown)
             m_flowBefore.copyTo(m_flow);
         else
@@ -188,7 +189,7 @@ core::Expected<std::vector<CameraContact>> FlowContactFinder::findIn(const cv::M
         m_flow.setTo(cv::Scalar::all(0.0));
         if (!part.empty()) {
             cv::Mat2f partFlow;
-            // It takes no part of an image as it lies there.
+            // OpenCV cannot work on a part of an image in place.
             flow(m_reference(part).clone(), m_small(part).clone(), partFlow);
             partFlow.copyTo(m_flow(part));
         }
@@ -249,7 +250,7 @@ void FlowContactFinder::measure(const cv::Rect& part) {
         }
     }
     if (m_rung.paper) {
-        // Values below the threshold count as no movement before the maximum filter spreads the others.
+        // Values below the threshold are set to zero before the maximum filter spreads the others.
         cv::threshold(m_moved, m_moved, m_settings.paperThreshold_px, 0.0, cv::THRESH_TOZERO);
         cv::dilate(m_moved, m_moved, cv::Mat1b(5, 5, std::uint8_t{1}));
         m_active = m_moved > 0.0F;
@@ -260,7 +261,7 @@ void FlowContactFinder::measure(const cv::Rect& part) {
 }
 
 void FlowContactFinder::dropUnfounded() {
-    // At the far end half a pixel is a contact: the flow says that much of noise alone.
+    // At the far end half a pixel is a contact, and noise alone gives that much flow.
     const int side = 2 * static_cast<int>(std::lround(kFounded_px * m_rung.scale)) + 1;
     cv::Mat1b founded;
     cv::dilate(m_changed, founded, cv::Mat1b(side, side, std::uint8_t{1}));
@@ -347,7 +348,7 @@ CameraContact FlowContactFinder::contactOf(const std::vector<cv::Point>& contour
     strength = sum;
     if (const auto sample = skinSample(m_camera, contact.centre_px))
         contact.depthNoise_m = kFlowNoise_px * scaleX * sample->metresPerPixel.row(1).norm();
-    // One pixel's flow may be anything.
+    // The flow of a single pixel is not reliable.
     contact.depth_m = static_cast<double>(quantile(m_inward_m, kDeep));
     if (m_beforeKnown)
         contact.deepened_m = contact.depth_m - static_cast<double>(quantile(m_inwardBefore_m, kDeep));

@@ -13,7 +13,7 @@
 
 namespace teleta::vision {
 
-/// Texts and errors that the contact finders share.
+/// Translation context of the texts that the contact finders share.
 struct VisionText {
     Q_DECLARE_TR_FUNCTIONS(VisionText)
 };
@@ -37,20 +37,20 @@ struct VisionText {
             {}};
 }
 
-/// What work returns; what OpenCV or the memory throw in it becomes an error: refused.
+/// Calls work and returns its result; exceptions of OpenCV and of memory allocation become an error: refused.
 template <typename Work>
 [[nodiscard]] auto withoutExceptions(Work work) -> decltype(work()) {
     try {
         return work();
     } catch (const cv::Exception& error) {
         return refused(
-            VisionText::tr("The image cannot be worked on: %1").arg(QString::fromStdString(error.err)));
+            VisionText::tr("The image cannot be processed: %1").arg(QString::fromStdString(error.err)));
     } catch (const std::bad_alloc&) {
-        return refused(VisionText::tr("There is too little memory for images of this size."));
+        return refused(VisionText::tr("There is not enough memory for images of this size."));
     }
 }
 
-/// Error: refused when a frame is not as large as the camera's image.
+/// Error: refused when a frame does not have the size of the camera's image.
 [[nodiscard]] inline core::Expected<void> checkSize(int width_px, int height_px,
                                                     const CylinderCamera& camera) {
     const CameraParameters& own = camera.camera().parameters();

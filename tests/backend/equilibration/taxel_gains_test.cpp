@@ -222,7 +222,7 @@ TEST(TaxelGains, aTaxelThatIsClippedAtHighLoadsIsJudgedByTheLowerOnes) {
 
 TEST(TaxelGains, aPressThatClipsMostTaxelsIsJudgedByItsLowerLoads) {
     Bench bench(0.2);
-    // Most taxels are at the end of their range in more than half of the frames.
+    // Most taxels are at the within the range of the taxels in more than half of the frames.
     std::vector<float> press = bench.press(
         400, [](std::size_t frame) { return 0.005 * static_cast<double>(frame); }, 0.005);
     for (float& value : press)
@@ -245,7 +245,7 @@ TEST(TaxelGains, aPressWithHardlyAnyFrameBelowTheEndOfTheRangeIsRefused) {
     const auto gains = gainsOf(press);
     ASSERT_FALSE(gains);
     EXPECT_EQ(gains.error().kind, core::ErrorKind::refused);
-    EXPECT_NE(gains.error().message.find("end of their range"), std::string::npos) << gains.error().message;
+    EXPECT_NE(gains.error().message.find("within the range of the taxels"), std::string::npos) << gains.error().message;
 }
 
 TEST(TaxelGains, anArrayThatIsSaturatedThroughoutIsRefused) {

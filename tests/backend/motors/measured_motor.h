@@ -10,6 +10,8 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <sstream>
+#include <string>
 
 namespace teleta::test {
 
@@ -54,6 +56,16 @@ inline motors::MotorRecording measured(const simulated::SimulatedMotor& motor, d
         recording.speed_Hz.push_back(reading->speeds_Hz[kTactor]);
     }
     return recording;
+}
+
+/// A recording file as readMotorRecording() reads it.
+inline std::string recordingText(const motors::MotorRecording& recording) {
+    std::ostringstream text;
+    text.precision(17);
+    text << "time_s,commanded,speed_hz\n";
+    for (std::size_t i = 0; i < recording.size(); ++i)
+        text << recording.time_s[i] << ',' << recording.drive[i] << ',' << recording.speed_Hz[i] << '\n';
+    return text.str();
 }
 
 /// Times to 90 % and to 10 % of first-order lags.

@@ -50,12 +50,13 @@ TEST(MotorFile, comesBackAsItWasWritten) {
 
 TEST(MotorFile, isRefusedWithThePlaceOfWhatIsWrong) {
     const std::string text = motorsText(sample());
-    EXPECT_NE(whyNot(text, "version = 1", "version = 2").find("m.toml:2:11: the file is of a newer version"),
+    EXPECT_NE(whyNot(text, "version = 1", "version = 2")
+                  .find("m.toml:2:11: the file was written by a newer version"),
               std::string::npos)
         << whyNot(text, "version = 1", "version = 2");
     EXPECT_NE(whyNot(text, "full_drive = 0.93", "full_drvie = 0.93").find("full_drvie"), std::string::npos);
     EXPECT_NE(whyNot(text, "full_drive = 0.93", "full_drive = 1.5").find("1.5"), std::string::npos);
-    EXPECT_NE(whyNot(text, "speed_Hz = 61.5", "speed_Hz = 161.5").find("contradict"), std::string::npos);
+    EXPECT_NE(whyNot(text, "speed_Hz = 61.5", "speed_Hz = 161.5").find("inconsistent"), std::string::npos);
     EXPECT_NE(whyNot(text, "speed_Hz = 61.5", "speed_Hz = \"fast\"").find("m.toml:"), std::string::npos);
     EXPECT_NE(whyNot(text, "start_from = \"answers\"", "start_from = \"guess\"").find("answers"),
               std::string::npos);

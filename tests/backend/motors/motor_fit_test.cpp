@@ -146,7 +146,7 @@ TEST(MotorFit, refusesATooCoarseRecordingOfTheLag) {
     const std::string why = refusal(
         measured({.rise_s = 0.01, .fall_s = 0.01, .start = 0.2}, 3.0, 1, motors::stairsAndPulses(2.0), 200));
     EXPECT_NE(why.find("lag"), std::string::npos) << why;
-    EXPECT_NE(why.find("more samples a second"), std::string::npos) << why;
+    EXPECT_NE(why.find("more samples per second"), std::string::npos) << why;
 }
 
 TEST(MotorFit, refusesWhatIsNoLag) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pattern/edit/edit.h"
 #include "backend/pattern/files/pattern_file.h"
-#include "backend/pattern/model/bake.h"
 #include "backend/pattern/model/built_in_patterns.h"
 
 #include <gtest/gtest.h>
@@ -34,13 +33,6 @@ void expectMoved(const Pattern& a, const Pattern& b, Place place) {
             EXPECT_NEAR(before[static_cast<std::size_t>(i)], after[static_cast<std::size_t>(place(i))], 1e-6)
                 << t_s << ' ' << i;
     }
-}
-
-Pattern withTrack(Track track, double duration_s) {
-    Pattern pattern;
-    pattern.duration_s = duration_s;
-    pattern.tracks[1] = std::move(track);
-    return pattern;
 }
 
 } // namespace
@@ -76,61 +68,4 @@ TEST(Edit, stretchingMultipliesAllTimes) {
     }
     for (const double factor : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity(), 1e9})
         EXPECT_FALSE(stretched(pattern, factor)) << factor;
-}
-
-TEST(Edit, cuttingCopyingAndPastingInPlaceChangesNothing) {
-    const Pattern pattern =
-        withTrack({{0.0, 0.2}, {1.0, 0.8, Easing::hold}, {2.0, 0.4}, {2.0, 1.0}, {3.0, 0.0}}, 4.0);
-    for (const Span range : {Span{0.5, 2.5}, Span{0.0, 4.0}, Span{1.5, 1.75}, Span{2.0, 3.5}}) {
-        const Clip clip = copied(pattern, range);
-        const Pattern again = pasted(erased(pattern, range), clip, range.begin_s);
-        for (double t_s = 0.0; t_s < 4.0; t_s += 0.01)
-            EXPECT_NEAR(evaluate(again, t_s)[1], evaluate(pattern, t_s)[1], 1e-12)
-                << t_s << " cut from " << range.begin_s;
-    }
-}
-
-TEST(Edit, erasingIsSilentInTheRangeAndNowhereElse) {
-    const Pattern pattern = withTrack({{0.0, 0.2}, {1.0, 0.8}, {3.0, 0.4}}, 4.0);
-    const Pattern cut = erased(pattern, {0.5, 2.0});
-    for (double t_s = 0.005; t_s < 4.0; t_s += 0.01)
-        EXPECT_NEAR(evaluate(cut, t_s)[1], t_s >= 0.5 && t_s < 2.0 ? 0.0 : evaluate(pattern, t_s)[1], 1e-12);
-    TactorSet others = kAllTactors;
-    others[1] = false;
-    EXPECT_EQ(erased(pattern, {0.5, 2.0}, others), pattern);
-}
-
-TEST(Edit, pastingReplacesAndMakesThePatternLonger) {
-    const Pattern pattern = withTrack({{0.0, 0.5}, {2.0, 0.5}}, 2.0);
-    const Clip clip = copied(withTrack({{0.0, 1.0}, {1.0, 1.0}}, 1.0), {0.0, 1.0});
-    const Pattern result = pasted(pattern, clip, 1.5);
-    EXPECT_EQ(result.duration_s, 2.5);
-    EXPECT_EQ(evaluate(result, 1.49)[1], 0.5);
-    EXPECT_EQ(evaluate(result, 1.5)[1], 1.0);
-    EXPECT_EQ(evaluate(result, 2.4)[1], 1.0);
-    const Pattern gap = pasted(pattern, clip, 3.0);
-    EXPECT_EQ(evaluate(gap, 2.5)[1], 0.0);
-    EXPECT_EQ(evaluate(gap, 3.5)[1], 1.0);
-}
-
-TEST(Edit, easedSegmentsThatAreCutStayWithinTheTolerance) {
-    for (const Easing easing : {Easing::easeIn, Easing::easeOut, Easing::easeInOut}) {
-        const Pattern pattern = withTrack({{0.0, 0.0, easing}, {4.0, 1.0}}, 4.0);
-        const Pattern again = pasted(pattern, copied(pattern, {0.01, 3.99}), 0.01);
-        for (double t_s = 0.0; t_s < 4.0; t_s += 0.007)
-            EXPECT_NEAR(evaluate(again, t_s)[1], evaluate(pattern, t_s)[1], kBakeTolerance) << t_s;
-    }
-}
-
-TEST(Edit, rangesAndPlacesThatAreNoneChangeNothing) {
-    const double nan = std::nan("");
-    const Pattern pattern = withTrack({{0.0, 0.5}, {2.0, 0.5}}, 2.0);
-    for (const Span range : {Span{1.0, 1.0}, Span{1.5, 0.5}, Span{nan, 1.0}, Span{0.0, nan}}) {
-        EXPECT_EQ(erased(pattern, range), pattern);
-        EXPECT_EQ(copied(pattern, range).duration_s, 0.0);
-        EXPECT_EQ(pasted(pattern, copied(pattern, range), 0.5), pattern);
-    }
-    const Clip clip = copied(pattern, {0.0, 1.0});
-    for (const double begin_s : {-1.0, nan, 1e9})
-        EXPECT_EQ(pasted(pattern, clip, begin_s), pattern);
 }

@@ -38,12 +38,6 @@ TEST(MotorProfile, ofTheAssumedMotorIsMarkedAndGivesTheLevelsOfThePaper) {
                     kLevelSpeeds_Hz[static_cast<std::size_t>(level - 1)], 0.5);
 }
 
-TEST(MotorProfile, forceOfTheLevelsGrowsBy224) {
-    const MotorProfile profile = MotorProfile::assumedCoinMotor();
-    EXPECT_NEAR(forceShare(profile, 250.0) / forceShare(profile, 167.0), 2.24, 0.005);
-    EXPECT_DOUBLE_EQ(forceShare(profile, 125.0), 0.25);
-}
-
 TEST(MotorProfile, startsAtTheStartVoltage) {
     const MotorProfile profile = bent();
     EXPECT_EQ(driveOf(profile, 0.0), 0.0);

@@ -170,31 +170,3 @@ TEST(LwrInverse, whatIsNotFiniteGivesNoMotion) {
     q_rad[0] = std::numeric_limits<double>::infinity();
     EXPECT_EQ(solveRates(q_rad, posture.jacobian, Twist::Zero()).rate_radPerS, LwrVector(LwrVector::Zero()));
 }
-
-TEST(LwrInverse, aPoseIsFoundFromAnotherPosture) {
-    const LwrKinematics arm(Isometry3d(Eigen::Translation3d(0.0, 0.0, 0.05)));
-    std::mt19937_64 random(9);
-    std::uniform_real_distribution<double> offset(-0.5, 0.5);
-    const LwrLimits limits;
-    for (int round = 0; round < 100; ++round) {
-        LwrVector there_rad = kBent_rad;
-        for (double& angle_rad : there_rad)
-            angle_rad += offset(random);
-        const Isometry3d X = arm.X_Base_Tool(there_rad);
-        const auto q_rad = solvePose(arm, X, kBent_rad);
-        ASSERT_TRUE(q_rad.has_value()) << round;
-        EXPECT_LE(poseDifference(arm.X_Base_Tool(*q_rad), X).norm(), 2e-9);
-        EXPECT_TRUE((q_rad->array() <= limits.highest_rad.array()).all());
-        EXPECT_TRUE((q_rad->array() >= limits.lowest_rad.array()).all());
-    }
-}
-
-TEST(LwrInverse, aPoseBeyondReachIsRefused) {
-    const Isometry3d far(Eigen::Translation3d(2.0, 0.0, 0.0));
-    const auto q_rad = solvePose(LwrKinematics(), far, kBent_rad);
-    ASSERT_FALSE(q_rad.has_value());
-    EXPECT_EQ(q_rad.error(), InverseRefusal::unreachable);
-    Isometry3d nan = Isometry3d::Identity();
-    nan.translation().x() = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(solvePose(LwrKinematics(), nan, kBent_rad).error(), InverseRefusal::notFinite);
-}

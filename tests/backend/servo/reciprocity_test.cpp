@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 
 using namespace teleta::servo;
@@ -27,6 +28,20 @@ private:
     std::mt19937_64 m_random{5};
     std::uniform_real_distribution<double> m_one{-1.0, 1.0};
 };
+
+/// Table C.3, for a contact frame with z along the normal and, for an edge, x along it: for each component
+/// either no force (the motion is free) or no motion (the force can be commanded). The row "mu_z = w_z = 0" of
+/// a point is both at once.
+struct NaturalConstraints {
+    std::array<bool, 6> noForce{};
+    std::array<bool, 6> noMotion{};
+};
+
+NaturalConstraints naturalConstraints(ContactType type) {
+    if (type == ContactType::point)
+        return {{true, true, false, true, true, true}, {false, false, true, false, false, true}};
+    return {{true, true, false, true, false, true}, {false, false, true, false, true, false}};
+}
 
 /// The wrench that a contact can bear, in its frame: forces and moments where the table says no motion.
 Wrench contactWrench(ContactType type, Numbers& numbers) {
@@ -65,20 +80,6 @@ Twist atContact(const ServoTask& task, const teleta::contact::TactileFeatures& f
 }
 
 } // namespace
-
-TEST(Reciprocity, noComponentIsFreeToMoveAndToBear) {
-    for (const ContactType type : {ContactType::point, ContactType::edge}) {
-        const NaturalConstraints constraints = naturalConstraints(type);
-        for (std::size_t i = 0; i < 6; ++i)
-            EXPECT_TRUE(constraints.noForce[i] || constraints.noMotion[i]) << i;
-    }
-    // The rows of the table.
-    EXPECT_TRUE(naturalConstraints(ContactType::point).noForce[kWy]);
-    EXPECT_FALSE(naturalConstraints(ContactType::point).noMotion[kWy]);
-    EXPECT_TRUE(naturalConstraints(ContactType::edge).noMotion[kWy]);
-    EXPECT_FALSE(naturalConstraints(ContactType::edge).noForce[kWy]);
-    EXPECT_TRUE(naturalConstraints(ContactType::edge).noForce[kWz]);
-}
 
 TEST(Reciprocity, motionsAtAPointDoNoWorkAgainstItsForce) {
     Numbers numbers;

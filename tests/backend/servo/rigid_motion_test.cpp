@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/servo/rigid_motion.h"
+#include "tests/backend/servo/servo_frames.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,8 @@
 #include <random>
 
 using namespace teleta::servo;
+using teleta::servo::test::adjoint;
+using teleta::servo::test::wrenchTo;
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 

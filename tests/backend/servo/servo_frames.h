@@ -77,6 +77,23 @@ inline contact::TactileFeatures nothing() {
     return feel(contact::ContactType::none, 0.0, 0.0, 0.0, 0.0, 0.0);
 }
 
+/// Ad = [R, skew(p) R; 0, R], the matrix of twistTo(), eq. (13) of the paper.
+inline Matrix6 adjoint(const Eigen::Isometry3d& X_A_B) {
+    Matrix6 Ad = Matrix6::Zero();
+    Ad.topLeftCorner<3, 3>() = X_A_B.linear();
+    Ad.bottomRightCorner<3, 3>() = X_A_B.linear();
+    Ad.topRightCorner<3, 3>() = skew(X_A_B.translation()) * X_A_B.linear();
+    return Ad;
+}
+
+/// Writes a wrench of frame B in frame A: [R f; p x R f + R m], the dual of twistTo().
+inline Wrench wrenchTo(const Eigen::Isometry3d& X_A_B, const Wrench& wrench_B) {
+    const Eigen::Vector3d f = X_A_B.linear() * wrench_B.head<3>();
+    Wrench wrench_A;
+    wrench_A << f, X_A_B.translation().cross(f) + X_A_B.linear() * wrench_B.tail<3>();
+    return wrench_A;
+}
+
 /// A plan of one task.
 inline ServoPlan planOf(const ServoTask& task) {
     ServoPlan plan;

@@ -206,7 +206,7 @@ std::unique_ptr<QWidget> patternEditor() {
     view->document()->setPattern(pattern);
     view->document()->select({{}, 0});
     view->setPlayhead(0.9);
-    view->laws()->check();
+    view->findChild<editor::LawList*>()->check();
     return view;
 }
 

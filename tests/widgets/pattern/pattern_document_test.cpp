@@ -68,7 +68,6 @@ private slots:
                  d.replaceObject(0, {"", Ring{.turns = 4, .burst_s = {}}, {}}, "turns");
              }},
             {"bake one", [](auto& d) { d.bakeObject(1); }},
-            {"bake all", [](auto& d) { d.bakeAll(); }},
             {"overdrive", [](auto& d) { d.overdrive(); }},
             {"name", [](auto& d) { d.setName("Other"); }},
             {"notes", [](auto& d) { d.setNotes("n"); }},

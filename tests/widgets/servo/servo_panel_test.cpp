@@ -59,6 +59,10 @@ public:
     }
 };
 
+QString textOf(const ServoPanel& panel, const char* name) {
+    return panel.findChild<QLabel*>(QLatin1String(name))->text();
+}
+
 QImage pictureOf(ServoPicture& picture) {
     picture.resize(picture.sizeHint());
     return picture.grab().toImage();
@@ -74,7 +78,7 @@ private slots:
     void withoutAServoNothingCanBeChanged() {
         ServoPanel panel;
         QVERIFY(!panel.isEnabled());
-        QCOMPARE(panel.stateText(), QStringLiteral("No servo"));
+        QCOMPARE(textOf(panel, "servoState"), QStringLiteral("No servo"));
     }
 
     void taskContactAndLimitsAreNamed() {
@@ -82,18 +86,18 @@ private slots:
         ServoReport report = exploring();
         panel.setReport(report);
         QVERIFY(panel.isEnabled());
-        QCOMPARE(panel.taskText(), QStringLiteral("4. Explore"));
-        QCOMPARE(panel.stateText(), QStringLiteral("in contact"));
-        QCOMPARE(panel.limitText(), QStringLiteral("No limit acts."));
+        QCOMPARE(panel.findChild<QComboBox*>("servoTask")->currentText(), QStringLiteral("4. Explore"));
+        QCOMPARE(textOf(panel, "servoState"), QStringLiteral("in contact"));
+        QCOMPARE(textOf(panel, "servoLimits"), QStringLiteral("No limit acts."));
         report.recentLimits.set(Limit::force);
         report.recentLimits.set(Limit::deviation);
         panel.setReport(report);
-        QCOMPARE(panel.limitText(),
+        QCOMPARE(textOf(panel, "servoLimits"),
                  QStringLiteral("Limits that act: force, distance from the measured pose"));
         report.stopped = true;
         panel.setReport(report);
-        QCOMPARE(panel.taskText(), QStringLiteral("4. Explore"));
-        QCOMPARE(panel.stateText(), QStringLiteral("STOP: the arm is held"));
+        QCOMPARE(panel.findChild<QComboBox*>("servoTask")->currentText(), QStringLiteral("4. Explore"));
+        QCOMPARE(textOf(panel, "servoState"), QStringLiteral("STOP: the arm is held"));
     }
 
     void theRunningTaskIsNamedOnce() {
@@ -147,14 +151,14 @@ private slots:
         ServoPanel panel;
         ServoReport report = exploring();
         panel.setReport(report);
-        QVERIFY(panel.costText().isEmpty());
+        QVERIFY(textOf(panel, "servoCost").isEmpty());
         report.rate_Hz = 1000.0;
         report.times.cycles = 2;
         report.times.of(CyclePart::contact) = 12e-6;
         report.times.of(CyclePart::dynamics) = 8e-6;
         panel.setReport(report);
         QCOMPARE(
-            panel.costText(),
+            textOf(panel, "servoCost"),
             QStringLiteral("Simulated cycle: 10.0\u00a0\u00b5s, 100 times real time. Contact 60\u00a0%, "
                            "kinematics 0\u00a0%, features 0\u00a0%, control 0\u00a0%, dynamics 40\u00a0%."));
     }

@@ -46,8 +46,8 @@ Pattern withoutTracks(const Pattern& pattern) {
 
 } // namespace
 
-/// A state of the pattern. Tracks that an edit leaves alone are shared with the state before it, so that many
-/// edits of a long pattern take little memory.
+/// A state of the pattern. Tracks that an edit does not change are shared with the previous state, so that
+/// many edits of a long pattern take little memory.
 struct PatternDocument::Snapshot {
     std::array<std::shared_ptr<const Track>, core::kTactors> tracks;
     std::shared_ptr<const Pattern> head; ///< without tracks
@@ -212,7 +212,7 @@ void PatternDocument::take(const Snapshot& snapshot) {
     *m_current = snapshot;
     const bool otherSelection = !(m_selection == snapshot.selection);
     m_selection = snapshot.selection;
-    if (!m_autosave.isActive()) // not later with every edit: then it would never come
+    if (!m_autosave.isActive()) // not restarted by each edit, or it would never fire
         m_autosave.start();
     changed();
     if (otherSelection)
@@ -266,7 +266,7 @@ void PatternDocument::moveSelection(double time_s, double intensity) {
     const Selection& selection = m_dragBase ? m_dragSelection : m_selection;
     const int kind = m_dragBase ? kDrag : kNudge;
     Pattern base = dragBase();
-    // The first step of a drag of a built-in pattern has made a copy of it.
+    // The first step of the drag has copied a built-in pattern.
     if (m_dragBase && findBuiltIn(base.id)) {
         base.id = m_pattern.id;
         base.name = m_pattern.name;
@@ -317,7 +317,6 @@ void PatternDocument::copy() {
     if (m_selection.empty())
         return;
     m_clip = copiedPoints(m_pattern, m_selection.points, m_selection.object);
-    emit clipboardChanged();
 }
 
 void PatternDocument::cut() {
@@ -346,7 +345,7 @@ void PatternDocument::duplicate() {
     if (clip.empty())
         return;
     const Span span = clip.span();
-    // Breakpoints begin a step later, so that the copy does not take the place of the last one.
+    // Breakpoints start one step later, so that the copy does not replace the last one.
     const double gap_s = clip.objects.empty() ? m_snapStep_s : 0.0;
     Edited edited = pastedPoints(m_pattern, clip, span.end_s - span.begin_s + gap_s);
     Selection selection{std::move(edited.points), {}};
@@ -391,20 +390,12 @@ void PatternDocument::bakeObject(std::size_t index) {
         emit refused(QString::fromStdString(core::describe(baked.error())));
 }
 
-void PatternDocument::bakeAll() {
-    auto baked = bake(m_pattern);
-    if (baked)
-        apply(std::move(*baked), tr("Bake all"), {});
-    else
-        emit refused(QString::fromStdString(core::describe(baked.error())));
-}
-
 void PatternDocument::overdrive() {
     auto helped = overdriven(m_pattern, m_motors);
     if (!helped)
         emit refused(QString::fromStdString(core::describe(helped.error())));
     else if (*helped == m_pattern)
-        emit told(tr("No motor needs help here: the pattern stays as it is."));
+        emit told(tr("No motor needs overdrive here: the pattern is unchanged."));
     else
         apply(std::move(*helped), tr("Overdrive"), {});
 }

@@ -16,7 +16,7 @@
 
 namespace teleta::editor {
 
-/// What is selected: breakpoints, or one object, or nothing.
+/// The selection: breakpoints, one object, or nothing.
 struct Selection {
     PointRefs points;
     std::optional<std::size_t> object;
@@ -25,10 +25,9 @@ struct Selection {
     [[nodiscard]] bool empty() const { return points.empty() && !object; }
 };
 
-/// The pattern that is edited, with its selection, file and edits. All edits go through it and each of them
-/// can be undone; a drag is one edit, and so are nudges that follow on each other. A built-in pattern is
-/// never changed: its first edit makes a copy of it with another id and name, as part of that edit.
-/// Does no file I/O. Thread: GUI.
+/// The edited pattern with its selection, file path and undo stack. All edits go through it and can be
+/// undone; a drag is one edit, and so are consecutive nudges. A built-in pattern is never changed: its first
+/// edit also copies it with another id and name. Does no file I/O. Thread: GUI.
 class PatternDocument : public QObject {
     Q_OBJECT
 public:
@@ -38,26 +37,26 @@ public:
     explicit PatternDocument(QObject* parent = nullptr);
     ~PatternDocument() override;
 
-    /// Opens a pattern and forgets the edits of the one before. path: empty for one without a file. unsaved:
-    /// its file does not hold it.
+    /// Opens a pattern and clears the undo stack. path: empty if it has no file. unsaved: the file does not
+    /// contain this state.
     void setPattern(pattern::Pattern pattern, const QString& path = {}, bool unsaved = false);
     [[nodiscard]] const pattern::Pattern& pattern() const { return m_pattern; }
     [[nodiscard]] const pattern::CompiledPattern& compiled() const { return m_compiled; }
-    /// Counts the changes of the pattern, for caches.
+    /// Number of changes of the pattern, for caches.
     [[nodiscard]] quint64 revision() const { return m_revision; }
     [[nodiscard]] bool isBuiltIn() const;
 
     [[nodiscard]] const QString& path() const { return m_path; }
     [[nodiscard]] bool isDirty() const { return !m_undo->isClean(); }
-    /// The pattern, as it is now, lies in a file.
+    /// To be called when the current state has been saved to a file.
     void markSaved(const QString& path);
-    /// The pattern has a file from now on, which holds an earlier state of it.
+    /// Sets the file of the pattern, which contains an earlier state of it.
     void setPath(const QString& path);
     [[nodiscard]] QUndoStack* undoStack() const { return m_undo; }
-    /// How long after the first edit since the last one autosaveDue() comes.
+    /// Time from the first edit after an autosaveDue() to the next one.
     void setAutosaveDelay(int delay_ms) { m_autosave.setInterval(delay_ms); }
 
-    /// Motors of the predicted curves and the laws; an invalid profile is not taken.
+    /// Sets the motors for predictions and laws; an invalid profile is ignored.
     void setMotors(const pattern::MotorProfiles& motors);
     [[nodiscard]] const pattern::MotorProfiles& motors() const { return m_motors; }
 
@@ -72,45 +71,43 @@ public:
     /// The nearest multiple of the step; the time itself when snapping is off.
     [[nodiscard]] double snapped(double time_s) const;
 
-    /// A drag begins: what follows until endDrag() is computed from the pattern as it is now, and is one
-    /// edit.
+    /// Begins a drag: edits until endDrag() start from the current pattern and become one edit.
     void beginDrag();
     void endDrag();
     [[nodiscard]] bool dragging() const { return m_dragBase != nullptr; }
-    /// The pattern before the drag; without one as it is now.
+    /// The pattern before the drag; the current one when there is none.
     [[nodiscard]] const pattern::Pattern& dragBase() const;
 
     void addPoint(std::size_t track, const pattern::Breakpoint& point);
-    /// By so much since the drag began, or, without a drag, since now (a nudge).
+    /// Moves relative to the start of the drag or, without a drag, to the current place (a nudge).
     void moveSelection(double time_s, double intensity);
     void replacePoint(PointRef point, const pattern::Breakpoint& breakpoint);
     void setEasing(pattern::Easing easing);
     void scaleIntensity(double factor);
-    /// The selected breakpoints, or the whole pattern when none is selected.
+    /// Stretches the selected breakpoints, or the whole pattern when none are selected.
     void stretch(double factor);
     void deleteSelection();
 
     void copy();
     void cut();
-    /// At the times at which it was copied; or with its begin at a time.
+    /// Pastes at the original times, or with the begin at at_s.
     void paste(std::optional<double> at_s = std::nullopt);
     [[nodiscard]] bool canPaste() const { return !m_clip.empty(); }
-    /// Once more, right behind itself.
+    /// Inserts a copy of the selection directly after it.
     void duplicate();
 
     void rotate(int steps);
-    /// The order of the motors the other way round: 1 and 6, 2 and 5, 3 and 4 change places.
+    /// Reverses the order of the motors: 1 and 6, 2 and 5, 3 and 4 change places.
     void mirror();
     void swapArms();
 
     void addObject(const pattern::PatternObject& object);
-    /// field: edits of one field that follow on each other are one edit.
+    /// Replaces an object. field: consecutive edits of one field are merged.
     void replaceObject(std::size_t index, const pattern::PatternObject& object, const QString& field = {});
     /// Error text by refused().
     void bakeObject(std::size_t index);
-    void bakeAll();
-    /// Helps motors() up, pattern::overdriven. Error text by refused(); that none needs help by
-    /// told().
+    /// Adds overdrive for motors() (pattern::overdriven()). Emits refused() on error, told() when no motor
+    /// needs it.
     void overdrive();
     void fix(const pattern::Finding& finding);
 
@@ -130,13 +127,11 @@ signals:
     void dirtyChanged(bool dirty);
     void snappingChanged();
     void motorsChanged();
-    void clipboardChanged();
-    /// There are edits that are not saved: time to keep a copy of them. While the pattern is being edited it
-    /// comes again and again.
+    /// There are unsaved edits: time to back them up. Emitted repeatedly while the pattern is being edited.
     void autosaveDue(const teleta::pattern::Pattern& pattern);
-    /// An edit could not be done.
+    /// An edit was refused.
     void refused(const QString& message);
-    /// All is well, and there was nothing to do.
+    /// An edit had nothing to do.
     void told(const QString& message);
 
 private:

@@ -68,7 +68,7 @@ void fillTimelineMenu(QMenu& menu, PatternDocument& document, double playhead_s)
     const Selection& selection = document.selection();
     const auto add = [&](const char* text, const QKeySequence& keys, bool enabled, auto act) {
         QAction* action = menu.addAction(tr(text), &document, act);
-        action->setShortcut(keys); // shown only: the view takes the keys itself
+        action->setShortcut(keys); // for display only: the view handles the keys itself
         action->setShortcutContext(Qt::WidgetShortcut);
         action->setEnabled(enabled);
     };
@@ -84,7 +84,7 @@ void fillTimelineMenu(QMenu& menu, PatternDocument& document, double playhead_s)
     add(QT_TRANSLATE_NOOP("Timeline", "De&lete"), QKeySequence(Qt::Key_Delete), some,
         [&document] { document.deleteSelection(); });
     menu.addSeparator();
-    add(QT_TRANSLATE_NOOP("Timeline", "O&verdrive: help the motors up"), {}, true,
+    add(QT_TRANSLATE_NOOP("Timeline", "O&verdrive: make the motors start faster"), {}, true,
         [&document] { document.overdrive(); });
     if (!selection.points.empty()) {
         QMenu* curve = menu.addMenu(tr(QT_TRANSLATE_NOOP("Timeline", "C&urve from here")));

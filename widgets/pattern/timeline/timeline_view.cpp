@@ -73,18 +73,15 @@ void TimelineView::retranslate() {
     setAccessibleName(tr("Timeline of the pattern"));
     m_scroll->setAccessibleName(tr("Visible time"));
     setWhatsThis(tr(
-        "<p>Six motors over time. The blue line is what is asked of a motor, the thin one what the motor is "
-        "predicted to do; it is hatched where the motor cannot follow.</p>"
-        "<p>Double-click or <b>P</b>: add breakpoints. Drag: move, with <b>Alt</b> off the grid. Drag on "
-        "the ground, or with <b>Shift</b>: select. Double-click on a breakpoint or <b>Enter</b>: type its "
-        "numbers. Arrow keys: move what is selected, with <b>Shift</b> farther in time and finer in "
-        "intensity. <b>Page Up</b>, <b>Page Down</b>: lane; <b>,</b> and <b>.</b>: breakpoint, with "
-        "<b>Shift</b> "
-        "one more; <b>N</b>: object; <b>Insert</b>: a breakpoint at the playhead; <b>[</b> and <b>]</b>: "
-        "begin "
-        "and end of the loop, <b>\\</b>: none.</p>"
-        "<p><b>Ctrl</b> and wheel: zoom. <b>Shift</b> and wheel: scroll. On the ruler a drag moves the "
-        "playhead and, with <b>Shift</b>, sets the loop.</p>"));
+        "<p>Six motors over time. The blue line is the commanded intensity of a motor, the thin one its "
+        "predicted response; hatching shows where the motor cannot follow.</p><p>Double-click or <b>P</b>: "
+        "add breakpoints. Drag: move, with <b>Alt</b> without the grid. Drag on the background, or with "
+        "<b>Shift</b>: select. Double-click on a breakpoint or <b>Enter</b>: type its numbers. Arrow keys: "
+        "move what is selected, with <b>Shift</b> farther in time and finer in intensity. <b>Page Up</b>, "
+        "<b>Page Down</b>: lane; <b>,</b> and <b>.</b>: breakpoint, with <b>Shift</b> one more; <b>N</b>: "
+        "object; <b>Insert</b>: a breakpoint at the playhead; <b>[</b> and <b>]</b>: begin and end of the "
+        "loop, <b>\\</b>: none.</p><p><b>Ctrl</b> and wheel: zoom. <b>Shift</b> and wheel: scroll. On the "
+        "ruler a drag moves the playhead and, with <b>Shift</b>, sets the loop.</p>"));
 }
 
 void TimelineView::invalidate() {

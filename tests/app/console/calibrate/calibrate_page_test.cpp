@@ -212,7 +212,10 @@ private slots:
     void keepsAProfileForTheBraceletAndUsesItTheNextTime() {
         const motors::MotorRecording recording =
             test::measured({.rise_s = 0.02, .fall_s = 0.03, .start = 0.25, .fullSpeed_Hz = 240.0}, 0.5);
-        QVERIFY(motors::writeMotorRecording(recording, m_folder.filePath("m.csv").toStdString()));
+        QFile file(m_folder.filePath("m.csv"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(QByteArray::fromStdString(test::recordingText(recording)));
+        file.close();
         m_page->motors().openRecording(5, m_folder.filePath("m.csv"));
         QTRY_VERIFY(view().calibration().measured());
         const motors::MotorCalibration measured = view().calibration();

@@ -5,6 +5,7 @@
 #include "widgets/view3d/scene3d_view.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QTest>
 
 #include <array>
@@ -57,7 +58,8 @@ private slots:
         publish(*link, servo::TaskKind::explore);
         views.tick();
         QVERIFY(views.panel().isEnabled());
-        QCOMPARE(views.panel().taskText(), QStringLiteral("1. Explore"));
+        QCOMPARE(views.panel().findChild<QComboBox*>("servoTask")->currentText(),
+                 QStringLiteral("1. Explore"));
         QVERIFY(!link->tuning.take().has_value());
         views.panel().findChild<QCheckBox*>(QStringLiteral("servoMoment"))->click();
         const auto wish = link->tuning.take();
@@ -192,7 +194,8 @@ private slots:
             views.setServo(bar, QStringLiteral("bar"), base::Provenance::simulated);
             views.tick();
             QVERIFY(views.panel().isEnabled());
-            QCOMPARE(views.panel().taskText(), QStringLiteral("1. Explore"));
+            QCOMPARE(views.panel().findChild<QComboBox*>("servoTask")->currentText(),
+                     QStringLiteral("1. Explore"));
             QCOMPARE(views.edge_m().size(), std::size_t{2});
             QVERIFY(!scene.armBox_m().isEmpty());
         }

@@ -93,7 +93,7 @@ private slots:
         space();
         QVERIFY(editor().isPlaying());
         QTRY_VERIFY(
-            m_page->findChild<bracelet::BraceletView*>()->accessibleDescription().contains("only shown"));
+            m_page->findChild<bracelet::BraceletView*>()->accessibleDescription().contains("not felt"));
         QTRY_VERIFY(playhead_s() > 0.1);
         QCOMPARE(pictured()[1], 0.5);
         space();

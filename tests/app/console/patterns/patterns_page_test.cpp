@@ -117,7 +117,7 @@ class PatternsPageTest : public QObject {
     [[nodiscard]] editor::PatternDocument& document() const { return *m_page->editor().document(); }
     [[nodiscard]] QString recovery() const { return m_folder->filePath("recovery"); }
     [[nodiscard]] QTreeWidgetItem* mine() const {
-        return m_page->editor().library()->tree()->topLevelItem(2);
+        return m_page->editor().library()->findChild<QTreeWidget*>()->topLevelItem(2);
     }
 
     void openPage() {
@@ -171,17 +171,17 @@ private slots:
         m_station->choose(BraceletChoice::simulated);
         QTRY_VERIFY_WITH_TIMEOUT(m_station->isReady(), kPatience_ms);
         editor::PatternEditor& editor = m_page->editor();
-        editor::StrokePad& pad = *editor.strokePad();
+        editor::StrokePad& pad = *editor.findChild<editor::StrokePad*>();
         m_page->openNew();
         // Two strokes at one time: both are points that are felt on the same motors.
         draw(pad, pad.placeOf(0.0, 0.0), pad.placeOf(2.0, 1.0));
         draw(pad, pad.placeOf(3.0, 1.0), pad.placeOf(0.5, 0.0));
         QCOMPARE(document().pattern().objects.size(), std::size_t(2));
-        editor::LawList& laws = *editor.laws();
+        editor::LawList& laws = *editor.findChild<editor::LawList*>();
         QTRY_VERIFY_WITH_TIMEOUT(laws.isChecked() && !laws.findings().empty(), kPatience_ms);
         QVERIFY(laws.findings()[0].law == pattern::Law::sharedPhantoms);
-        QVERIFY(laws.fixButton()->isEnabled());
-        QTest::mouseClick(laws.fixButton(), Qt::LeftButton);
+        QVERIFY(laws.findChild<QPushButton*>("fix")->isEnabled());
+        QTest::mouseClick(laws.findChild<QPushButton*>("fix"), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(laws.isChecked(), kPatience_ms);
         QVERIFY(std::ranges::none_of(laws.findings(), [](const pattern::Finding& finding) {
             return finding.law == pattern::Law::sharedPhantoms;
@@ -248,8 +248,9 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(document().path().isEmpty(), kPatience_ms);
         QVERIFY(m_page->hasUnsaved()); // what is open lives on
         QTRY_VERIFY_WITH_TIMEOUT(m_collection->patterns().empty(), kPatience_ms);
-        QTRY_VERIFY_WITH_TIMEOUT(m_page->editor().library()->undoButton()->isVisible(), kPatience_ms);
-        QTest::mouseClick(m_page->editor().library()->undoButton(), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(m_page->editor().library()->findChild<QPushButton*>("undo")->isVisible(),
+                                 kPatience_ms);
+        QTest::mouseClick(m_page->editor().library()->findChild<QPushButton*>("undo"), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), kPatience_ms);
         QTRY_COMPARE_WITH_TIMEOUT(m_collection->patterns().size(), std::size_t(1), kPatience_ms);
         emit m_page->editor().library()->renameRequested(path, "Fast wave");
@@ -260,7 +261,7 @@ private slots:
     }
 
     void whatIsOpenedIsSelectedInTheLibrary() {
-        auto* tree = m_page->editor().library()->tree();
+        auto* tree = m_page->editor().library()->findChild<QTreeWidget*>();
         const auto selected = [tree] {
             return tree->currentItem() ? tree->currentItem()->text(0) : QString();
         };
@@ -499,13 +500,13 @@ private slots:
     void samplesAreExportedWithTheRateThatWasChosen() {
         ExportDialog dialog(pattern::assumedMotors(), "x");
         dialog.choose(pattern::PatternFormat::hjif);
-        QVERIFY(!dialog.rateBox()->isEnabled());
+        QVERIFY(!dialog.findChild<QDoubleSpinBox*>()->isEnabled());
         QVERIFY(!dialog.samples().rate_Hz);
         dialog.choose(pattern::PatternFormat::csv);
         QCOMPARE(dialog.ending(), QString(".csv"));
         QCOMPARE(*dialog.samples().rate_Hz, pattern::kCsvRate_Hz);
-        dialog.rateBox()->setValue(50.0);
-        dialog.contentBox()->setCurrentIndex(1);
+        dialog.findChild<QDoubleSpinBox*>()->setValue(50.0);
+        dialog.findChild<QComboBox*>("content")->setCurrentIndex(1);
         QVERIFY(dialog.samples().motors);
         const QString path = m_folder->filePath("a.csv");
         m_page->exportTo(path, dialog.samples());
