@@ -69,12 +69,9 @@ public:
     [[nodiscard]] core::Expected<PressFit> fit() {
         const auto wanted = static_cast<std::size_t>(std::ranges::count(m_states, TaxelState::good));
         leaveOutDead();
-        if (const auto found = findLoadedFrames(); !found)
-            return core::Unexpected(found.error());
-        if (const auto found = leaveOutStuck(); !found)
-            return core::Unexpected(found.error());
-        if (const auto found = leaveOutClippedFrames(); !found)
-            return core::Unexpected(found.error());
+        TELETA_CHECK(findLoadedFrames());
+        TELETA_CHECK(leaveOutStuck());
+        TELETA_CHECK(leaveOutClippedFrames());
         for (int round = 0; round < kMostRounds && good() > 0; ++round) {
             const double change = fitResponses(round);
             fitLevels();

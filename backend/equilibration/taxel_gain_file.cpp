@@ -44,21 +44,16 @@ public:
     }
 
     [[nodiscard]] core::Expected<TaxelGains> read() {
-        const auto columns = m_csv.columns(std::span(kTaxelGainColumns).first<kNeeded>());
-        if (!columns)
-            return core::Unexpected(columns.error());
-        std::copy(columns->begin(), columns->end(), m_columns.begin());
+        TELETA_TRY(const auto columns, m_csv.columns(std::span(kTaxelGainColumns).first<kNeeded>()));
+        std::copy(columns.begin(), columns.end(), m_columns.begin());
         m_error = optional("gain_se");
         m_state = optional("state");
         std::vector<std::string_view> fields;
         for (;;) {
-            const auto any = m_csv.nextText(fields);
+            TELETA_TRY(const auto any, m_csv.nextText(fields));
             if (!any)
-                return core::Unexpected(any.error());
-            if (!*any)
                 break;
-            if (const auto taken = takeRow(fields); !taken)
-                return core::Unexpected(taken.error());
+            TELETA_CHECK(takeRow(fields));
         }
         for (std::size_t taxel = 0; taxel < m_seen.size(); ++taxel) {
             if (!m_seen[taxel])
@@ -101,37 +96,29 @@ private:
 
     [[nodiscard]] core::Expected<void> takeRow(std::span<const std::string_view> fields) {
         const core::ArrayLayout& layout = m_gains.layout;
-        const auto taxel = index(fields, 0, layout.taxels());
-        if (!taxel)
-            return core::Unexpected(taxel.error());
-        const auto row = index(fields, 1, static_cast<std::size_t>(layout.rows));
-        if (!row)
-            return core::Unexpected(row.error());
-        const auto column = index(fields, 2, static_cast<std::size_t>(layout.columns));
-        if (!column)
-            return core::Unexpected(column.error());
-        const std::size_t expected = *row * static_cast<std::size_t>(layout.columns) + *column;
-        if (*taxel != expected)
-            return bad(m_columns[0],
-                       GainFileText::tr("taxel %1 is listed in row %2, column %3")
-                           .arg(*taxel)
-                           .arg(*row)
-                           .arg(*column),
-                       GainFileText::tr("%1, in an array of %2 rows x %3 columns")
-                           .arg(expected)
-                           .arg(layout.rows)
-                           .arg(layout.columns));
-        if (m_seen[*taxel])
-            return bad(m_columns[0], GainFileText::tr("taxel %1 is listed twice").arg(*taxel),
+        TELETA_TRY(const auto taxel, index(fields, 0, layout.taxels()));
+        TELETA_TRY(const auto row, index(fields, 1, static_cast<std::size_t>(layout.rows)));
+        TELETA_TRY(const auto column, index(fields, 2, static_cast<std::size_t>(layout.columns)));
+        const std::size_t expected = row * static_cast<std::size_t>(layout.columns) + column;
+        if (taxel != expected)
+            return bad(
+                m_columns[0],
+                GainFileText::tr("taxel %1 is listed in row %2, column %3").arg(taxel).arg(row).arg(column),
+                GainFileText::tr("%1, in an array of %2 rows x %3 columns")
+                    .arg(expected)
+                    .arg(layout.rows)
+                    .arg(layout.columns));
+        if (m_seen[taxel])
+            return bad(m_columns[0], GainFileText::tr("taxel %1 is listed twice").arg(taxel),
                        GainFileText::tr("each taxel once"));
-        m_seen[*taxel] = true;
+        m_seen[taxel] = true;
 
         const std::size_t gainColumn = m_columns[3];
         const std::optional<double> gain = core::numberOrNA(fields[gainColumn]);
         if (!gain || (!std::isnan(*gain) && !(*gain >= kLeast && *gain <= kMost)))
             return bad(gainColumn, GainFileText::tr("the gain is not a number or out of range"),
                        GainFileText::tr("a number from %1 to %2, or NA").arg(kLeast).arg(kMost));
-        TaxelGain& taken = m_gains.taxels[*taxel];
+        TaxelGain& taken = m_gains.taxels[taxel];
         taken.gain = *gain;
         taken.state = std::isnan(*gain) ? TaxelState::dead : TaxelState::good;
         taken.error = std::isnan(*gain) ? kNA : 0.0;
@@ -166,19 +153,15 @@ private:
 } // namespace
 
 core::Expected<TaxelGains> readTaxelGains(const std::string& path, const core::ArrayLayout& layout) {
-    auto csv = core::CsvReader::open(path);
-    if (!csv)
-        return core::Unexpected(csv.error());
-    return GainTable(std::move(*csv), layout).read();
+    TELETA_TRY(auto csv, core::CsvReader::open(path));
+    return GainTable(std::move(csv), layout).read();
 }
 
 core::Expected<void> writeTaxelGains(const TaxelGains& gains, const std::string& path) {
     QDir().mkpath(QFileInfo(QString::fromStdString(path)).absolutePath());
-    auto csv = core::CsvWriter::create(path, kTaxelGainColumns);
-    if (!csv)
-        return core::Unexpected(csv.error());
-    writeTaxelGainRows(gains, *csv);
-    return csv->finish();
+    TELETA_TRY(auto csv, core::CsvWriter::create(path, kTaxelGainColumns));
+    writeTaxelGainRows(gains, csv);
+    return csv.finish();
 }
 
 } // namespace teleta::equilibration

@@ -218,10 +218,8 @@ core::Expected<TaxelGains> findTaxelGains(const core::ArrayLayout& layout,
         if (press.frames.size() % layout.taxels() != 0)
             return refused(GainText::tr("The frames have %1 values in total.").arg(press.frames.size()),
                            GainText::tr("a multiple of %1").arg(layout.taxels()), core::ErrorKind::badInput);
-        auto fit = fitPress(layout.taxels(), press);
-        if (!fit)
-            return core::Unexpected(fit.error());
-        fits.push_back(std::move(*fit));
+        TELETA_TRY(auto fit, fitPress(layout.taxels(), press));
+        fits.push_back(std::move(fit));
     }
     const std::vector<std::vector<double>> logarithms = alignedLogarithms(fits);
     if (logarithms.empty())

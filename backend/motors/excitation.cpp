@@ -48,17 +48,15 @@ Excitation stairsAndPulses(double hold_s) {
 
 core::Expected<void> writeExcitation(const Excitation& excitation, double rate_Hz, const std::string& path) {
     constexpr std::array<std::string_view, 2> kColumns{"time_s", "commanded"};
-    auto writer = core::CsvWriter::create(path, kColumns);
-    if (!writer)
-        return core::Unexpected(writer.error());
+    TELETA_TRY(auto writer, core::CsvWriter::create(path, kColumns));
     const auto samples = static_cast<long long>(std::ceil(excitation.duration_s * rate_Hz));
-    for (long long k = 0; k < samples && !writer->failed(); ++k) {
+    for (long long k = 0; k < samples && !writer.failed(); ++k) {
         const double time_s = static_cast<double>(k) / rate_Hz;
-        writer->number(time_s);
-        writer->number(excitation.driveAt(time_s));
-        writer->endRow();
+        writer.number(time_s);
+        writer.number(excitation.driveAt(time_s));
+        writer.endRow();
     }
-    return writer->finish();
+    return writer.finish();
 }
 
 } // namespace teleta::motors

@@ -173,11 +173,9 @@ std::string motorsText(const MotorCalibration& calibration) {
 
 core::Expected<void> writeMotors(const MotorCalibration& calibration, const std::string& path) {
     QDir().mkpath(QFileInfo(QString::fromStdString(path)).absolutePath());
-    auto output = core::OutputFile::create(path);
-    if (!output)
-        return core::Unexpected(output.error());
-    output->write(motorsText(calibration));
-    return output->finish();
+    TELETA_TRY(auto output, core::OutputFile::create(path));
+    output.write(motorsText(calibration));
+    return output.finish();
 }
 
 std::string profilePath(const std::string& serial) {

@@ -301,10 +301,8 @@ core::Expected<MotorFit> fitMotor(const MotorRecording& recording) {
     if (isClipped(recording, plateaus))
         return refused(FitText::tr("The speed is clipped: it stays at the end of the sensor's range."),
                        FitText::tr("a sensor with a larger range"));
-    const auto start = startOf(plateaus);
-    if (!start)
-        return core::Unexpected(start.error());
-    const double startDrive = 0.5 * (start->low + start->high);
+    TELETA_TRY(const auto start, startOf(plateaus));
+    const double startDrive = 0.5 * (start.low + start.high);
     const std::vector<SpeedLevel> levels = levelsOf(plateaus, startDrive);
     if (levels.size() < 2)
         return refused(FitText::tr("The motor turned at one level of the drive only: neither its start nor "
@@ -333,9 +331,9 @@ core::Expected<MotorFit> fitMotor(const MotorRecording& recording) {
     fit.profile.riseTime_s = lag->up_s * std::numbers::ln10;
     fit.profile.fallTime_s = lag->down_s * std::numbers::ln10;
     fit.profile.curve = risingCurve(lag->levels, startDrive);
-    fit.startLow = start->low;
-    fit.startHigh = start->high;
-    fit.startError = (start->high - start->low) / std::sqrt(12.0);
+    fit.startLow = start.low;
+    fit.startHigh = start.high;
+    fit.startError = (start.high - start.low) / std::sqrt(12.0);
     fit.riseError_s = lag->upError_s * std::numbers::ln10;
     fit.fallError_s = lag->downError_s * std::numbers::ln10;
     fit.levels = std::move(lag->levels);

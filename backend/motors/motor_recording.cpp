@@ -39,36 +39,30 @@ core::Expected<void> checkSample(double time_s, double before_s, double drive, c
 } // namespace
 
 core::Expected<MotorRecording> readMotorRecording(const std::string& path) {
-    auto reader = core::CsvReader::open(path);
-    if (!reader)
-        return core::Unexpected(reader.error());
-    const auto& header = reader->header();
+    TELETA_TRY(auto reader, core::CsvReader::open(path));
+    const auto& header = reader.header();
     const bool isSpeed = std::ranges::find(header, "speed_hz") != header.end();
     if (!isSpeed && std::ranges::find(header, "signal") == header.end())
         return bad(RecordingText::tr("there is neither a column \"speed_hz\" nor \"signal\""),
-                   QStringLiteral("time_s,commanded,speed_hz | time_s,commanded,signal"), reader->place(0));
+                   QStringLiteral("time_s,commanded,speed_hz | time_s,commanded,signal"), reader.place(0));
     const std::array<std::string_view, 3> names{"time_s", "commanded", isSpeed ? "speed_hz" : "signal"};
-    const auto columns = reader->columns(names);
-    if (!columns)
-        return core::Unexpected(columns.error());
+    TELETA_TRY(const auto columns, reader.columns(names));
     MotorRecording recording;
     std::vector<double> row;
     for (;;) {
-        const auto more = reader->next(row);
+        TELETA_TRY(const auto more, reader.next(row));
         if (!more)
-            return core::Unexpected(more.error());
-        if (!*more)
             break;
         const double before_s = recording.time_s.empty() ? -HUGE_VAL : recording.time_s.back();
-        const double time_s = row[(*columns)[0]];
-        const double drive = row[(*columns)[1]];
-        if (auto checked = checkSample(time_s, before_s, drive, reader->place((*columns)[0]),
-                                       reader->place((*columns)[1]));
+        const double time_s = row[columns[0]];
+        const double drive = row[columns[1]];
+        if (auto checked =
+                checkSample(time_s, before_s, drive, reader.place(columns[0]), reader.place(columns[1]));
             !checked)
             return core::Unexpected(std::move(checked.error()));
         recording.time_s.push_back(time_s);
         recording.drive.push_back(drive);
-        recording.speed_Hz.push_back(row[(*columns)[2]]);
+        recording.speed_Hz.push_back(row[columns[2]]);
     }
     if (isSpeed)
         return recording;

@@ -75,11 +75,9 @@ std::string limitsText(const WearerLimits& limits) {
 
 core::Expected<void> writeLimits(const WearerLimits& limits, const std::string& path) {
     QDir().mkpath(QFileInfo(QString::fromStdString(path)).absolutePath());
-    auto output = core::OutputFile::create(path);
-    if (!output)
-        return core::Unexpected(output.error());
-    output->write(limitsText(limits));
-    return output->finish();
+    TELETA_TRY(auto output, core::OutputFile::create(path));
+    output.write(limitsText(limits));
+    return output.finish();
 }
 
 std::string limitsPath(const std::string& serial) {

@@ -149,15 +149,11 @@ core::Expected<ServoCurves> readServoCurves(const std::string& path) {
     const QFileInfo info(QString::fromStdString(path));
     const QString file =
         info.isDir() ? QDir(info.filePath()).filePath(QStringLiteral("servo.csv")) : info.filePath();
-    core::Expected<core::CsvReader> csv = core::CsvReader::open(file.toStdString());
-    if (!csv)
-        return core::Unexpected(csv.error());
-    const core::Expected<std::vector<std::size_t>> columns = csv->columns(kNames);
-    if (!columns)
-        return core::Unexpected(columns.error());
+    TELETA_TRY(core::CsvReader csv, core::CsvReader::open(file.toStdString()));
+    TELETA_TRY(const std::vector<std::size_t> columns, csv.columns(kNames));
 
     const auto later = [&](std::string_view name) {
-        const auto& header = csv->header();
+        const auto& header = csv.header();
         return static_cast<std::size_t>(std::ranges::find(header, name) - header.begin());
     };
     std::array<std::size_t, kLaterNumbers.size()> laterColumns{};
@@ -169,21 +165,19 @@ core::Expected<ServoCurves> readServoCurves(const std::string& path) {
     std::vector<std::string_view> fields;
     double before_s = -kLargest;
     while (true) {
-        const core::Expected<bool> more = csv->nextText(fields);
+        TELETA_TRY(const bool more, csv.nextText(fields));
         if (!more)
-            return core::Unexpected(more.error());
-        if (!*more)
             return curves;
         std::array<double, kNumbers> row{};
         for (std::size_t i = 0; i < kNumbers; ++i) {
-            const std::optional<double> value = core::numberOrNA(fields[(*columns)[i]]);
+            const std::optional<double> value = core::numberOrNA(fields[columns[i]]);
             if (!value || (std::isfinite(*value) && std::abs(*value) > kLargest))
-                return badField(*csv, (*columns)[i], CurvesText::tr("this is not a plausible number"),
+                return badField(csv, columns[i], CurvesText::tr("this is not a plausible number"),
                                 CurvesText::tr("a number from -1e12 to 1e12, or NA"));
             row[i] = *value;
         }
         if (!std::isfinite(row[0]) || row[0] < before_s)
-            return badField(*csv, (*columns)[0], CurvesText::tr("the time decreases or is missing"),
+            return badField(csv, columns[0], CurvesText::tr("the time decreases or is missing"),
                             CurvesText::tr("times in order"));
         before_s = row[0];
         ServoStep step;
@@ -197,19 +191,19 @@ core::Expected<ServoCurves> readServoCurves(const std::string& path) {
                 continue;
             const std::optional<double> value = core::numberOrNA(fields[laterColumns[i]]);
             if (!value || (std::isfinite(*value) && std::abs(*value) > kLargest))
-                return badField(*csv, laterColumns[i], CurvesText::tr("this is not a plausible number"),
+                return badField(csv, laterColumns[i], CurvesText::tr("this is not a plausible number"),
                                 CurvesText::tr("a number from -1e12 to 1e12, or NA"));
             *laterValues[i] = *value;
         }
         if (limitsColumn < fields.size()) {
             const std::optional<ActiveLimits> limits = ActiveLimits::fromNames(fields[limitsColumn]);
             if (!limits)
-                return badField(*csv, limitsColumn, CurvesText::tr("this is not a limit of a servo"),
+                return badField(csv, limitsColumn, CurvesText::tr("this is not a limit of a servo"),
                                 CurvesText::tr("names such as force+tool_speed, or nothing"));
             step.limits = *limits;
         }
         step.time_s = row[0];
-        step.touching = fields[(*columns)[14]] == "touching";
+        step.touching = fields[columns[14]] == "touching";
         step.force_N = row[1];
         step.desired_N = row[2];
         step.copY_m = row[3];
@@ -220,7 +214,7 @@ core::Expected<ServoCurves> readServoCurves(const std::string& path) {
         step.alphaZ_rad = row[8];
         step.alphaZDesired_rad = row[9];
         step.p_Base_Sensor = {row[10], row[11], row[12]};
-        curves.add(step, fields[(*columns)[13]]);
+        curves.add(step, fields[columns[13]]);
     }
 }
 

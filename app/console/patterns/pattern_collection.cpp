@@ -194,9 +194,7 @@ void PatternCollection::undo() {
         const std::string path = last.path.toStdString();
         if (last.deleted.isEmpty())
             return folder.rename(path, last.name.toStdString());
-        const core::Expected<std::string> restored = folder.restore(last.deleted.toStdString(), path);
-        if (!restored)
-            return core::Unexpected(restored.error());
+        TELETA_CHECK(folder.restore(last.deleted.toStdString(), path));
         return {};
     };
     runInBackground(m_pool, this, work, [this, name = last.name](core::Expected<void> done) {

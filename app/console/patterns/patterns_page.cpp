@@ -243,12 +243,10 @@ void PatternsPage::load(const QString& idOrPath, std::function<void(std::shared_
     runInBackground(
         this,
         [idOrPath, own = m_collection.atPath(idOrPath)]() -> core::Expected<std::shared_ptr<const Pattern>> {
-            core::Expected<Pattern> pattern = pattern::loadPattern(idOrPath.toStdString());
-            if (!pattern)
-                return core::Unexpected(pattern.error());
+            TELETA_TRY(Pattern pattern, pattern::loadPattern(idOrPath.toStdString()));
             if (own)
-                pattern->id = own->id; // unique among the own patterns
-            return std::make_shared<const Pattern>(std::move(*pattern));
+                pattern.id = own->id; // unique among the own patterns
+            return std::make_shared<const Pattern>(std::move(pattern));
         },
         [this, idOrPath, use = std::move(use)](core::Expected<std::shared_ptr<const Pattern>> pattern) {
             if (pattern)

@@ -77,17 +77,13 @@ TactorDifference differenceOf(const Track& a, const Track& b, double duration_s)
 } // namespace
 
 core::Expected<Comparison> compared(const Pattern& a, const Pattern& b) {
-    const core::Expected<Tracks> first = linearised(a);
-    if (!first)
-        return core::Unexpected(first.error());
-    const core::Expected<Tracks> second = linearised(b);
-    if (!second)
-        return core::Unexpected(second.error());
+    TELETA_TRY(const Tracks first, linearised(a));
+    TELETA_TRY(const Tracks second, linearised(b));
     Comparison comparison;
     comparison.duration_s = std::max(a.duration_s, b.duration_s);
     double squares = 0.0;
     for (std::size_t i = 0; i < core::kTactors; ++i) {
-        comparison.tactors[i] = differenceOf((*first)[i], (*second)[i], comparison.duration_s);
+        comparison.tactors[i] = differenceOf(first[i], second[i], comparison.duration_s);
         squares += comparison.tactors[i].rms * comparison.tactors[i].rms;
         if (comparison.tactors[i].largest >
             comparison.tactors[static_cast<std::size_t>(comparison.largestTactor)].largest)

@@ -48,8 +48,7 @@ ordered_json curve(const Track& points, std::size_t first, std::size_t last) {
 core::Expected<std::string> tactorToAhap(const Pattern& pattern, std::size_t tactor) {
     const core::Expected<Track> lines =
         linearised(pattern, tactor, [](double amplitude) { return std::sqrt(amplitude); });
-    if (!lines)
-        return core::Unexpected(lines.error());
+    TELETA_CHECK(lines);
     ordered_json parts = ordered_json::array();
     for (const Track& stretch : stretches(*lines)) {
         const double begin_s = stretch.front().time_s;
@@ -73,10 +72,8 @@ core::Expected<std::string> tactorToAhap(const Pattern& pattern, std::size_t tac
 core::Expected<std::vector<ZipEntry>> patternToAhaps(const Pattern& pattern) {
     std::vector<ZipEntry> entries;
     for (std::size_t i = 0; i < core::kTactors; ++i) {
-        core::Expected<std::string> text = tactorToAhap(pattern, i);
-        if (!text)
-            return core::Unexpected(text.error());
-        entries.push_back({"tactor" + std::to_string(i + 1) + ".ahap", std::move(*text)});
+        TELETA_TRY(std::string text, tactorToAhap(pattern, i));
+        entries.push_back({"tactor" + std::to_string(i + 1) + ".ahap", std::move(text)});
     }
     return entries;
 }

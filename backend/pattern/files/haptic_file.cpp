@@ -54,10 +54,8 @@ std::optional<std::size_t> tactorOfName(std::string_view name) {
 /// Adds the envelope of one file and extends the pattern to its length.
 core::Expected<void> addEnvelope(std::string text, const std::string& file, std::size_t tactor,
                                  Pattern& pattern) {
-    const core::Expected<JsonDocument> document = JsonDocument::parse(std::move(text), file);
-    if (!document)
-        return core::Unexpected(document.error());
-    JsonReader reader(*document);
+    TELETA_TRY(const JsonDocument document, JsonDocument::parse(std::move(text), file));
+    JsonReader reader(document);
     const ordered_json& root = reader.root();
     (void)reader.integer(reader.member(reader.member(root, "version"), "major"), 1, 1);
     if (const ordered_json* metadata = reader.find(root, "metadata")) {
@@ -104,12 +102,10 @@ core::Expected<void> addEnvelope(std::string text, const std::string& file, std:
 } // namespace
 
 core::Expected<std::string> tactorToHaptic(const Pattern& pattern, std::size_t tactor) {
-    const core::Expected<Track> lines = linearised(pattern, tactor);
-    if (!lines)
-        return core::Unexpected(lines.error());
+    TELETA_TRY(const Track lines, linearised(pattern, tactor));
     ordered_json amplitude = ordered_json::array();
     ordered_json frequency = ordered_json::array();
-    for (const Breakpoint& point : wholeEnvelope(*lines, pattern.duration_s)) {
+    for (const Breakpoint& point : wholeEnvelope(lines, pattern.duration_s)) {
         amplitude.push_back({{"time", point.time_s}, {"amplitude", point.intensity}});
         frequency.push_back({{"time", point.time_s}, {"frequency", point.intensity}});
     }
@@ -130,10 +126,8 @@ core::Expected<std::string> tactorToHaptic(const Pattern& pattern, std::size_t t
 core::Expected<std::vector<ZipEntry>> patternToHaptics(const Pattern& pattern) {
     std::vector<ZipEntry> entries;
     for (std::size_t i = 0; i < core::kTactors; ++i) {
-        core::Expected<std::string> text = tactorToHaptic(pattern, i);
-        if (!text)
-            return core::Unexpected(text.error());
-        entries.push_back({"tactor" + std::to_string(i + 1) + std::string(kEnding), std::move(*text)});
+        TELETA_TRY(std::string text, tactorToHaptic(pattern, i));
+        entries.push_back({"tactor" + std::to_string(i + 1) + std::string(kEnding), std::move(text)});
     }
     return entries;
 }
@@ -154,17 +148,14 @@ core::Expected<Pattern> patternFromHaptics(std::vector<ZipEntry> entries, const 
         taken[*tactor] = true;
         const core::Expected<void> added =
             addEnvelope(std::move(entry.content), file + '/' + entry.name, *tactor, pattern);
-        if (!added)
-            return core::Unexpected(added.error());
+        TELETA_CHECK(added);
     }
     return pattern;
 }
 
 core::Expected<Pattern> patternFromHaptic(std::string text, const std::string& file) {
     Pattern pattern;
-    const core::Expected<void> added = addEnvelope(std::move(text), file, 0, pattern);
-    if (!added)
-        return core::Unexpected(added.error());
+    TELETA_CHECK(addEnvelope(std::move(text), file, 0, pattern));
     return pattern;
 }
 

@@ -152,18 +152,16 @@ void readChannel(JsonReader& reader, const ordered_json& channel, std::size_t ta
 } // namespace
 
 core::Expected<std::string> patternToHjif(const Pattern& pattern, const std::string& date) {
-    const core::Expected<Tracks> tracks = linearised(pattern);
-    if (!tracks)
-        return core::Unexpected(tracks.error());
+    TELETA_TRY(const Tracks tracks, linearised(pattern));
     const MotorProfile motor = MotorProfile::assumedCoinMotor();
     const auto lowest_Hz = static_cast<long>(std::floor(steadySpeed_Hz(motor, motor.startDrive)));
     const auto highest_Hz = static_cast<long>(std::ceil(steadySpeed_Hz(motor, 1.0)));
     const int forearm = pattern.arm == Arm::left ? kLeftForearm : kRightForearm;
-    const double end_s = lastOn_s(*tracks);
+    const double end_s = lastOn_s(tracks);
     ordered_json channels = ordered_json::array();
     for (std::size_t i = 0; i < core::kTactors; ++i) {
         ordered_json effects = ordered_json::array();
-        for (const Track& stretch : stretches((*tracks)[i]))
+        for (const Track& stretch : stretches(tracks[i]))
             effects.push_back(effect(static_cast<int>(effects.size()), stretch, motor));
         // The format has no duration: silence at the end is written as an effect that does nothing.
         if (i == 0 && toTicks(pattern.duration_s) > toTicks(end_s))
@@ -210,10 +208,8 @@ core::Expected<std::string> patternToHjif(const Pattern& pattern, const std::str
 }
 
 core::Expected<Pattern> patternFromHjif(std::string text, const std::string& file) {
-    const core::Expected<JsonDocument> document = JsonDocument::parse(std::move(text), file);
-    if (!document)
-        return core::Unexpected(document.error());
-    JsonReader reader(*document);
+    TELETA_TRY(const JsonDocument document, JsonDocument::parse(std::move(text), file));
+    JsonReader reader(document);
     const ordered_json& root = reader.root();
     (void)reader.text(reader.member(root, "version"));
     Pattern pattern;

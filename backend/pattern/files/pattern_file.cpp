@@ -53,11 +53,9 @@ core::Expected<std::string> readBytes(const std::string& path) {
 }
 
 core::Expected<void> writeBytes(const std::string& path, const std::string& bytes) {
-    core::Expected<core::OutputFile> file = core::OutputFile::create(path);
-    if (!file)
-        return core::Unexpected(file.error());
-    file->write(bytes);
-    return file->finish();
+    TELETA_TRY(core::OutputFile file, core::OutputFile::create(path));
+    file.write(bytes);
+    return file.finish();
 }
 
 core::Error unknownEnding(const std::string& path) {
@@ -75,13 +73,11 @@ core::Expected<void> orWithPath(core::Expected<void> done, const std::string& pa
 core::Expected<std::string>
 onlyTactor(const Pattern& pattern, const std::string& path, const std::string& zipEnding,
            core::Expected<std::string> (*text)(const Pattern& pattern, std::size_t tactor)) {
-    const core::Expected<Tracks> tracks = linearised(pattern);
-    if (!tracks)
-        return core::Unexpected(tracks.error());
+    TELETA_TRY(const Tracks tracks, linearised(pattern));
     std::size_t only = 0;
     int active = 0;
     for (std::size_t i = 0; i < core::kTactors; ++i) {
-        if ((*tracks)[i].empty())
+        if (tracks[i].empty())
             continue;
         only = i;
         ++active;
@@ -95,8 +91,7 @@ onlyTactor(const Pattern& pattern, const std::string& path, const std::string& z
 }
 
 core::Expected<std::string> zipped(const core::Expected<std::vector<ZipEntry>>& entries) {
-    if (!entries)
-        return core::Unexpected(entries.error());
+    TELETA_CHECK(entries);
     return writeZip(*entries);
 }
 
@@ -129,10 +124,8 @@ core::Expected<void> write(const Pattern& pattern, PatternFormat format, const s
 }
 
 core::Expected<Pattern> readHapticZip(const std::string& bytes, const std::string& path) {
-    core::Expected<std::vector<ZipEntry>> entries = readZip(bytes, path);
-    if (!entries)
-        return core::Unexpected(entries.error());
-    return patternFromHaptics(std::move(*entries), path);
+    TELETA_TRY(std::vector<ZipEntry> entries, readZip(bytes, path));
+    return patternFromHaptics(std::move(entries), path);
 }
 
 core::Expected<Pattern> read(std::string bytes, PatternFormat format, const std::string& path) {
@@ -161,13 +154,11 @@ core::Expected<Pattern> read(std::string bytes, PatternFormat format, const std:
 } // namespace
 
 core::Expected<Pattern> loadPattern(const std::string& path) {
-    core::Expected<std::string> bytes = readBytes(path);
-    if (!bytes)
-        return core::Unexpected(bytes.error());
+    TELETA_TRY(std::string bytes, readBytes(path));
     const std::optional<PatternFormat> format = formatOf(path);
     if (!format)
         return core::Unexpected(unknownEnding(path));
-    core::Expected<Pattern> pattern = read(std::move(*bytes), *format, path);
+    core::Expected<Pattern> pattern = read(std::move(bytes), *format, path);
     if (pattern && pattern->id.empty())
         pattern->id = baseName(path);
     return pattern;

@@ -140,8 +140,7 @@ core::Expected<std::string> PatternFolder::add(const Pattern& pattern) const {
     if (!QDir().mkpath(folder))
         return failure(core::ErrorKind::ioFailed, folder, FolderText::tr("the folder cannot be created"));
     const std::string path = freePath(pattern.name);
-    if (const core::Expected<void> saved = savePattern(pattern, path); !saved)
-        return core::Unexpected(saved.error());
+    TELETA_CHECK(savePattern(pattern, path));
     return path;
 }
 
@@ -158,11 +157,9 @@ core::Expected<void> PatternFolder::rename(const std::string& path, const std::s
         return failure(core::ErrorKind::refused, QString::fromStdString(path),
                        FolderText::tr("this format cannot store another name"),
                        FolderText::tr("a pattern file that ends with .json"));
-    core::Expected<Pattern> pattern = loadPattern(path);
-    if (!pattern)
-        return core::Unexpected(pattern.error());
-    pattern->name = name;
-    return savePattern(*pattern, path);
+    TELETA_TRY(Pattern pattern, loadPattern(path));
+    pattern.name = name;
+    return savePattern(pattern, path);
 }
 
 core::Expected<std::string> PatternFolder::remove(const std::string& path) const {
@@ -174,8 +171,7 @@ core::Expected<std::string> PatternFolder::remove(const std::string& path) const
     const QString name = QString::fromStdString(baseName(path));
     const core::Expected<QString> to =
         moved(info.filePath(), freeIn(deleted, name, info.fileName().mid(name.size())));
-    if (!to)
-        return core::Unexpected(to.error());
+    TELETA_CHECK(to);
     return to->toStdString();
 }
 
@@ -185,8 +181,7 @@ core::Expected<std::string> PatternFolder::restore(const std::string& removed,
     const QString name = QString::fromStdString(baseName(path));
     const core::Expected<QString> to =
         moved(QString::fromStdString(removed), freeIn(info.dir(), name, info.fileName().mid(name.size())));
-    if (!to)
-        return core::Unexpected(to.error());
+    TELETA_CHECK(to);
     return to->toStdString();
 }
 

@@ -311,10 +311,8 @@ std::string lines(const ordered_json& root) {
 } // namespace
 
 core::Expected<Pattern> patternFromJson(std::string text, const std::string& file) {
-    const core::Expected<JsonDocument> document = JsonDocument::parse(std::move(text), file);
-    if (!document)
-        return core::Unexpected(document.error());
-    JsonReader reader(*document);
+    TELETA_TRY(const JsonDocument document, JsonDocument::parse(std::move(text), file));
+    JsonReader reader(document);
     const ordered_json& root = reader.root();
     checkFormat(reader, kFormat);
     Pattern pattern;
@@ -394,10 +392,8 @@ core::Expected<std::string> patternToJson(const Pattern& pattern) {
 }
 
 core::Expected<PatternMap> patternMapFromJson(std::string text, const std::string& file) {
-    const core::Expected<JsonDocument> document = JsonDocument::parse(std::move(text), file);
-    if (!document)
-        return core::Unexpected(document.error());
-    JsonReader reader(*document);
+    TELETA_TRY(const JsonDocument document, JsonDocument::parse(std::move(text), file));
+    JsonReader reader(document);
     checkFormat(reader, kMapFormat);
     PatternMap map;
     const ordered_json& stiffness =

@@ -37,18 +37,15 @@ core::Expected<void> writeRecovery(const std::string& file, const RecoveredPatte
 
 core::Expected<RecoveredPattern> readRecovery(const std::string& file) {
     core::Expected<Pattern> pattern = loadPattern(file);
-    if (!pattern)
-        return core::Unexpected(pattern.error());
+    TELETA_CHECK(pattern);
     const auto found = std::find_if(pattern->unknown.begin(), pattern->unknown.end(), isRecovery);
     if (found == pattern->unknown.end())
         return core::Unexpected(core::Error{core::ErrorKind::badInput,
                                             RecoveryText::tr("this is not a recovery file").toStdString(),
                                             RecoveryText::tr("the key \"recovery\"").toStdString(),
                                             {file, 0, 0}});
-    const core::Expected<core::JsonDocument> about = core::JsonDocument::parse(found->second, file);
-    if (!about)
-        return core::Unexpected(about.error());
-    core::JsonReader reader(*about);
+    TELETA_TRY(const core::JsonDocument about, core::JsonDocument::parse(found->second, file));
+    core::JsonReader reader(about);
     RecoveredPattern recovered;
     recovered.path = reader.text(reader.root(), "path", {});
     recovered.edited_ms = reader.integer(reader.member(reader.root(), "edited_ms"), 0, kLatest_ms);

@@ -131,11 +131,9 @@ void readEffect(JsonReader& reader, const ordered_json& effect, Pattern& pattern
 } // namespace
 
 core::Expected<std::string> patternToTact(const Pattern& pattern) {
-    const core::Expected<Tracks> tracks = linearised(pattern);
-    if (!tracks)
-        return core::Unexpected(tracks.error());
+    TELETA_TRY(const Tracks tracks, linearised(pattern));
     const long long duration_ms = std::llround(1000.0 * pattern.duration_s);
-    const std::set<long long> times_ms = cuts(*tracks, duration_ms);
+    const std::set<long long> times_ms = cuts(tracks, duration_ms);
     const CompiledPattern compiled(pattern);
     ordered_json feedback = ordered_json::array();
     for (auto begin = times_ms.begin(); begin != times_ms.end() && std::next(begin) != times_ms.end();
@@ -181,10 +179,8 @@ core::Expected<std::string> patternToTact(const Pattern& pattern) {
 }
 
 core::Expected<Pattern> patternFromTact(std::string text, const std::string& file) {
-    const core::Expected<JsonDocument> document = JsonDocument::parse(std::move(text), file);
-    if (!document)
-        return core::Unexpected(document.error());
-    JsonReader reader(*document);
+    TELETA_TRY(const JsonDocument document, JsonDocument::parse(std::move(text), file));
+    JsonReader reader(document);
     const ordered_json& project = reader.member(reader.root(), "project");
     Pattern pattern;
     TrackBuilder tracks;

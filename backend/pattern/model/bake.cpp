@@ -269,10 +269,8 @@ core::Expected<Track> linearised(const Pattern& pattern, std::size_t tactor,
 core::Expected<Tracks> linearised(const Pattern& pattern) {
     Tracks tracks;
     for (std::size_t i = 0; i < core::kTactors; ++i) {
-        core::Expected<Track> track = linearised(pattern, i);
-        if (!track)
-            return core::Unexpected(track.error());
-        tracks[i] = std::move(*track);
+        TELETA_TRY(Track track, linearised(pattern, i));
+        tracks[i] = std::move(track);
     }
     return tracks;
 }
@@ -293,10 +291,8 @@ core::Expected<Pattern> bake(const Pattern& pattern, const std::vector<std::size
             });
         if (!touched)
             continue;
-        core::Expected<Track> track = linearised(part, i);
-        if (!track)
-            return core::Unexpected(track.error());
-        baked.tracks[i] = std::move(*track);
+        TELETA_TRY(Track track, linearised(part, i));
+        baked.tracks[i] = std::move(track);
     }
     return baked;
 }

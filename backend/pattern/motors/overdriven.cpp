@@ -106,10 +106,8 @@ core::Expected<Pattern> overdriven(const Pattern& pattern, const MotorProfiles& 
     for (std::size_t i = 0; i < core::kTactors; ++i) {
         if (boosts[i].empty())
             continue;
-        const core::Expected<Track> lines = linearised(*result, i);
-        if (!lines)
-            return core::Unexpected(lines.error());
-        result->tracks[i] = withBoosts(*lines, boosts[i]);
+        TELETA_TRY(const Track lines, linearised(*result, i));
+        result->tracks[i] = withBoosts(lines, boosts[i]);
         if (result->tracks[i].size() > Pattern::kMostBreakpoints)
             return tooMuch(OverdrivenText::tr("the pattern has too many corners"),
                            OverdrivenText::tr("at most %1 breakpoints").arg(Pattern::kMostBreakpoints));

@@ -109,17 +109,15 @@ core::Expected<void> writeCsv(const Pattern& pattern, const std::string& path, c
     const double rate_Hz = options.rate_Hz.value_or(kCsvRate_Hz);
     if (const core::Expected<void> possible = checked(options, rate_Hz, path); !possible)
         return possible;
-    core::Expected<core::CsvWriter> csv = core::CsvWriter::create(path, kColumns);
-    if (!csv)
-        return core::Unexpected(csv.error());
+    TELETA_TRY(core::CsvWriter csv, core::CsvWriter::create(path, kColumns));
     sample(pattern, options, rate_Hz, [&](double t_s, const core::Intensities& intensities) {
-        csv->number(t_s);
+        csv.number(t_s);
         for (const double intensity : intensities)
-            csv->number(intensity);
-        csv->endRow();
-        return !csv->failed();
+            csv.number(intensity);
+        csv.endRow();
+        return !csv.failed();
     });
-    return csv->finish();
+    return csv.finish();
 }
 
 core::Expected<void> writeWav(const Pattern& pattern, const std::string& path, const SampleOptions& options) {
@@ -133,20 +131,18 @@ core::Expected<void> writeWav(const Pattern& pattern, const std::string& path, c
     if (frames > (std::numeric_limits<std::uint32_t>::max() - kHeaderBytes) / kBytesPerFrame)
         return refused(path, SampledText::tr("the pattern is too long for a WAV file"),
                        SampledText::tr("at most 4 GiB of samples"));
-    core::Expected<core::OutputFile> file = core::OutputFile::create(path);
-    if (!file)
-        return core::Unexpected(file.error());
-    file->write(wavHeader(static_cast<std::uint32_t>(frames) * kBytesPerFrame,
-                          static_cast<std::uint32_t>(std::lround(rate_Hz))));
+    TELETA_TRY(core::OutputFile file, core::OutputFile::create(path));
+    file.write(wavHeader(static_cast<std::uint32_t>(frames) * kBytesPerFrame,
+                         static_cast<std::uint32_t>(std::lround(rate_Hz))));
     std::string bytes;
     sample(pattern, options, rate_Hz, [&](double, const core::Intensities& intensities) {
         bytes.clear();
         for (const double intensity : intensities)
             put(bytes, static_cast<std::uint64_t>(std::lround(32767.0 * intensity)), kBytesPerSample);
-        file->write(bytes);
-        return !file->failed();
+        file.write(bytes);
+        return !file.failed();
     });
-    return file->finish();
+    return file.finish();
 }
 
 } // namespace teleta::pattern

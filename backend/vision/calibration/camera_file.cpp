@@ -134,10 +134,8 @@ ordered_json cameraJson(const CameraFile& file) {
 }
 
 core::Expected<CameraFile> parseCamera(std::string text, const std::string& file) {
-    const core::Expected<JsonDocument> document = JsonDocument::parse(std::move(text), file);
-    if (!document)
-        return core::Unexpected(document.error());
-    JsonReader reader(*document);
+    TELETA_TRY(const JsonDocument document, JsonDocument::parse(std::move(text), file));
+    JsonReader reader(document);
     const ordered_json& root = reader.root();
     if (const ordered_json* format = reader.find(root, "format");
         !reader.error() && (format == nullptr || *format != kFormat))
@@ -189,7 +187,7 @@ core::Expected<CameraFile> parseCamera(std::string text, const std::string& file
         return core::Unexpected(*reader.error());
     const auto model = CameraModel::create(camera);
     if (!model)
-        return core::Unexpected(document->errorAt(root, wordsFor(model.error()), {}));
+        return core::Unexpected(document.errorAt(root, wordsFor(model.error()), {}));
     CameraFile result{CylinderCamera(*model, surface, covariance, noise_px), summary};
     for (const auto& [key, value] : root.items()) {
         if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end())
@@ -211,11 +209,9 @@ core::Expected<CameraFile> readCamera(const std::string& path) {
 }
 
 core::Expected<void> writeCamera(const CameraFile& camera, const std::string& path) {
-    core::Expected<core::OutputFile> file = core::OutputFile::create(path);
-    if (!file)
-        return core::Unexpected(file.error());
-    file->write(cameraJson(camera).dump(2) + "\n");
-    return file->finish();
+    TELETA_TRY(core::OutputFile file, core::OutputFile::create(path));
+    file.write(cameraJson(camera).dump(2) + "\n");
+    return file.finish();
 }
 
 } // namespace teleta::vision

@@ -21,46 +21,38 @@ constexpr std::array<std::string_view, 5> kPairColumns{"u_px", "v_px", "x_m", "y
 } // namespace
 
 core::Expected<std::vector<CalibrationPair>> readPairs(const std::string& path, bool (*cancelled)()) {
-    core::Expected<core::CsvReader> reader = core::CsvReader::open(path);
-    if (!reader)
-        return core::Unexpected(reader.error());
-    const core::Expected<std::vector<std::size_t>> columns = reader->columns(kPairColumns);
-    if (!columns)
-        return core::Unexpected(columns.error());
+    TELETA_TRY(core::CsvReader reader, core::CsvReader::open(path));
+    TELETA_TRY(const std::vector<std::size_t> columns, reader.columns(kPairColumns));
     // Fitting more would take minutes.
     constexpr std::size_t kMostPairs = 100'000;
     std::vector<CalibrationPair> pairs;
     std::vector<double> row;
     for (;;) {
-        const core::Expected<bool> more = reader->next(row);
+        TELETA_TRY(const bool more, reader.next(row));
         if (!more)
-            return core::Unexpected(more.error());
-        if (!*more)
             return pairs;
         if (cancelled != nullptr && cancelled())
             return core::Unexpected(
                 core::Error{core::ErrorKind::cancelled, PairText::tr("interrupted").toStdString(), {}, {}});
-        const auto value = [&](std::size_t i) { return row[(*columns)[i]]; };
+        const auto value = [&](std::size_t i) { return row[columns[i]]; };
         pairs.push_back({{value(0), value(1)}, {value(2), value(3), value(4)}});
         if (pairs.size() > kMostPairs)
             return core::Unexpected(core::Error{
                 core::ErrorKind::badInput, PairText::tr("the file has too many pairs").toStdString(),
-                PairText::tr("at most %1").arg(kMostPairs).toStdString(), reader->place(0)});
+                PairText::tr("at most %1").arg(kMostPairs).toStdString(), reader.place(0)});
     }
 }
 
 core::Expected<void> writePairs(const std::vector<CalibrationPair>& pairs, const std::string& path) {
-    core::Expected<core::CsvWriter> csv = core::CsvWriter::create(path, kPairColumns);
-    if (!csv)
-        return core::Unexpected(csv.error());
+    TELETA_TRY(core::CsvWriter csv, core::CsvWriter::create(path, kPairColumns));
     for (const CalibrationPair& pair : pairs) {
         for (const double value : pair.pixel)
-            csv->number(value);
+            csv.number(value);
         for (const double value : pair.p_Sensor_m)
-            csv->number(value);
-        csv->endRow();
+            csv.number(value);
+        csv.endRow();
     }
-    return csv->finish();
+    return csv.finish();
 }
 
 core::Expected<void> writeResiduals(const std::vector<CalibrationPair>& pairs, const Calibration& calibration,
@@ -68,26 +60,24 @@ core::Expected<void> writeResiduals(const std::vector<CalibrationPair>& pairs, c
     constexpr std::array<std::string_view, 12> kColumns{
         "u_px",  "v_px",  "x_m",         "y_m",         "z_m",         "kept",
         "du_px", "dv_px", "x_located_m", "y_located_m", "z_located_m", "error_m"};
-    core::Expected<core::CsvWriter> csv = core::CsvWriter::create(path, kColumns);
-    if (!csv)
-        return core::Unexpected(csv.error());
+    TELETA_TRY(core::CsvWriter csv, core::CsvWriter::create(path, kColumns));
     const auto numbers = [&](const auto& optional, Eigen::Index count) {
         for (Eigen::Index i = 0; i < count; ++i)
-            csv->number(optional ? std::optional<double>((*optional)[i]) : std::nullopt);
+            csv.number(optional ? std::optional<double>((*optional)[i]) : std::nullopt);
     };
-    for (std::size_t i = 0; i < pairs.size() && !csv->failed(); ++i) {
+    for (std::size_t i = 0; i < pairs.size() && !csv.failed(); ++i) {
         for (const double value : pairs[i].pixel)
-            csv->number(value);
+            csv.number(value);
         for (const double value : pairs[i].p_Sensor_m)
-            csv->number(value);
+            csv.number(value);
         const PairResidual& residual = calibration.residuals[i];
-        csv->integer(residual.kept ? 1 : 0);
+        csv.integer(residual.kept ? 1 : 0);
         numbers(residual.error_px, 2);
         numbers(residual.located_m, 3);
-        csv->number(residual.error_m);
-        csv->endRow();
+        csv.number(residual.error_m);
+        csv.endRow();
     }
-    return csv->finish();
+    return csv.finish();
 }
 
 core::Error describe(CalibrationRefusal refusal, std::size_t pairs) {

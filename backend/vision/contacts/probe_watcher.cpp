@@ -13,8 +13,7 @@ core::Expected<std::unique_ptr<ProbeWatcher>> ProbeWatcher::make(const Calibrati
     auto finder =
         makeContactFinder(contactLadder().front(),
                           nominalCamera(settings.width_px, settings.height_px, settings.surface), {}, stop);
-    if (!finder)
-        return core::Unexpected(finder.error());
+    TELETA_CHECK(finder);
     return std::unique_ptr<ProbeWatcher>(new ProbeWatcher(std::move(*finder)));
 }
 

@@ -207,8 +207,7 @@ void DotContactFinder::findNeighbours(const std::vector<SkinSample>& samples) {
 core::Expected<std::vector<CameraContact>> DotContactFinder::findIn(const cv::Mat1b& frame) {
     if (!m_tracker)
         return core::Unexpected(noReference());
-    if (const auto sized = checkSize(frame.cols, frame.rows, m_camera); !sized)
-        return core::Unexpected(sized.error());
+    TELETA_CHECK(checkSize(frame.cols, frame.rows, m_camera));
     m_stage_ns = {};
     const std::int64_t start_ns = core::steadyNow_ns();
     m_found = m_tracker->track(frame);

@@ -167,8 +167,7 @@ core::Expected<void> FlowContactFinder::takeReference(const cv::Mat1b& frame) {
 core::Expected<std::vector<CameraContact>> FlowContactFinder::findIn(const cv::Mat1b& frame) {
     if (m_reference.empty())
         return core::Unexpected(noReference());
-    if (const auto sized = checkSize(frame.cols, frame.rows, m_camera); !sized)
-        return core::Unexpected(sized.error());
+    TELETA_CHECK(checkSize(frame.cols, frame.rows, m_camera));
     const std::int64_t start_ns = core::steadyNow_ns();
     prepare(frame, m_small);
     const std::int64_t prepared_ns = core::steadyNow_ns();
