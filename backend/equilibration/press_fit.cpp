@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/equilibration/press_fit.h"
 
+#include "backend/core/failure.h"
 #include "backend/core/quantile.h"
 #include "backend/equilibration/robust_slope.h"
 
@@ -33,11 +34,6 @@ constexpr double kClipped = 3.0; ///< noise by which a clipped taxel reads too l
 constexpr std::size_t kFewestBelow = kFewestPressFrames / 2; ///< frames that judge a clipped taxel
 constexpr double kWeaker = 0.2;                              ///< quantile of the taxels' readings in a frame
 constexpr std::size_t kMostClipped = 4; ///< one of so many taxels may be clipped in a frame that is used
-
-core::Unexpected pressRefused(const QString& message, const QString& expected) {
-    return core::Unexpected(
-        core::Error{core::ErrorKind::refused, message.toStdString(), expected.toStdString(), {}});
-}
 
 /// Fits one press; see findTaxelGains().
 class PressFitter {
@@ -79,8 +75,8 @@ public:
                 break;
         }
         if (good() == 0 || 2 * good() < wanted)
-            return pressRefused(PressText::tr("Only %1 of %2 taxels feel the load.").arg(good()).arg(wanted),
-                                PressText::tr("a load on the whole array, and a tare taken without load"));
+            return core::refused(PressText::tr("Only %1 of %2 taxels feel the load.").arg(good()).arg(wanted),
+                                 PressText::tr("a load on the whole array, and a tare taken without load"));
         return result();
     }
 
@@ -144,8 +140,8 @@ private:
             }
         }
         if (m_loaded.size() < kFewestPressFrames)
-            return pressRefused(PressText::tr("Only %1 frames are under load.").arg(m_loaded.size()),
-                                PressText::tr("at least %1").arg(kFewestPressFrames));
+            return core::refused(PressText::tr("Only %1 frames are under load.").arg(m_loaded.size()),
+                                 PressText::tr("at least %1").arg(kFewestPressFrames));
         return {};
     }
 
@@ -196,7 +192,7 @@ private:
             const double common = medianOf(m_y);
             const auto same = static_cast<std::size_t>(std::ranges::count(m_y, common));
             if (constant.size() > 2 && 2 * same > constant.size())
-                return pressRefused(
+                return core::refused(
                     PressText::tr("Most taxels read the same value in all frames: %1.").arg(common),
                     PressText::tr("a load that the taxels can measure"));
             return {};
@@ -279,9 +275,10 @@ private:
             }
         }
         if (loaded.size() < kFewestPressFrames)
-            return pressRefused(PressText::tr("Only %1 frames under load are within the range of the taxels.")
-                                    .arg(loaded.size()),
-                                PressText::tr("at least %1, under a smaller load").arg(kFewestPressFrames));
+            return core::refused(
+                PressText::tr("Only %1 frames under load are within the range of the taxels.")
+                    .arg(loaded.size()),
+                PressText::tr("at least %1, under a smaller load").arg(kFewestPressFrames));
         m_loaded = std::move(loaded);
         m_level = std::move(level);
         return {};

@@ -4,6 +4,7 @@
 #include "backend/core/data/csv_number.h"
 #include "backend/core/data/csv_reader.h"
 #include "backend/core/data/csv_writer.h"
+#include "backend/core/failure.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -57,11 +58,10 @@ public:
         }
         for (std::size_t taxel = 0; taxel < m_seen.size(); ++taxel) {
             if (!m_seen[taxel])
-                return core::Unexpected(
-                    core::Error{core::ErrorKind::badInput,
-                                GainFileText::tr("taxel %1 is missing").arg(taxel).toStdString(),
-                                GainFileText::tr("the taxels 0 to %1").arg(m_seen.size() - 1).toStdString(),
-                                {m_csv.path(), m_csv.nextLine(), 1}});
+                return core::failed(core::ErrorKind::badInput,
+                                    GainFileText::tr("taxel %1 is missing").arg(taxel),
+                                    GainFileText::tr("the taxels 0 to %1").arg(m_seen.size() - 1),
+                                    {m_csv.path(), m_csv.nextLine(), 1});
         }
         return std::move(m_gains);
     }
@@ -75,8 +75,7 @@ private:
 
     [[nodiscard]] core::Unexpected bad(std::size_t column, const QString& message,
                                        const QString& expected) const {
-        return core::Unexpected(core::Error{core::ErrorKind::badInput, message.toStdString(),
-                                            expected.toStdString(), m_csv.place(column)});
+        return core::failed(core::ErrorKind::badInput, message, expected, m_csv.place(column));
     }
 
     [[nodiscard]] core::Expected<std::size_t> index(std::span<const std::string_view> fields,

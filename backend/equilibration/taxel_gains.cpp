@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/equilibration/taxel_gains.h"
 
+#include "backend/core/failure.h"
 #include "backend/equilibration/press_fit.h"
 
 #include <QCoreApplication>
@@ -23,11 +24,6 @@ struct GainText {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<std::string_view, 5> kStates{"good", "dead", "weak", "strong", "stuck"};
-
-core::Unexpected refused(const QString& message, const QString& expected,
-                         core::ErrorKind kind = core::ErrorKind::refused) {
-    return core::Unexpected(core::Error{kind, message.toStdString(), expected.toStdString(), {}});
-}
 
 /// Logarithms of the responses of all presses, each shifted so that the taxels that are good in all presses
 /// have the mean 0; NaN where a taxel is not good. Empty when no taxel is good in all presses.
@@ -212,19 +208,20 @@ std::vector<float> TaxelGains::values() const {
 core::Expected<TaxelGains> findTaxelGains(const core::ArrayLayout& layout,
                                           std::span<const GainPress> presses) {
     if (presses.empty())
-        return refused(GainText::tr("There is no press."), GainText::tr("at least one"));
+        return core::refused(GainText::tr("There is no press."), GainText::tr("at least one"));
     std::vector<PressFit> fits;
     for (const GainPress& press : presses) {
         if (press.frames.size() % layout.taxels() != 0)
-            return refused(GainText::tr("The frames have %1 values in total.").arg(press.frames.size()),
-                           GainText::tr("a multiple of %1").arg(layout.taxels()), core::ErrorKind::badInput);
+            return core::failed(core::ErrorKind::badInput,
+                                GainText::tr("The frames have %1 values in total.").arg(press.frames.size()),
+                                GainText::tr("a multiple of %1").arg(layout.taxels()));
         TELETA_TRY(auto fit, fitPress(layout.taxels(), press));
         fits.push_back(std::move(fit));
     }
     const std::vector<std::vector<double>> logarithms = alignedLogarithms(fits);
     if (logarithms.empty())
-        return refused(GainText::tr("No taxel is good in all presses."),
-                       GainText::tr("presses of the whole array"));
+        return core::refused(GainText::tr("No taxel is good in all presses."),
+                             GainText::tr("presses of the whole array"));
     return combined(layout, fits, logarithms);
 }
 

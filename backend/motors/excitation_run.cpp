@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/motors/excitation_run.h"
 
+#include "backend/core/failure.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -20,29 +22,24 @@ constexpr std::int64_t kPeriod_ns = 1'000'000;
 /// Time allowed for the player to start the program.
 constexpr std::int64_t kLongestBegin_ns = 1'000'000'000;
 
-core::Unexpected failed(core::ErrorKind kind, const QString& message, const QString& expected = {}) {
-    return core::Unexpected(core::Error{kind, message.toStdString(), expected.toStdString(), {}});
-}
-
 core::Unexpected endedEarly(const playback::PlayerStatus& status) {
     switch (status.ending) {
     case playback::PlayerEnding::stopSwitch:
-        return failed(core::ErrorKind::refused, RunText::tr("STOP ended the measurement."),
-                      RunText::tr("release STOP and measure again"));
+        return core::refused(RunText::tr("STOP ended the measurement."),
+                             RunText::tr("release STOP and measure again"));
     case playback::PlayerEnding::deviceLost:
-        return failed(core::ErrorKind::refused, RunText::tr("The bracelet was lost during the measurement."),
-                      RunText::tr("connect it and measure again"));
+        return core::refused(RunText::tr("The bracelet was lost during the measurement."),
+                             RunText::tr("connect it and measure again"));
     case playback::PlayerEnding::stalled:
-        return failed(
-            core::ErrorKind::refused,
+        return core::refused(
             RunText::tr("The computer was too slow for the measurement: the bracelet paused in between."),
             RunText::tr("measure again with fewer programs running"));
     case playback::PlayerEnding::tooHot:
-        return failed(core::ErrorKind::refused, RunText::tr("The bracelet is too hot to be measured."),
-                      RunText::tr("let it cool down and measure again"));
+        return core::refused(RunText::tr("The bracelet is too hot to be measured."),
+                             RunText::tr("let it cool down and measure again"));
     default:
-        return failed(core::ErrorKind::refused, RunText::tr("Something else was played meanwhile."),
-                      RunText::tr("measure again"));
+        return core::refused(RunText::tr("Something else was played meanwhile."),
+                             RunText::tr("measure again"));
     }
 }
 
@@ -67,10 +64,11 @@ core::Expected<MotorRecording> recordExcitation(playback::Player& player,
                                                 const Excitation& excitation, const std::stop_token& stop,
                                                 std::atomic<double>& progress, core::PacingClock& clock) {
     if (!bracelet.motorSpeeds())
-        return failed(core::ErrorKind::unavailable, RunText::tr("The bracelet does not measure its motors."),
-                      RunText::tr("a recording with a sensor of your own, or answers of a person"));
+        return core::failed(core::ErrorKind::unavailable,
+                            RunText::tr("The bracelet does not measure its motors."),
+                            RunText::tr("a recording with a sensor of your own, or answers of a person"));
     if (stop.stop_requested())
-        return failed(core::ErrorKind::cancelled, RunText::tr("The measurement was ended."));
+        return core::failed(core::ErrorKind::cancelled, RunText::tr("The measurement was ended."));
     std::mutex mutex;
     std::condition_variable never;
     std::unique_lock lock(mutex);
@@ -87,7 +85,7 @@ core::Expected<MotorRecording> recordExcitation(playback::Player& player,
             clock.waitUntil(never, lock, next_ns);
         if (stop.stop_requested()) {
             player.stop(number);
-            return failed(core::ErrorKind::cancelled, RunText::tr("The measurement was ended."));
+            return core::failed(core::ErrorKind::cancelled, RunText::tr("The measurement was ended."));
         }
         const playback::PlayerStatus status = player.status();
         const bool isProgram = status.mode == playback::PlayerMode::program;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/motors/felt_threshold.h"
 
-#include "backend/motors/refusal.h"
+#include "backend/core/failure.h"
 
 #include <QCoreApplication>
 
@@ -56,27 +56,27 @@ core::Expected<void> checkAnswers(std::span<const FeltTrial> trials) {
             (trial.isCatch ? falseAlarms : yes) += 1;
     }
     if (answers < kFewestAnswers)
-        return refused(FeltText::tr("There are too few answers: %1.").arg(answers),
-                       FeltText::tr("at least %1").arg(kFewestAnswers));
+        return core::refused(FeltText::tr("There are too few answers: %1.").arg(answers),
+                             FeltText::tr("at least %1").arg(kFewestAnswers));
     if (falseAlarms >= 2 && 2 * falseAlarms >= catches)
-        return refused(FeltText::tr("The answer was yes in %1 of %2 cases in which nothing was presented.")
-                           .arg(falseAlarms)
-                           .arg(catches),
-                       FeltText::tr("yes only when something was clearly felt"));
+        return core::refused(
+            FeltText::tr("The answer was yes in %1 of %2 cases in which nothing was presented.")
+                .arg(falseAlarms)
+                .arg(catches),
+            FeltText::tr("yes only when something was clearly felt"));
     if (yes == 0)
-        return refused(FeltText::tr("Nothing was felt, not even at the highest drive."),
-                       FeltText::tr("a connected motor in contact with the skin"));
+        return core::refused(FeltText::tr("Nothing was felt, not even at the highest drive."),
+                             FeltText::tr("a connected motor in contact with the skin"));
     if (yes == answers)
-        return refused(FeltText::tr("Everything was felt, even at the lowest drive."),
-                       FeltText::tr("no when nothing was felt"));
+        return core::refused(FeltText::tr("Everything was felt, even at the lowest drive."),
+                             FeltText::tr("no when nothing was felt"));
     return {};
 }
 
 } // namespace
 
 core::Expected<FeltThreshold> estimateThreshold(std::span<const FeltTrial> trials) {
-    if (auto checked = checkAnswers(trials); !checked)
-        return core::Unexpected(std::move(checked.error()));
+    TELETA_CHECK(checkAnswers(trials));
     std::array<std::array<double, kSpreads>, kThresholds + 1> likelihood{};
     double best = -HUGE_VAL;
     for (int i = 0; i <= kThresholds; ++i) {
@@ -110,9 +110,10 @@ core::Expected<FeltThreshold> estimateThreshold(std::span<const FeltTrial> trial
     result.upper = quantile(0.975);
     result.spread = spreads / sum;
     if (result.spread > kMostSpread || result.upper - result.lower > 0.5)
-        return refused(FeltText::tr("The answers contradict each other: stronger was felt less often than "
-                                    "weaker, or as often."),
-                       FeltText::tr("consistent answers; undo the wrong ones or start again"));
+        return core::refused(
+            FeltText::tr("The answers contradict each other: stronger was felt less often than "
+                         "weaker, or as often."),
+            FeltText::tr("consistent answers; undo the wrong ones or start again"));
     return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include "backend/core/data/output_file.h"
 #include "backend/core/data/toml_table.h"
+#include "backend/core/failure.h"
 #include "backend/core/number_text.h"
 #include "backend/motors/toml_string.h"
 
@@ -200,17 +201,13 @@ core::Expected<std::optional<MotorCalibration>> findMotors(const std::string& se
     const std::string path = profilePath(serial);
     if (path.empty() || !QFileInfo::exists(QString::fromStdString(path)))
         return std::nullopt;
-    auto read = readMotors(path);
-    if (!read)
-        return core::Unexpected(std::move(read.error()));
-    if (read->bracelet != serial)
-        return core::Unexpected(core::Error{core::ErrorKind::badInput,
-                                            FileText::tr("the profile belongs to the bracelet \"%1\"")
-                                                .arg(QString::fromStdString(read->bracelet))
-                                                .toStdString(),
-                                            serial,
-                                            {path}});
-    return std::optional(std::move(*read));
+    TELETA_TRY(MotorCalibration read, readMotors(path));
+    if (read.bracelet != serial)
+        return core::failed(core::ErrorKind::badInput,
+                            FileText::tr("the profile belongs to the bracelet \"%1\"")
+                                .arg(QString::fromStdString(read.bracelet)),
+                            QString::fromStdString(serial), {path});
+    return read;
 }
 
 } // namespace teleta::motors

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/motors/motor_fit.h"
 
-#include "backend/motors/refusal.h"
+#include "backend/core/failure.h"
 
 #include <QCoreApplication>
 
@@ -145,7 +145,7 @@ core::Expected<StartInterval> startOf(const std::vector<Plateau>& plateaus) {
         atRest = !plateau.turns;
     }
     if (stood - started > kContradiction)
-        return refused(
+        return core::refused(
             FitText::tr("The motor started at %1 of the full drive but stood still at %2.")
                 .arg(percent(started), percent(stood)),
             FitText::tr("a motor that starts at the same drive each time; look for a loose contact"));
@@ -244,35 +244,38 @@ std::vector<pattern::SpeedPoint> risingCurve(const std::vector<SpeedLevel>& leve
 core::Expected<void> checkExtent(const MotorRecording& recording, const std::vector<Plateau>& plateaus) {
     const auto [lowest, highest] = std::ranges::minmax_element(recording.drive);
     if (*highest - *lowest < kSameDrive)
-        return refused(FitText::tr("There is no step: the drive is the same all the time."),
-                       FitText::tr("a staircase of drives from 0 to the full one"));
+        return core::refused(FitText::tr("There is no step: the drive is the same all the time."),
+                             FitText::tr("a staircase of drives from 0 to the full one"));
     if (*highest < kFullDrive)
-        return refused(
+        return core::refused(
             FitText::tr("The full drive was never commanded: the highest is %1.").arg(percent(*highest)),
             FitText::tr("a staircase of drives from 0 to the full one"));
     if (recording.drive.front() > 0.0)
-        return refused(FitText::tr("The recording does not begin at rest."),
-                       FitText::tr("a commanded drive of 0 at the beginning"));
+        return core::refused(FitText::tr("The recording does not begin at rest."),
+                             FitText::tr("a commanded drive of 0 at the beginning"));
     if (plateaus.empty())
-        return refused(FitText::tr("The recording is too short: no drive was held for %1 s.").arg(kPlateau_s),
-                       FitText::tr("a drive that is held until the motor has followed, 0.3 s"));
+        return core::refused(
+            FitText::tr("The recording is too short: no drive was held for %1 s.").arg(kPlateau_s),
+            FitText::tr("a drive that is held until the motor has followed, 0.3 s"));
     return {};
 }
 
 core::Expected<void> checkTimes(const LagFit& lag) {
     const auto unsure = [](double value, double error) { return !(error < kLargestError * value); };
     if (unsure(lag.up_s, lag.upError_s))
-        return refused(FitText::tr("The rise time cannot be determined: %1 s with a standard error of %2 s.")
-                           .arg(lag.up_s * std::numbers::ln10, 0, 'g', 2)
-                           .arg(lag.upError_s * std::numbers::ln10, 0, 'g', 2),
-                       FitText::tr("more samples per second, or less noise"));
+        return core::refused(
+            FitText::tr("The rise time cannot be determined: %1 s with a standard error of %2 s.")
+                .arg(lag.up_s * std::numbers::ln10, 0, 'g', 2)
+                .arg(lag.upError_s * std::numbers::ln10, 0, 'g', 2),
+            FitText::tr("more samples per second, or less noise"));
     if (unsure(lag.down_s, lag.downError_s))
-        return refused(FitText::tr("The fall time cannot be determined: %1 s with a standard error of %2 s.")
-                           .arg(lag.down_s * std::numbers::ln10, 0, 'g', 2)
-                           .arg(lag.downError_s * std::numbers::ln10, 0, 'g', 2),
-                       FitText::tr("more samples per second, or less noise"));
+        return core::refused(
+            FitText::tr("The fall time cannot be determined: %1 s with a standard error of %2 s.")
+                .arg(lag.down_s * std::numbers::ln10, 0, 'g', 2)
+                .arg(lag.downError_s * std::numbers::ln10, 0, 'g', 2),
+            FitText::tr("more samples per second, or less noise"));
     if (lag.explained < kLeastExplained)
-        return refused(
+        return core::refused(
             FitText::tr(
                 "The motor does not behave like a motor with a lag: the model explains %1 of the speed.")
                 .arg(percent(std::max(lag.explained, 0.0))),
@@ -283,45 +286,43 @@ core::Expected<void> checkTimes(const LagFit& lag) {
 } // namespace
 
 core::Expected<MotorFit> fitMotor(const MotorRecording& recording) {
-    if (auto checked = checkMotorRecording(recording); !checked)
-        return core::Unexpected(std::move(checked.error()));
+    TELETA_CHECK(checkMotorRecording(recording));
     if (recording.size() < kFewestSamples)
-        return refused(FitText::tr("The recording is too short: %1 samples.").arg(recording.size()),
-                       FitText::tr("at least %1").arg(kFewestSamples));
+        return core::refused(FitText::tr("The recording is too short: %1 samples.").arg(recording.size()),
+                             FitText::tr("at least %1").arg(kFewestSamples));
     std::vector<Plateau> plateaus = plateausOf(recording);
-    if (auto checked = checkExtent(recording, plateaus); !checked)
-        return core::Unexpected(std::move(checked.error()));
+    TELETA_CHECK(checkExtent(recording, plateaus));
     if (!markTurning(plateaus))
-        return refused(FitText::tr("The motor does not turn, not even at the full drive."),
-                       FitText::tr("a connected motor, and its sensor"));
+        return core::refused(FitText::tr("The motor does not turn, not even at the full drive."),
+                             FitText::tr("a connected motor, and its sensor"));
     if (plateaus.front().drive == 0.0 && plateaus.front().turns)
-        return refused(FitText::tr("The speed is not 0 although nothing is commanded: %1 Hz.")
-                           .arg(plateaus.front().speed_Hz, 0, 'f', 1),
-                       FitText::tr("a sensor without an offset, and a motor at rest at the beginning"));
+        return core::refused(FitText::tr("The speed is not 0 although nothing is commanded: %1 Hz.")
+                                 .arg(plateaus.front().speed_Hz, 0, 'f', 1),
+                             FitText::tr("a sensor without an offset, and a motor at rest at the beginning"));
     if (isClipped(recording, plateaus))
-        return refused(FitText::tr("The speed is clipped: it stays at the end of the sensor's range."),
-                       FitText::tr("a sensor with a larger range"));
+        return core::refused(FitText::tr("The speed is clipped: it stays at the end of the sensor's range."),
+                             FitText::tr("a sensor with a larger range"));
     TELETA_TRY(const auto start, startOf(plateaus));
     const double startDrive = 0.5 * (start.low + start.high);
     const std::vector<SpeedLevel> levels = levelsOf(plateaus, startDrive);
     if (levels.size() < 2)
-        return refused(FitText::tr("The motor turned at one level of the drive only: neither its start nor "
-                                   "its curve can be determined."),
-                       FitText::tr("a staircase of drives from 0 to the full one"));
+        return core::refused(
+            FitText::tr("The motor turned at one level of the drive only: neither its start nor "
+                        "its curve can be determined."),
+            FitText::tr("a staircase of drives from 0 to the full one"));
     if (!falls(recording, plateaus))
-        return refused(
+        return core::refused(
             FitText::tr("The drive never falls while the motor turns: the fall time cannot be determined."),
             FitText::tr("a step down at the end"));
     auto lag = fitLag(recording, startDrive, levels, hysteresis(recording, plateaus, startDrive));
     if (!lag)
-        return refused(FitText::tr("The samples do not determine the motor's lag."),
-                       FitText::tr("more samples per second during the steps"));
+        return core::refused(FitText::tr("The samples do not determine the motor's lag."),
+                             FitText::tr("more samples per second during the steps"));
     if (const auto flat = flatFrom(lag->levels))
-        return refused(FitText::tr("The speed is saturated: it does not rise above %1 of the drive.")
-                           .arg(percent(*flat)),
-                       FitText::tr("a supply and a sensor that reach the full drive"));
-    if (auto checked = checkTimes(*lag); !checked)
-        return core::Unexpected(std::move(checked.error()));
+        return core::refused(FitText::tr("The speed is saturated: it does not rise above %1 of the drive.")
+                                 .arg(percent(*flat)),
+                             FitText::tr("a supply and a sensor that reach the full drive"));
+    TELETA_CHECK(checkTimes(*lag));
 
     MotorFit fit;
     fit.profile = pattern::MotorProfile::assumedCoinMotor();
@@ -341,7 +342,7 @@ core::Expected<MotorFit> fitMotor(const MotorRecording& recording) {
     fit.explained = lag->explained;
     fit.predicted_Hz = std::move(lag->predicted_Hz);
     if (!fit.profile.valid())
-        return refused(FitText::tr(
+        return core::refused(FitText::tr(
             "The measurement does not describe a motor: the speed does not rise with the drive."));
     return fit;
 }

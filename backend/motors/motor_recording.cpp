@@ -2,6 +2,7 @@
 #include "backend/motors/motor_recording.h"
 
 #include "backend/core/data/csv_reader.h"
+#include "backend/core/failure.h"
 #include "backend/motors/speed_from_signal.h"
 
 #include <QCoreApplication>
@@ -21,8 +22,7 @@ struct RecordingText {
 };
 
 core::Unexpected bad(const QString& message, const QString& expected, core::SourcePlace where) {
-    return core::Unexpected(core::Error{core::ErrorKind::badInput, message.toStdString(),
-                                        expected.toStdString(), std::move(where)});
+    return core::failed(core::ErrorKind::badInput, message, expected, std::move(where));
 }
 
 core::Expected<void> checkSample(double time_s, double before_s, double drive, const core::SourcePlace& time,
@@ -56,10 +56,8 @@ core::Expected<MotorRecording> readMotorRecording(const std::string& path) {
         const double before_s = recording.time_s.empty() ? -HUGE_VAL : recording.time_s.back();
         const double time_s = row[columns[0]];
         const double drive = row[columns[1]];
-        if (auto checked =
-                checkSample(time_s, before_s, drive, reader.place(columns[0]), reader.place(columns[1]));
-            !checked)
-            return core::Unexpected(std::move(checked.error()));
+        TELETA_CHECK(
+            checkSample(time_s, before_s, drive, reader.place(columns[0]), reader.place(columns[1])));
         recording.time_s.push_back(time_s);
         recording.drive.push_back(drive);
         recording.speed_Hz.push_back(row[columns[2]]);
@@ -81,9 +79,7 @@ core::Expected<void> checkMotorRecording(const MotorRecording& recording) {
         if (!std::isfinite(recording.time_s[i]) || !std::isfinite(recording.speed_Hz[i]))
             return bad(RecordingText::tr("sample %1 is not a finite number").arg(i + 1), {}, where);
         const double before_s = i == 0 ? -HUGE_VAL : recording.time_s[i - 1];
-        if (auto checked = checkSample(recording.time_s[i], before_s, recording.drive[i], where, where);
-            !checked)
-            return checked;
+        TELETA_CHECK(checkSample(recording.time_s[i], before_s, recording.drive[i], where, where));
     }
     return {};
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/motors/speed_from_signal.h"
 
-#include "backend/motors/refusal.h"
+#include "backend/core/failure.h"
 
 #include <QCoreApplication>
 
@@ -81,8 +81,8 @@ core::Expected<MotorRecording> speedFromSignal(std::span<const double> time_s, s
         ++quiet;
     const double quiet_s = quiet > 0 ? time_s[quiet - 1] - time_s[0] : 0.0;
     if (quiet < 10 || quiet_s < kQuiet_s)
-        return refused(SignalText::tr("The recording does not begin at rest."),
-                       SignalText::tr("at least %1 s with a commanded drive of 0").arg(kQuiet_s));
+        return core::refused(SignalText::tr("The recording does not begin at rest."),
+                             SignalText::tr("at least %1 s with a commanded drive of 0").arg(kQuiet_s));
     double zero = 0.0;
     for (std::size_t i = 0; i < quiet; ++i)
         zero += signal[i] / static_cast<double>(quiet);
@@ -90,8 +90,8 @@ core::Expected<MotorRecording> speedFromSignal(std::span<const double> time_s, s
     for (std::size_t i = 0; i < quiet; ++i)
         variance += (signal[i] - zero) * (signal[i] - zero) / static_cast<double>(quiet - 1);
     if (isClipped(signal, zero))
-        return refused(SignalText::tr("The signal is clipped: it stays at the end of its range."),
-                       SignalText::tr("a recording with less gain"));
+        return core::refused(SignalText::tr("The signal is clipped: it stays at the end of its range."),
+                             SignalText::tr("a recording with less gain"));
     double largest = 0.0;
     for (const double value : signal)
         largest = std::max(largest, std::abs(value - zero));
@@ -99,8 +99,9 @@ core::Expected<MotorRecording> speedFromSignal(std::span<const double> time_s, s
     const double threshold = std::max(kNoiseFactor * std::sqrt(variance), 1e-3 * largest);
     const std::vector<double> times_s = crossings(time_s, signal, zero, threshold);
     if (times_s.size() < 10)
-        return refused(SignalText::tr("The signal shows no vibration above its noise."),
-                       SignalText::tr("a sensor on the motor, with a signal above four times its noise"));
+        return core::refused(
+            SignalText::tr("The signal shows no vibration above its noise."),
+            SignalText::tr("a sensor on the motor, with a signal above four times its noise"));
 
     MotorRecording recording{{time_s.begin(), time_s.end()},
                              {drive.begin(), drive.end()},
@@ -122,10 +123,10 @@ core::Expected<MotorRecording> speedFromSignal(std::span<const double> time_s, s
     }
     const double rate_Hz = static_cast<double>(time_s.size() - 1) / (time_s.back() - time_s.front());
     if (rate_Hz < kSamplesPerTurn * fastest_Hz)
-        return refused(SignalText::tr("%1 samples per second are too few for %2 turns per second.")
-                           .arg(rate_Hz, 0, 'f', 0)
-                           .arg(fastest_Hz, 0, 'f', 0),
-                       SignalText::tr("at least %1 samples per turn").arg(kSamplesPerTurn));
+        return core::refused(SignalText::tr("%1 samples per second are too few for %2 turns per second.")
+                                 .arg(rate_Hz, 0, 'f', 0)
+                                 .arg(fastest_Hz, 0, 'f', 0),
+                             SignalText::tr("at least %1 samples per turn").arg(kSamplesPerTurn));
     std::size_t next = 0;
     for (std::size_t i = 0; i < recording.size(); ++i) {
         while (next < middles_s.size() && middles_s[next] <= time_s[i])

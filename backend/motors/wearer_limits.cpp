@@ -3,6 +3,7 @@
 
 #include "backend/core/data/output_file.h"
 #include "backend/core/data/toml_table.h"
+#include "backend/core/failure.h"
 #include "backend/core/number_text.h"
 #include "backend/motors/motor_file.h"
 #include "backend/motors/toml_string.h"
@@ -94,12 +95,10 @@ core::Expected<WearerLimits> findLimits(const std::string& serial) {
         return WearerLimits{.bracelet = serial};
     auto read = readLimits(path);
     if (read && read->bracelet != serial)
-        return core::Unexpected(core::Error{core::ErrorKind::badInput,
-                                            LimitsText::tr("the limits belong to the bracelet \"%1\"")
-                                                .arg(QString::fromStdString(read->bracelet))
-                                                .toStdString(),
-                                            serial,
-                                            {path}});
+        return core::failed(core::ErrorKind::badInput,
+                            LimitsText::tr("the limits belong to the bracelet \"%1\"")
+                                .arg(QString::fromStdString(read->bracelet)),
+                            QString::fromStdString(serial), {path});
     return read;
 }
 

@@ -3,6 +3,7 @@
 
 #include "backend/core/data/csv_number.h"
 #include "backend/core/data/csv_reader.h"
+#include "backend/core/failure.h"
 #include "backend/servo/rigid_motion.h"
 
 #include <QCoreApplication>
@@ -67,8 +68,7 @@ bool isRotation(const Eigen::Quaterniond& q) {
 
 core::Unexpected badField(const core::CsvReader& csv, std::size_t column, const QString& message,
                           const QString& expected) {
-    return core::Unexpected(core::Error{core::ErrorKind::badInput, message.toStdString(),
-                                        expected.toStdString(), csv.place(column)});
+    return core::failed(core::ErrorKind::badInput, message, expected, csv.place(column));
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "backend/pattern/edit/edit.h"
 
 #include "backend/core/bracelet/tactor_ring.h"
+#include "backend/core/failure.h"
 
 #include <QCoreApplication>
 
@@ -125,11 +126,8 @@ Pattern forOtherArm(const Pattern& pattern) {
 
 core::Expected<Pattern> stretched(const Pattern& pattern, double factor) {
     if (!(factor > 0.0) || !std::isfinite(factor) || pattern.duration_s * factor > Pattern::kLongest_s)
-        return core::Unexpected(
-            core::Error{core::ErrorKind::refused,
-                        EditText::tr("the pattern cannot be stretched by this factor").toStdString(),
-                        EditText::tr("a factor above 0 that makes it at most a day long").toStdString(),
-                        {}});
+        return core::refused(EditText::tr("the pattern cannot be stretched by this factor"),
+                             EditText::tr("a factor above 0 that makes it at most a day long"));
     Pattern result = pattern;
     result.duration_s *= factor;
     for (Track& track : result.tracks) {

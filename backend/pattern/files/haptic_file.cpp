@@ -2,6 +2,7 @@
 #include "backend/pattern/files/haptic_file.h"
 
 #include "backend/core/data/json_document.h"
+#include "backend/core/failure.h"
 #include "backend/pattern/model/bake.h"
 #include "backend/pattern/model/track_builder.h"
 
@@ -138,17 +139,13 @@ core::Expected<Pattern> patternFromHaptics(std::vector<ZipEntry> entries, const 
     for (ZipEntry& entry : entries) {
         const std::optional<std::size_t> tactor = tactorOfName(entry.name);
         if (!tactor || taken[*tactor])
-            return core::Unexpected(
-                core::Error{core::ErrorKind::badInput,
-                            HapticText::tr("there is no tactor for the file \"%1\"")
-                                .arg(QString::fromStdString(entry.name))
-                                .toStdString(),
-                            HapticText::tr("files tactor1.haptic to tactor6.haptic, each once").toStdString(),
-                            {file, 0, 0}});
+            return core::failed(core::ErrorKind::badInput,
+                                HapticText::tr("there is no tactor for the file \"%1\"")
+                                    .arg(QString::fromStdString(entry.name)),
+                                HapticText::tr("files tactor1.haptic to tactor6.haptic, each once"),
+                                {file, 0, 0});
         taken[*tactor] = true;
-        const core::Expected<void> added =
-            addEnvelope(std::move(entry.content), file + '/' + entry.name, *tactor, pattern);
-        TELETA_CHECK(added);
+        TELETA_CHECK(addEnvelope(std::move(entry.content), file + '/' + entry.name, *tactor, pattern));
     }
     return pattern;
 }

@@ -3,6 +3,7 @@
 
 #include "backend/core/data/json_document.h"
 #include "backend/core/data/output_file.h"
+#include "backend/core/failure.h"
 #include "backend/pattern/files/ahap.h"
 #include "backend/pattern/files/haptic_file.h"
 #include "backend/pattern/files/hjif.h"
@@ -28,27 +29,26 @@ struct FileText {
     Q_DECLARE_TR_FUNCTIONS(FileText)
 };
 
-core::Error failure(core::ErrorKind kind, const std::string& path, const QString& message,
-                    const QString& expected) {
-    return {kind, message.toStdString(), expected.toStdString(), {path, 0, 0}};
+core::Unexpected failure(core::ErrorKind kind, const std::string& path, const QString& message,
+                         const QString& expected) {
+    return core::failed(kind, message, expected, {path, 0, 0});
 }
 
 core::Expected<std::string> readBytes(const std::string& path) {
     QFile file(QString::fromStdString(path));
     if (!file.exists())
-        return core::Unexpected(failure(
-            core::ErrorKind::notFound, path, FileText::tr("there is no such file or built-in pattern"),
-            FileText::tr("a pattern file, or an id listed by teleta pattern list")));
+        return failure(core::ErrorKind::notFound, path,
+                       FileText::tr("there is no such file or built-in pattern"),
+                       FileText::tr("a pattern file, or an id listed by teleta pattern list"));
     if (!file.open(QIODevice::ReadOnly))
-        return core::Unexpected(failure(core::ErrorKind::ioFailed, path, file.errorString(), {}));
+        return failure(core::ErrorKind::ioFailed, path, file.errorString(), {});
     // One byte more than the limit shows that it is exceeded, even for a pipe, whose size is unknown.
     const QByteArray bytes = file.read(static_cast<qint64>(core::JsonDocument::kMostBytes) + 1);
     if (file.error() != QFileDevice::NoError)
-        return core::Unexpected(failure(core::ErrorKind::ioFailed, path, file.errorString(), {}));
+        return failure(core::ErrorKind::ioFailed, path, file.errorString(), {});
     if (static_cast<std::size_t>(bytes.size()) > core::JsonDocument::kMostBytes)
-        return core::Unexpected(
-            failure(core::ErrorKind::badInput, path, FileText::tr("the file is too large"),
-                    FileText::tr("at most %1 MiB").arg(core::JsonDocument::kMostBytes >> 20U)));
+        return failure(core::ErrorKind::badInput, path, FileText::tr("the file is too large"),
+                       FileText::tr("at most %1 MiB").arg(core::JsonDocument::kMostBytes >> 20U));
     return bytes.toStdString();
 }
 
@@ -58,7 +58,7 @@ core::Expected<void> writeBytes(const std::string& path, const std::string& byte
     return file.finish();
 }
 
-core::Error unknownEnding(const std::string& path) {
+core::Unexpected unknownEnding(const std::string& path) {
     return failure(core::ErrorKind::badInput, path, FileText::tr("the file name extension is unknown"),
                    FileText::tr("one of %1").arg(QString::fromStdString(allEndings())));
 }
@@ -83,10 +83,9 @@ onlyTactor(const Pattern& pattern, const std::string& path, const std::string& z
         ++active;
     }
     if (active > 1)
-        return core::Unexpected(
-            failure(core::ErrorKind::refused, path,
-                    FileText::tr("this format holds one tactor, the pattern uses more"),
-                    FileText::tr("a name that ends with %1").arg(QString::fromStdString(zipEnding))));
+        return failure(core::ErrorKind::refused, path,
+                       FileText::tr("this format holds one tactor, the pattern uses more"),
+                       FileText::tr("a name that ends with %1").arg(QString::fromStdString(zipEnding)));
     return text(pattern, only);
 }
 
@@ -146,9 +145,8 @@ core::Expected<Pattern> read(std::string bytes, PatternFormat format, const std:
     case PatternFormat::wav:
         break;
     }
-    return core::Unexpected(failure(core::ErrorKind::badInput, path,
-                                    FileText::tr("this format can be written but not read"),
-                                    ".json, .hjif, .haptic.zip, .haptic, .tact"));
+    return failure(core::ErrorKind::badInput, path, FileText::tr("this format can be written but not read"),
+                   ".json, .hjif, .haptic.zip, .haptic, .tact");
 }
 
 } // namespace
@@ -157,7 +155,7 @@ core::Expected<Pattern> loadPattern(const std::string& path) {
     TELETA_TRY(std::string bytes, readBytes(path));
     const std::optional<PatternFormat> format = formatOf(path);
     if (!format)
-        return core::Unexpected(unknownEnding(path));
+        return unknownEnding(path);
     core::Expected<Pattern> pattern = read(std::move(bytes), *format, path);
     if (pattern && pattern->id.empty())
         pattern->id = baseName(path);
@@ -174,7 +172,7 @@ core::Expected<void> savePattern(const Pattern& pattern, const std::string& path
                                  const SampleOptions& samples) {
     const std::optional<PatternFormat> format = formatOf(path);
     if (!format)
-        return core::Unexpected(unknownEnding(path));
+        return unknownEnding(path);
     return orWithPath(write(pattern, *format, path, samples), path);
 }
 

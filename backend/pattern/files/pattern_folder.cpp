@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pattern/files/pattern_folder.h"
 
+#include "backend/core/failure.h"
 #include "backend/pattern/files/pattern_file.h"
 #include "backend/pattern/files/pattern_format.h"
 #include "backend/pattern/model/built_in_patterns.h"
@@ -29,8 +30,7 @@ constexpr char kDeleted[] = "deleted";
 
 core::Unexpected failure(core::ErrorKind kind, const QString& path, const QString& message,
                          const QString& expected = {}) {
-    return core::Unexpected(
-        core::Error{kind, message.toStdString(), expected.toStdString(), {path.toStdString(), 0, 0}});
+    return core::failed(kind, message, expected, {path.toStdString(), 0, 0});
 }
 
 bool isRead(const QString& name) {

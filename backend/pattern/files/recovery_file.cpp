@@ -2,6 +2,7 @@
 #include "backend/pattern/files/recovery_file.h"
 
 #include "backend/core/data/json_document.h"
+#include "backend/core/failure.h"
 #include "backend/pattern/files/pattern_file.h"
 
 #include <QCoreApplication>
@@ -40,10 +41,8 @@ core::Expected<RecoveredPattern> readRecovery(const std::string& file) {
     TELETA_CHECK(pattern);
     const auto found = std::find_if(pattern->unknown.begin(), pattern->unknown.end(), isRecovery);
     if (found == pattern->unknown.end())
-        return core::Unexpected(core::Error{core::ErrorKind::badInput,
-                                            RecoveryText::tr("this is not a recovery file").toStdString(),
-                                            RecoveryText::tr("the key \"recovery\"").toStdString(),
-                                            {file, 0, 0}});
+        return core::failed(core::ErrorKind::badInput, RecoveryText::tr("this is not a recovery file"),
+                            RecoveryText::tr("the key \"recovery\""), {file, 0, 0});
     TELETA_TRY(const core::JsonDocument about, core::JsonDocument::parse(found->second, file));
     core::JsonReader reader(about);
     RecoveredPattern recovered;

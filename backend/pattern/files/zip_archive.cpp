@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pattern/files/zip_archive.h"
 
+#include "backend/core/failure.h"
+
 #include <QCoreApplication>
 
 #include <memory>
@@ -31,8 +33,7 @@ constexpr zip_uint16_t kDosDate =
     (46U << 9U) | (1U << 5U) | 1U; // 2026-01-01, so that equal entries give equal bytes
 
 core::Unexpected bad(const std::string& file, const QString& message, const QString& expected) {
-    return core::Unexpected(
-        core::Error{core::ErrorKind::badInput, message.toStdString(), expected.toStdString(), {file, 0, 0}});
+    return core::failed(core::ErrorKind::badInput, message, expected, {file, 0, 0});
 }
 
 core::Unexpected damaged(const std::string& file) {
@@ -40,11 +41,8 @@ core::Unexpected damaged(const std::string& file) {
                ZipText::tr("a zip archive that is not encrypted"));
 }
 
-core::Unexpected failed() {
-    return core::Unexpected(core::Error{core::ErrorKind::ioFailed,
-                                        ZipText::tr("the zip archive could not be created").toStdString(),
-                                        {},
-                                        {}});
+core::Unexpected notCreated() {
+    return core::failed(core::ErrorKind::ioFailed, ZipText::tr("the zip archive could not be created"));
 }
 
 /// The archive takes ownership of the source when it opens.
@@ -102,34 +100,34 @@ core::Expected<std::vector<ZipEntry>> readZip(const std::string& bytes, const st
 core::Expected<std::string> writeZip(const std::vector<ZipEntry>& entries) {
     Source buffer(zip_source_buffer_create(nullptr, 0, 0, nullptr));
     if (!buffer)
-        return failed();
+        return notCreated();
     zip_source_keep(buffer.get()); // read below, after the archive has released it
     const Source kept(buffer.get());
     Archive archive = openArchive(buffer, ZIP_TRUNCATE);
     if (!archive)
-        return failed();
+        return notCreated();
     for (const ZipEntry& entry : entries) {
         Source content(zip_source_buffer(archive.get(), entry.content.data(), entry.content.size(), 0));
         const zip_int64_t index =
             content ? zip_file_add(archive.get(), entry.name.c_str(), content.get(), ZIP_FL_ENC_UTF_8) : -1;
         if (index < 0)
-            return failed();
+            return notCreated();
         (void)content.release();
         zip_file_set_dostime(archive.get(), static_cast<zip_uint64_t>(index), 0, kDosDate, 0);
     }
     if (zip_close(archive.get()) != 0)
-        return failed();
+        return notCreated();
     (void)archive.release();
 
     zip_stat_t stat;
     zip_stat_init(&stat);
     if (zip_source_open(kept.get()) != 0 || zip_source_stat(kept.get(), &stat) != 0)
-        return failed();
+        return notCreated();
     std::string bytes(stat.size, '\0');
     const zip_int64_t got = zip_source_read(kept.get(), bytes.data(), bytes.size());
     zip_source_close(kept.get());
     if (got != static_cast<zip_int64_t>(bytes.size()))
-        return failed();
+        return notCreated();
     return bytes;
 }
 

@@ -2,6 +2,7 @@
 #include "backend/pattern/model/bake.h"
 
 #include "backend/core/bracelet/tactor_ring.h"
+#include "backend/core/failure.h"
 
 #include <QCoreApplication>
 
@@ -83,11 +84,9 @@ private:
     std::size_t m_tactor;
 };
 
-core::Error tooMany() {
-    return {core::ErrorKind::refused,
-            BakeText::tr("the pattern has too many corners").toStdString(),
-            BakeText::tr("at most %1 breakpoints").arg(Pattern::kMostBreakpoints).toStdString(),
-            {}};
+core::Unexpected tooMany() {
+    return core::refused(BakeText::tr("the pattern has too many corners"),
+                         BakeText::tr("at most %1 breakpoints").arg(Pattern::kMostBreakpoints));
 }
 
 double rounded(double value) {
@@ -176,7 +175,7 @@ core::Expected<Track> follow(const Pattern& pattern, std::size_t tactor,
         times_s.push_back(span.begin_s);
         times_s.push_back(span.end_s);
         if (!std::visit(Corners(times_s, tactor), object.form))
-            return core::Unexpected(tooMany());
+            return tooMany();
     }
     std::erase_if(times_s, [&](double t_s) { return !(t_s >= 0.0 && t_s <= pattern.duration_s); });
     std::sort(times_s.begin(), times_s.end());
@@ -190,7 +189,7 @@ core::Expected<Track> follow(const Pattern& pattern, std::size_t tactor,
     for (std::size_t i = 1; i < times_s.size(); ++i)
         follower.follow(times_s[i - 1], times_s[i]);
     if (lines.size() > Pattern::kMostBreakpoints)
-        return core::Unexpected(tooMany());
+        return tooMany();
     return trimmed(simplified(lines));
 }
 

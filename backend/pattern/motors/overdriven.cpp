@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pattern/motors/overdriven.h"
 
+#include "backend/core/failure.h"
 #include "backend/pattern/model/bake.h"
 
 #include <QCoreApplication>
@@ -86,17 +87,12 @@ Track withBoosts(const Track& lines, const std::vector<Span>& boosts) {
     return trimmed(simplified(result));
 }
 
-core::Unexpected tooMuch(const QString& what, const QString& limit) {
-    return core::Unexpected(
-        core::Error{core::ErrorKind::refused, what.toStdString(), limit.toStdString(), {}});
-}
-
 } // namespace
 
 core::Expected<Pattern> overdriven(const Pattern& pattern, const MotorProfiles& profiles) {
     if (!(pattern.duration_s <= kLongestOverdriven_s))
-        return tooMuch(OverdrivenText::tr("the pattern is too long for overdrive"),
-                       OverdrivenText::tr("at most %1 s").arg(kLongestOverdriven_s));
+        return core::refused(OverdrivenText::tr("the pattern is too long for overdrive"),
+                             OverdrivenText::tr("at most %1 s").arg(kLongestOverdriven_s));
     const Boosts boosts = boostsOf(pattern, profiles);
     if (std::ranges::all_of(boosts, [](const std::vector<Span>& spans) { return spans.empty(); }))
         return pattern;
@@ -109,8 +105,8 @@ core::Expected<Pattern> overdriven(const Pattern& pattern, const MotorProfiles& 
         TELETA_TRY(const Track lines, linearised(*result, i));
         result->tracks[i] = withBoosts(lines, boosts[i]);
         if (result->tracks[i].size() > Pattern::kMostBreakpoints)
-            return tooMuch(OverdrivenText::tr("the pattern has too many corners"),
-                           OverdrivenText::tr("at most %1 breakpoints").arg(Pattern::kMostBreakpoints));
+            return core::refused(OverdrivenText::tr("the pattern has too many corners"),
+                                 OverdrivenText::tr("at most %1 breakpoints").arg(Pattern::kMostBreakpoints));
     }
     return result;
 }

@@ -3,6 +3,7 @@
 
 #include "backend/core/data/csv_writer.h"
 #include "backend/core/data/output_file.h"
+#include "backend/core/failure.h"
 
 #include <QCoreApplication>
 
@@ -54,8 +55,7 @@ std::string wavHeader(std::uint32_t dataBytes, std::uint32_t rate_Hz) {
 }
 
 core::Unexpected refused(const std::string& path, const QString& message, const QString& expected) {
-    return core::Unexpected(
-        core::Error{core::ErrorKind::refused, message.toStdString(), expected.toStdString(), {path, 0, 0}});
+    return core::failed(core::ErrorKind::refused, message, expected, {path, 0, 0});
 }
 
 core::Expected<void> checked(const SampleOptions& options, double rate_Hz, const std::string& path) {

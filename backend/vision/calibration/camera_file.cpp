@@ -3,6 +3,7 @@
 
 #include "backend/core/data/json_document.h"
 #include "backend/core/data/output_file.h"
+#include "backend/core/failure.h"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -199,12 +200,10 @@ core::Expected<CameraFile> parseCamera(std::string text, const std::string& file
 core::Expected<CameraFile> readCamera(const std::string& path) {
     QFile file(QString::fromStdString(path));
     if (!file.open(QIODevice::ReadOnly))
-        return core::Unexpected(
-            core::Error{core::ErrorKind::notFound, file.errorString().toStdString(), {}, {path, 0, 0}});
+        return core::failed(core::ErrorKind::notFound, file.errorString(), {}, {path, 0, 0});
     const QByteArray bytes = file.read(static_cast<qint64>(JsonDocument::kMostBytes) + 1);
     if (file.error() != QFileDevice::NoError)
-        return core::Unexpected(
-            core::Error{core::ErrorKind::ioFailed, file.errorString().toStdString(), {}, {path, 0, 0}});
+        return core::failed(core::ErrorKind::ioFailed, file.errorString(), {}, {path, 0, 0});
     return parseCamera(bytes.toStdString(), path);
 }
 

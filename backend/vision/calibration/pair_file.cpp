@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/data/csv_reader.h"
 #include "backend/core/data/csv_writer.h"
+#include "backend/core/failure.h"
 #include "backend/vision/calibration/camera_file.h"
 
 #include <QCoreApplication>
@@ -32,14 +33,12 @@ core::Expected<std::vector<CalibrationPair>> readPairs(const std::string& path, 
         if (!more)
             return pairs;
         if (cancelled != nullptr && cancelled())
-            return core::Unexpected(
-                core::Error{core::ErrorKind::cancelled, PairText::tr("interrupted").toStdString(), {}, {}});
+            return core::failed(core::ErrorKind::cancelled, PairText::tr("interrupted"));
         const auto value = [&](std::size_t i) { return row[columns[i]]; };
         pairs.push_back({{value(0), value(1)}, {value(2), value(3), value(4)}});
         if (pairs.size() > kMostPairs)
-            return core::Unexpected(core::Error{
-                core::ErrorKind::badInput, PairText::tr("the file has too many pairs").toStdString(),
-                PairText::tr("at most %1").arg(kMostPairs).toStdString(), reader.place(0)});
+            return core::failed(core::ErrorKind::badInput, PairText::tr("the file has too many pairs"),
+                                PairText::tr("at most %1").arg(kMostPairs), reader.place(0));
     }
 }
 

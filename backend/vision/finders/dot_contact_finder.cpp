@@ -120,7 +120,7 @@ core::Expected<void> DotContactFinder::takeReference(const cv::Mat1b& frame) {
     if (const auto sized = checkSize(frame.cols, frame.rows, m_camera); !sized)
         return sized;
     if (!prepareMaps())
-        return core::Unexpected(cancelledMaking());
+        return cancelledMaking();
     const Unrolled& map = m_unrolled;
     cv::Mat1f grey;
     frame.convertTo(grey, CV_32F);
@@ -206,21 +206,17 @@ void DotContactFinder::findNeighbours(const std::vector<SkinSample>& samples) {
 
 core::Expected<std::vector<CameraContact>> DotContactFinder::findIn(const cv::Mat1b& frame) {
     if (!m_tracker)
-        return core::Unexpected(noReference());
+        return noReference();
     TELETA_CHECK(checkSize(frame.cols, frame.rows, m_camera));
     m_stage_ns = {};
     const std::int64_t start_ns = core::steadyNow_ns();
     m_found = m_tracker->track(frame);
     if (static_cast<double>(m_found) < kLostShare * static_cast<double>(m_nodes.size())) {
         m_tracker->forget();
-        return core::Unexpected(
-            core::Error{core::ErrorKind::unavailable,
-                        VisionText::tr("The frame does not show the skin: %1 of %2 dots found.")
-                            .arg(m_found)
-                            .arg(m_nodes.size())
-                            .toStdString(),
-                        {},
-                        {}});
+        return core::failed(core::ErrorKind::unavailable,
+                            VisionText::tr("The frame does not show the skin: %1 of %2 dots found.")
+                                .arg(m_found)
+                                .arg(m_nodes.size()));
     }
     const std::int64_t tracked_ns = core::steadyNow_ns();
     for (std::size_t i = 0; i < m_nodes.size(); ++i) {

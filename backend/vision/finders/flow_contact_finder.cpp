@@ -56,7 +56,7 @@ core::Expected<std::unique_ptr<ContactFinder>> FlowContactFinder::make(const Con
                                                                        const std::stop_token& stop) {
     std::unique_ptr<FlowContactFinder> finder(new FlowContactFinder(rung, camera, settings, stop));
     if (stop.stop_requested())
-        return core::Unexpected(cancelledMaking());
+        return cancelledMaking();
     if (finder->m_samples.empty())
         return refused(VisionText::tr("The camera does not see the skin."));
     if (std::min(finder->m_sampleOf.rows, finder->m_sampleOf.cols) < kSmallestSide_px)
@@ -166,7 +166,7 @@ core::Expected<void> FlowContactFinder::takeReference(const cv::Mat1b& frame) {
 
 core::Expected<std::vector<CameraContact>> FlowContactFinder::findIn(const cv::Mat1b& frame) {
     if (m_reference.empty())
-        return core::Unexpected(noReference());
+        return noReference();
     TELETA_CHECK(checkSize(frame.cols, frame.rows, m_camera));
     const std::int64_t start_ns = core::steadyNow_ns();
     prepare(frame, m_small);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/error.h"
+#include "backend/core/failure.h"
 #include "backend/vision/camera/cylinder_projection.h"
 
 #include <QCoreApplication>
@@ -18,23 +18,15 @@ struct VisionText {
     Q_DECLARE_TR_FUNCTIONS(VisionText)
 };
 
-[[nodiscard]] inline core::Unexpected refused(const QString& message, const QString& expected = {}) {
-    return core::Unexpected(
-        core::Error{core::ErrorKind::refused, message.toStdString(), expected.toStdString(), {}});
+using core::refused;
+
+[[nodiscard]] inline core::Unexpected noReference() {
+    return refused(VisionText::tr("There is no frame of the untouched skin to compare with."));
 }
 
-[[nodiscard]] inline core::Error noReference() {
-    return {core::ErrorKind::refused,
-            VisionText::tr("There is no frame of the untouched skin to compare with.").toStdString(),
-            {},
-            {}};
-}
-
-[[nodiscard]] inline core::Error cancelledMaking() {
-    return {core::ErrorKind::cancelled,
-            VisionText::tr("The camera was closed before it was ready.").toStdString(),
-            {},
-            {}};
+[[nodiscard]] inline core::Unexpected cancelledMaking() {
+    return core::failed(core::ErrorKind::cancelled,
+                        VisionText::tr("The camera was closed before it was ready."));
 }
 
 /// Calls work and returns its result; exceptions of OpenCV and of memory allocation become an error: refused.
