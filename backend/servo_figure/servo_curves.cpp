@@ -15,7 +15,7 @@
 #include <array>
 #include <cmath>
 
-namespace teleta::servo {
+namespace teleta::servo_figure {
 
 namespace {
 
@@ -73,7 +73,8 @@ core::Unexpected badField(const core::CsvReader& csv, std::size_t column, const 
 
 } // namespace
 
-void ServoCurves::lengthen(std::vector<Span>& spans, double now_s, const ActiveLimits& acting, bool goesOn) {
+void ServoCurves::lengthen(std::vector<Span>& spans, double now_s, const servo::ActiveLimits& acting,
+                           bool goesOn) {
     if (!spans.empty() && goesOn)
         spans.back().end_s = now_s;
     else if (spans.size() < kMostSpans)
@@ -82,7 +83,7 @@ void ServoCurves::lengthen(std::vector<Span>& spans, double now_s, const ActiveL
         spans.back().end_s = now_s;
 }
 
-void ServoCurves::note(const ServoStep& step) {
+void ServoCurves::note(const servo::ServoStep& step) {
     if (step.touching)
         lengthen(contacts, step.time_s, {}, m_touching);
     m_touching = step.touching;
@@ -98,12 +99,12 @@ void ServoCurves::note(const ServoStep& step) {
 /// The z component of the rotation vector from the start to this orientation.
 double ServoCurves::turnSinceStart_rad(const Eigen::Quaterniond& q_Base_Sensor) const {
     if (!m_start_m || !isRotation(m_q_Base_Start) || !isRotation(q_Base_Sensor))
-        return ServoStep::kNone;
+        return servo::ServoStep::kNone;
     const Eigen::Quaterniond turn = m_q_Base_Start.normalized().conjugate() * q_Base_Sensor.normalized();
     return logSO3(turn.toRotationMatrix()).z();
 }
 
-void ServoCurves::add(const ServoStep& step, std::string_view phase) {
+void ServoCurves::add(const servo::ServoStep& step, std::string_view phase) {
     note(step);
     if (phases.empty() || phases.back().second != phase)
         phases.emplace_back(step.time_s, std::string(phase));
@@ -112,7 +113,7 @@ void ServoCurves::add(const ServoStep& step, std::string_view phase) {
         m_q_Base_Start = step.q_Base_Sensor;
     }
     const Eigen::Vector3d way = m_start_m ? Eigen::Vector3d(step.p_Base_Sensor - *m_start_m)
-                                          : Eigen::Vector3d::Constant(ServoStep::kNone);
+                                          : Eigen::Vector3d::Constant(servo::ServoStep::kNone);
     const std::array<double, kVectors.size()> values{step.time_s,
                                                      step.force_N,
                                                      step.desired_N,
@@ -180,7 +181,7 @@ core::Expected<ServoCurves> readServoCurves(const std::string& path) {
             return badField(csv, columns[0], CurvesText::tr("the time decreases or is missing"),
                             CurvesText::tr("times in order"));
         before_s = row[0];
-        ServoStep step;
+        servo::ServoStep step;
         const std::array laterValues{
             &step.cocXDesired_m,        &step.dzmpYDesired_m,       &step.massX_m,
             &step.q_Base_Sensor.w(),    &step.q_Base_Sensor.x(),    &step.q_Base_Sensor.y(),
@@ -196,7 +197,8 @@ core::Expected<ServoCurves> readServoCurves(const std::string& path) {
             *laterValues[i] = *value;
         }
         if (limitsColumn < fields.size()) {
-            const std::optional<ActiveLimits> limits = ActiveLimits::fromNames(fields[limitsColumn]);
+            const std::optional<servo::ActiveLimits> limits =
+                servo::ActiveLimits::fromNames(fields[limitsColumn]);
             if (!limits)
                 return badField(csv, limitsColumn, CurvesText::tr("this is not a limit of a servo"),
                                 CurvesText::tr("names such as force+tool_speed, or nothing"));
@@ -218,4 +220,4 @@ core::Expected<ServoCurves> readServoCurves(const std::string& path) {
     }
 }
 
-} // namespace teleta::servo
+} // namespace teleta::servo_figure

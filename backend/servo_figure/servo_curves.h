@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace teleta::servo {
+namespace teleta::servo_figure {
 
 /// The curves of a servo run that a figure shows, one entry per step. Undefined values are NaN. Thread: one.
 struct ServoCurves {
@@ -40,7 +40,7 @@ struct ServoCurves {
     struct Span {
         double begin_s;
         double end_s;
-        ActiveLimits limits; ///< limits that acted in the span
+        servo::ActiveLimits limits; ///< limits that acted in the span
     };
     static constexpr std::size_t kMostSpans =
         4096;                          ///< largest number of spans of each kind; further ones extend the last
@@ -48,14 +48,15 @@ struct ServoCurves {
     std::vector<Span> limits;          ///< each while the same limits act
     std::optional<double> massMoves_s; ///< when a weight on the tray is first moved
 
-    void add(const ServoStep& step, std::string_view phase);
+    void add(const servo::ServoStep& step, std::string_view phase);
     /// Takes the events of a step without adding to the curves.
-    void note(const ServoStep& step);
+    void note(const servo::ServoStep& step);
     /// Keeps every second entry of the curves and all phases.
     void thin();
 
 private:
-    static void lengthen(std::vector<Span>& spans, double now_s, const ActiveLimits& acting, bool goesOn);
+    static void lengthen(std::vector<Span>& spans, double now_s, const servo::ActiveLimits& acting,
+                         bool goesOn);
 
     [[nodiscard]] double turnSinceStart_rad(const Eigen::Quaterniond& q_Base_Sensor) const;
 
@@ -63,7 +64,7 @@ private:
     Eigen::Quaterniond m_q_Base_Start = Eigen::Quaterniond::Identity();
     bool m_touching = false; ///< in the last step
     bool m_limited = false;
-    double m_mass_m = ServoStep::kNone;
+    double m_mass_m = servo::ServoStep::kNone;
     double m_noted_s = 0.0;
 };
 
@@ -71,4 +72,4 @@ private:
 /// the folder. Error: badInput with line and column, notFound. Thread: any.
 [[nodiscard]] core::Expected<ServoCurves> readServoCurves(const std::string& path);
 
-} // namespace teleta::servo
+} // namespace teleta::servo_figure

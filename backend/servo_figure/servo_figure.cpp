@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace teleta::servo {
+namespace teleta::servo_figure {
 
 namespace {
 
@@ -277,12 +277,12 @@ private:
 
     /// The limits that acted in any run.
     [[nodiscard]] QString limitsName() const {
-        ActiveLimits all;
+        servo::ActiveLimits all;
         for (const ServoCurves& run : m_runs)
             for (const ServoCurves::Span& span : run.limits)
-                for (std::size_t i = 0; i < kLimits; ++i)
-                    if (span.limits.has(static_cast<Limit>(i)))
-                        all.set(static_cast<Limit>(i));
+                for (std::size_t i = 0; i < servo::kLimits; ++i)
+                    if (span.limits.has(static_cast<servo::Limit>(i)))
+                        all.set(static_cast<servo::Limit>(i));
         return FigureText::tr("a limit acts (%1)")
             .arg(QString::fromStdString(all.names())
                      .replace(QLatin1Char('_'), QLatin1Char(' '))
@@ -500,4 +500,4 @@ figure::SvgCanvas servoFigure(std::span<const ServoCurves> runs, double width, d
     return Chart(runs.first(std::min(runs.size(), kMost)), width, height).drawn();
 }
 
-} // namespace teleta::servo
+} // namespace teleta::servo_figure

@@ -6,7 +6,7 @@
 
 #include <span>
 
-namespace teleta::servo {
+namespace teleta::servo_figure {
 
 /// Size of a figure that is not drawn in a window; px.
 inline constexpr double kServoFigureWidth = 820.0;
@@ -24,4 +24,4 @@ inline constexpr double kServoFigureHeight = 980.0;
                                             double width = kServoFigureWidth,
                                             double height = kServoFigureHeight);
 
-} // namespace teleta::servo
+} // namespace teleta::servo_figure

@@ -38,7 +38,7 @@ void makeApplication() {
 
 bool servoCsv(Bytes bytes) {
     const MemoryFile file(bytes);
-    const core::Expected<servo::ServoCurves> run = servo::readServoCurves(file.path());
+    const core::Expected<servo_figure::ServoCurves> run = servo_figure::readServoCurves(file.path());
     if (!run) {
         requireExplained(run.error(), file.path());
         return false;
@@ -47,7 +47,7 @@ bool servoCsv(Bytes bytes) {
     require(std::ranges::all_of(run->time_s, [](double time_s) { return std::isfinite(time_s); }),
             "times are finite");
     require(run->force_N.size() == run->time_s.size(), "a curve has a value a time");
-    requirePicture(servo::servoFigure(std::span(&*run, 1)).standalone());
+    requirePicture(servo_figure::servoFigure(std::span(&*run, 1)).standalone());
     return true;
 }
 

@@ -29,7 +29,7 @@ bool ServoRuns::goesOn(const ServoStep& step) const {
     return time_s.empty() || step.time_s > time_s.back();
 }
 
-void ServoRuns::push(Origin origin, ServoCurves curves) {
+void ServoRuns::push(Origin origin, servo_figure::ServoCurves curves) {
     if (m_curves.size() == kMost) {
         m_curves.erase(m_curves.begin());
         m_origins.erase(m_origins.begin());
@@ -54,7 +54,7 @@ void ServoRuns::add(const ServoStep& step) {
         m_current = m_curves.size() - 1;
     }
     Origin& origin = m_origins[m_current];
-    ServoCurves& curves = m_curves[m_current];
+    servo_figure::ServoCurves& curves = m_curves[m_current];
     if (origin.passed++ % origin.stride != 0) {
         curves.note(step);
         return;
@@ -78,7 +78,7 @@ void ServoRuns::add(const ServoStep& step) {
     }
 }
 
-void ServoRuns::addRecorded(ServoCurves run) {
+void ServoRuns::addRecorded(servo_figure::ServoCurves run) {
     Origin origin;
     origin.name = run.name;
     push(std::move(origin), std::move(run));
@@ -99,18 +99,19 @@ void ServoRuns::forgetOthers() {
 }
 
 QString ServoRuns::csv() const {
-    constexpr std::array kColumns{&ServoCurves::time_s,        &ServoCurves::force_N,
-                                  &ServoCurves::desired_N,     &ServoCurves::copY_m,
-                                  &ServoCurves::copYDesired_m, &ServoCurves::cocX_m,
-                                  &ServoCurves::dzmpY_m,       &ServoCurves::dzmpYTrue_m,
-                                  &ServoCurves::alphaZ_rad,    &ServoCurves::alphaZDesired_rad,
-                                  &ServoCurves::way_m,         &ServoCurves::cocXDesired_m,
-                                  &ServoCurves::dzmpYDesired_m};
+    constexpr std::array kColumns{
+        &servo_figure::ServoCurves::time_s,        &servo_figure::ServoCurves::force_N,
+        &servo_figure::ServoCurves::desired_N,     &servo_figure::ServoCurves::copY_m,
+        &servo_figure::ServoCurves::copYDesired_m, &servo_figure::ServoCurves::cocX_m,
+        &servo_figure::ServoCurves::dzmpY_m,       &servo_figure::ServoCurves::dzmpYTrue_m,
+        &servo_figure::ServoCurves::alphaZ_rad,    &servo_figure::ServoCurves::alphaZDesired_rad,
+        &servo_figure::ServoCurves::way_m,         &servo_figure::ServoCurves::cocXDesired_m,
+        &servo_figure::ServoCurves::dzmpYDesired_m};
     QString text =
         QStringLiteral("run,time_s,force_true_N,force_desired_N,cop_y_m,cop_y_desired_m,coc_x_m,"
                        "dzmp_y_m,dzmp_y_true_m,alpha_z_rad,alpha_z_desired_rad,way_m,coc_x_desired_m,"
                        "dzmp_y_desired_m\n");
-    for (const ServoCurves& run : m_curves) {
+    for (const servo_figure::ServoCurves& run : m_curves) {
         const QString name =
             QLatin1Char('"') +
             QString::fromStdString(run.name).replace(QLatin1Char('"'), QLatin1String("\"\"")) +

@@ -28,11 +28,11 @@ public:
     void setSource(std::string name, const void* source);
     /// Adds a step; starts a new run when the source was restarted or its time went back.
     void add(const ServoStep& step);
-    void addRecorded(ServoCurves run);
+    void addRecorded(servo_figure::ServoCurves run);
     /// Keeps only the current run.
     void forgetOthers();
 
-    [[nodiscard]] std::span<const ServoCurves> runs() const { return m_curves; }
+    [[nodiscard]] std::span<const servo_figure::ServoCurves> runs() const { return m_curves; }
     /// The runs as CSV in the C locale: run, time_s and the drawn columns of servo.csv; NA: undefined.
     [[nodiscard]] QString csv() const;
 
@@ -48,12 +48,12 @@ private:
         std::size_t passed = 0; ///< number of steps since the last one taken
     };
 
-    void push(Origin origin, ServoCurves curves);
+    void push(Origin origin, servo_figure::ServoCurves curves);
     [[nodiscard]] bool goesOn(const ServoStep& step) const;
 
     std::string m_name;
     const void* m_source = nullptr;
-    std::vector<ServoCurves> m_curves;
+    std::vector<servo_figure::ServoCurves> m_curves;
     std::vector<Origin> m_origins; ///< of each
     std::size_t m_current = 0;     ///< index of the run to which steps are added; not an index: none
 };

@@ -103,8 +103,8 @@ void ServoRunsView::append(const ServoStep& step) {
 
 void ServoRunsView::addRecorded(const QString& path) {
     base::runInBackground(
-        this, [file = path.toStdString()] { return readServoCurves(file); },
-        [this](core::Expected<ServoCurves> run) {
+        this, [file = path.toStdString()] { return servo_figure::readServoCurves(file); },
+        [this](core::Expected<servo_figure::ServoCurves> run) {
             if (!run) {
                 emit failed(QString::fromStdString(core::describe(run.error())));
                 return;
@@ -154,8 +154,9 @@ void ServoRunsView::draw() {
     // A chart too small for its text is drawn larger and scaled down.
     const double scale = std::min(
         {base::em(this, 1) / kFigureEm_px, size.width() / kLeastFigure_px, size.height() / kLeastFigure_px});
-    const std::string svg = servoFigure(m_runs.runs(), size.width() / scale, size.height() / scale)
-                                .standalone(coloursOf(palette()));
+    const std::string svg =
+        servo_figure::servoFigure(m_runs.runs(), size.width() / scale, size.height() / scale)
+            .standalone(coloursOf(palette()));
     QSvgRenderer renderer(QByteArray::fromStdString(svg));
     m_chart = QPixmap((size * devicePixelRatioF()).toSize());
     m_chart.setDevicePixelRatio(devicePixelRatioF());
@@ -168,8 +169,8 @@ void ServoRunsView::draw() {
 base::Figure ServoRunsView::figure() const {
     base::Figure figure;
     figure.name = tr("servo-runs", "name of a file");
-    figure.size_px = QSizeF(kServoFigureWidth, kServoFigureHeight);
-    figure.svg = QByteArray::fromStdString(servoFigure(m_runs.runs()).standalone());
+    figure.size_px = QSizeF(servo_figure::kServoFigureWidth, servo_figure::kServoFigureHeight);
+    figure.svg = QByteArray::fromStdString(servo_figure::servoFigure(m_runs.runs()).standalone());
     const auto renderer = std::make_shared<QSvgRenderer>(figure.svg);
     figure.paint = [renderer, size = figure.size_px](QPainter& painter) {
         renderer->render(&painter, QRectF(QPointF(), size));

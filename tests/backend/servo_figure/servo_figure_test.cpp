@@ -14,7 +14,10 @@
 #include <string>
 #include <vector>
 
-namespace teleta::servo {
+namespace teleta::servo_figure {
+
+using namespace servo;
+
 namespace {
 
 constexpr const char* kHeader =
@@ -308,4 +311,4 @@ TEST_F(ServoFigure, aRunWithoutRowsAndNoRunAreEmptyCharts) {
     EXPECT_TRUE(hasOnlyNumbers(servoFigure({}).standalone()));
 }
 
-} // namespace teleta::servo
+} // namespace teleta::servo_figure

@@ -93,7 +93,7 @@ private slots:
         runs.add(stepAt(10.0));
         QCOMPARE(runs.runs()[0].force_N.size(), std::size_t{3});
         QVERIFY(std::isnan(runs.runs()[0].force_N[1]));
-        ServoCurves recorded;
+        teleta::servo_figure::ServoCurves recorded;
         for (std::size_t i = 1; i <= ServoRuns::kMost; ++i) {
             recorded.name = std::to_string(i);
             runs.addRecorded(recorded);

@@ -178,10 +178,10 @@ core::Expected<void> SimulateCommand::ablate(const app::AnyScene& scene) const {
     return printAblation(*ablation, {.json = m_json, .outPath = m_outFolder});
 }
 
-core::Expected<std::vector<servo::ServoCurves>> SimulateCommand::readEarlierRuns() const {
-    std::vector<servo::ServoCurves> runs;
+core::Expected<std::vector<servo_figure::ServoCurves>> SimulateCommand::readEarlierRuns() const {
+    std::vector<servo_figure::ServoCurves> runs;
     for (const std::string& folder : m_compare) {
-        core::Expected<servo::ServoCurves> run = servo::readServoCurves(folder);
+        core::Expected<servo_figure::ServoCurves> run = servo_figure::readServoCurves(folder);
         if (!run)
             return core::Unexpected(run.error());
         runs.push_back(std::move(*run));
@@ -189,12 +189,12 @@ core::Expected<std::vector<servo::ServoCurves>> SimulateCommand::readEarlierRuns
     return runs;
 }
 
-core::Expected<void> SimulateCommand::writeFigures(std::vector<servo::ServoCurves> runs) const {
-    core::Expected<servo::ServoCurves> own = servo::readServoCurves(m_outFolder);
+core::Expected<void> SimulateCommand::writeFigures(std::vector<servo_figure::ServoCurves> runs) const {
+    core::Expected<servo_figure::ServoCurves> own = servo_figure::readServoCurves(m_outFolder);
     if (!own)
         return core::Unexpected(own.error());
     runs.insert(runs.begin(), std::move(*own));
-    const std::string svg = servo::servoFigure(runs).standalone();
+    const std::string svg = servo_figure::servoFigure(runs).standalone();
     for (const std::string& format : m_figures) {
         const core::Expected<std::string> bytes = format == "pdf"   ? figure::pdfOf(svg)
                                                   : format == "png" ? figure::pngOf(svg)
@@ -231,7 +231,7 @@ core::Expected<void> SimulateCommand::run() {
         throw CLI::ValidationError("--figures", SimulateText::tr("is for scenes of a servo").toStdString());
 
     // Before the run, which may take long; and the run may be of the same folder.
-    core::Expected<std::vector<servo::ServoCurves>> earlier = readEarlierRuns();
+    core::Expected<std::vector<servo_figure::ServoCurves>> earlier = readEarlierRuns();
     if (!earlier)
         return core::Unexpected(earlier.error());
     // Nothing is printed before the end, so the bar may share the terminal with the results.

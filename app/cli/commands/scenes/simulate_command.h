@@ -23,8 +23,8 @@ public:
 
 private:
     [[nodiscard]] core::Expected<void> ablate(const app::AnyScene& scene) const;
-    [[nodiscard]] core::Expected<std::vector<servo::ServoCurves>> readEarlierRuns() const;
-    [[nodiscard]] core::Expected<void> writeFigures(std::vector<servo::ServoCurves> runs) const;
+    [[nodiscard]] core::Expected<std::vector<servo_figure::ServoCurves>> readEarlierRuns() const;
+    [[nodiscard]] core::Expected<void> writeFigures(std::vector<servo_figure::ServoCurves> runs) const;
 
     std::string m_scenePath;
     bool m_list = false;
